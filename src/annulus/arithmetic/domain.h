@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+
+#include <cmath>
+
+namespace annulus {
+
+/// The coordinate domain: every finite double of magnitude at most 2^500, subnormals and zeros included.
+///
+/// The bound keeps squared distances finite (a difference is at most 2^501, a sum of three squares below 2^1004), so
+/// the comparison of a displacement with a tolerance never overflows. Determinants of higher degree are evaluated on
+/// differences scaled by a power of two, so they neither overflow nor underflow at either end of the domain.
+inline constexpr double coordinate_limit = 0x1p500;
+
+/// True when x is a number inside the coordinate domain (false for NaN and infinities).
+[[nodiscard]] inline bool in_domain(double x) noexcept { return std::fabs(x) <= coordinate_limit; }
+
+template <std::size_t d>
+[[nodiscard]] inline bool in_domain(const std::array<double, d>& x) noexcept {
+    for (const double c : x)
+        if (!in_domain(c)) return false;
+    return true;
+}
+
+}  // namespace annulus

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace annulus {
+
+/// What went wrong. Every exception the library throws on purpose is an `annulus::Error` with one of these.
+enum class Error_code {
+    not_finite,      ///< a coordinate is NaN or infinite
+    out_of_domain,   ///< a coordinate is outside the coordinate domain (see domain.h)
+    collision,       ///< two vertices would share a position
+    too_few,         ///< an operation needs more points than there are
+    wrong_size,      ///< a range has not one position for every index
+    unknown_vertex,  ///< an index or handle that names no vertex
+    environment,     ///< the floating-point environment is not the one the proofs assume
+    usage,           ///< options that do not fit together
+    bad_input,       ///< a file that cannot be read or does not say what it should
+};
+
+/// The one exception type of annulus. The object a failed call was made on is as it was before the call.
+class Error : public std::runtime_error {
+  public:
+    Error(Error_code code, const std::string& what) : std::runtime_error(what), code_(code) {}
+    /// The reason as a value; `what()` has it in words.
+    [[nodiscard]] Error_code code() const noexcept { return code_; }
+
+  private:
+    Error_code code_;
+};
+
+}  // namespace annulus

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gmpxx.h>
+#include <mpfr.h>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// Doubles as integers times one power of two: x_i = integer[i] * 2^exponent, exactly.
+struct Scaled_integers {
+    std::vector<mpz_class> integer;
+    long exponent = 0;
+
+    /// Precondition: every x is finite. Cost grows with the spread of the exponents (at most 1,600 bits a number
+    /// inside the coordinate domain).
+    explicit Scaled_integers(std::span<const double> x);
+};
+
+[[nodiscard]] inline mpz_class squared(const mpz_class& x) { return x * x; }
+
+/// The largest double not above numerator * 2^exponent / (sqrt(a) + sqrt(b)), up to a relative slack of 2^-100 before
+/// the final rounding: a lower bound in every case.
+///
+/// Preconditions: numerator >= 0, a >= 0, b >= 0, a + b > 0. Each step is rounded in the direction that makes the
+/// quotient smaller; overflow of the result is the largest double, underflow is zero or a subnormal below the truth.
+[[nodiscard]] double quotient_by_roots_lower(const mpz_class& numerator, const mpz_class& a, const mpz_class& b,
+                                             long exponent);
+
+}  // namespace annulus

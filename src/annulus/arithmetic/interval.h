@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/environment.h>
+
+#include <boost/numeric/interval.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace annulus {
+
+/// The one Boost.Interval policy of the library: every operation assumes that the rounding mode is upward already.
+///
+/// Computing with an Interval outside the scope of a `Rounding_guard(FE_UPWARD)` gives bounds that are not bounds.
+/// Boost's default policy switches the mode in every operation and is twenty times slower.
+using Interval = boost::numeric::interval<
+    double,
+    boost::numeric::interval_lib::policies<
+        boost::numeric::interval_lib::save_state_nothing<boost::numeric::interval_lib::rounded_transc_opp<double>>,
+        boost::numeric::interval_lib::checking_base<double>>>;
+
+/// The interval that holds a - b, for doubles, scaled by `scale`, a power of two.
+[[nodiscard]] inline Interval scaled_difference(double a, double b, double scale) {
+    return (Interval(a) - Interval(b)) * Interval(scale);
+}
+
+/// x^2 as an interval that is never negative (x*x would forget that both factors are one number).
+[[nodiscard]] inline Interval squared(const Interval& x) { return boost::numeric::square(x); }
+[[nodiscard]] inline double squared(double x) { return x * x; }
+
+}  // namespace annulus

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace annulus::bounds {
+
+/// Unit roundoff of double, u = 2^-53: a rounded operation is off by at most u relative to its result.
+inline constexpr double u = 0x1p-53;
+
+// Forward errors of the filter stage, in units of u, when every computed difference of coordinates is at most 1 in
+// magnitude. A determinant of degree k over differences of magnitude at most m has k-th power scaling, so the absolute
+// bounds are these constants times u m^k. proofs/gappa/certificates_2.g proves each line (goals rounded up by one
+// unit), for exactly the order of operations in width_terms.h.
+
+inline constexpr double orientation_2 = 7.0;       ///< orientation_terms: determinant, degree 2
+inline constexpr double annulus_2_incircle = 121.0;  ///< annulus_terms: determinant, degree 4
+inline constexpr double annulus_2_inner = 65.0;      ///< annulus_terms: each coordinate of N, degree 3
+inline constexpr double annulus_2_outer = 121.0;     ///< annulus_terms: each coordinate of M, degree 3
+
+/// |M~| + |N~| falls short of |M| + |N| by at most sqrt(2) (65 + 121) u m^3 for the vectors themselves; rounding of the
+/// squares, roots and sum is relative and is in `tail`.
+inline constexpr double annulus_2_norms = 264.0;
+
+/// Relative error of the tail: two squares and a sum (2u), square root (u/2 of that plus u), sum of the roots (u),
+/// quotient (u), and the few operations on the bounds themselves (6u); 16u is above the total to first order with room
+/// for the second.
+inline constexpr double tail = 16.0;
+
+/// The filter answers only when what its error bounds take off is at most this share of the answer; else the next
+/// stage is asked. Tightness, not validity: a lower bound less tight is still a lower bound.
+inline constexpr double filter_slack = 0x1p-10;
+
+/// The filter works on unscaled differences whose largest magnitude m lies in [1 / filter_range, filter_range]; then
+/// m^6 and u m^8 are normal numbers and the absolute bounds above absorb every underflow. Outside, the interval stage
+/// scales.
+inline constexpr double filter_range = 0x1p120;
+
+}  // namespace annulus::bounds

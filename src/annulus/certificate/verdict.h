@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+#include <annulus/arithmetic/stage.h>
+
+#include <array>
+#include <string_view>
+
+namespace annulus {
+
+/// Which number stands for the tolerance of a certificate.
+enum class Tolerance_kind : std::uint8_t {
+    certified,  ///< a proved lower bound
+    paper,      ///< the standard annulus and parallel hyperplanes in plain double, no certificates of cells
+    floating,   ///< the same certificates and formulas as `certified`, in plain double without error bounds
+};
+
+[[nodiscard]] constexpr std::string_view name_of(Tolerance_kind kind) {
+    return kind == Tolerance_kind::certified ? "certified" : kind == Tolerance_kind::paper ? "paper" : "floating";
+}
+
+/// What is known of one certificate at given positions.
+struct Verdict {
+    double tolerance = 0.0;       ///< lower bound of half the width (unit of length); 0 unless sign > 0
+    std::int8_t sign = 0;         ///< exact sign of the determinant
+    Stage stage = Stage::filter;  ///< the stage that decided
+};
+
+/// Pointers to the positions of the points of one certificate.
+template <int d, int k>
+using Tuple = std::array<const Coordinates<d>*, static_cast<std::size_t>(k)>;
+
+}  // namespace annulus

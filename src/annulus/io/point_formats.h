@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+#include <annulus/io/text_input.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace annulus {
+
+/// What one file says before anybody asks for a dimension. Coordinates are finite; z is 0 where there is none.
+struct Raw_points {
+    std::vector<Coordinates<3>> points;
+    std::vector<std::uint64_t> lines;  ///< where each point stands: line, or record in a binary file, from 1
+    bool has_z = false;
+};
+
+/// `x y [z]` a line, further columns ignored; or XYZ: a count, a comment, then `[Element] x y [z]` lines.
+[[nodiscard]] Raw_points read_xyz(const Source& source);
+
+/// Values separated by comma, semicolon or tab. With a header the columns named x, y, z (either case) are used, else
+/// the first two or three.
+[[nodiscard]] Raw_points read_csv(const Source& source);
+
+/// Vertices of an OFF surface, colours, normals and texture coordinates of its variants ignored.
+[[nodiscard]] Raw_points read_off(const Source& source);
+
+/// Vertices of a PLY file, ASCII or binary of either byte order; all other elements are stepped over.
+[[nodiscard]] Raw_points read_ply(const Source& source);
+
+/// Vertices of a Medit mesh.
+[[nodiscard]] Raw_points read_medit_points(const Source& source);
+
+}  // namespace annulus

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/io/point_formats.h>
+#include <annulus/io/read_points.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+namespace {
+
+using Reader = Raw_points (*)(const Source&);
+
+Reader reader_of(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    if (extension == ".xyz") return read_xyz;
+    if (extension == ".csv") return read_csv;
+    if (extension == ".off") return read_off;
+    if (extension == ".ply") return read_ply;
+    if (extension == ".mesh") return read_medit_points;
+    throw Input_error(Error_code::bad_input, file.string(), 0,
+                      extension.empty() ? "has no extension" : "has the unknown extension " + shown(extension),
+                      ".xyz, .csv, .off, .ply or .mesh");
+}
+
+}  // namespace
+
+template <int d>
+Point_file<d> read_points(const std::filesystem::path& file, const Read_options& options) {
+    static_assert(d == 2 || d == 3);
+    const Source source = load_file(file);
+    Raw_points raw = reader_of(file)(source);
+
+    Point_file<d> result;
+    result.name = source.name;
+    if (raw.points.empty())
+        throw Input_error(Error_code::bad_input, source.name, 1, "has no points", "at least one point");
+    if (d == 2 && raw.has_z && !options.ignore_z)
+        throw Input_error(Error_code::bad_input, source.name, raw.lines.front(),
+                          "has a z coordinate; pass --ignore-z to drop it", "x and y only");
+    if (d == 3 && !raw.has_z)
+        throw Input_error(Error_code::bad_input, source.name, raw.lines.front(), "has no z coordinate", "x, y and z");
+    result.points.reserve(raw.points.size());
+    for (const Coordinates<3>& p : raw.points) {
+        Coordinates<d> q;
+        std::copy_n(p.begin(), d, q.begin());
+        result.points.push_back(q);
+    }
+    result.lines = std::move(raw.lines);
+    return result;
+}
+
+template Point_file<2> read_points<2>(const std::filesystem::path&, const Read_options&);
+template Point_file<3> read_points<3>(const std::filesystem::path&, const Read_options&);
+
+}  // namespace annulus

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+#include <annulus/io/input_error.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace annulus {
+
+struct Read_options {
+    /// In two dimensions, drop a z coordinate instead of refusing the file.
+    bool ignore_z = false;
+};
+
+/// The points of one file, in its order and in its unit of length. All coordinates are finite.
+template <int d>
+struct Point_file {
+    std::string name;
+    std::vector<Coordinates<d>> points;
+    /// Where each point stands: its line, or the number of its record in a binary file, from 1.
+    std::vector<std::uint64_t> lines;
+
+    /// A fault found later in point i (a duplicate, a point outside the domain), reported like the reader's own.
+    [[nodiscard]] Input_error fault(std::size_t i, Error_code code, std::string what, std::string expected) const {
+        return {code, name, lines.at(i), std::move(what), std::move(expected)};
+    }
+};
+
+/// Reads points by the extension of the file: .xyz, .csv, .off, .ply, .mesh (either case); see point_formats.h.
+///
+/// Decimals are rounded correctly. d is 2 or 3. Throws Input_error for everything that is wrong with the file, which
+/// includes having no points, a z coordinate when d is 2 (unless ignored), and none when d is 3. Linear in the size of
+/// the file, which is held in memory.
+template <int d>
+[[nodiscard]] Point_file<d> read_points(const std::filesystem::path& file, const Read_options& options = {});
+
+extern template Point_file<2> read_points<2>(const std::filesystem::path&, const Read_options&);
+extern template Point_file<3> read_points<3>(const std::filesystem::path&, const Read_options&);
+
+}  // namespace annulus

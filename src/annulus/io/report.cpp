@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/io/axis_ticks.h>
+#include <annulus/io/markup.h>
+#include <annulus/io/report.h>
+#include <annulus/io/report_plots.h>
+#include <annulus/io/report_style.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+namespace {
+
+/// "12.3 %"; a share that is not all never reads as 100 %, and one that is not nothing never as 0 %.
+std::string percentage(std::uint64_t part, std::uint64_t all) {
+    if (all == 0) return "–";
+    const double value = 100 * static_cast<double>(part) / static_cast<double>(all);
+    if (part != all && value >= 99.95) return "> 99.9 %";
+    if (part != 0 && value < 0.01) return "< 0.01 %";
+    return readable(value) + " %";
+}
+
+std::string duration(double seconds) {
+    if (seconds == 0) return "0 s";
+    if (seconds < 1e-3) return readable(seconds * 1e6) + " µs";
+    return seconds < 1 ? readable(seconds * 1e3) + " ms" : readable(seconds) + " s";
+}
+
+std::string memory(std::uint64_t bytes) {
+    if (bytes == 0) return "unknown";
+    const double value = static_cast<double>(bytes);
+    return value < 1e9 ? readable(value / 1e6) + " MB" : readable(value / 1e9) + " GB";
+}
+
+std::string audit(const Audit_record& record) {
+    if (record.checked == 0) return "none";
+    const std::string checked = grouped(record.checked) + " checked, ";
+    return checked + (record.failed == 0 ? "<span class=\"good\">none failed</span>"
+                                         : "<span class=\"bad\">" + grouped(record.failed) + " failed</span>");
+}
+
+/// `value` is HTML.
+void append_row(std::string& out, std::string_view name, const std::string& value) {
+    out += "<tr><th scope=\"row\">" + escaped(name) + "</th><td>" + value + "</td></tr>\n";
+}
+
+std::string with_share(std::uint64_t part, std::uint64_t all) {
+    return grouped(part) + " <small>(" + percentage(part, all) + ")</small>";
+}
+
+void append_numbers(std::string& out, const Run_record& run) {
+    out += "<div class=\"numbers\"><table>\n";
+    append_row(out, "vertices", grouped(run.vertices) + " <small>in " + std::to_string(run.dimension) + "D</small>");
+    append_row(out, "iterations", grouped(run.iterations));
+    append_row(out, "strategy", escaped(run.strategy));
+    append_row(out, "tolerance", escaped(run.tolerance));
+    append_row(out, "threads", grouped(run.threads));
+    append_row(out, "seed", std::to_string(run.seed));
+    if (run.mean_spacing > 0) append_row(out, "mean spacing", readable(run.mean_spacing));
+    out += "</table><table>\n";
+    append_row(out, "triangulation time", duration(run.seconds.triangulation));
+    append_row(out, "motion time", duration(run.seconds.motion));
+    append_row(out, "total time", duration(run.seconds.total));
+    append_row(out, "peak memory", memory(run.memory_peak_bytes));
+    append_row(out, "audits", audit(run.audit));
+    const std::uint64_t decisions = run.arithmetic.total();
+    append_row(out, "certificates decided", grouped(decisions));
+    append_row(out, "by the filter", with_share(run.arithmetic.filter, decisions));
+    append_row(out, "by intervals", with_share(run.arithmetic.interval, decisions));
+    append_row(out, "exactly", with_share(run.arithmetic.exact, decisions));
+    out += "</table><table>\n";
+    const Moves_record& moves = run.moves;
+    append_row(out, "moves asked for", grouped(moves.asked));
+    append_row(out, "within tolerance", with_share(moves.within_tolerance, moves.asked));
+    append_row(out, "kept in place", with_share(moves.kept_in_place, moves.asked));
+    append_row(out, "flipped", with_share(moves.flipped, moves.asked));
+    append_row(out, "reinserted", with_share(moves.reinserted, moves.asked));
+    append_row(out, "rebuilt", with_share(moves.rebuilt, moves.asked));
+    out += "</table></div>\n";
+}
+
+/// `caption` is HTML.
+void append_figure(std::string& out, const std::string& heading, const std::string& svg, const std::string& caption) {
+    out += "<figure>";
+    if (!heading.empty()) out += "<h3>" + escaped(heading) + "</h3>";
+    out += svg;
+    if (!caption.empty()) out += "<figcaption>" + caption + "</figcaption>";
+    out += "</figure>\n";
+}
+
+void append_plots(std::string& out, const std::string& heading, const std::vector<Plot>& plots,
+                  const std::string& caption) {
+    if (plots.empty()) return;
+    out += "<h2>" + escaped(heading) + "</h2>\n<div class=\"panels\">\n";
+    for (const Plot& plot : plots) append_figure(out, plot.title, svg_plot(plot), "");
+    out += "</div>\n";
+    if (!caption.empty()) out += "<figcaption>" + escaped(caption) + "</figcaption>\n";
+}
+
+/// Both pictures show the same part of the plane, or they could not be compared.
+void append_pictures(std::string& out, const Report& report) {
+    if (!report.before && !report.after) return;
+    out += "<h2>The triangulation</h2>\n<div class=\"panels\">\n";
+    std::vector<Coordinates<2>> all;
+    std::size_t most = 12000;
+    for (const auto* picture : {&report.before, &report.after})
+        if (*picture) all.insert(all.end(), (*picture)->points.begin(), (*picture)->points.end());
+    const std::size_t pictures = (report.before ? 1 : 0) + (report.after ? 1 : 0);
+    const Window window = window_of(all, most * pictures, 5000 * pictures);
+    const auto append = [&](const std::optional<Picture>& picture, const char* fallback) {
+        if (!picture) return;
+        std::string caption = escaped(picture->caption.empty() ? fallback : picture->caption);
+        if (!window.whole)
+            caption += ": the " + grouped(points_in(window, picture->points)) +
+                       " vertices in a window in the middle, of " + grouped(picture->points.size());
+        append_figure(out, "", svg_triangulation(*picture, window), caption + ".");
+    };
+    append(report.before, "Before");
+    append(report.after, "After");
+    out += "</div>\n";
+}
+
+void append_comparison(std::string& out, const Comparison_record& comparison) {
+    out += "<h2>Strategies compared</h2>\n";
+    out += comparison.agree ? "<p class=\"verdict good\">All strategies agree.</p>\n"
+                            : "<p class=\"verdict bad\">The strategies disagree.</p>\n";
+    for (const std::string& line : comparison.disagreements) out += "<p>" + escaped(line) + "</p>\n";
+    if (comparison.runs.empty()) return;
+    const auto fastest = std::min_element(
+        comparison.runs.begin(), comparison.runs.end(),
+        [](const auto& a, const auto& b) { return a.seconds.triangulation < b.seconds.triangulation; });
+    const Run_record& first = comparison.runs.front();
+    out +=
+        "<div class=\"scroll\"><table class=\"wide\"><thead><tr><th scope=\"col\">strategy</th>"
+        "<th scope=\"col\">triangulation</th><th scope=\"col\">over fastest</th><th scope=\"col\">" +
+        escaped(first.strategy) +
+        " over it</th><th scope=\"col\">within tolerance</th><th scope=\"col\">audits</th></tr></thead><tbody>\n";
+    const auto ratio = [](double a, double b) { return b > 0 ? readable(a / b) + "×" : std::string("–"); };
+    for (const Run_record& run : comparison.runs)
+        out += "<tr><th scope=\"row\">" + escaped(run.strategy) + "</th><td>" + duration(run.seconds.triangulation) +
+               "</td><td>" + ratio(run.seconds.triangulation, fastest->seconds.triangulation) + "</td><td>" +
+               ratio(first.seconds.triangulation, run.seconds.triangulation) + "</td><td>" +
+               percentage(run.moves.within_tolerance, run.moves.asked) + "</td><td>" + audit(run.audit) +
+               "</td></tr>\n";
+    out += "</tbody></table></div>\n";
+    append_plots(out, "Cumulative time", comparison_plots(comparison),
+                 "Time for keeping the triangulation and its tolerances right, without the motion, summed over the "
+                 "iterations. A curve that flattens belongs to a strategy that gains from small displacements.");
+}
+
+}  // namespace
+
+std::string report_html(const Report& report) {
+    const Run_record& run = report.run;
+    std::string out =
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>";
+    out += escaped(report.title) + "</title>\n<style>" + report_style + "</style>\n</head>\n<body>\n<main>\n<h1>" +
+           escaped(report.title) + "</h1>\n";
+    if (!run.command.empty()) out += "<p class=\"command\"><code>" + escaped(run.command) + "</code></p>\n";
+    if (run.audit.failed > 0)
+        out += "<p class=\"verdict bad\">" + grouped(run.audit.failed) + " of " + grouped(run.audit.checked) +
+               " audits failed: the triangulation was not Delaunay.</p>\n";
+    append_numbers(out, run);
+    if (report.comparison) append_comparison(out, *report.comparison);
+    append_pictures(out, report);
+    append_plots(out, "Convergence", convergence_plots(report),
+                 "Lengths in mean spacings: the square root of the area (cube root of the volume) that one vertex has "
+                 "on average.");
+    append_plots(out, "What a step costs", cost_plots(run), "");
+    for (const Figure& figure : report.figures) append_plots(out, figure.heading, figure.panels, figure.caption);
+    if (!report.notes.empty()) out += "<h2>Notes</h2>\n";
+    for (const std::string& note : report.notes) out += "<p>" + escaped(note) + "</p>\n";
+    return out + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace annulus

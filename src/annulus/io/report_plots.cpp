@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/io/axis_ticks.h>
+#include <annulus/io/report_plots.h>
+
+#include <limits>
+#include <utility>
+
+namespace annulus {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A curve over the iterations; absent values are gaps.
+template <class Value>
+Series over_iterations(std::string name, const std::vector<Iteration_record>& steps, Value value) {
+    Series series;
+    series.name = std::move(name);
+    for (const Iteration_record& step : steps) {
+        const std::optional<double> y = value(step);
+        series.x.push_back(static_cast<double>(step.iteration));
+        series.y.push_back(y.value_or(nan));
+    }
+    return series;
+}
+
+/// Values measured in some steps only are joined across the others.
+template <class Value>
+void add_measured(std::vector<Series>& all, std::string name, const std::vector<Iteration_record>& steps, Value value) {
+    Series series;
+    series.name = std::move(name);
+    for (const Iteration_record& step : steps) {
+        const std::optional<double> y = value(step);
+        if (!y) continue;
+        series.x.push_back(static_cast<double>(step.iteration));
+        series.y.push_back(*y);
+    }
+    if (!series.x.empty()) all.push_back(std::move(series));
+}
+
+Axis iteration_axis(Scale scale) { return {"iteration", scale, {}, {}, true}; }
+
+}  // namespace
+
+std::vector<Plot> convergence_plots(const Report& report) {
+    std::vector<Plot> plots;
+    const auto& steps = report.run.steps;
+    if (!steps.empty()) {
+        Plot plot{"Displacement, tolerance, annulus width",
+                  iteration_axis(Scale::log10),
+                  {"mean over vertices (mean spacings)", Scale::log10, {}, {}, false},
+                  {}};
+        add_measured(plot.series, "displacement", steps,
+                     [](const Iteration_record& s) { return std::optional<double>(s.displacement_mean); });
+        add_measured(plot.series, "tolerance", steps, [](const Iteration_record& s) { return s.tolerance_mean; });
+        add_measured(plot.series, "annulus width", steps,
+                     [](const Iteration_record& s) { return s.annulus_width_mean; });
+        plots.push_back(std::move(plot));
+    }
+    if (!report.annulus_widths.empty()) {
+        const bool logarithmic = report.annulus_widths.front().widths.logarithmic();
+        Plot plot{"Distribution of standard annulus widths",
+                  {"standard annulus width (mean spacings)", logarithmic ? Scale::log10 : Scale::linear, {}, {}, true},
+                  {"bi-cells in a bin (%)", Scale::linear, 0., {}, false},
+                  {}};
+        for (const Width_distribution& d : report.annulus_widths)
+            plot.series.push_back(histogram_series("iteration " + grouped(d.iteration), d.widths));
+        plots.push_back(std::move(plot));
+    }
+    return plots;
+}
+
+std::vector<Plot> cost_plots(const Run_record& run) {
+    std::vector<Plot> plots;
+    if (run.steps.empty()) return plots;
+    // A strategy without tolerances would show a constant 100 %.
+    if (run.moves.within_tolerance > 0) {
+        Plot plot{"Moves beyond their tolerance",
+                  iteration_axis(Scale::log10),
+                  {"moves beyond tolerance (%)", Scale::linear, 0., {}, false},
+                  {}};
+        plot.series.push_back(over_iterations("", run.steps, [](const Iteration_record& s) -> std::optional<double> {
+            if (s.moves.asked == 0) return std::nullopt;
+            const double within = static_cast<double>(s.moves.within_tolerance) / static_cast<double>(s.moves.asked);
+            return 100 * (1 - within);
+        }));
+        plots.push_back(std::move(plot));
+    }
+    Plot plot{
+        "Time for each step", iteration_axis(Scale::log10), {"time a step (ms)", Scale::log10, {}, {}, false}, {}};
+    plot.series.push_back(over_iterations("triangulation", run.steps, [](const Iteration_record& s) {
+        return std::optional<double>(1e3 * s.seconds_triangulation);
+    }));
+    if (run.seconds.motion > 0)
+        plot.series.push_back(over_iterations("motion", run.steps, [](const Iteration_record& s) {
+            return std::optional<double>(1e3 * s.seconds_motion);
+        }));
+    plots.push_back(std::move(plot));
+    return plots;
+}
+
+std::vector<Plot> comparison_plots(const Comparison_record& comparison) {
+    std::vector<Series> curves;
+    for (const Run_record& run : comparison.runs)
+        add_measured(curves, run.strategy, run.steps,
+                     [](const Iteration_record& s) { return std::optional<double>(s.seconds_cumulative); });
+    if (curves.empty()) return {};
+    return {{"Cumulative time of each strategy",
+             iteration_axis(Scale::linear),
+             {"cumulative time (s)", Scale::linear, 0., {}, false},
+             curves},
+            {"Cumulative time of each strategy, logarithmic",
+             iteration_axis(Scale::log10),
+             {"cumulative time (s)", Scale::log10, {}, {}, false},
+             curves}};
+}
+
+}  // namespace annulus

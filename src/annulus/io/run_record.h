@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/stage.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace annulus {
+
+/// Wall-clock seconds of a run. `triangulation` is all the time spent keeping the triangulation and its tolerances
+/// right, and nothing else.
+struct Seconds_record {
+    double triangulation = 0;
+    double motion = 0;
+    double total = 0;
+};
+
+/// What became of the moves asked for.
+struct Moves_record {
+    std::uint64_t asked = 0;
+    std::uint64_t within_tolerance = 0;
+    std::uint64_t kept_in_place = 0;
+    std::uint64_t flipped = 0;
+    std::uint64_t reinserted = 0;
+    std::uint64_t rebuilt = 0;
+
+    friend bool operator==(const Moves_record&, const Moves_record&) = default;
+};
+
+/// How often the triangulation was audited, and how often it failed.
+struct Audit_record {
+    std::uint64_t checked = 0;
+    std::uint64_t failed = 0;
+};
+
+/// One step. Lengths are in mean spacings; an absent value was not measured in this step.
+struct Iteration_record {
+    std::uint64_t iteration = 0;  ///< from 1
+    double seconds_triangulation = 0;
+    double seconds_motion = 0;
+    double seconds_cumulative = 0;  ///< seconds_triangulation of this step and all before it
+    double displacement_mean = 0;
+    double displacement_max = 0;
+    std::optional<double> tolerance_mean;
+    std::optional<double> annulus_width_mean;
+    std::optional<double> theta_min;
+    Moves_record moves;
+    Stage_counts arithmetic;
+    std::uint64_t certificates_evaluated = 0;
+    std::uint64_t flips = 0;
+};
+
+/// One run of one strategy, as the files that it writes tell it.
+struct Run_record {
+    std::string command;
+    int dimension = 2;
+    std::uint64_t vertices = 0;
+    std::uint64_t iterations = 0;
+    std::string strategy;
+    std::string tolerance;
+    unsigned threads = 1;
+    std::uint64_t seed = 0;
+    Seconds_record seconds;
+    Moves_record moves;
+    Stage_counts arithmetic;
+    Audit_record audit;
+    std::uint64_t memory_peak_bytes = 0;  ///< 0 when unknown
+    double mean_spacing = 0;              ///< the unit of length, in the caller's unit
+    std::vector<Iteration_record> steps;
+};
+
+/// The same motion under several strategies, the first of which is not special.
+struct Comparison_record {
+    std::vector<Run_record> runs;
+    bool agree = true;
+    std::vector<std::string> disagreements;  ///< a line for each
+};
+
+}  // namespace annulus

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/io/run_record.h>
+#include <annulus/io/write_csv.h>
+
+#include <nlohmann/json.hpp>
+
+namespace annulus {
+
+/// The content of summary.json: what every run states, in a fixed order, then memory and the unit of length.
+[[nodiscard]] nlohmann::ordered_json summary_json(const Run_record& run);
+
+/// The content of compare.json: `agree`, `strategies` by name, and `ratios` "a/b", the triangulation seconds of a over
+/// those of b, for every ordered pair (null when b took no time), then any `disagreements`. Throws Error(usage) when
+/// two runs have the same strategy.
+[[nodiscard]] nlohmann::ordered_json compare_json(const Comparison_record& comparison);
+
+/// The content of iterations.csv: one row for each step.
+[[nodiscard]] Csv_table iterations_table(const Run_record& run);
+
+}  // namespace annulus

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace annulus {
+
+/// Vertices and edges to draw, already in the plane: a projection or a cut in three dimensions.
+struct Picture {
+    std::vector<Coordinates<2>> points;
+    std::vector<std::array<Index, 2>> edges;
+    std::string caption;
+};
+
+/// The part of the plane that a picture shows, a square.
+struct Window {
+    Coordinates<2> centre{};
+    double half_side = 1;
+    bool whole = true;  ///< false when vertices lie outside
+};
+
+/// A square around all points, or, when there are more than `most`, the square in the middle of their bounding box that
+/// holds about `within`. Linear.
+[[nodiscard]] Window window_of(const std::vector<Coordinates<2>>& points, std::size_t most = 12000,
+                               std::size_t within = 5000);
+
+/// Number of points in the window.
+[[nodiscard]] std::size_t points_in(const Window& window, const std::vector<Coordinates<2>>& points);
+
+/// The picture as one SVG element, as large as its container; y goes up. Edges are thin, and vertices are dots when
+/// there are few enough to tell apart. Throws Error(unknown_vertex) for an edge that names no point. Linear.
+[[nodiscard]] std::string svg_triangulation(const Picture& picture, const Window& window);
+
+}  // namespace annulus

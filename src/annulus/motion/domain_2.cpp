@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/motion/domain_2.h>
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/motion/moments_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <string>
+
+namespace annulus {
+
+namespace {
+
+using Points = std::vector<Coordinates<2>>;
+
+Coordinates<2> minus(const Coordinates<2>& a, const Coordinates<2>& b) { return {a[0] - b[0], a[1] - b[1]}; }
+double cross(const Coordinates<2>& a, const Coordinates<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+double dot(const Coordinates<2>& a, const Coordinates<2>& b) { return a[0] * b[0] + a[1] * b[1]; }
+double norm(const Coordinates<2>& a) { return std::hypot(a[0], a[1]); }
+
+void require(bool fact, const std::string& what) {
+    if (!fact) throw Error(Error_code::bad_input, what);
+}
+
+void require_length(double length, const std::string& what) {
+    require(std::isfinite(length) && length >= 1e-100 && length <= 1e100, what + " must lie between 1e-100 and 1e100");
+}
+
+/// Drops corners that repeat the one before or lie between their neighbours, until there are none.
+void drop_flat_corners(Points& corners) {
+    for (bool changed = true; changed;) {
+        Points kept;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Coordinates<2>& before = kept.empty() ? corners.back() : kept.back();
+            const Coordinates<2> in = minus(corners[i], before);
+            const Coordinates<2> out = minus(corners[(i + 1) % corners.size()], corners[i]);
+            const double size = norm(in) * norm(out);
+            const bool flat = std::abs(cross(in, out)) <= 1e-15 * size && dot(in, out) >= 0;
+            if (!flat) kept.push_back(corners[i]);
+        }
+        changed = kept.size() != corners.size();
+        corners.swap(kept);
+    }
+}
+
+/// Distance from (0, 0) to the segment.
+double distance_to_segment(const Coordinates<2>& a, const Coordinates<2>& b) {
+    const Coordinates<2> d = minus(b, a);
+    const double t = std::clamp(-dot(a, d) / dot(d, d), 0.0, 1.0);
+    return norm({a[0] + t * d[0], a[1] + t * d[1]});
+}
+
+}  // namespace
+
+Domain_2 Domain_2::disc(double radius) {
+    require_length(radius, "the radius of a disc");
+    Domain_2 domain;
+    domain.kind_ = Kind::disc;
+    domain.radius_ = domain.inner_ = radius;
+    domain.area_ = std::numbers::pi * radius * radius;
+    domain.box_ = {{-radius, -radius}, {radius, radius}};
+    domain.extent_ = {0, radius, radius};
+    return domain;
+}
+
+Domain_2 Domain_2::square(double half_side) {
+    require_length(half_side, "the half side of a square");
+    const double h = half_side;
+    return polygon(Points{{-h, -h}, {h, -h}, {h, h}, {-h, h}});
+}
+
+Domain_2 Domain_2::polygon(std::span<const Coordinates<2>> given) {
+    double scale = 0;
+    for (const Coordinates<2>& p : given) {
+        require(std::isfinite(p[0]) && std::isfinite(p[1]), "a corner of a polygon is not finite");
+        scale = std::max({scale, std::abs(p[0]), std::abs(p[1])});
+    }
+    require_length(scale, "the coordinates of a polygon");
+    Domain_2 domain;
+    domain.kind_ = Kind::polygon;
+    Points& corners = domain.corners_;
+    corners.assign(given.begin(), given.end());
+    drop_flat_corners(corners);
+    require(corners.size() >= 3, "a polygon needs 3 corners that are not on a line");
+    double turned = 0;
+    const double limit = std::numeric_limits<double>::infinity();
+    domain.box_ = {{limit, limit}, {-limit, -limit}};
+    domain.extent_ = {limit, 0, 0};
+    bool around_zero = true;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Coordinates<2>& a = corners[i];
+        const Coordinates<2>& b = corners[(i + 1) % corners.size()];
+        const Coordinates<2> d = minus(b, a), next = minus(corners[(i + 2) % corners.size()], b);
+        require(cross(d, next) > 0, "a polygon must be convex and counter-clockwise: it turns right at its corner " +
+                                        std::to_string(i + 2));
+        turned += std::atan2(cross(d, next), dot(d, next));
+        const Coordinates<2> normal{d[1] / norm(d), -d[0] / norm(d)};
+        // The bound from both ends, so that both are on the inner side of it as far as rounding allows.
+        domain.edges_.push_back({normal, std::max(dot(normal, a), dot(normal, b))});
+        if (domain.edges_.back().bound < 0) around_zero = false;
+        for (std::size_t k = 0; k < 2; ++k) {
+            domain.box_.lower[k] = std::min(domain.box_.lower[k], a[k]);
+            domain.box_.upper[k] = std::max(domain.box_.upper[k], a[k]);
+        }
+        Extent_2& extent = domain.extent_;
+        extent.r_min = std::min(extent.r_min, distance_to_segment(a, b));
+        extent.r_max = std::max(extent.r_max, norm(a));
+        extent.abs_x_max = std::max(extent.abs_x_max, std::abs(a[0]));
+    }
+    require(turned < 3 * std::numbers::pi, "a polygon must go around once");
+    if (around_zero) domain.extent_.r_min = 0;
+    const Cell_2 all = domain.whole(corners[0]);
+    const Moments_2 m = moments(Density::one, all.origin, all.corners);
+    domain.area_ = m.mass;
+    require(m.mass > 0, "a polygon must have an area");
+    domain.middle_ = {all.origin[0] + m.first[0] / m.mass, all.origin[1] + m.first[1] / m.mass};
+    domain.inner_ = limit;
+    for (const Half_plane_2& edge : domain.edges_)
+        domain.inner_ = std::min(domain.inner_, edge.bound - dot(edge.normal, domain.middle_));
+    domain.inner_ = std::max(domain.inner_, 0.0);
+    return domain;
+}
+
+Domain_2 Domain_2::convex_hull_of(std::span<const Coordinates<2>> points) {
+    Points sorted(points.begin(), points.end()), hull;
+    for (const Coordinates<2>& p : sorted)
+        require(std::isfinite(p[0]) && std::isfinite(p[1]), "a point of a convex hull is not finite");
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    require(sorted.size() >= 3, "a convex hull needs 3 different points");
+    // Andrew's monotone chain, lower then upper. A corner dropped by mistake is off its edge by a rounding, which the
+    // tolerance of `contains` covers.
+    for (int pass = 0; pass < 2; ++pass) {
+        const std::size_t base = hull.size();
+        for (const Coordinates<2>& p : sorted) {
+            while (hull.size() >= base + 2 &&
+                   cross(minus(hull.back(), hull[hull.size() - 2]), minus(p, hull.back())) <= 0)
+                hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();
+        std::reverse(sorted.begin(), sorted.end());
+    }
+    return polygon(hull);
+}
+
+bool Domain_2::deeper_than(const Coordinates<2>& p, double depth) const {
+    const Coordinates<2> d = minus(p, middle_);
+    const double shallow = inner_ - depth;
+    // For a disc this is the whole test; tolerance() is above its rounding.
+    if (shallow > 0 && dot(d, d) <= shallow * shallow) return true;
+    if (kind_ == Kind::disc) return false;
+    for (const Half_plane_2& edge : edges_)
+        if (!(dot(edge.normal, p) + depth <= edge.bound)) return false;
+    return true;
+}
+
+void Domain_2::clip(Cell_2& cell, std::vector<Corner_2>& scratch) const {
+    if (kind_ == Kind::disc) return clip_to_disc(cell, radius_, scratch);
+    Clipper_2 clipper;
+    Points corners;
+    std::vector<Half_plane_2> lines;
+    for (std::size_t i = 0; i < cell.corners.size(); ++i) {
+        const Coordinates<2>& a = cell.corners[i].offset;
+        const Coordinates<2> d = minus(cell.corners[i + 1 < cell.corners.size() ? i + 1 : 0].offset, a);
+        corners.push_back(a);
+        lines.push_back({{d[1], -d[0]}, d[1] * a[0] - d[0] * a[1]});
+    }
+    clipper.start(corners, lines);
+    for (const Half_plane_2& edge : edges_) clipper.clip({edge.normal, edge.bound - dot(edge.normal, cell.origin)});
+    clipper.write_corners(cell.corners);
+}
+
+Cell_2 Domain_2::whole(const Coordinates<2>& origin) const {
+    Cell_2 cell{origin, {}};
+    if (kind_ == Kind::disc) assign_disc(origin, radius_, cell.corners);
+    for (const Coordinates<2>& p : corners_) cell.corners.push_back({minus(p, origin), false});
+    return cell;
+}
+
+}  // namespace annulus

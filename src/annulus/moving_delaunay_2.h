@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/relocation/moving_delaunay.h>
+#include <annulus/triangulation/cgal_embedding_2.h>
+
+namespace annulus {
+
+/// A moving Delaunay triangulation of the plane whose vertices carry the caller's Info: `dt.vertex(i)->info()`.
+template <class Info>
+using Moving_delaunay_with_info_2 = Moving_delaunay<Cgal_embedding_2<Info>>;
+
+/// A moving Delaunay triangulation of the plane.
+using Moving_delaunay_2 = Moving_delaunay_with_info_2<No_info>;
+
+extern template class Cgal_embedding_2<No_info>;
+extern template class Moving_delaunay<Cgal_embedding_2<No_info>>;
+
+}  // namespace annulus

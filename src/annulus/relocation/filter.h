@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/relocation/displacement.h>
+#include <annulus/relocation/repair.h>
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// A cheap test for a certificate whose tolerance failed, before it is evaluated again.
+enum class Second_look : std::uint8_t {
+    off,
+    unequal_moves,  ///< max D over the facet + max D over the opposite vertices < width (theory 2)
+};
+
+/// The strategy `filter`: a whole timestamp at a time, only certificates that expired are evaluated.
+///
+/// Every vertex has an odometer: `base` is an upper bound of the length of the path of its fixed positions since the
+/// last settling, and its reading is base + |moving - fixed|. A certificate evaluated when its points read r_i and
+/// found to have tolerance s holds while every reading stays below its expiry r_i + s, because a reading bounds the
+/// distance travelled, hence the distance from where the point was when the certificate was evaluated. Different
+/// certificates have different references; nothing in theory 1 minds. A vertex keeps the earliest expiry among its
+/// certificates, so its step test compares |moving - fixed|^2 with one number. When it fails, its fixed position
+/// becomes the moving one, those of its certificates that expired are evaluated at the moving positions, all their
+/// points take their moving positions as fixed ones, and whatever is violated is mended (Repair). Soundness: docs/theory.md.
+template <int d>
+class Filter {
+  public:
+    Filter(Embedding<d>& embedding, Tolerance_kind kind, Second_look look)
+        : embedding_(embedding), repair_(embedding, kind), look_(look) {}
+
+    /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh.
+    /// O(n).
+    void settle(std::span<const Coordinates<d>> x, Move_report& report);
+
+    /// Moves every vertex to x. Throws Error(collision), with everything as it was, when two would coincide.
+    /// Precondition: x is in the coordinate domain, settled in dimension d.
+    void move_all(std::span<const Coordinates<d>> x, Move_report& report);
+    void move(Index v, const Coordinates<d>& p, Move_report& report);
+
+    /// To be called after cells were replaced by other hands (insertion, removal) at the present positions: evaluates
+    /// the certificates of these cells.
+    void refresh(std::span<const Index> cells, Move_report& report);
+    /// The vertex takes position p as moving and fixed position; it was not in the triangulation.
+    void place(Index v, const Coordinates<d>& p);
+
+    [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
+    [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const { return fixed_[static_cast<std::size_t>(v)]; }
+    /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own.
+    [[nodiscard]] double tolerance(Index v) const;
+
+  private:
+    template <std::size_t k>
+    struct Record {
+        std::array<double, k> expiry;
+        double tolerance;
+    };
+    struct Facet_record : Record<static_cast<std::size_t>(d + 2)> {
+        Facet_points<d> point;
+        Facet_kind kind;
+    };
+    struct Renewal {
+        Index facet;
+        std::array<double, static_cast<std::size_t>(d + 2)> expiry;
+    };
+    using Cell_record = Record<static_cast<std::size_t>(d + 1)>;
+
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] bool passes(Index v, const Coordinates<d>& p) const {
+        return squared_distance<d>(p, fixed_[at(v)]) < threshold_[at(v)] || p == fixed_[at(v)];
+    }
+    void resize();
+    /// Mends after `failed_` is known and commits; x is position_ with the moves made.
+    void process(std::span<const Coordinates<d>> x, std::span<const Index> movers, std::size_t asked,
+                 Move_report& report);
+    void find_expired(std::span<const Coordinates<d>> x);
+    void commit(std::span<const Coordinates<d>> x);
+    void anchor(Index v, std::span<const Coordinates<d>> x);
+    [[nodiscard]] bool second_look(Index f, std::span<const Coordinates<d>> x);
+    void set_threshold(Index v) {
+        const double slack = earliest_[at(v)] - base_[at(v)];
+        threshold_[at(v)] = squared_threshold_lower(slack * (1.0 - 0x1p-50));
+    }
+    void count(std::size_t asked, typename Repair<d>::Outcome outcome, Move_report& report);
+
+    Embedding<d>& embedding_;
+    Repair<d> repair_;
+    Second_look look_;
+    std::vector<Coordinates<d>> position_;
+    std::vector<Coordinates<d>> fixed_;
+    std::vector<double> threshold_;  // by vertex: squared, compared with |moving - fixed|^2
+    std::vector<double> base_;       // by vertex: odometer at the fixed position
+    std::vector<double> earliest_;   // by vertex: no certificate of it expires before this reading
+    std::vector<Facet_record> facet_record_;
+    std::vector<Cell_record> cell_record_;
+    // Of one step:
+    std::vector<Index> failed_;
+    std::vector<double> failed_reading_;
+    std::vector<double> failed_earliest_;
+    std::vector<Index> anchored_;
+    std::vector<std::uint64_t> stamp_;  // by vertex: == epoch_ when anchored in this step
+    std::vector<Renewal> renewals_;
+    std::vector<std::uint64_t> disturbed_stamp_;
+    std::uint64_t epoch_ = 0;
+};
+
+extern template class Filter<2>;
+
+}  // namespace annulus

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/relocation/filter_each.h>
+
+#include <annulus/arithmetic/error.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace annulus {
+
+namespace {
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+}  // namespace
+
+template <int d>
+void Filter_each<d>::resize() {
+    const std::size_t n = at(embedding_.table().vertex_bound());
+    position_.resize(n);
+    fixed_.resize(n);
+    epsilon_.resize(n, unlimited);
+    threshold_.resize(n, 0.0);
+    queued_.resize(n, 0);
+}
+
+template <int d>
+void Filter_each<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
+    resize();
+    if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
+    std::copy(position_.begin(), position_.end(), fixed_.begin());
+    std::fill(epsilon_.begin(), epsilon_.end(), unlimited);
+    std::fill(threshold_.begin(), threshold_.end(), 0.0);
+    queue_.clear();
+    std::fill(queued_.begin(), queued_.end(), char{0});
+    if (embedding_.dimension() != d) return;
+    repair_.begin(position_);
+    repair_.suspect_everything();
+    (void)repair_.evaluate();
+    update();
+    report += repair_.report();
+}
+
+template <int d>
+void Filter_each<d>::place(Index v, const Coordinates<d>& p) {
+    resize();
+    position_[at(v)] = fixed_[at(v)] = p;
+    epsilon_[at(v)] = unlimited;
+    threshold_[at(v)] = 0.0;
+}
+
+template <int d>
+void Filter_each<d>::lower(Index v, double tolerance) {
+    if (!(tolerance < epsilon_[at(v)])) return;
+    epsilon_[at(v)] = tolerance;
+    threshold_[at(v)] = squared_threshold_lower(tolerance);
+    if (queued_[at(v)] || passes(v)) return;
+    queued_[at(v)] = 1;
+    queue_.push_back(v);
+}
+
+template <int d>
+template <class S>
+void Filter_each<d>::lower_points(const S& s) {
+    if (!repair_.exists(s) || s.kind == Facet_kind::border) return;
+    for (const Index w : s.point) {
+        if (w == none) continue;
+        // The certificate was evaluated at site(w), so far from the fixed position.
+        const double off = at_fixed_ ? 0.0 : distance_upper<d>(position_[at(w)], fixed_[at(w)]);
+        const double rest = s.verdict.tolerance - off;
+        lower(w, off == 0.0 ? rest : rest - s.verdict.tolerance * 0x1p-50);
+    }
+}
+
+template <int d>
+void Filter_each<d>::update() {
+    for (const auto& s : repair_.facets()) lower_points(s);
+    if (repair_.kind() == Tolerance_kind::paper) return;
+    for (const auto& s : repair_.cells()) lower_points(s);
+}
+
+template <int d>
+void Filter_each<d>::refresh(std::span<const Index> cells, Move_report& report) {
+    const auto& t = embedding_.table();
+    resize();
+    repair_.begin(site());
+    for (const Index c : cells) {
+        if (repair_.kind() != Tolerance_kind::paper) repair_.suspect_cell(c);
+        for (int i = 0; i <= d; ++i) repair_.suspect_facet(t.facet(t.corner(c, i)));
+    }
+    (void)repair_.evaluate();
+    update();
+    report += repair_.report();
+    for (std::size_t i = 0; i < queue_.size(); ++i) process(queue_[i], report, false);
+    queue_.clear();
+}
+
+template <int d>
+void Filter_each<d>::process(Index h, Move_report& report, bool first) {
+    const std::array<Index, 1> movers{h};
+    const Coordinates<d> old_fixed = fixed_[at(h)];
+    fixed_[at(h)] = position_[at(h)];
+    repair_.begin(site());
+    repair_.suspect_star(h);
+    auto outcome = Repair<d>::Outcome::flipped;
+    const bool holds = repair_.evaluate();
+    if (!holds) {
+        try {
+            outcome = repair_.mend(site(), movers);
+        } catch (const Error&) {
+            fixed_[at(h)] = old_fixed;
+            if (!at_fixed_) throw;
+            // Two vertices at one place among the fixed positions need not be so among the moving ones.
+            embedding_.rebuild(position_);
+            outcome = Repair<d>::Outcome::rebuilt;
+        }
+    }
+    queued_[at(h)] = 0;
+    report += repair_.report();
+    if (first) {
+        ++report.moves.asked;
+        ++(holds                                       ? report.moves.kept_in_place
+           : outcome == Repair<d>::Outcome::flipped    ? report.moves.flipped
+           : outcome == Repair<d>::Outcome::reinserted ? report.moves.reinserted
+                                                       : report.moves.rebuilt);
+    } else {
+        ++report.requeued;
+    }
+    if (outcome == Repair<d>::Outcome::rebuilt) {
+        if (at_fixed_) embedding_.rebuild(position_);
+        settle(position_, report);
+        return;
+    }
+    embedding_.set_point(h, site()[at(h)]);
+    epsilon_[at(h)] = unlimited;
+    threshold_[at(h)] = 0.0;
+    update();
+}
+
+template <int d>
+void Filter_each<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
+    const Coordinates<d> old = position_[at(v)];
+    position_[at(v)] = p;
+    if (passes(v)) {
+        if (!at_fixed_) embedding_.set_point(v, p);
+        ++report.moves.asked;
+        ++report.moves.within_tolerance;
+        return;
+    }
+    try {
+        process(v, report, true);
+    } catch (...) {
+        position_[at(v)] = old;
+        throw;
+    }
+    for (std::size_t i = 0; i < queue_.size(); ++i) process(queue_[i], report, false);
+    queue_.clear();
+}
+
+template class Filter_each<2>;
+
+}  // namespace annulus

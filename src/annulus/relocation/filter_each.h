@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/relocation/displacement.h>
+#include <annulus/relocation/repair.h>
+
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// The strategy `filter-each`: the paper's filtering algorithm (its 3.2), one vertex at a time.
+///
+/// Every vertex has a fixed position f, a moving position m, a tolerance eps and D = |m - f|. A vertex with D < eps is
+/// only written. One that fails enters a queue; each vertex h taken from it gets f = m, D = 0, and the certificates
+/// around it are evaluated again: in place first, flips and reinsertion only where one is violated. Their tolerances
+/// lower the eps of their points, and whoever no longer has D < eps enters the queue. Every vertex enters at most once
+/// a call (its D is 0 from then on), so the queue ends.
+///
+/// Where certificates are evaluated depends on the kind of tolerance. `certified`: at the moving positions, where the
+/// triangulation is Delaunay at all times; a certificate with tolerance s evaluated where w is at distance D_w from
+/// f_w allows w no more than s - D_w from f_w. `paper` and `floating`: at the fixed positions, as the paper does, so
+/// that a tolerance that is too large gives a wrong answer at the moving positions but never breaks the triangulation
+/// CGAL works on.
+template <int d>
+class Filter_each {
+  public:
+    Filter_each(Embedding<d>& embedding, Tolerance_kind kind)
+        : embedding_(embedding), repair_(embedding, kind), at_fixed_(kind != Tolerance_kind::certified) {}
+
+    /// As in Filter.
+    void settle(std::span<const Coordinates<d>> x, Move_report& report);
+    void move(Index v, const Coordinates<d>& p, Move_report& report);
+    void refresh(std::span<const Index> cells, Move_report& report);
+    void place(Index v, const Coordinates<d>& p);
+
+    [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
+    [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const { return fixed_[at(v)]; }
+    [[nodiscard]] double tolerance(Index v) const { return std::max(0.0, epsilon_[at(v)]); }
+
+  private:
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] bool passes(Index v) const {
+        const Coordinates<d>& p = position_[at(v)];
+        return squared_distance<d>(p, fixed_[at(v)]) < threshold_[at(v)] || p == fixed_[at(v)];
+    }
+    /// Where the triangulation is Delaunay.
+    [[nodiscard]] std::vector<Coordinates<d>>& site() { return at_fixed_ ? fixed_ : position_; }
+    void resize();
+    void lower(Index v, double tolerance);
+    template <class S>
+    void lower_points(const S& suspect);
+    void update();
+    void process(Index h, Move_report& report, bool first);
+
+    Embedding<d>& embedding_;
+    Repair<d> repair_;
+    bool at_fixed_;
+    std::vector<Coordinates<d>> position_;
+    std::vector<Coordinates<d>> fixed_;
+    std::vector<double> epsilon_;
+    std::vector<double> threshold_;
+    std::vector<Index> queue_;
+    std::vector<char> queued_;
+};
+
+extern template class Filter_each<2>;
+
+}  // namespace annulus

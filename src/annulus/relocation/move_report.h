@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+#include <annulus/arithmetic/stage.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace annulus {
+
+/// What became of the vertices a call was asked to move; the last five add up to the first.
+struct Move_counts {
+    std::uint64_t asked = 0;
+    std::uint64_t within_tolerance = 0;  ///< proved by the tolerance alone (or at rest): nothing was evaluated
+    std::uint64_t kept_in_place = 0;     ///< tolerance failed, the certificates were evaluated and hold
+    std::uint64_t flipped = 0;           ///< a certificate was violated and flips mended it
+    std::uint64_t reinserted = 0;        ///< taken out and put back in
+    std::uint64_t rebuilt = 0;           ///< the triangulation was built anew
+
+    Move_counts& operator+=(const Move_counts& o) noexcept {
+        asked += o.asked;
+        within_tolerance += o.within_tolerance;
+        kept_in_place += o.kept_in_place;
+        flipped += o.flipped;
+        reinserted += o.reinserted;
+        rebuilt += o.rebuilt;
+        return *this;
+    }
+    friend bool operator==(const Move_counts&, const Move_counts&) = default;
+};
+
+/// What a call of `move`, `move_all`, `insert` or `remove` did.
+struct Move_report {
+    Move_counts moves;
+    Stage_counts arithmetic;         ///< stage that decided, per certificate evaluated
+    std::uint64_t evaluated = 0;     ///< certificates evaluated
+    std::uint64_t renewed = 0;       ///< expired certificates that a second look proved without evaluation
+    std::uint64_t requeued = 0;      ///< filter-each: vertices whose reference another vertex's failure renewed
+    std::uint64_t flips = 0;         ///< flips that stand
+    std::uint64_t undone_flips = 0;  ///< flips taken back because they led nowhere
+    double handle_seconds = 0.0;     ///< part of a rebuild spent on keeping vertex handles valid, not CGAL's own
+    std::vector<Index> changed;      ///< on request: vertices of the new cells, d + 1 a cell (infinite = -1)
+
+    Move_report& operator+=(const Move_report& o) {
+        moves += o.moves;
+        arithmetic += o.arithmetic;
+        evaluated += o.evaluated;
+        renewed += o.renewed;
+        requeued += o.requeued;
+        flips += o.flips;
+        undone_flips += o.undone_flips;
+        handle_seconds += o.handle_seconds;
+        changed.insert(changed.end(), o.changed.begin(), o.changed.end());
+        return *this;
+    }
+};
+
+}  // namespace annulus

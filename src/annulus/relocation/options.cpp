@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/relocation/options.h>
+
+namespace annulus {
+
+std::optional<Strategy> strategy_named(std::string_view name) {
+    for (const Strategy s : {Strategy::rebuild, Strategy::relocate, Strategy::relocate_flips, Strategy::in_place,
+                             Strategy::filter, Strategy::filter_each, Strategy::hybrid})
+        if (name_of(s) == name) return s;
+    return std::nullopt;
+}
+
+std::optional<Tolerance_kind> tolerance_kind_named(std::string_view name) {
+    for (const Tolerance_kind k : {Tolerance_kind::certified, Tolerance_kind::paper, Tolerance_kind::floating})
+        if (name_of(k) == name) return k;
+    return std::nullopt;
+}
+
+}  // namespace annulus

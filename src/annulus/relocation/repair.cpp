@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/relocation/repair.h>
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/arithmetic/rounding_guard.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace annulus {
+
+namespace {
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+template <int d, std::size_t k, std::size_t n>
+Tuple<d, static_cast<int>(k)> tuple(const std::array<Index, n>& point, std::span<const Coordinates<d>> x)
+    requires(k <= n)
+{
+    Tuple<d, static_cast<int>(k)> t{};
+    for (std::size_t i = 0; i < k; ++i) t[i] = &x[at(point[i])];
+    return t;
+}
+
+}  // namespace
+
+template <int d>
+void Repair<d>::begin(std::span<const Coordinates<d>> x) {
+    forget();
+    x_ = x;
+    const auto& t = embedding_.table();
+    place_of_facet_.resize(at(t.facet_bound()), 0);
+    place_of_cell_.resize(at(t.cell_bound()), 0);
+    disturbed_.clear();
+    detached_.clear();
+    log_.clear();
+    report_ = {};
+}
+
+template <int d>
+void Repair<d>::forget() {
+    for (const auto& s : facets_) place_of_facet_[at(s.id)] = 0;
+    for (const auto& s : cells_) place_of_cell_[at(s.id)] = 0;
+    facets_.clear();
+    cells_.clear();
+}
+
+template <int d>
+void Repair<d>::suspect_facet(Index f, Facet_kind kind, const Facet_points<d>& points) {
+    if (at(f) >= place_of_facet_.size()) place_of_facet_.resize(at(f) + 1, 0);
+    Index& place = place_of_facet_[at(f)];
+    if (place == 0) {
+        facets_.push_back({});
+        place = static_cast<Index>(facets_.size());
+    }
+    Facet_suspect& s = facets_[at(place - 1)];
+    s.id = f;
+    s.point = points;
+    s.kind = kind;
+    s.stale = true;
+}
+
+template <int d>
+void Repair<d>::suspect_facet(Index f) {
+    const auto& t = embedding_.table();
+    const Index h = t.half(f);
+    const Facet_kind kind = facet_kind(t, h);
+    Facet_points<d> points{};
+    points.fill(none);
+    if (kind == Facet_kind::empty_sphere) {
+        points = bicell_points(t, h);
+    } else if (kind == Facet_kind::ridge) {
+        Cell_points<d> ridge = ridge_points(t, h);
+        if (kind_ == Tolerance_kind::paper) ridge = ridge_vertex_last(t, h, ridge);
+        std::copy(ridge.begin(), ridge.end(), points.begin());
+    } else if (kind_ == Tolerance_kind::paper) {
+        const Cell_points<d> slab = slab_points(t, h);
+        std::copy(slab.begin(), slab.end(), points.begin());
+        suspect_facet(f, Facet_kind::slab, points);
+        return;
+    }
+    suspect_facet(f, kind, points);
+}
+
+template <int d>
+void Repair<d>::suspect_everything() {
+    const auto& t = embedding_.table();
+    for (Index f = 0; f < t.facet_bound(); ++f)
+        if (t.is_facet(f)) suspect_facet(f);
+    if (!has_cells()) return;
+    for (Index c = 0; c < t.cell_bound(); ++c)
+        if (t.is_cell(c)) suspect_cell(c);
+}
+
+template <int d>
+void Repair<d>::suspect_star(Index v) {
+    const auto& t = embedding_.table();
+    t.for_each_corner(v, [&](Index h) {
+        if (has_cells()) suspect_cell(t.cell_of(h));
+        suspect_facet(t.facet(h));
+        suspect_facet(t.facet(t.ccw(h)));
+    });
+}
+
+template <int d>
+void Repair<d>::suspect_cell(Index c) {
+    if (at(c) >= place_of_cell_.size()) place_of_cell_.resize(at(c) + 1, 0);
+    Index& place = place_of_cell_[at(c)];
+    if (place == 0) {
+        cells_.push_back({});
+        place = static_cast<Index>(cells_.size());
+    }
+    Cell_suspect& s = cells_[at(place - 1)];
+    const auto& t = embedding_.table();
+    s.id = c;
+    s.kind = t.is_infinite(c) ? Facet_kind::border : Facet_kind::empty_sphere;
+    s.point = cell_points(t, c);
+    s.stale = true;
+}
+
+template <int d>
+bool Repair<d>::filter(Facet_suspect& s) const {
+    if (s.kind == Facet_kind::empty_sphere)
+        return empty_sphere_filter(tuple<d, d + 2>(s.point, x_), certified(), s.verdict);
+    if (s.kind != Facet_kind::border) {
+        if (!orientation_filter(tuple<d, d + 1>(s.point, x_), certified(), s.verdict)) return false;
+        if (kind_ == Tolerance_kind::paper && s.verdict.sign > 0)
+            s.verdict.tolerance = paper_slab(tuple<d, d + 1>(s.point, x_));
+        return true;
+    }
+    s.verdict = {no_limit, 1, Stage::filter};
+    return true;
+}
+
+template <int d>
+bool Repair<d>::filter(Cell_suspect& s) const {
+    if (s.kind != Facet_kind::border) return orientation_filter(tuple<d, d + 1>(s.point, x_), certified(), s.verdict);
+    s.verdict = {no_limit, 1, Stage::filter};
+    return true;
+}
+
+template <int d>
+bool Repair<d>::interval(Facet_suspect& s) const {
+    return s.kind == Facet_kind::empty_sphere ? empty_sphere_interval(tuple<d, d + 2>(s.point, x_), s.verdict)
+                                              : orientation_interval(tuple<d, d + 1>(s.point, x_), s.verdict);
+}
+
+template <int d>
+bool Repair<d>::interval(Cell_suspect& s) const {
+    return orientation_interval(tuple<d, d + 1>(s.point, x_), s.verdict);
+}
+
+template <int d>
+void Repair<d>::exact(Facet_suspect& s) const {
+    s.verdict = s.kind == Facet_kind::empty_sphere ? empty_sphere_exact(tuple<d, d + 2>(s.point, x_))
+                                                   : orientation_exact(tuple<d, d + 1>(s.point, x_));
+}
+
+template <int d>
+void Repair<d>::exact(Cell_suspect& s) const {
+    s.verdict = orientation_exact(tuple<d, d + 1>(s.point, x_));
+}
+
+template <int d>
+template <class S>
+void Repair<d>::evaluate_stale(std::vector<S>& suspects) {
+    unresolved_.clear();
+    for (std::size_t i = 0; i < suspects.size(); ++i) {
+        S& s = suspects[i];
+        if (!s.stale || !exists(s)) continue;
+        s.stale = false;
+        if (s.kind != Facet_kind::border) ++report_.evaluated;
+        if (!filter(s)) {
+            unresolved_.push_back(static_cast<Index>(i));
+        } else if (s.kind != Facet_kind::border) {
+            ++report_.arithmetic.filter;
+        }
+    }
+    if (unresolved_.empty()) return;
+    std::size_t open = 0;
+    {
+        const Rounding_guard guard(FE_UPWARD);  // one for the batch
+        for (const Index i : unresolved_)
+            if (!interval(suspects[at(i)])) unresolved_[open++] = i;
+    }
+    report_.arithmetic.interval += unresolved_.size() - open;
+    report_.arithmetic.exact += open;
+    for (std::size_t i = 0; i < open; ++i) exact(suspects[at(unresolved_[i])]);
+}
+
+template <int d>
+template <class S>
+void Repair<d>::decide(S& s) {
+    if (!s.stale) return;
+    s.stale = false;
+    ++report_.evaluated;
+    if (filter(s)) {
+        ++report_.arithmetic.filter;
+        return;
+    }
+    bool answered = false;
+    {
+        const Rounding_guard guard(FE_UPWARD);
+        answered = interval(s);
+    }
+    if (!answered) exact(s);
+    report_.arithmetic.count(answered ? Stage::interval : Stage::exact);
+}
+
+template <int d>
+const typename Repair<d>::Facet_suspect& Repair<d>::examine_facet(Index f) {
+    if (at(f) >= place_of_facet_.size() || place_of_facet_[at(f)] == 0) suspect_facet(f);
+    Facet_suspect& s = facets_[at(place_of_facet_[at(f)] - 1)];
+    decide(s);
+    return s;
+}
+
+template <int d>
+const typename Repair<d>::Cell_suspect& Repair<d>::examine_cell(Index c) {
+    if (at(c) >= place_of_cell_.size() || place_of_cell_[at(c)] == 0) suspect_cell(c);
+    Cell_suspect& s = cells_[at(place_of_cell_[at(c)] - 1)];
+    decide(s);
+    return s;
+}
+
+template <int d>
+bool Repair<d>::violated(const Facet_suspect& s) const {
+    if (s.kind == Facet_kind::border) return false;
+    if (s.kind == Facet_kind::slab) return s.verdict.sign <= 0;
+    if (s.kind == Facet_kind::ridge) return s.verdict.sign < 0;  // collinear hull vertices are convex enough
+    if (s.verdict.sign != 0) return s.verdict.sign < 0;
+    return perturbed_empty_circle_sign(tuple<d, d + 2>(s.point, x_)) < 0;
+}
+
+template <int d>
+bool Repair<d>::evaluate() {
+    evaluate_stale(facets_);
+    evaluate_stale(cells_);
+    // The perturbation needs positive cells; where a cell is inverted the answer is no anyway.
+    const bool cells_hold =
+        !has_cells() ||
+        std::none_of(cells_.begin(), cells_.end(), [this](const auto& s) { return exists(s) && violated(s); });
+    return cells_hold &&
+           std::none_of(facets_.begin(), facets_.end(), [this](const auto& s) { return exists(s) && violated(s); });
+}
+
+template <int d>
+void Repair<d>::suspect_around(std::span<const Index> cells) {
+    const auto& t = embedding_.table();
+    for (const Index c : cells) {
+        suspect_cell(c);
+        for (int i = 0; i <= d; ++i) {
+            const Index f = t.facet(t.corner(c, i));
+            suspect_facet(f);
+            queue_.push_back(f);
+        }
+    }
+}
+
+template <int d>
+void Repair<d>::collect_violated() {
+    queue_.clear();
+    inverted_.clear();
+    for (const auto& s : cells_) {
+        if (!exists(s) || !violated(s)) continue;
+        inverted_.push_back(s.id);
+        disturbed_.insert(disturbed_.end(), s.point.begin(), s.point.end());
+    }
+    for (const auto& s : facets_) {
+        if (!exists(s) || s.verdict.sign > 0) continue;
+        queue_.push_back(s.id);
+        if (s.kind == Facet_kind::empty_sphere && s.verdict.sign == 0) continue;  // degenerate, not violated yet
+        for (const Index v : s.point)
+            if (v != none) disturbed_.push_back(v);
+    }
+}
+
+template <int d>
+void Repair<d>::flip(Index h) {
+    auto& t = embedding_.table();
+    log_.emplace_back(t.cell_of(h), t.cell_of(t.twin(h)));
+    embedding_.flip(h);
+    ++report_.flips;
+}
+
+template <int d>
+typename Repair<d>::Outcome Repair<d>::mend(std::span<const Coordinates<d>> old, std::span<const Index> movers) {
+    collect_violated();
+    if (run_flips() == Progress::done) return Outcome::flipped;
+    undo_flips();
+    require_distinct(movers);
+    // Without certified tolerances the triangulation may be wrong in places nobody suspects; CGAL's removal and
+    // location need a right one, a rebuild does not.
+    if (certified() && reinsert(old, movers)) return Outcome::reinserted;
+    forget();
+    detached_.clear();
+    embedding_.rebuild(x_);
+    return Outcome::rebuilt;
+}
+
+template <int d>
+void Repair<d>::require_distinct(std::span<const Index> movers) const {
+    const auto& t = embedding_.table();
+    const auto collide = [] { throw Error(Error_code::collision, "two vertices would share a position"); };
+    if (movers.size() == 1) {
+        const Coordinates<d>& p = x_[at(movers[0])];
+        for (Index v = 0; v < t.vertex_bound(); ++v)
+            if (v != movers[0] && t.corner_of(v) != none && x_[at(v)] == p) collide();
+        return;
+    }
+    std::vector<Index> order;
+    for (Index v = 0; v < t.vertex_bound(); ++v)
+        if (t.corner_of(v) != none) order.push_back(v);
+    std::sort(order.begin(), order.end(), [this](Index l, Index r) { return x_[at(l)] < x_[at(r)]; });
+    for (std::size_t i = 1; i < order.size(); ++i)
+        if (x_[at(order[i - 1])] == x_[at(order[i])]) collide();
+}
+
+template <int d>
+Index Repair<d>::vertex_to_detach(Index c, std::span<const Coordinates<d>> old,
+                                 std::span<const Index> movers) const {
+    const auto& t = embedding_.table();
+    if (movers.size() == 1) return t.corner_of(movers[0]) == none ? none : movers[0];
+    // The vertex that moved farthest is the likeliest to have left its place.
+    Index best = none;
+    double farthest = -1.0;
+    for (const Index v : cell_points(t, c)) {
+        if (v == infinite) continue;
+        double moved = 0.0;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) moved += squared(x_[at(v)][k] - old[at(v)][k]);
+        if (moved > farthest) {
+            farthest = moved;
+            best = v;
+        }
+    }
+    return best;
+}
+
+template <int d>
+bool Repair<d>::reinsert(std::span<const Coordinates<d>> old, std::span<const Index> movers) {
+    auto& t = embedding_.table();
+    const std::size_t most = 16 + at(t.vertex_bound()) / 16;  // beyond that a rebuild is cheaper
+    std::vector<Index> changed;
+    // Take out, at the old positions where CGAL's object is Delaunay, until no remaining cell is inverted at x.
+    for (std::size_t i = 0; i < inverted_.size(); ++i) {
+        const Index c = inverted_[i];
+        if (!t.is_cell(c) || !violated(examine_cell(c))) continue;
+        if (detached_.size() >= most) return false;
+        const Index v = vertex_to_detach(c, old, movers);
+        changed.clear();
+        if (v == none || !embedding_.detach(v, changed)) return false;
+        detached_.push_back(v);
+        suspect_around(changed);
+        for (const Index n : changed)
+            if (!t.is_infinite(n)) inverted_.push_back(n);
+    }
+    inverted_.clear();
+    if (!evaluate()) {
+        for (const auto& s : facets_)
+            if (exists(s) && s.verdict.sign <= 0) queue_.push_back(s.id);
+        if (run_flips() == Progress::stuck) return false;
+    }
+    if (movers.empty()) {
+        embedding_.set_points(x_);
+    } else {
+        for (const Index v : movers)
+            if (t.corner_of(v) != none) embedding_.set_point(v, x_[at(v)]);
+    }
+    for (const Index v : detached_) {
+        changed.clear();
+        if (!embedding_.attach(v, x_[at(v)], changed)) return false;
+        suspect_around(changed);
+    }
+    queue_.clear();
+    return evaluate();
+}
+
+template <int d>
+void Repair<d>::undo_flips() {
+    report_.undone_flips += log_.size();
+    report_.flips -= log_.size();
+    for (; !log_.empty(); log_.pop_back()) {
+        const auto [c, n] = log_.back();
+        undo_flip(c, n);
+    }
+    // What is under examination has other points again.
+    std::vector<Index> again;
+    for (const auto& s : cells_) again.push_back(s.id);
+    for (const Index c : again) suspect_cell(c);
+    again.clear();
+    for (const auto& s : facets_) again.push_back(s.id);
+    for (const Index f : again) suspect_facet(f);
+    (void)evaluate();
+    const std::size_t known = disturbed_.size();
+    collect_violated();
+    disturbed_.resize(known);
+}
+
+template class Repair<2>;
+
+}  // namespace annulus

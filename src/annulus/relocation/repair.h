@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/relocation/move_report.h>
+#include <annulus/triangulation/certificates.h>
+#include <annulus/triangulation/embedding.h>
+
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// Makes every suspected certificate hold at given positions: evaluates, flips what is violated, takes out and puts
+/// back what flips cannot reach, rebuilds as the last resort.
+///
+/// A caller names the certificates that are not known to hold at the positions x (`suspect_*`), with all others proved
+/// there. After `mend` every certificate of the triangulation holds at x, hence it is Delaunay there (theory 1), and
+/// `facets()` and `cells()` list every certificate that was evaluated or created, with its verdict at x. Nothing but
+/// signs is trusted on the way: flips are a heuristic that either ends with every certificate positive or is undone.
+template <int d>
+class Repair {
+  public:
+    /// One certificate under examination.
+    template <class Points>
+    struct Suspect {
+        Index id = none;    ///< facet or cell
+        Points point{};     ///< its points, in the order of the determinant
+        Facet_kind kind{};  ///< of a facet; a cell has `border` when it is infinite, else `empty_sphere`
+        bool stale = true;  ///< verdict not computed for its present points
+        Verdict verdict;
+    };
+    using Facet_suspect = Suspect<Facet_points<d>>;
+    using Cell_suspect = Suspect<Cell_points<d>>;
+
+    Repair(Embedding<d>& embedding, Tolerance_kind kind) : embedding_(embedding), kind_(kind) {}
+
+    /// Starts an examination at positions x (one for every vertex index). x must outlive it and not change.
+    void begin(std::span<const Coordinates<d>> x);
+    void suspect_facet(Index f);
+    void suspect_cell(Index c);
+    /// The same for a facet whose points and kind the caller has at hand.
+    void suspect_facet(Index f, Facet_kind kind, const Facet_points<d>& points);
+
+    /// Every certificate of the triangulation, and every one that contains v.
+    void suspect_everything();
+    void suspect_star(Index v);
+
+    /// Evaluates what is stale, in one batch. True when all suspects hold.
+    [[nodiscard]] bool evaluate();
+
+    /// Whether flips reached a triangulation all of whose certificates hold.
+    enum class Progress { done, stuck };
+
+    /// What `mend` came to.
+    enum class Outcome { flipped, reinserted, rebuilt };
+
+    /// Repairs after `evaluate` returned false. `old` has the positions where CGAL's object is Delaunay now;
+    /// `movers` the vertices where x differs from it (empty: any). On return CGAL's points are x if anything was
+    /// reinserted or rebuilt, else still `old`. Throws Error(collision), with the triangulation as it was, when two
+    /// vertices share a position in x.
+    Outcome mend(std::span<const Coordinates<d>> old, std::span<const Index> movers);
+
+    [[nodiscard]] std::span<const Facet_suspect> facets() const { return facets_; }
+    [[nodiscard]] std::span<const Cell_suspect> cells() const { return cells_; }
+    /// Vertices of certificates that were found violated, and those taken out and put back, of this examination.
+    [[nodiscard]] std::span<const Index> disturbed() const { return disturbed_; }
+    [[nodiscard]] std::span<const Index> reinserted() const { return detached_; }
+    /// Counters of this examination.
+    [[nodiscard]] const Move_report& report() const { return report_; }
+
+    /// False for an entry whose facet or cell did not survive the repair.
+    [[nodiscard]] bool exists(const Facet_suspect& s) const { return embedding_.table().is_facet(s.id); }
+    [[nodiscard]] bool exists(const Cell_suspect& s) const { return embedding_.table().is_cell(s.id); }
+    [[nodiscard]] Tolerance_kind kind() const { return kind_; }
+
+  private:
+    [[nodiscard]] const Facet_suspect& examine_facet(Index f);
+    [[nodiscard]] const Cell_suspect& examine_cell(Index c);
+    /// Filter stage; false when the next stage must be asked.
+    [[nodiscard]] bool filter(Facet_suspect& s) const;
+    [[nodiscard]] bool filter(Cell_suspect& s) const;
+    [[nodiscard]] bool interval(Facet_suspect& s) const;
+    [[nodiscard]] bool interval(Cell_suspect& s) const;
+    void exact(Facet_suspect& s) const;
+    void exact(Cell_suspect& s) const;
+    template <class S>
+    void evaluate_stale(std::vector<S>& suspects);
+    template <class S>
+    void decide(S& s);
+    /// The certificate does not hold. A degenerate sphere is decided by the perturbation, once its cells are positive.
+    [[nodiscard]] bool violated(const Facet_suspect& s) const;
+    [[nodiscard]] bool violated(const Cell_suspect& s) const { return s.verdict.sign <= 0; }
+    [[nodiscard]] bool has_cells() const { return kind_ != Tolerance_kind::paper; }
+    [[nodiscard]] bool certified() const { return kind_ == Tolerance_kind::certified; }
+    void suspect_around(std::span<const Index> cells);
+    void collect_violated();
+    void forget();
+    Progress run_flips();
+    bool unfold(Index c);
+    bool flip_is_simplicial(Index h) const;
+    void flip(Index h);
+    void undo_flips();
+    void undo_flip(Index c, Index n);
+    [[nodiscard]] bool reinsert(std::span<const Coordinates<d>> old, std::span<const Index> movers);
+    [[nodiscard]] Index vertex_to_detach(Index c, std::span<const Coordinates<d>> old,
+                                         std::span<const Index> movers) const;
+    void require_distinct(std::span<const Index> movers) const;
+
+    Embedding<d>& embedding_;
+    Tolerance_kind kind_;
+    std::span<const Coordinates<d>> x_;
+    std::vector<Facet_suspect> facets_;
+    std::vector<Cell_suspect> cells_;
+    std::vector<Index> place_of_facet_;  // facet -> 1 + place in facets_, 0 when absent
+    std::vector<Index> place_of_cell_;
+    std::vector<Index> disturbed_;
+    std::vector<Index> detached_;
+    std::vector<Index> queue_;     // facets to look at
+    std::vector<Index> inverted_;  // cells to unfold
+    std::vector<std::pair<Index, Index>> log_;  // cells of each flip, in order
+    std::vector<Index> unresolved_;
+    Move_report report_;
+};
+
+// Flips are what the dimensions do not share: repair_2.cpp.
+template <>
+bool Repair<2>::flip_is_simplicial(Index h) const;
+template <>
+bool Repair<2>::unfold(Index c);
+template <>
+Repair<2>::Progress Repair<2>::run_flips();
+template <>
+void Repair<2>::undo_flip(Index c, Index n);
+
+extern template class Repair<2>;
+
+}  // namespace annulus

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace annulus {
+
+/// The combinatorics of a triangulation of S and infinity in flat arrays: what the filter walks over.
+///
+/// Cell c has d + 1 corners h = 4c + i. Corner h carries a vertex and stands for the facet opposite to it, seen from c
+/// (a half-facet). `twin(h)` is the same facet seen from the other side, so `vertex(h)` and `vertex(twin(h))` are the
+/// opposite vertices of the bi-cell. Both half-facets carry the index of their facet. Cells are positively oriented
+/// as in CGAL, whose triangulation this mirrors corner by corner. All operations are O(1) unless they say otherwise.
+template <int d>
+class Cell_table {
+  public:
+    static constexpr Index stride = 4;  // also in 2D: corners are found by shifts, and a cell is one 16-byte line
+
+    /// The cells and facets that exist: indices below these bounds, holes among them.
+    [[nodiscard]] Index cell_bound() const { return static_cast<Index>(alive_.size()); }
+    [[nodiscard]] Index facet_bound() const { return static_cast<Index>(half_of_facet_.size()); }
+    [[nodiscard]] Index vertex_bound() const { return static_cast<Index>(corner_of_vertex_.size()); }
+    [[nodiscard]] bool is_cell(Index c) const { return alive_[at(c)] != 0; }
+    [[nodiscard]] bool is_facet(Index f) const { return half_of_facet_[at(f)] != none; }
+
+    [[nodiscard]] static constexpr Index cell_of(Index h) { return h >> 2; }
+    [[nodiscard]] static constexpr int slot_of(Index h) { return static_cast<int>(h & 3); }
+    [[nodiscard]] static constexpr Index corner(Index c, int i) { return 4 * c + i; }
+
+    [[nodiscard]] Index vertex(Index h) const { return vertex_[at(h)]; }
+    [[nodiscard]] Index twin(Index h) const { return twin_[at(h)]; }
+    [[nodiscard]] Index facet(Index h) const { return facet_[at(h)]; }
+    /// One of the two half-facets of facet f.
+    [[nodiscard]] Index half(Index f) const { return half_of_facet_[at(f)]; }
+    /// A corner whose vertex is v; `none` for a vertex that is not in the triangulation.
+    [[nodiscard]] Index corner_of(Index v) const { return corner_of_vertex_[at(v)]; }
+
+    [[nodiscard]] bool is_infinite(Index c) const {
+        for (int i = 0; i <= d; ++i)
+            if (vertex(corner(c, i)) == infinite) return true;
+        return false;
+    }
+    /// The slot of v in c, or -1.
+    [[nodiscard]] int slot(Index c, Index v) const {
+        for (int i = 0; i <= d; ++i)
+            if (vertex(corner(c, i)) == v) return i;
+        return -1;
+    }
+
+    /// Calls visit(h) for each corner h whose vertex is v. 2D: counter-clockwise, O(degree).
+    template <class Visit>
+    void for_each_corner(Index v, Visit visit) const
+        requires(d == 2)
+    {
+        const Index first = corner_of(v);
+        Index h = first;
+        do {
+            assert(vertex(h) == v);
+            visit(h);
+            h = next_around(h);
+        } while (h != first);
+    }
+
+    /// 2D: the corner of the same vertex in the next triangle counter-clockwise.
+    [[nodiscard]] Index next_around(Index h) const
+        requires(d == 2)
+    {
+        const Index t = twin(ccw(h));
+        return ccw(t);
+    }
+    /// 2D: the corners that follow and precede h in its triangle.
+    [[nodiscard]] static constexpr Index ccw(Index h) { return slot_of(h) == 2 ? h - 2 : h + 1; }
+    [[nodiscard]] static constexpr Index cw(Index h) { return slot_of(h) == 0 ? h + 2 : h - 1; }
+
+    /// Starts afresh: no cells, `vertices` vertices none of which is in the triangulation.
+    void clear(std::size_t vertices);
+    void set_vertex_bound(std::size_t vertices) { corner_of_vertex_.resize(vertices, none); }
+
+    /// A new cell with no vertices or twins yet.
+    [[nodiscard]] Index new_cell();
+    void free_cell(Index c);
+    void set_vertex(Index h, Index v) {
+        vertex_[at(h)] = v;
+        if (v != infinite) corner_of_vertex_[at(v)] = h;
+    }
+    void set_absent(Index v) { corner_of_vertex_[at(v)] = none; }
+    /// Makes h and t the two sides of facet f; of a new facet when f is `none`. Returns the facet.
+    Index glue(Index h, Index t, Index f = none);
+    void free_facet(Index f);
+
+    /// 2D: replaces the edge opposite to corner h by the other diagonal of its bi-cell, corner for corner as CGAL's
+    /// `flip(face, i)` does. Precondition: the opposite vertices are not adjacent.
+    void flip(Index h)
+        requires(d == 2);
+
+  private:
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+    std::vector<Index> vertex_;            // by corner
+    std::vector<Index> twin_;              // by corner
+    std::vector<Index> facet_;             // by corner
+    std::vector<char> alive_;              // by cell
+    std::vector<Index> half_of_facet_;     // by facet
+    std::vector<Index> corner_of_vertex_;  // by vertex
+    std::vector<Index> free_cells_;
+    std::vector<Index> free_facets_;
+};
+
+template <int d>
+void Cell_table<d>::clear(std::size_t vertices) {
+    vertex_.clear();
+    twin_.clear();
+    facet_.clear();
+    alive_.clear();
+    half_of_facet_.clear();
+    free_cells_.clear();
+    free_facets_.clear();
+    corner_of_vertex_.assign(vertices, none);
+}
+
+template <int d>
+Index Cell_table<d>::new_cell() {
+    Index c = none;
+    if (!free_cells_.empty()) {
+        c = free_cells_.back();
+        free_cells_.pop_back();
+    } else {
+        c = cell_bound();
+        alive_.push_back(0);
+        vertex_.resize(vertex_.size() + 4, none);
+        twin_.resize(twin_.size() + 4, none);
+        facet_.resize(facet_.size() + 4, none);
+    }
+    alive_[at(c)] = 1;
+    return c;
+}
+
+template <int d>
+void Cell_table<d>::free_cell(Index c) {
+    alive_[at(c)] = 0;
+    free_cells_.push_back(c);
+}
+
+template <int d>
+Index Cell_table<d>::glue(Index h, Index t, Index f) {
+    if (f == none) {
+        if (!free_facets_.empty()) {
+            f = free_facets_.back();
+            free_facets_.pop_back();
+        } else {
+            f = facet_bound();
+            half_of_facet_.push_back(none);
+        }
+    }
+    twin_[at(h)] = t;
+    twin_[at(t)] = h;
+    facet_[at(h)] = f;
+    facet_[at(t)] = f;
+    half_of_facet_[at(f)] = h;
+    return f;
+}
+
+template <int d>
+void Cell_table<d>::free_facet(Index f) {
+    half_of_facet_[at(f)] = none;
+    free_facets_.push_back(f);
+}
+
+template <int d>
+void Cell_table<d>::flip(Index h)
+    requires(d == 2)
+{
+    const Index t = twin(h);
+    const Index a = vertex(ccw(h));
+    const Index b = vertex(cw(h));
+    const Index diagonal = facet(h);
+    const Index h_side = twin(ccw(h));  // across the edge b p
+    const Index t_side = twin(ccw(t));  // across the edge a q
+    const Index h_facet = facet(ccw(h));
+    const Index t_facet = facet(ccw(t));
+    // (p, a, b) becomes (p, a, q); (q, b, a) becomes (q, b, p).
+    vertex_[at(cw(h))] = vertex(t);
+    vertex_[at(cw(t))] = vertex(h);
+    glue(h, t_side, t_facet);
+    glue(t, h_side, h_facet);
+    glue(ccw(h), ccw(t), diagonal);
+    const auto settle = [this](Index v, Index at_corner) {
+        if (v != infinite) corner_of_vertex_[at(v)] = at_corner;
+    };
+    settle(a, ccw(h));
+    settle(b, ccw(t));
+    settle(vertex(h), h);
+    settle(vertex(t), t);
+}
+
+}  // namespace annulus

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The test `consumer`: installs the build BUILD into a scratch prefix, then configures, builds and runs SOURCE against
+# it with the same compiler and flags.
+file(REMOVE_RECURSE "${SCRATCH}")
+
+function(step)
+    execute_process(COMMAND ${ARGV} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+step("${CMAKE_COMMAND}" --install "${BUILD}" --config "${CONFIG}" --prefix "${SCRATCH}/prefix")
+step("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${SCRATCH}/build" -G "${GENERATOR}"
+     "-DCMAKE_PREFIX_PATH=${SCRATCH}/prefix"
+     "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
+     "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_BUILD_TYPE=${CONFIG}"
+     -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+step("${CMAKE_COMMAND}" --build "${SCRATCH}/build" --config "${CONFIG}")
+find_program(CONSUMER consumer PATHS "${SCRATCH}/build" "${SCRATCH}/build/${CONFIG}" NO_DEFAULT_PATH REQUIRED)
+step("${CONSUMER}")

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the tests with a random seed for Catch and RapidCheck, printed first so that a failure can be repeated:
+// set ANNULUS_TEST_SEED to it. `--rng-seed` and a `seed=` in RC_PARAMS go before it.
+#define CATCH_CONFIG_RUNNER
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <string>
+
+namespace {
+
+std::string environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+std::uint32_t seed_of_this_run() {
+    const std::string given = environment("ANNULUS_TEST_SEED");
+    if (!given.empty()) return static_cast<std::uint32_t>(std::stoul(given));
+    return std::random_device{}() | 1U;  // Catch takes 0 for "no seed"
+}
+
+// RapidCheck reads RC_PARAMS once, at the first property.
+void give_rapidcheck_a_seed(std::uint32_t seed) {
+    std::string parameters = environment("RC_PARAMS");
+    if (parameters.find("seed=") == std::string::npos)
+        parameters += (parameters.empty() ? "seed=" : " seed=") + std::to_string(seed);
+    setenv("RC_PARAMS", parameters.c_str(), 1);
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+    const std::uint32_t seed = seed_of_this_run();
+    Catch::Session session;
+    session.configData().rngSeed = seed;
+    const int usage_error = session.applyCommandLine(argc, argv);
+    if (usage_error != 0) return usage_error;
+
+    const Catch::ConfigData& config = session.configData();
+    const bool lists = config.listTests || config.listTags || config.listReporters || config.listTestNamesOnly;
+    if (!lists && !config.showHelp && !config.libIdentify) {
+        give_rapidcheck_a_seed(seed);
+        std::cout << "seeds: ANNULUS_TEST_SEED=" << seed << " (--rng-seed " << config.rngSeed << ", RC_PARAMS=\""
+                  << environment("RC_PARAMS") << "\")" << std::endl;
+    }
+    return std::min(session.run(), 255);  // a list returns its length, and an exit status is eight bits
+}
