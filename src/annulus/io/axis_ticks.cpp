@@ -57,7 +57,9 @@ Axis_range::Axis_range(const Axis& axis, const std::vector<double>& values) : sc
     }
     lower_ = axis.lower && can_show(*axis.lower) ? *axis.lower : lower;
     upper_ = axis.upper && can_show(*axis.upper) ? *axis.upper : upper;
-    if (!(lower_ < upper_)) {
+    // Too narrow a range for doubles to count its ticks is shown as a point is.
+    const double narrow = std::max(1e-280, 1e-9 * std::max(std::fabs(lower_), std::fabs(upper_)));
+    if (logarithmic ? !(lower_ < upper_) : !(upper_ - lower_ > narrow)) {
         const double centre = lower_;
         lower_ = logarithmic ? centre / 3 : centre - std::max(std::fabs(centre) / 10, 1e-3);
         upper_ = logarithmic ? centre * 3 : centre + std::max(std::fabs(centre) / 10, 1e-3);

@@ -22,7 +22,7 @@ class Axis_range {
 
     /// Place of a value, 0 at the lower end and 1 at the upper.
     [[nodiscard]] double place(double value) const;
-    /// False for what the scale cannot show: not finite, or not positive on a logarithmic axis.
+    /// False for what the scale cannot show: not finite, not positive on a logarithmic axis, beyond 1e290 or 1e-290.
     [[nodiscard]] bool can_show(double value) const;
     [[nodiscard]] const std::vector<Tick>& ticks() const noexcept { return ticks_; }
     [[nodiscard]] double lower() const noexcept { return lower_; }
@@ -38,7 +38,8 @@ class Axis_range {
     std::vector<Tick> ticks_;
 };
 
-/// A number for people: three significant digits, thousands grouped (12,300), powers of ten written out when far from 1.
+/// A number for people: three significant digits, thousands grouped (12,300), powers of ten written out when far from
+/// 1.
 [[nodiscard]] std::string readable(double value);
 
 /// An integer with its thousands grouped: 1,234,567.

@@ -43,9 +43,9 @@ void read_vertices(Line_reader& reader, Medit_content& content) {
     if (!content.points.empty()) reader.fail("a second section Vertices", "one");
     const std::uint64_t count = keyword_value(reader, "Vertices");
     const auto dimension = static_cast<std::size_t>(content.dimension);
-    reader.require_room(count, 2 * (dimension + 1), "vertices");
-    content.points.reserve(count);
-    content.lines.reserve(count);
+    const std::size_t room = reader.room_for(count, 2 * (dimension + 1), "vertices");
+    content.points.reserve(room);
+    content.lines.reserve(room);
     for (std::uint64_t i = 0; i < count; ++i) {
         next_record_of(reader, i, count, dimension + 1, "Vertices");
         const auto& fields = reader.fields();
@@ -60,9 +60,9 @@ template <std::size_t corners>
 void read_cells(Line_reader& reader, const std::string& keyword, Medit_cells<corners>& result) {
     if (!result.cells.empty()) reader.fail("a second section " + keyword, "one");
     const std::uint64_t count = keyword_value(reader, keyword);
-    reader.require_room(count, 2 * (corners + 1), keyword);
-    result.cells.reserve(count);
-    result.lines.reserve(count);
+    const std::size_t room = reader.room_for(count, 2 * (corners + 1), keyword);
+    result.cells.reserve(room);
+    result.lines.reserve(room);
     for (std::uint64_t i = 0; i < count; ++i) {
         next_record_of(reader, i, count, corners + 1, keyword);
         std::array<Index, corners> cell;
@@ -103,7 +103,6 @@ bool is_counted_by_lines(std::string_view keyword) {
 
 void skip_lines(Line_reader& reader, const std::string& keyword) {
     const std::uint64_t count = keyword_value(reader, keyword);
-    reader.require_room(count, 2, keyword);
     for (std::uint64_t i = 0; i < count; ++i) {
         reader.require_record(i, count, keyword);
         if (is_letter(reader.fields()[0][0]))

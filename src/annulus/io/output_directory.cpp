@@ -94,7 +94,7 @@ fs::path Output_directory::unused_name(std::string_view name) {
     do {
         candidate = path_ / ("." + std::string(name) + "." + std::to_string(::getpid()) + "." +
                              std::to_string(names_++) + ".tmp");
-    } while (fs::symlink_status(candidate, code).type() != fs::file_type::not_found);
+    } while (fs::exists(fs::symlink_status(candidate, code)));
     return candidate;
 }
 

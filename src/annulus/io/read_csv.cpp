@@ -48,10 +48,12 @@ char separator_of(std::string_view line) {
     return line.find(';') != std::string_view::npos ? ';' : ',';
 }
 
+/// A header has names only. What begins like a number is none, so that `1 2` is not taken for the name of a column.
 bool is_header(const std::vector<std::string_view>& fields) {
     double unused = 0;
     return std::none_of(fields.begin(), fields.end(), [&](std::string_view field) {
-        return field.empty() || parse_double(field, unused) != Number_kind::not_a_number;
+        return field.empty() || std::string_view("+-.0123456789").find(field[0]) != std::string_view::npos ||
+               parse_double(field, unused) != Number_kind::not_a_number;
     });
 }
 

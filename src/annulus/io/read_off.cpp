@@ -33,9 +33,9 @@ Raw_points read_off(const Source& source) {
     const std::uint64_t vertices = reader.whole(header[0], "the count of vertices");
     const std::uint64_t faces = reader.whole(header[1], "the count of faces");
 
-    reader.require_room(vertices, 6, "vertices");
-    raw.points.reserve(vertices);
-    raw.lines.reserve(vertices);
+    const std::size_t room = reader.room_for(vertices, 6, "vertices");
+    raw.points.reserve(room);
+    raw.lines.reserve(room);
     for (std::uint64_t i = 0; i < vertices; ++i) {
         reader.require_record(i, vertices, "vertices");
         const auto& fields = reader.fields();

@@ -21,8 +21,8 @@ void read_ascii(Line_reader& reader, const Ply_header& header, const Ply_vertex_
     std::vector<double> values;
     for (const Ply_element& element : header.elements) {
         if (element.properties.empty()) continue;
-        reader.require_room(element.count, 2, element.name);
         const bool is_vertex = element.name == "vertex";
+        if (is_vertex) raw.points.reserve(reader.room_for(element.count, 4, "vertices"));
         for (std::uint64_t i = 0; i < element.count; ++i) {
             reader.require_record(i, element.count, element.name + " records");
             if (!is_vertex) continue;

@@ -40,10 +40,10 @@ Columns columns_of_counted(const Line_reader& reader) {
 
 void read_counted(Line_reader& reader, Raw_points& raw) {
     const std::uint64_t count = reader.whole(reader.fields()[0], "the count of points");
+    const std::size_t room = reader.room_for(count, 4, "points");
+    raw.points.reserve(room);
+    raw.lines.reserve(room);
     if (!reader.next_line()) reader.fail("the file ends after its count", "a comment line and the points");
-    reader.require_room(count, 4, "points");
-    raw.points.reserve(count);
-    raw.lines.reserve(count);
     Columns columns;
     for (std::uint64_t i = 0; i < count; ++i) {
         reader.require_record(i, count, "points");

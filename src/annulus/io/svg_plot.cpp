@@ -76,8 +76,8 @@ void draw_axes(std::string& out, const Plot& plot, const Frame& frame, const Axi
            ")rotate(-90)\">" + escaped(plot.y.label) + "</text>";
 }
 
-/// Appends the piece of a curve between two interruptions, thinned: of all points in one half unit of x, the first, lowest,
-/// highest and last draw the same picture.
+/// Appends the piece of a curve between two interruptions, thinned: of all points in one half unit of x, the first,
+/// lowest, highest and last draw the same picture.
 void draw_piece(std::string& path, const std::vector<Pixel>& piece) {
     for (std::size_t i = 0; i < piece.size();) {
         std::size_t end = i;

@@ -15,8 +15,8 @@ struct Axis {
     std::string label;  ///< with its unit, as in "mean displacement (mean spacings)"
     Scale scale = Scale::linear;
     /// The range to show; where absent, that of the data.
-    std::optional<double> lower;
-    std::optional<double> upper;
+    std::optional<double> lower = std::nullopt;
+    std::optional<double> upper = std::nullopt;
     bool tight = false;  ///< logarithmic: no margin around the data
 };
 
@@ -39,8 +39,9 @@ struct Plot {
 [[nodiscard]] Series histogram_series(std::string name, const Histogram& histogram);
 
 /// The plot as one SVG element, 520 by 360 units, that scales with its container. Colours and fonts come from CSS
-/// classes (see report_style.h), so that a page decides on light and dark. Curves are told apart by colour, by dashes and by
-/// their names at their ends. Many points are thinned to what one pixel can show. All text is escaped. Linear in the points.
+/// classes (see report_style.h), so that a page decides on light and dark. Curves are told apart by colour, by dashes
+/// and by their names at their ends. Many points are thinned to what one pixel can show. All text is escaped. Linear in
+/// the points.
 [[nodiscard]] std::string svg_plot(const Plot& plot);
 
 }  // namespace annulus

@@ -140,14 +140,11 @@ std::uint64_t Line_reader::whole(std::string_view text, std::string_view what) c
     return value;
 }
 
-void Line_reader::require_room(std::uint64_t count, std::uint64_t bytes, std::string_view noun) const {
-    // One byte more than is there, because the last line may have no end.
-    if (count > (static_cast<std::uint64_t>(rest_.size()) + 1) / bytes)
-        fail("says " + std::to_string(count) + " " + std::string(noun) + ", but only " + counted(rest_.size(), "byte") +
-                 " of the file are left",
-             "as many " + std::string(noun) + " as the file holds");
+std::size_t Line_reader::room_for(std::uint64_t count, std::uint64_t bytes, std::string_view noun) const {
     if (count > static_cast<std::uint64_t>(std::numeric_limits<Index>::max()))
         fail("says " + std::to_string(count) + " " + std::string(noun), "fewer than 2^31");
+    // One byte more than is there, because the last line may have no end.
+    return static_cast<std::size_t>(std::min(count, (static_cast<std::uint64_t>(rest_.size()) + 1) / bytes));
 }
 
 void Line_reader::require_record(std::uint64_t done, std::uint64_t count, std::string_view noun) {

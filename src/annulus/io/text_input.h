@@ -24,7 +24,8 @@ struct Source {
 enum class Number_kind { finite, not_a_number, nan, too_large };
 
 /// Decimal to double, correctly rounded (to nearest) and independent of the locale; a leading + is accepted, anything
-/// after the number is not. Magnitudes too small for a double give zero, infinities and those too large are `too_large`.
+/// after the number is not. Magnitudes too small for a double give zero, infinities and those too large are
+/// `too_large`.
 [[nodiscard]] Number_kind parse_double(std::string_view text, double& value) noexcept;
 
 /// Walks over the lines of a text and splits them into fields. LF and CRLF both end a line.
@@ -57,9 +58,10 @@ class Line_reader {
     /// `text` as an integer of 0 or more that fits in 64 bits.
     [[nodiscard]] std::uint64_t whole(std::string_view text, std::string_view what) const;
 
-    /// Fails unless the rest of the file can hold `count` lines of at least `bytes` bytes each (end of line included)
-    /// and an Index can number them, so that a wrong count never decides how much memory is asked for.
-    void require_room(std::uint64_t count, std::uint64_t bytes, std::string_view noun) const;
+    /// How many of `count` records to make room for: no more than the rest of the file can hold at `bytes` bytes each
+    /// (end of line included), so that a wrong count never decides how much memory is asked for. Fails when there are
+    /// more than an Index can number.
+    [[nodiscard]] std::size_t room_for(std::uint64_t count, std::uint64_t bytes, std::string_view noun) const;
 
     /// Goes to the next record, the one after `done` of `count`; fails when the file ends first.
     void require_record(std::uint64_t done, std::uint64_t count, std::string_view noun);

@@ -29,8 +29,8 @@ double arc_span(const Coordinates<2>& origin, const Coordinates<2>& from, const 
 
 void assign_disc(const Coordinates<2>& origin, double radius, std::vector<Corner_2>& corners) {
     corners.clear();
-    for (const Coordinates<2>& p : {Coordinates<2>{radius, 0}, Coordinates<2>{0, radius}, Coordinates<2>{-radius, 0},
-                                    Coordinates<2>{0, -radius}})
+    for (const Coordinates<2>& p :
+         {Coordinates<2>{radius, 0}, Coordinates<2>{0, radius}, Coordinates<2>{-radius, 0}, Coordinates<2>{0, -radius}})
         corners.push_back({minus(p, origin), true});
 }
 

@@ -5,6 +5,7 @@
 #include <annulus/motion/moments_2.h>
 #include <annulus/motion/voronoi_cell_2.h>
 
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -33,12 +34,17 @@ bool centroid(Density density, const Cell_2& cell, Coordinates<2>& offset) {
     if (!(m.mass > 0)) return false;
     offset = {m.first[0] / m.mass, m.first[1] / m.mass};
     const std::size_t n = cell.corners.size();
+    double square = 0;
+    for (const Corner_2& corner : cell.corners)
+        square = std::max(square, corner.offset[0] * corner.offset[0] + corner.offset[1] * corner.offset[1]);
+    // Not 0: where neighbours are cocircular two corners nearly coincide, and the edge between them points anywhere.
+    const double slack = -1e-12 * square;
     bool inside = std::isfinite(offset[0]) && std::isfinite(offset[1]);
     for (std::size_t i = 0; inside && i < n; ++i) {
         if (cell.corners[i].arc) continue;  // a chord: the region goes beyond it
         const Coordinates<2>& a = cell.corners[i].offset;
         const Coordinates<2>& b = cell.corners[i + 1 < n ? i + 1 : 0].offset;
-        inside = (b[0] - a[0]) * (offset[1] - a[1]) - (b[1] - a[1]) * (offset[0] - a[0]) >= 0;
+        inside = (b[0] - a[0]) * (offset[1] - a[1]) - (b[1] - a[1]) * (offset[0] - a[0]) >= slack;
     }
     if (inside) return true;
     offset = {0, 0};
@@ -88,7 +94,8 @@ Lloyd_step Lloyd_2::step(const Neighbours_2& neighbours, std::span<const Coordin
     if (threads_ == 1 || partial.size() == 1) {
         for (std::size_t r = 0; r < partial.size(); ++r) run(r);
     } else {
-        oneapi::tbb::task_arena arena(threads_);
+        // Asking for more than the machine has gains nothing, and oneTBB warns about it on stderr.
+        oneapi::tbb::task_arena arena(std::min(threads_, oneapi::tbb::info::default_concurrency()));
         arena.execute([&] { oneapi::tbb::parallel_for(std::size_t{0}, partial.size(), run); });
     }
 

@@ -16,22 +16,23 @@ namespace annulus {
 struct Lloyd_step {
     double mean_displacement = 0;
     double max_displacement = 0;
-    std::size_t kept = 0;  ///< vertices whose cell has no mass in the domain: they stay (displacement 0)
+    std::size_t kept = 0;  ///< vertices whose cell has no mass in the domain: they stay where they are
 };
 
-/// Lloyd's iteration in the plane (section 4.1 of the paper): every site wants to go to the centroid of its Voronoi cell,
-/// cut to a convex domain, under a density. Immutable; `step` may be called from several threads at once.
+/// Lloyd's iteration in the plane (section 4.1 of the paper): every site wants to go to the centroid of its Voronoi
+/// cell, cut to a convex domain, under a density. Immutable; `step` may be called from several threads at once.
 class Lloyd_2 {
   public:
-    /// `threads` >= 1 is how many work on a step, else Error(usage).
+    /// `threads` >= 1, else Error(usage), is how many work on a step, or fewer where the machine has fewer.
     Lloyd_2(Domain_2 domain, Density density, int threads = 1);
 
     /// Sets target[v] to the centroid of (Voronoi cell of v, cut to the domain) for every v. The vertices with an empty
     /// list in `neighbours`, unless v is the only one, are vacant: they keep their position and are not counted.
     ///
     /// Preconditions: `neighbours` are those of a Delaunay triangulation of `position`; positions are finite and
-    /// differ; they may be outside of the domain. A list that is not Delaunay's gives a target in the domain all the same.
-    /// A target is in the domain up to `Domain_2::tolerance()`, and in the cell up to a rounding of the coordinates.
+    /// differ; they may be outside of the domain. A list that is not Delaunay's gives a target in the domain all the
+    /// same, or none. A target is in the domain up to `Domain_2::tolerance()`, and in the cell up to a rounding of the
+    /// coordinates.
     /// Cells being disjoint, targets of different vertices differ, as long as cells are larger than a rounding.
     /// Error of a target: that of `moments` and of `Voronoi_cell_2`, and its rounding to double.
     ///
@@ -51,7 +52,7 @@ class Lloyd_2 {
 };
 
 /// The centroid of a cell under a density, as an offset from the cell's origin; false when the cell has no mass. A
-/// centroid that rounding pushed out of the cell is replaced by the mean of the corners.
+/// centroid that is out of the cell by more than rounding (a cell thinner than that) becomes the mean of the corners.
 [[nodiscard]] bool centroid(Density density, const Cell_2& cell, Coordinates<2>& offset);
 
 }  // namespace annulus

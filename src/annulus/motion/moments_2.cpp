@@ -15,12 +15,9 @@ struct Quadratic {
 
 template <Density density>
 Quadratic along_ray(const Coordinates<2>& c, const Coordinates<2>& e) {
-    if constexpr (density == Density::one)
-        return {1, 0, 0};
-    else if constexpr (density == Density::x2)
-        return {c[0] * c[0], 2 * c[0] * e[0], e[0] * e[0]};
-    else
-        return {c[0] * c[0] + c[1] * c[1], 2 * (c[0] * e[0] + c[1] * e[1]), e[0] * e[0] + e[1] * e[1]};
+    if constexpr (density == Density::one) return {1, 0, 0};
+    else if constexpr (density == Density::x2) return {c[0] * c[0], 2 * c[0] * e[0], e[0] * e[0]};
+    else return {c[0] * c[0] + c[1] * c[1], 2 * (c[0] * e[0] + c[1] * e[1]), e[0] * e[0] + e[1] * e[1]};
 }
 
 /// Sum over the cones from c to the pieces of the boundary: the integral over a cone is that of
@@ -41,10 +38,8 @@ Moments_2 cone_moments(const Coordinates<2>& c, std::span<const Corner_2> corner
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Coordinates<2>& a = corners[i].offset;
         const Coordinates<2>& b = corners[i + 1 < corners.size() ? i + 1 : 0].offset;
-        if (corners[i].arc)
-            arc_nodes(c, a, b, node);
-        else
-            edge_nodes(a, b, rule, 1, node);
+        if (corners[i].arc) arc_nodes(c, a, b, node);
+        else edge_nodes(a, b, rule, 1, node);
     }
     return sum;
 }

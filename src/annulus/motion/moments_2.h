@@ -10,8 +10,8 @@ namespace annulus {
 
 /// Mass and first moment of a planar region under a density.
 struct Moments_2 {
-    double mass = 0;          ///< integral of density
-    Coordinates<2> first{};   ///< integral of density times (position - origin)
+    double mass = 0;         ///< integral of density
+    Coordinates<2> first{};  ///< integral of density times (position - origin)
 };
 
 /// The moments of the region whose boundary is `corners` (offsets from `origin`, counter-clockwise, see Corner_2), the

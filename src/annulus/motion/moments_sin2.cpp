@@ -49,12 +49,13 @@ namespace {
 
 /// Nodes for a straight edge of this length whose line may pass as close as `clearance` to (0, 0), kind "far".
 ///
-/// Two limits. Growth: len^(2n) / (2^(2n-1) (2n)!) <= 1e-16 len^2, solved for len. Poles: 1 / r^2 has them at
+/// Two limits. Growth: len^(2n) / (2^(2n-1) (2n)!) <= 1e-16 len^2, solved for len (at len = 3, the longest there is,
+/// 10 nodes still have 3e-16 len^2). Poles: 1 / r^2 has them at
 /// |t| = y = clearance / (len / 2) on the imaginary axis when the edge is [-1, 1], and the remainder falls like
 /// (y + sqrt(1 + y^2))^(-2n); n = 7.5 / log10(1.6 y), solved for y, keeps it below 1e-15.
 ///
-/// One node more than that, because around a zero of the density the leading terms of the first moment are two degrees
-/// higher than the bound counts with (without it, cells of 0.001 there are wrong by 4e-11; with it the error is rounding).
+/// One node more than that, because around a zero of the density the leading terms of the first moment are two
+/// degrees higher than the bound counts with: without it, cells of 0.001 there are wrong by 4e-11.
 int nodes_for(double length, double clearance) {
     static constexpr std::array<double, 10> longest{0, 0, 0, 1.2e-3, 0.028, 0.144, 0.398, 0.80, 1.35, 2.01};
     static constexpr std::array<double, 12> nearest{1e9, 1e9, 1e9, 198, 46.9, 19.8, 11.1, 7.4, 5.4, 4.3, 3.5, 3.0};
@@ -110,7 +111,8 @@ class Far_cell {
     using Block = std::array<double, block>;
 
     /// With r = |c + u|, delta = r - r_, A = integral of density t dt and B = of density t (t - r_) dt from r_ to r:
-    /// mass += A dtheta; first += ((c + u) / r B + (r_ (c + u) / r - c) A) dtheta, and r_ (c + u) - r c = r_ u - delta c.
+    /// mass += A dtheta; first += ((c + u) / r B + (r_ (c + u) / r - c) A) dtheta, where
+    /// r_ (c + u) - r c = r_ u - delta c.
     void flush() {
         Block delta, q;
         for (std::size_t j = 0; j < block; ++j) {
@@ -215,24 +217,24 @@ struct Edge_rule {
 
 Moments_2 sin2_moments(const Coordinates<2>& origin, std::span<const Corner_2> corners) {
     const double radius = radius_of(origin, corners), r = norm(origin);
+    if (radius <= 1.5 && r > 4 * radius) {
+        Far_cell far(origin, radius);
+        around(origin, corners, far, [&](double length) { return Edge_rule{nodes_for(length, r - radius), 1}; });
+        return far.result();
+    }
     if (radius > 1) {
         Moments_2 half = moments(Density::one, origin, corners);
         From_centre<Radial_means (*)(double)> oscillating{origin, cos2_means};
         // 10 nodes on at most 2 units of length: remainder 8e-19. A million pieces at most: see `moments`.
-        around(origin, corners, oscillating,
-               [](double length) { return Edge_rule{10, 1 + static_cast<int>(std::min(length / 2, 1e6))}; });
+        around(origin, corners, oscillating, [](double length) {
+            return Edge_rule{10, 1 + static_cast<int>(std::min(length / 2, 1e6))};
+        });
         return {(half.mass - oscillating.sum.mass) / 2,
                 {(half.first[0] - oscillating.sum.first[0]) / 2, (half.first[1] - oscillating.sum.first[1]) / 2}};
     }
-    if (r <= 4 * radius) {
-        From_centre<Radial_means (*)(double)> near{origin, sin2_means};
-        around(origin, corners, near, [](double) { return Edge_rule{10, 1}; });
-        return near.sum;
-    }
-    Far_cell far(origin, radius);
-    around(origin, corners, far,
-           [&](double length) { return Edge_rule{nodes_for(length, r - radius), 1}; });
-    return far.result();
+    From_centre<Radial_means (*)(double)> near{origin, sin2_means};
+    around(origin, corners, near, [](double) { return Edge_rule{10, 1}; });
+    return near.sum;
 }
 
 }  // namespace annulus

@@ -12,13 +12,13 @@ namespace annulus {
 /// them into integrals along the boundary, with a potential for each of three kinds of cell; h is the greatest
 /// distance of the cell from its origin c.
 ///
-/// * far (h <= 1, |c| > 4 h): the potential is measured from the circle through c, so that it is small where the cell
+/// * far (h <= 1.5, |c| > 4 h): the potential is measured from the circle through c, so that it is small where the cell
 ///   is small: integrals of density times t or t (t - |c|) over |c| <= t <= r, as Taylor polynomials in r - |c| whose
 ///   coefficients are made once a cell. Truncated below 1e-17 h^2.
 /// * near (h <= 1, |c| <= 4 h): measured from (0, 0): G(r) / r^2 and H(r) / r^3, which are entire functions of r^2;
 ///   series for r < 1, closed form from there on.
-/// * large (h > 1): sin^2 = 1/2 - cos(2 r) / 2; the first half is a polygon's area, the second oscillates, and its
-///   potentials grow only like r.
+/// * large (the rest, h > 1): sin^2 = 1/2 - cos(2 r) / 2; the first half is a polygon's area, the second oscillates,
+///   and its potentials grow only like r.
 ///
 /// In each the integrand along an edge is smooth (of exponential type 2, Bernstein: its k-th derivative by arc length
 /// is of order 2^k), and the number of Gauss nodes follows from the length of the edge by the bound

@@ -57,9 +57,9 @@ void Voronoi_cell_2::from_bisectors(const Coordinates<2>& site, std::span<const 
     if (disc) {
         // A square around the disc, larger so that its edges do not touch.
         const double h = 1.5 * domain_->radius();
-        for (const Coordinates<2>& corner : {Coordinates<2>{-h, -h}, Coordinates<2>{h, -h}, Coordinates<2>{h, h},
-                                             Coordinates<2>{-h, h}}) {
-            const Coordinates<2> outward{(corner[0] + corner[1]) / (2 * h), (corner[1] - corner[0]) / (2 * h)};
+        for (const Coordinates<2>& corner :
+             {Coordinates<2>{-h, -h}, Coordinates<2>{h, -h}, Coordinates<2>{h, h}, Coordinates<2>{-h, h}}) {
+            const Coordinates<2> outward{(corner[0] - corner[1]) / (2 * h), (corner[0] + corner[1]) / (2 * h)};
             start_corners_.push_back(minus(corner, site));
             start_lines_.push_back({outward, h - dot(outward, site)});
         }

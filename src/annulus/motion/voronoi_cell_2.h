@@ -22,8 +22,8 @@ class Voronoi_cell_2 {
     /// A cyclic list whose circumcentres are all in the domain gives the cell directly, O(neighbours). When one is not,
     /// when a triangle is nearly flat (the circumcentre would be noise), or when the result is not counter-clockwise
     /// around the site (so the list was no Delaunay star), the domain is cut by all bisectors, O(neighbours^2): this
-    /// needs no order and no list being right, and without neighbours it is the whole domain. Corners have an error of a few
-    /// roundings of the cell's size, over the sine of the angle between the lines that meet there; corners on the
+    /// needs no order and no list being right, and without neighbours it is the whole domain. Corners have an error of
+    /// a few roundings of the cell's size, over the sine of the angle between the lines that meet there; corners on the
     /// border of the domain also of a few roundings of the domain's size. The origin is the site if the domain contains
     /// it, else a point of the cell. The result is valid until the next call.
     const Cell_2& operator()(const Coordinates<2>& site, std::span<const Index> neighbours,

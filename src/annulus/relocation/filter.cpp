@@ -11,23 +11,21 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 template <int d>
 void Filter<d>::resize() {
-    const auto& t = embedding_.table();
-    const std::size_t n = at(t.vertex_bound());
+    const std::size_t n = at(table_.vertex_bound());
     position_.resize(n);
     fixed_.resize(n);
     threshold_.resize(n, 0.0);
-    base_.resize(n, 0.0);
-    earliest_.resize(n, never);
+    list_.resize(n);
     stamp_.resize(n, 0);
     disturbed_stamp_.resize(n, 0);
     Facet_record no_facet{};
     no_facet.expiry.fill(never);
     no_facet.kind = Facet_kind::border;
     no_facet.point.fill(none);
-    facet_record_.resize(at(t.facet_bound()), no_facet);
+    facet_record_.resize(at(table_.facet_bound()), no_facet);
     Cell_record no_cell{};
     no_cell.expiry.fill(never);
-    cell_record_.resize(at(t.cell_bound()), no_cell);
+    cell_record_.resize(at(table_.cell_bound()), no_cell);
 }
 
 template <int d>
@@ -35,8 +33,7 @@ void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
     resize();
     if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
     std::copy(position_.begin(), position_.end(), fixed_.begin());
-    std::fill(base_.begin(), base_.end(), 0.0);
-    std::fill(earliest_.begin(), earliest_.end(), never);
+    std::fill(list_.begin(), list_.end(), Expiry_list{});
     if (embedding_.dimension() != d) {
         std::fill(threshold_.begin(), threshold_.end(), 0.0);
         return;
@@ -52,7 +49,7 @@ void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
 
 template <int d>
 double Filter<d>::tolerance(Index v) const {
-    const double slack = (earliest_[at(v)] - base_[at(v)]) * (1.0 - 0x1p-50);
+    const double slack = (list_[at(v)].earliest() - list_[at(v)].base) * (1.0 - 0x1p-50);
     return std::max(0.0, slack);
 }
 
@@ -60,17 +57,16 @@ template <int d>
 void Filter<d>::place(Index v, const Coordinates<d>& p) {
     resize();
     position_[at(v)] = fixed_[at(v)] = p;
-    earliest_[at(v)] = never;
+    list_[at(v)].clear();
 }
 
 template <int d>
 void Filter<d>::refresh(std::span<const Index> cells, Move_report& report) {
-    const auto& t = embedding_.table();
     resize();
     repair_.begin(position_);
     for (const Index c : cells) {
         if (repair_.kind() != Tolerance_kind::paper) repair_.suspect_cell(c);
-        for (int i = 0; i <= d; ++i) repair_.suspect_facet(t.facet(t.corner(c, i)));
+        for (int i = 0; i <= d; ++i) repair_.suspect_facet(table_.facet(table_.corner(c, i)));
     }
     (void)repair_.evaluate();
     failed_.clear();
@@ -104,12 +100,11 @@ void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
 template <int d>
 void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
     failed_.clear();
-    const auto& t = embedding_.table();
-    const Index n = t.vertex_bound();
+    const Index n = table_.vertex_bound();
     for (Index v = 0; v < n; ++v) {
         if (squared_distance<d>(x[at(v)], fixed_[at(v)]) < threshold_[at(v)]) [[likely]]
             continue;
-        if (x[at(v)] == fixed_[at(v)] || t.corner_of(v) == none) continue;
+        if (x[at(v)] == fixed_[at(v)] || table_.corner_of(v) == none) continue;
         failed_.push_back(v);
     }
     const std::size_t asked = embedding_.vertices();
@@ -124,41 +119,57 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
 }
 
 template <int d>
+void Filter<d>::look_at(Index id, Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x) {
+    if (id & 1) {
+        const Index c = id >> 1;
+        if (at(c) >= cell_record_.size() || !table_.is_cell(c)) return;
+        const int i = table_.slot(c, v);
+        if (i < 0) return;
+        const double expiry = cell_record_[at(c)].expiry[static_cast<std::size_t>(i)];
+        if (reading < expiry) {
+            list.put(id, expiry);
+        } else {
+            repair_.suspect_cell(c);
+        }
+        return;
+    }
+    const Index f = id >> 1;
+    const Facet_record& r = facet_record_[at(f)];
+    if (!table_.is_facet(f)) return;
+    for (std::size_t k = 0; k < r.point.size(); ++k) {
+        if (r.point[k] != v) continue;
+        if (reading < r.expiry[k]) {
+            list.put(id, r.expiry[k]);
+        } else if (look_ == Second_look::unequal_moves && second_look(f, x)) {
+            list.put(id, renewals_.back().expiry[k]);
+        } else {
+            repair_.suspect_facet(f, r.kind, r.point);
+        }
+        return;
+    }
+}
+
+/// Looks at every certificate of v and fills the list anew.
+template <int d>
+void Filter<d>::tour(Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x) {
+    ++tours_;
+    list.clear();
+    table_.for_each_corner(v, [&](Index h) {
+        look_at(id_of_cell(table_.cell_of(h)), v, reading, list, x);
+        look_at(id_of_facet(table_.facet(h)), v, reading, list, x);
+        look_at(id_of_facet(table_.facet(table_.ccw(h))), v, reading, list, x);
+    });
+}
+
+template <int d>
 void Filter<d>::find_expired(std::span<const Coordinates<d>> x) {
-    const auto& t = embedding_.table();
-    failed_reading_.resize(failed_.size());
-    failed_earliest_.resize(failed_.size());
-    for (std::size_t i = 0; i < failed_.size(); ++i) {
-        const Index v = failed_[i];
-        const double reading = sum_upper(base_[at(v)], distance_upper<d>(x[at(v)], fixed_[at(v)]));
-        double earliest = never;
-        const auto look_at_facet = [&](Index f) {
-            const Facet_record& r = facet_record_[at(f)];
-            for (std::size_t k = 0; k < r.point.size(); ++k) {
-                if (r.point[k] != v) continue;
-                if (reading < r.expiry[k]) {
-                    earliest = std::min(earliest, r.expiry[k]);
-                } else if (look_ == Second_look::unequal_moves && second_look(f, x)) {
-                    earliest = std::min(earliest, facet_record_[at(f)].expiry[k]);
-                } else {
-                    repair_.suspect_facet(f, r.kind, r.point);
-                }
-            }
-        };
-        t.for_each_corner(v, [&](Index h) {
-            const Index c = t.cell_of(h);
-            const Cell_record& r = cell_record_[at(c)];
-            const double expiry = r.expiry[static_cast<std::size_t>(t.slot_of(h))];
-            if (reading < expiry) {
-                earliest = std::min(earliest, expiry);
-            } else {
-                repair_.suspect_cell(c);
-            }
-            look_at_facet(t.facet(h));
-            look_at_facet(t.facet(t.ccw(h)));
-        });
-        failed_reading_[i] = reading;
-        failed_earliest_[i] = earliest;
+    failed_list_.clear();
+    for (const Index v : failed_) {
+        Expiry_list list = list_[at(v)];
+        list.base = sum_upper(list.base, distance_upper<d>(x[at(v)], fixed_[at(v)]));
+        while (!list.empty() && !(list.base < list.earliest())) look_at(list.pop(), v, list.base, list, x);
+        if (!(list.base < list.rest())) tour(v, list.base, list, x);
+        failed_list_.push_back(list);
     }
 }
 
@@ -174,7 +185,7 @@ bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
     Renewal renewal{f, {}};
     for (std::size_t k = 0; k < r.point.size(); ++k) {
         const std::size_t w = at(r.point[k]);
-        const double reading = sum_upper(base_[w], distance_upper<d>(x[w], fixed_[w]));
+        const double reading = sum_upper(list_[w].base, distance_upper<d>(x[w], fixed_[w]));
         // expiry <= reference + tolerance, so this is at least reading - reference up to rounding, which is added.
         const double expired = r.expiry[k] - r.tolerance;
         const double way = (reading - expired) + (reading + r.tolerance) * 0x1p-50;
@@ -199,12 +210,14 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index
     ++epoch_;
     renewals_.clear();
     repair_.begin(x);
+    tours_ = 0;
     find_expired(x);
     auto outcome = Repair<d>::Outcome::flipped;
     if (!repair_.evaluate()) outcome = repair_.mend(position_, movers);
     // From here on nothing throws.
     report += repair_.report();
     report.renewed += renewals_.size();
+    report.tours += tours_;
     count(asked, outcome, report);
     if (outcome == Repair<d>::Outcome::rebuilt) {
         settle(x, report);
@@ -258,8 +271,21 @@ void Filter<d>::anchor(Index v, std::span<const Coordinates<d>> x) {
     stamp_[at(v)] = epoch_;
     anchored_.push_back(v);
     if (x[at(v)] == fixed_[at(v)]) return;
-    base_[at(v)] = sum_upper(base_[at(v)], distance_upper<d>(x[at(v)], fixed_[at(v)]));
+    list_[at(v)].base = sum_upper(list_[at(v)].base, distance_upper<d>(x[at(v)], fixed_[at(v)]));
     fixed_[at(v)] = x[at(v)];
+}
+
+/// Gives a certificate evaluated at x its expiries and tells its points.
+template <int d>
+template <class S>
+void Filter<d>::commit_points(const S& s, Index id, std::span<double> expiry, std::span<const Coordinates<d>> x) {
+    for (std::size_t k = 0; k < s.point.size(); ++k) {
+        if (s.point[k] == none) continue;
+        anchor(s.point[k], x);
+        Expiry_list& list = list_[at(s.point[k])];
+        expiry[k] = sum_lower(list.base, s.verdict.tolerance);
+        list.put(id, expiry[k]);
+    }
 }
 
 template <int d>
@@ -267,26 +293,21 @@ void Filter<d>::commit(std::span<const Coordinates<d>> x) {
     ++epoch_;
     resize();
     anchored_.clear();
-    const auto& t = embedding_.table();
     for (std::size_t i = 0; i < failed_.size(); ++i) {
         const Index v = failed_[i];
         stamp_[at(v)] = epoch_;
         anchored_.push_back(v);
-        base_[at(v)] = failed_reading_[i];
+        list_[at(v)] = failed_list_[i];
         fixed_[at(v)] = x[at(v)];
-        earliest_[at(v)] = failed_earliest_[i];
     }
-    for (const Index v : repair_.reinserted()) earliest_[at(v)] = never;
-    const auto expire = [this](Index v, double reading) {
-        earliest_[at(v)] = std::min(earliest_[at(v)], reading);
-    };
+    for (const Index v : repair_.reinserted()) list_[at(v)].clear();
     for (const Renewal& renewal : renewals_) {
-        if (!t.is_facet(renewal.facet)) continue;
+        if (!table_.is_facet(renewal.facet)) continue;
         Facet_record& r = facet_record_[at(renewal.facet)];
         r.tolerance = 0.0;
         r.expiry = renewal.expiry;
         for (std::size_t k = 0; k < r.point.size(); ++k) {
-            expire(r.point[k], r.expiry[k]);
+            list_[at(r.point[k])].put(id_of_facet(renewal.facet), r.expiry[k]);
             if (stamp_[at(r.point[k])] != epoch_) set_threshold(r.point[k]);
         }
     }
@@ -297,25 +318,14 @@ void Filter<d>::commit(std::span<const Coordinates<d>> x) {
         r.kind = s.kind;
         r.tolerance = s.verdict.tolerance;
         r.expiry.fill(never);
-        if (s.kind == Facet_kind::border) continue;
-        for (std::size_t k = 0; k < s.point.size(); ++k) {
-            if (s.point[k] == none) continue;
-            anchor(s.point[k], x);
-            r.expiry[k] = sum_lower(base_[at(s.point[k])], s.verdict.tolerance);
-            expire(s.point[k], r.expiry[k]);
-        }
+        if (s.kind != Facet_kind::border) commit_points(s, id_of_facet(s.id), r.expiry, x);
     }
     for (const auto& s : repair_.cells()) {
         if (!repair_.exists(s)) continue;
         Cell_record& r = cell_record_[at(s.id)];
-        r.tolerance = s.verdict.tolerance;
         r.expiry.fill(never);
-        if (s.kind == Facet_kind::border || repair_.kind() == Tolerance_kind::paper) continue;
-        for (std::size_t k = 0; k < s.point.size(); ++k) {
-            anchor(s.point[k], x);
-            r.expiry[k] = sum_lower(base_[at(s.point[k])], s.verdict.tolerance);
-            expire(s.point[k], r.expiry[k]);
-        }
+        if (s.kind != Facet_kind::border && repair_.kind() != Tolerance_kind::paper)
+            commit_points(s, id_of_cell(s.id), r.expiry, x);
     }
     for (const Index v : anchored_) set_threshold(v);
     failed_.clear();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/relocation/displacement.h>
+#include <annulus/relocation/expiry_list.h>
 #include <annulus/relocation/repair.h>
 
 #include <limits>
@@ -14,6 +15,7 @@ namespace annulus {
 enum class Second_look : std::uint8_t {
     off,
     unequal_moves,  ///< max D over the facet + max D over the opposite vertices < width (theory 2)
+    safe_region,    ///< every point is still on its side of the certificate's standard delimiter (paper 2.3 and 3.2)
 };
 
 /// The strategy `filter`: a whole timestamp at a time, only certificates that expired are evaluated.
@@ -22,15 +24,16 @@ enum class Second_look : std::uint8_t {
 /// last settling, and its reading is base + |moving - fixed|. A certificate evaluated when its points read r_i and
 /// found to have tolerance s holds while every reading stays below its expiry r_i + s, because a reading bounds the
 /// distance travelled, hence the distance from where the point was when the certificate was evaluated. Different
-/// certificates have different references; nothing in theory 1 minds. A vertex keeps the earliest expiry among its
-/// certificates, so its step test compares |moving - fixed|^2 with one number. When it fails, its fixed position
-/// becomes the moving one, those of its certificates that expired are evaluated at the moving positions, all their
-/// points take their moving positions as fixed ones, and whatever is violated is mended (Repair). Soundness: docs/theory.md.
+/// certificates have different references; nothing in theory 1 minds. A vertex keeps the earliest expiries among its
+/// certificates (Expiry_list), so its step test compares |moving - fixed|^2 with one number. When it fails, its fixed
+/// position becomes the moving one, those of its certificates that expired are evaluated at the moving positions, all
+/// their points take their moving positions as fixed ones, and whatever is violated is mended (Repair). Soundness:
+/// docs/theory.md.
 template <int d>
 class Filter {
   public:
     Filter(Embedding<d>& embedding, Tolerance_kind kind, Second_look look)
-        : embedding_(embedding), repair_(embedding, kind), look_(look) {}
+        : embedding_(embedding), table_(embedding.table()), repair_(embedding, kind), look_(look) {}
 
     /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh.
     /// O(n).
@@ -53,21 +56,23 @@ class Filter {
     [[nodiscard]] double tolerance(Index v) const;
 
   private:
-    template <std::size_t k>
-    struct Record {
-        std::array<double, k> expiry;
-        double tolerance;
-    };
-    struct Facet_record : Record<static_cast<std::size_t>(d + 2)> {
+    struct Facet_record {
+        std::array<double, static_cast<std::size_t>(d + 2)> expiry;  // by point
+        double tolerance;                                            // 0: no second look
         Facet_points<d> point;
         Facet_kind kind;
+    };
+    struct Cell_record {
+        std::array<double, static_cast<std::size_t>(d + 1)> expiry;  // by slot
     };
     struct Renewal {
         Index facet;
         std::array<double, static_cast<std::size_t>(d + 2)> expiry;
     };
-    using Cell_record = Record<static_cast<std::size_t>(d + 1)>;
 
+    // Certificates in expiry lists: facets and cells in one numbering.
+    static Index id_of_facet(Index f) { return 2 * f; }
+    static Index id_of_cell(Index c) { return 2 * c + 1; }
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] bool passes(Index v, const Coordinates<d>& p) const {
         return squared_distance<d>(p, fixed_[at(v)]) < threshold_[at(v)] || p == fixed_[at(v)];
@@ -80,31 +85,37 @@ class Filter {
     void commit(std::span<const Coordinates<d>> x);
     void anchor(Index v, std::span<const Coordinates<d>> x);
     [[nodiscard]] bool second_look(Index f, std::span<const Coordinates<d>> x);
+    /// Looks at one certificate of v: expired at this reading, or else back on the list.
+    void look_at(Index id, Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
+    void tour(Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
+    template <class S>
+    void commit_points(const S& suspect, Index id, std::span<double> expiry, std::span<const Coordinates<d>> x);
     void set_threshold(Index v) {
-        const double slack = earliest_[at(v)] - base_[at(v)];
+        const Expiry_list& list = list_[at(v)];
+        const double slack = list.earliest() - list.base;
         threshold_[at(v)] = squared_threshold_lower(slack * (1.0 - 0x1p-50));
     }
     void count(std::size_t asked, typename Repair<d>::Outcome outcome, Move_report& report);
 
     Embedding<d>& embedding_;
+    const Cell_table<d>& table_;
     Repair<d> repair_;
     Second_look look_;
     std::vector<Coordinates<d>> position_;
     std::vector<Coordinates<d>> fixed_;
     std::vector<double> threshold_;  // by vertex: squared, compared with |moving - fixed|^2
-    std::vector<double> base_;       // by vertex: odometer at the fixed position
-    std::vector<double> earliest_;   // by vertex: no certificate of it expires before this reading
+    std::vector<Expiry_list> list_;  // by vertex
     std::vector<Facet_record> facet_record_;
     std::vector<Cell_record> cell_record_;
     // Of one step:
     std::vector<Index> failed_;
-    std::vector<double> failed_reading_;
-    std::vector<double> failed_earliest_;
+    std::vector<Expiry_list> failed_list_;  // of failed_, with base at the new fixed position
     std::vector<Index> anchored_;
     std::vector<std::uint64_t> stamp_;  // by vertex: == epoch_ when anchored in this step
     std::vector<Renewal> renewals_;
     std::vector<std::uint64_t> disturbed_stamp_;
     std::uint64_t epoch_ = 0;
+    std::uint64_t tours_ = 0;
 };
 
 extern template class Filter<2>;

@@ -36,6 +36,7 @@ struct Move_report {
     Stage_counts arithmetic;         ///< stage that decided, per certificate evaluated
     std::uint64_t evaluated = 0;     ///< certificates evaluated
     std::uint64_t renewed = 0;       ///< expired certificates that a second look proved without evaluation
+    std::uint64_t tours = 0;         ///< filter: failed vertices all of whose certificates had to be looked at
     std::uint64_t requeued = 0;      ///< filter-each: vertices whose reference another vertex's failure renewed
     std::uint64_t flips = 0;         ///< flips that stand
     std::uint64_t undone_flips = 0;  ///< flips taken back because they led nowhere
@@ -47,6 +48,7 @@ struct Move_report {
         arithmetic += o.arithmetic;
         evaluated += o.evaluated;
         renewed += o.renewed;
+        tours += o.tours;
         requeued += o.requeued;
         flips += o.flips;
         undone_flips += o.undone_flips;

@@ -8,6 +8,7 @@
 #include <annulus/relocation/filter_each.h>
 #include <annulus/relocation/options.h>
 #include <annulus/triangulation/audit.h>
+#include <annulus/triangulation/measures.h>
 
 #include <iterator>
 #include <map>
@@ -98,6 +99,9 @@ class Moving_delaunay {
     }
     /// Least theta of the finite bi-cells of v in radians (theory 4); pi/2 when it has none.
     [[nodiscard]] double theta(Vertex_handle v) const { return embedding_.theta(index(v)); }
+
+    /// Fresh tolerances, annulus widths and theta of everything at CGAL's points, whatever the strategy. O(n).
+    [[nodiscard]] Measures measure() const { return embedding_.measure(); }
 
     /// Exact verdict at the present positions; see audit.h. O(n).
     [[nodiscard]] Audit_result audit() const { return annulus::audit(audit_input()); }

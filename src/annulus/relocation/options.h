@@ -35,6 +35,7 @@ enum class Strategy : std::uint8_t {
 
 [[nodiscard]] std::optional<Strategy> strategy_named(std::string_view name);
 [[nodiscard]] std::optional<Tolerance_kind> tolerance_kind_named(std::string_view name);
+[[nodiscard]] std::optional<Second_look> second_look_named(std::string_view name);  ///< off, unequal, safe-region
 
 /// What a caller may choose, as one value.
 struct Options {

@@ -60,9 +60,9 @@ class Histogram {
     double max_;
 };
 
-/// Quantiles of samples by linear interpolation between order statistics (Hyndman and Fan's type 7): one answer for each
-/// probability. Samples are taken by value and sorted, O(n log n). Throws Error(usage) when a probability is outside
-/// [0, 1], Error(too_few) without samples, Error(not_finite) when a sample is NaN.
+/// Quantiles of samples by linear interpolation between order statistics (Hyndman and Fan's type 7): one answer for
+/// each probability. Samples are taken by value and sorted, O(n log n). Throws Error(usage) when a probability is
+/// outside [0, 1], Error(too_few) without samples, Error(not_finite) when a sample is NaN.
 [[nodiscard]] std::vector<double> quantiles(std::vector<double> samples, std::span<const double> probabilities);
 
 }  // namespace annulus

@@ -6,6 +6,7 @@
 #include <annulus/certificate/theta.h>
 #include <annulus/triangulation/cgal_types_2.h>
 #include <annulus/triangulation/embedding.h>
+#include <annulus/triangulation/measures.h>
 #include <annulus/triangulation/neighbours.h>
 
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
@@ -80,6 +81,9 @@ class Cgal_embedding_2 final : public Embedding<2> {
     /// Calls visit(vertices) for each finite cell; edges (padded with `none`) when all points are collinear.
     template <class Visit>
     void for_each_finite_cell(Visit visit) const;
+
+    /// Widths, tolerances and theta of everything, at CGAL's points. O(n).
+    [[nodiscard]] Measures measure() const;
 
     /// Neighbour lists of every vertex, from CGAL's object.
     void neighbours(Neighbours_2& out) const;
@@ -511,6 +515,37 @@ double Cgal_embedding_2<Info>::theta(Index v) const {
                                                x(tr_.tds().mirror_vertex(f, i)), x(f->vertex(i))));
     });
     return least;
+}
+
+template <class Info>
+Measures Cgal_embedding_2<Info>::measure() const {
+    Measures m;
+    m.tolerance.assign(handle_.size(), std::numeric_limits<double>::infinity());
+    if (tr_.dimension() != 2) return m;
+    const auto lower = [&](Vertex_handle v, double tolerance) {
+        if (tr_.is_infinite(v)) return;
+        double& t = m.tolerance[at(v->index())];
+        t = std::min(t, tolerance);
+    };
+    for (auto f = tr_.finite_faces_begin(); f != tr_.finite_faces_end(); ++f) {
+        const double t = face_verdict(f).tolerance;
+        for (int i = 0; i <= 2; ++i) lower(f->vertex(i), t);
+    }
+    for (auto e = tr_.all_edges_begin(); e != tr_.all_edges_end(); ++e) {
+        const auto [f, i] = *e;
+        const Vertex_handle across = tr_.tds().mirror_vertex(f, i);
+        const Verdict v = edge_verdict(f, i);
+        lower(f->vertex(i), v.tolerance);
+        lower(across, v.tolerance);
+        lower(f->vertex(tr_.ccw(i)), v.tolerance);
+        lower(f->vertex(tr_.cw(i)), v.tolerance);
+        if (tr_.is_infinite(f) || tr_.is_infinite(f->neighbor(i))) continue;
+        m.annulus_width.push_back(2.0 * v.tolerance);
+        m.theta_min = std::min(m.theta_min, annulus::theta(coordinates(f->vertex(tr_.ccw(i))->point()),
+                                                           coordinates(f->vertex(tr_.cw(i))->point()),
+                                                           coordinates(across->point()), coordinates(f->vertex(i)->point())));
+    }
+    return m;
 }
 
 template <class Info>

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/cli/arguments.h>
+
+#include <annulus/arithmetic/error.h>
+
+namespace annulus::cli {
+
+void add_common(CLI::App& app, Common_arguments& a) {
+    app.add_option("-o,--output", a.output, "Write summary.json, report.html and the other files to this directory")
+        ->type_name("DIR");
+    app.add_option("--seed", a.seed, "Seed of everything random")->capture_default_str();
+    app.add_option("--threads", a.threads, "Threads for motion and audits; results do not depend on it")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    app.add_flag("-q,--quiet", a.quiet, "No progress and no summary, only errors");
+}
+
+void add_tracking(CLI::App& app, Tracking_arguments& a) {
+    app.add_option("--strategy", a.strategy, "How the triangulation is kept right")
+        ->check(CLI::IsMember({"rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "hybrid"}))
+        ->capture_default_str();
+    app.add_option("--tolerance", a.tolerance, "Kind of tolerance; only certified ones are proved")
+        ->check(CLI::IsMember({"certified", "paper", "floating"}))
+        ->capture_default_str();
+    app.add_option("--second-look", a.second_look, "Cheap test before an expired certificate is evaluated (filter)")
+        ->check(CLI::IsMember({"off", "unequal", "safe-region"}))
+        ->capture_default_str();
+    app.add_option("--audit", a.audit, "Exact audit every N steps and at the end; 0: never")
+        ->type_name("N")
+        ->capture_default_str();
+}
+
+Options options_of(const Tracking_arguments& tracking, const Common_arguments& common) {
+    Options o;
+    const auto strategy = strategy_named(tracking.strategy);
+    const auto tolerance = tolerance_kind_named(tracking.tolerance);
+    const auto look = second_look_named(tracking.second_look);
+    if (!strategy) throw Error(Error_code::usage, "no strategy is called '" + tracking.strategy + "'");
+    if (!tolerance) throw Error(Error_code::usage, "no kind of tolerance is called '" + tracking.tolerance + "'");
+    if (!look) throw Error(Error_code::usage, "no second look is called '" + tracking.second_look + "'");
+    o.strategy = *strategy;
+    o.tolerance = *tolerance;
+    o.second_look = *look;
+    o.threads = common.threads;
+    o.seed = common.seed;
+    return o;
+}
+
+std::string command_line(const std::vector<std::string>& words) {
+    std::string line = "annulus";
+    for (const std::string& w : words) {
+        const bool plain = !w.empty() && w.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                             "0123456789-_./:,=+") == std::string::npos;
+        if (plain) {
+            line += " " + w;
+            continue;
+        }
+        line += " '";
+        for (const char c : w) {
+            if (c == '\'') {
+                line += "'\\''";
+            } else {
+                line += c;
+            }
+        }
+        line += "'";
+    }
+    return line;
+}
+
+}  // namespace annulus::cli

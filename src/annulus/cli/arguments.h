@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/relocation/options.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace annulus::cli {
+
+/// Exit status of the tool.
+enum Exit : int { done = 0, audit_failed = 1, wrong_usage = 2, bad_input = 3 };
+
+/// What every subcommand takes.
+struct Common_arguments {
+    std::string output;
+    std::uint64_t seed = 1;
+    int threads = 1;
+    bool quiet = false;
+};
+
+/// What every subcommand that runs a motion takes.
+struct Tracking_arguments {
+    std::string strategy = "filter";
+    std::string tolerance = "certified";
+    std::string second_look = "off";
+    std::uint64_t audit = 100;
+};
+
+void add_common(CLI::App& app, Common_arguments& arguments);
+void add_tracking(CLI::App& app, Tracking_arguments& arguments);
+
+/// Library options from words. Throws Error(usage).
+[[nodiscard]] Options options_of(const Tracking_arguments& tracking, const Common_arguments& common);
+
+/// The words of the command line, quoted where a shell would need it, for the files of the run.
+[[nodiscard]] std::string command_line(const std::vector<std::string>& words);
+
+}  // namespace annulus::cli

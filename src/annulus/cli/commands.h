@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace annulus::cli {
+
+/// A subcommand registers itself with the application and leaves what runs it: a call that returns the exit status.
+using Run = std::function<int()>;
+
+/// `words` is the command line without the program, `inner` what followed `--`.
+struct Invocation {
+    std::vector<std::string> words;
+    std::vector<std::string> inner;
+};
+
+Run add_lloyd_command(CLI::App& app, const Invocation& invocation);
+Run add_compare_command(CLI::App& app, const Invocation& invocation);
+Run add_audit_command(CLI::App& app, const Invocation& invocation);
+
+}  // namespace annulus::cli

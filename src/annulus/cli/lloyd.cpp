@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/cli/commands.h>
+#include <annulus/cli/files.h>
+#include <annulus/cli/lloyd_scene.h>
+#include <annulus/cli/progress.h>
+#include <annulus/cli/tracker_2.h>
+#include <annulus/io/input_error.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+namespace annulus::cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+struct Arguments {
+    Common_arguments common;
+    Tracking_arguments tracking;
+    Lloyd_arguments lloyd;
+};
+
+int run(const Arguments& a, const std::string& command) {
+    const auto begin = Clock::now();
+    const Options options = options_of(a.tracking, a.common);
+    const Lloyd_scene scene = make_scene(a.lloyd, a.common.seed);
+    if (scene.merged > 0)
+        std::fprintf(stderr, "annulus: %s: merged %s\n", a.lloyd.input.c_str(),
+                     counted(scene.merged, "duplicate point").c_str());
+    Tracker_2 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.lloyd.iterations,
+                      a.tracking.audit, !a.common.output.empty());
+    std::optional<Picture> before;
+    if (!a.common.output.empty()) before = picture_of(tracker.triangulation(), "before");
+
+    const Lloyd_2 lloyd(scene.domain, scene.density, a.common.threads);
+    Neighbours_2 neighbours;
+    std::vector<Coordinates<2>> target(scene.points.size());
+    {
+        Progress progress("lloyd", a.lloyd.iterations, a.common.quiet);
+        for (std::uint64_t i = 1; i <= a.lloyd.iterations; ++i) {
+            const auto start = Clock::now();
+            const Moving_delaunay_2& dt = tracker.triangulation();
+            if (tracker.cells_changed()) dt.embedding().neighbours(neighbours);
+            const Lloyd_step step = lloyd.step(neighbours, dt.positions(), target);
+            tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
+            char news[40];
+            std::snprintf(news, sizeof news, "%.2f %% within tolerance", 100 * tracker.share_within());
+            progress.show(i, news);
+        }
+    }
+    tracker.finish(command, a.common.seed, since(begin));
+    if (!a.common.output.empty()) {
+        std::vector<std::string> notes;
+        if (scene.merged > 0) notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
+        write_run(a.common.output, tracker, std::move(before), std::move(notes));
+    }
+    if (!a.common.quiet) {
+        print_summary(tracker);
+        if (!a.common.output.empty()) std::printf("written to     %s\n", a.common.output.c_str());
+    }
+    return tracker.record().audit.failed == 0 ? done : audit_failed;
+}
+
+}  // namespace
+
+Run add_lloyd_command(CLI::App& app, const Invocation& invocation) {
+    auto* sub = app.add_subcommand("lloyd", "Lloyd iterations in the plane, the triangulation kept right throughout");
+    const auto a = std::make_shared<Arguments>();
+    add_lloyd(*sub, a->lloyd);
+    add_tracking(*sub, a->tracking);
+    add_common(*sub, a->common);
+    return [a, command = command_line(invocation.words)] { return run(*a, command); };
+}
+
+}  // namespace annulus::cli

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/cli/lloyd_scene.h>
+
+#include <annulus/arithmetic/domain.h>
+#include <annulus/certificate/ladder.h>
+#include <annulus/io/read_points.h>
+#include <annulus/motion/sampling_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace annulus::cli {
+
+void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
+    auto* points = app.add_option("-n,--points", a.points, "Sample N points with the density")
+                       ->type_name("N")
+                       ->check(CLI::Range(std::uint64_t{3}, std::uint64_t{100'000'000}));
+    auto* input = app.add_option("--input", a.input, "Start from the points of a .xyz, .csv, .off, .ply or .mesh file")
+                      ->type_name("FILE");
+    points->excludes(input);
+    app.add_flag("--ignore-z", a.ignore_z, "Drop the z coordinate of the input")->needs(input);
+    app.add_option("--density", a.density, "Density whose centroids points move to")
+        ->check(CLI::IsMember({"one", "x2+y2", "x2", "sin2"}))
+        ->capture_default_str();
+    app.add_option("--domain", a.domain,
+                   "disc, square, or a file with the corners of a convex polygon in order\n"
+                   "(default: disc; the convex hull for --input)")
+        ->type_name("DOMAIN");
+    app.add_option("--radius", a.radius,
+                   "Radius of the disc, half side of the square (default 1; 2 pi for sin2, two rings)")
+        ->check(CLI::PositiveNumber);
+    app.add_option("-i,--iterations", a.iterations, "Number of iterations")->capture_default_str();
+}
+
+double Lloyd_scene::spacing() const { return std::sqrt(domain.area() / static_cast<double>(points.size())); }
+
+namespace {
+
+Domain_2 polygon_from(const std::string& file) {
+    Point_file<2> corners = read_points<2>(file);
+    std::vector<Coordinates<2>> c = corners.points;
+    // Either orientation is accepted; twice the signed area tells which it is.
+    double area = 0;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        const auto& p = c[i];
+        const auto& q = c[(i + 1) % c.size()];
+        area += p[0] * q[1] - p[1] * q[0];
+    }
+    if (area < 0) std::reverse(c.begin(), c.end());
+    try {
+        return Domain_2::polygon(c);
+    } catch (const Error& e) {
+        throw corners.fault(0, Error_code::bad_input, e.what(), "the corners of a convex polygon, in order");
+    }
+}
+
+bool collinear(const std::vector<Coordinates<2>>& p) {
+    return std::all_of(p.begin(), p.end(), [&](const auto& c) {
+        return orientation_verdict({&p[0], &p[1], &c}, false).sign == 0;
+    });
+}
+
+/// The domain of points from a file when none is named: their convex hull, or a square around points on a line.
+Domain_2 domain_around(const std::vector<Coordinates<2>>& p) {
+    if (!collinear(p)) return Domain_2::convex_hull_of(p);
+    Coordinates<2> low = p[0];
+    Coordinates<2> high = p[0];
+    for (const auto& c : p)
+        for (std::size_t k = 0; k < 2; ++k) {
+            low[k] = std::min(low[k], c[k]);
+            high[k] = std::max(high[k], c[k]);
+        }
+    const double half = 0.55 * std::max(high[0] - low[0], high[1] - low[1]);
+    const double x = 0.5 * (low[0] + high[0]);
+    const double y = 0.5 * (low[1] + high[1]);
+    const std::vector<Coordinates<2>> square{{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}};
+    return Domain_2::polygon(square);
+}
+
+}  // namespace
+
+Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
+    if (a.points == 0 && a.input.empty())
+        throw Error(Error_code::usage, "say how many points with --points N, or name a file with --input FILE");
+    const Density density = parse_density(a.density);
+    const double radius = a.radius > 0 ? a.radius : density == Density::sin2 ? 2 * std::numbers::pi : 1.0;
+    std::optional<Domain_2> domain;
+    if (a.domain == "disc" || (a.domain.empty() && a.input.empty())) {
+        domain = Domain_2::disc(radius);
+    } else if (a.domain == "square") {
+        domain = Domain_2::square(radius);
+    } else if (!a.domain.empty()) {
+        domain = polygon_from(a.domain);
+    }
+    if (a.input.empty()) {
+        std::vector<Coordinates<2>> points = sample(*domain, density, a.points, seed);
+        return {*domain, density, std::move(points), 0};
+    }
+    const Point_file<2> file = read_points<2>(a.input, {.ignore_z = a.ignore_z});
+    std::map<Coordinates<2>, std::size_t> seen;
+    std::vector<Coordinates<2>> points;
+    for (std::size_t i = 0; i < file.points.size(); ++i) {
+        Coordinates<2> p = file.points[i];
+        for (double& c : p) c += 0.0;
+        if (!in_domain(p))
+            throw file.fault(i, Error_code::out_of_domain, "coordinate out of domain", "magnitudes of at most 2^500");
+        if (domain && !domain->contains(p))
+            throw file.fault(i, Error_code::out_of_domain, "point outside the domain",
+                             "points in the " + (a.domain.empty() ? std::string("disc") : a.domain));
+        if (seen.emplace(p, i).second) points.push_back(p);
+    }
+    if (points.size() < 3)
+        throw file.fault(file.points.size() - 1, Error_code::too_few,
+                         counted(points.size(), "distinct point") + " in the file", "at least 3");
+    const std::uint64_t merged = file.points.size() - points.size();
+    if (!domain) {
+        try {
+            domain = domain_around(points);
+        } catch (const Error& e) {
+            throw file.fault(0, Error_code::out_of_domain, e.what(), "lengths between 1e-100 and 1e100");
+        }
+    }
+    return {*domain, density, std::move(points), merged};
+}
+
+}  // namespace annulus::cli

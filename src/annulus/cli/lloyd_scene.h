@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/cli/arguments.h>
+#include <annulus/motion/lloyd_2.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace annulus::cli {
+
+/// The arguments that say which Lloyd iterations to run.
+struct Lloyd_arguments {
+    std::uint64_t points = 0;
+    std::string input;
+    bool ignore_z = false;
+    std::string density = "one";
+    std::string domain;
+    double radius = 0;
+    std::uint64_t iterations = 100;
+};
+
+void add_lloyd(CLI::App& app, Lloyd_arguments& arguments);
+
+/// Points, domain and density of Lloyd iterations, checked.
+struct Lloyd_scene {
+    Domain_2 domain;
+    Density density;
+    std::vector<Coordinates<2>> points;  ///< distinct, in the domain
+    std::uint64_t merged = 0;            ///< duplicates of the input that were merged
+    /// Mean spacing: the square root of area per point, the unit of length of the paper's figures.
+    [[nodiscard]] double spacing() const;
+};
+
+/// Throws Input_error or Error.
+[[nodiscard]] Lloyd_scene make_scene(const Lloyd_arguments& arguments, std::uint64_t seed);
+
+}  // namespace annulus::cli

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace annulus::cli {
+
+/// A bar on standard error with steps per second and a word of news, drawn at most ten times a second, and only on a
+/// terminal.
+class Progress {
+  public:
+    Progress(std::string label, std::uint64_t steps, bool quiet);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    void show(std::uint64_t step, const std::string& news);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::string label_;
+    std::uint64_t steps_;
+    bool visible_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point drawn_{};
+};
+
+}  // namespace annulus::cli

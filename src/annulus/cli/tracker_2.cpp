@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/cli/tracker_2.h>
+
+#include <annulus/statistics/memory.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+namespace annulus::cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+Moves_record moves_of(const Move_counts& c) {
+    return {c.asked, c.within_tolerance, c.kept_in_place, c.flipped, c.reinserted, c.rebuilt};
+}
+
+double mean_of_finite(const std::vector<double>& values, double unit) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (const double v : values) {
+        if (!std::isfinite(v)) continue;
+        sum += v;
+        ++count;
+    }
+    return count == 0 ? 0.0 : sum / static_cast<double>(count) / unit;
+}
+
+}  // namespace
+
+Tracker_2::Tracker_2(std::string name, std::span<const Coordinates<2>> points, const Options& options, double spacing,
+                     std::uint64_t iterations, std::uint64_t audit_every, bool measure)
+    : dt_(points, options), spacing_(spacing), iterations_(iterations), audit_every_(audit_every), measure_(measure) {
+    record_.strategy = std::move(name);
+    record_.tolerance = std::string(name_of(options.tolerance));
+    record_.threads = static_cast<unsigned>(options.threads);
+    record_.vertices = dt_.number_of_vertices();
+    record_.mean_spacing = spacing;
+    // The constructor has settled once, but together with the first construction, which is nobody's upkeep.
+    const auto start = Clock::now();
+    const Move_report report = dt_.settle();
+    record_.seconds.triangulation += since(start);
+    totals_ += report;
+}
+
+bool Tracker_2::measured_at(std::uint64_t i) const {
+    if (!measure_) return false;
+    if (i <= 20 || i == iterations_ || i == 100 || i == 1000) return true;
+    const auto mark = [](std::uint64_t k) { return std::floor(25 * std::log10(static_cast<double>(k))); };
+    return mark(i) != mark(i - 1);
+}
+
+void Tracker_2::step(std::span<const Coordinates<2>> x, double motion_seconds, double displacement_mean,
+                     double displacement_max) {
+    const auto start = Clock::now();
+    const Move_report report = dt_.move_all(x);
+    // What a rebuild spends to keep our handles valid is not part of CGAL's rebuild: it would flatter the others.
+    const double seconds = since(start) - report.handle_seconds;
+    totals_ += report;
+    cells_changed_ = report.flips + report.moves.reinserted + report.moves.rebuilt + report.moves.flipped > 0;
+    record_.seconds.triangulation += seconds;
+    record_.seconds.motion += motion_seconds;
+    Iteration_record it;
+    it.iteration = ++record_.iterations;
+    it.seconds_triangulation = seconds;
+    it.seconds_motion = motion_seconds;
+    it.seconds_cumulative = record_.seconds.triangulation;
+    it.displacement_mean = displacement_mean / spacing_;
+    it.displacement_max = displacement_max / spacing_;
+    it.moves = moves_of(report.moves);
+    it.arithmetic = report.arithmetic;
+    it.certificates_evaluated = report.evaluated;
+    it.flips = report.flips;
+    if (measured_at(it.iteration)) {
+        const Measures m = dt_.measure();
+        it.tolerance_mean = mean_of_finite(m.tolerance, spacing_);
+        it.annulus_width_mean = mean_of_finite(m.annulus_width, spacing_);
+        it.theta_min = m.theta_min;
+        const std::uint64_t i = it.iteration;
+        if (i == 1 || i == 10 || i == 100 || i == 1000) {
+            Histogram h = Histogram::linear(0.0, 1.5, 75);
+            for (const double w : m.annulus_width) h.add(w / spacing_);
+            widths_.push_back({i, std::move(h)});
+        }
+    }
+    record_.steps.push_back(it);
+    const bool last = record_.iterations == iterations_;
+    if (audit_every_ > 0 && (last || record_.iterations % audit_every_ == 0)) audit();
+}
+
+void Tracker_2::audit() {
+    const Audit_result result = dt_.audit();
+    ++record_.audit.checked;
+    if (result.delaunay()) return;
+    ++record_.audit.failed;
+    if (first_fault_.empty())
+        first_fault_ = "step " + std::to_string(record_.iterations) + ": " + result.first_fault;
+}
+
+void Tracker_2::finish(const std::string& command, std::uint64_t seed, double total_seconds) {
+    if (record_.iterations == 0 && audit_every_ > 0) audit();
+    record_.command = command;
+    record_.seed = seed;
+    record_.seconds.total = total_seconds;
+    record_.moves = moves_of(totals_.moves);
+    record_.arithmetic = totals_.arithmetic;
+    record_.memory_peak_bytes = resident_memory().peak;
+}
+
+double Tracker_2::share_within() const {
+    return totals_.moves.asked == 0
+               ? 0.0
+               : static_cast<double>(totals_.moves.within_tolerance) / static_cast<double>(totals_.moves.asked);
+}
+
+std::vector<std::array<Index, 3>> Tracker_2::canonical_cells() const {
+    std::vector<std::array<Index, 3>> cells = dt_.audit_input().cells;
+    for (auto& c : cells)
+        if (c[2] == none) {
+            if (c[0] > c[1]) std::swap(c[0], c[1]);
+        } else {
+            std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+        }
+    std::sort(cells.begin(), cells.end());
+    return cells;
+}
+
+Picture picture_of(const Moving_delaunay_2& dt, std::string caption) {
+    Audit_input<2> in = dt.audit_input();
+    Picture picture;
+    picture.caption = std::move(caption);
+    for (const auto& c : in.cells)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Index a = c[i];
+            const Index b = c[(i + 1) % 3];
+            if (a == none || b == none) continue;
+            picture.edges.push_back({std::min(a, b), std::max(a, b)});
+        }
+    std::sort(picture.edges.begin(), picture.edges.end());
+    picture.edges.erase(std::unique(picture.edges.begin(), picture.edges.end()), picture.edges.end());
+    picture.points = std::move(in.points);
+    return picture;
+}
+
+}  // namespace annulus::cli

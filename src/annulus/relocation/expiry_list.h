@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace annulus {
+
+/// The certificates of one vertex that expire first, at its odometer readings, and a bound for all others.
+///
+/// For every certificate of the vertex, either it is listed with an expiry not above its own, or its expiry is at least
+/// `rest`. So nothing expires before `earliest()`, and while readings stay below `rest` only listed certificates have to
+/// be looked at: a full tour of the vertex' certificates is needed only when the list has run dry. Entries are hints;
+/// the record of the certificate is the truth.
+class Expiry_list {
+  public:
+    static constexpr double never = std::numeric_limits<double>::infinity();
+
+    Expiry_list() { clear(); }
+    /// No certificate at all.
+    void clear() {
+        size_ = 0;
+        rest_ = never;
+    }
+    [[nodiscard]] double earliest() const { return size_ == 0 ? rest_ : expiry_[0]; }
+    [[nodiscard]] double rest() const { return rest_; }
+    [[nodiscard]] bool empty() const { return size_ == 0; }
+
+    /// Takes the first entry off; precondition: not empty.
+    Index pop() {
+        const Index id = id_[0];
+        remove(0);
+        return id;
+    }
+    /// States that certificate `id` now expires at `expiry`.
+    void put(Index id, double expiry) {
+        for (std::size_t i = 0; i < size_; ++i)
+            if (id_[i] == id) {
+                remove(i);
+                break;
+            }
+        if (!(expiry < rest_)) return;
+        if (size_ == capacity) {
+            if (!(expiry < expiry_[capacity - 1])) {
+                rest_ = expiry;
+                return;
+            }
+            rest_ = expiry_[capacity - 1];
+            --size_;
+        }
+        std::size_t i = size_++;
+        for (; i > 0 && expiry < expiry_[i - 1]; --i) {
+            expiry_[i] = expiry_[i - 1];
+            id_[i] = id_[i - 1];
+        }
+        expiry_[i] = expiry;
+        id_[i] = id;
+    }
+
+    /// Upper bound of the length of the path of fixed positions since the last settling.
+    double base = 0.0;
+
+  private:
+    static constexpr std::size_t capacity = 3;  // with `base` one cache line
+
+    void remove(std::size_t i) {
+        --size_;
+        for (; i < size_; ++i) {
+            expiry_[i] = expiry_[i + 1];
+            id_[i] = id_[i + 1];
+        }
+    }
+
+    double rest_ = never;
+    std::array<double, capacity> expiry_{};
+    std::array<Index, capacity> id_{};
+    std::uint32_t size_ = 0;
+};
+
+}  // namespace annulus

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+namespace annulus {
+
+/// What the certificates of a triangulation measure at given positions, in the caller's unit of length.
+struct Measures {
+    std::vector<double> tolerance;      ///< by vertex index: least certified tolerance of its certificates; infinite at
+                                        ///< vacant indices and where the points are flat
+    std::vector<double> annulus_width;  ///< certified width of the standard annulus of every finite bi-cell
+    double theta_min = 1.5707963267948966;  ///< least theta of a finite bi-cell in radians
+};
+
+}  // namespace annulus
