@@ -134,6 +134,8 @@ TEST_CASE("numbers that are none are refused at their line") {
     refuse<2>("a.xyz", "1 2\n--3 4\n", 2, "x is not a number");
     refuse<2>("a.xyz", "1 2\n+-3 4\n", 2, "x is not a number");
     refuse<2>("a.xyz", "1 2\n1,5 4\n", 2, "x is not a number");
+    refuse<2>("a.xyz", "1 2\r3 4\r", 1, "y is not a number: '2\\x0d3'");  // lines of old Macs
+    refuse<2>("a.csv", "1,2\r3,4\r", 1, "y is not a number");
     refuse<2>("a.xyz", "1 2\n\nnan 4\n", 3, "x is nan", Error_code::not_finite);
     refuse<2>("a.xyz", "1 2\n3 -inf\n", 2, "y is infinite", Error_code::not_finite);
     refuse<2>("a.xyz", "1 2\n3 1e309\n", 2, "too large for a double", Error_code::not_finite);

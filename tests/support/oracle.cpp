@@ -168,9 +168,11 @@ Enclosure altitude(const Point& a, const Point& b, const Point& c, long precisio
 }  // namespace
 
 Enclosure Triangle_truth::enclosure() const {
-    const auto& [a, b, c] = triangle_;
-    const auto at = [&](long precision) {
-        return altitude(a, b, c, precision).least(altitude(b, c, a, precision)).least(altitude(c, a, b, precision)).half();
+    const auto at = [&t = triangle_](long precision) {
+        const Enclosure from_c = altitude(t.a, t.b, t.c, precision);
+        const Enclosure from_a = altitude(t.b, t.c, t.a, precision);
+        const Enclosure from_b = altitude(t.c, t.a, t.b, precision);
+        return from_a.least(from_b).least(from_c).half();
     };
     const Enclosure e = at(usual_precision);
     return e.is_tight(tight) ? e : at(great_precision);
@@ -236,10 +238,11 @@ Enclosed_vector centre(const Bicell& c, long precision) {
 }  // namespace
 
 Enclosure Bicell_truth::enclosure() const {
-    const auto at = [&](long precision) {
-        const Enclosed_vector o = centre(cell_, precision);
-        return (length(minus(from(cell_.a, cell_.q, precision), o)) - length(minus(from(cell_.a, cell_.b, precision), o)))
-            .half();
+    const auto at = [&c = cell_](long precision) {
+        const Enclosed_vector o = centre(c, precision);
+        const Enclosure inner = length(minus(from(c.a, c.b, precision), o));
+        const Enclosure outer = length(minus(from(c.a, c.q, precision), o));
+        return (outer - inner).half();
     };
     const Enclosure e = at(usual_precision);
     return e.is_tight(tight) ? e : at(great_precision);
@@ -247,13 +250,14 @@ Enclosure Bicell_truth::enclosure() const {
 
 std::array<Point, 4> Bicell_truth::outward() const {
     std::array<Point, 4> directions;
-    const Enclosed_vector o = centre(cell_, usual_precision);
     const auto points = cell_.tuple();
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Enclosed_vector v = minus(from(cell_.a, *points[i], usual_precision), o);
-        const Enclosure norm_of_v = length(v);
-        directions[i] = {(v.x / norm_of_v).middle(), (v.y / norm_of_v).middle()};
-    }
+    for (std::size_t i = 0; i < 4; ++i)
+        for (const long precision : {usual_precision, great_precision}) {
+            const Enclosed_vector v = minus(from(cell_.a, *points[i], precision), centre(cell_, precision));
+            const Enclosure length_of_v = length(v);
+            directions[i] = {(v.x / length_of_v).middle(), (v.y / length_of_v).middle()};
+            if (length_of_v.is_tight(tight)) break;
+        }
     return directions;
 }
 

@@ -84,8 +84,9 @@ void Axis_range::make_linear(const Axis& axis) {
     const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 12);
     for (double i = std::ceil(lower_ / step - 1e-9); i * step <= upper_ + 1e-9 * step; ++i) {
         const double value = i * step;
-        ticks_.push_back(
-            {value, largest < 1e-4 || largest >= 1e7 ? readable(value) : in_digits(i == 0 ? 0. : value, decimals)});
+        ticks_.push_back({value, i == 0                             ? "0"
+                                 : largest < 1e-4 || largest >= 1e7 ? readable(value)
+                                                                    : in_digits(value, decimals)});
     }
 }
 
@@ -113,7 +114,10 @@ double Axis_range::place(double value) const {
     return (std::log10(value) - std::log10(lower_)) / (std::log10(upper_) - std::log10(lower_));
 }
 
-bool Axis_range::can_show(double value) const { return std::isfinite(value) && (scale_ == Scale::linear || value > 0); }
+bool Axis_range::can_show(
+    double value) const {  // Beyond these no margin and no tick could be computed; nobody plots such lengths or times.
+    return std::fabs(value) <= 1e290 && (scale_ == Scale::linear || value >= 1e-290);
+}
 
 std::string readable(double value) {
     if (std::isnan(value)) return "–";

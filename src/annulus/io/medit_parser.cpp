@@ -68,10 +68,10 @@ void read_cells(Line_reader& reader, const std::string& keyword, Medit_cells<cor
         std::array<Index, corners> cell;
         for (std::size_t k = 0; k < corners; ++k) {
             const std::uint64_t index = reader.whole(reader.fields()[k], "an index");
-            // The count of points may come later in the file; here only what an Index can hold is refused.
-            if (index == 0 || index > (1ULL << 31) - 1)
+            // The count of points may come later in the file; here only what no Index can hold is refused.
+            if (index > (1ULL << 31) - 1)
                 reader.fail("names vertex " + std::to_string(index), "an index from 1 to the count of vertices");
-            cell[k] = static_cast<Index>(index - 1);
+            cell[k] = static_cast<Index>(index) - 1;
         }
         check_reference(reader, reader.fields().back());
         result.cells.push_back(cell);

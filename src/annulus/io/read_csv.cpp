@@ -17,9 +17,9 @@ struct Columns {
 };
 
 std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
+    const auto first = text.find_first_not_of(" \t");
     if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 /// Numbers need no quotes and no coordinate holds a separator, but some programs quote every field.

@@ -11,12 +11,12 @@ namespace annulus {
 
 namespace {
 
-/// "12.3 %"; a share that is not all never reads as 100 %, and one that is not nothing never as 0 %.
+/// "12.3 %"; a share that is not all never reads as 100 %, and one that is not nothing never as 0 %. HTML.
 std::string percentage(std::uint64_t part, std::uint64_t all) {
     if (all == 0) return "–";
     const double value = 100 * static_cast<double>(part) / static_cast<double>(all);
-    if (part != all && value >= 99.95) return "> 99.9 %";
-    if (part != 0 && value < 0.01) return "< 0.01 %";
+    if (part != all && value >= 99.95) return "&gt; 99.9 %";
+    if (part != 0 && value < 0.01) return "&lt; 0.01 %";
     return readable(value) + " %";
 }
 

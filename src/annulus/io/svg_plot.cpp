@@ -121,7 +121,7 @@ std::optional<Pixel> draw_curve(std::string& out, const Series& series, std::siz
             continue;
         }
         add(series.x[i], series.y[i]);
-        if (series.steps && i + 1 < series.x.size()) add(series.x[i + 1], series.y[i]);
+        if (series.steps && i + 1 < series.x.size() && xs.can_show(series.x[i + 1])) add(series.x[i + 1], series.y[i]);
     }
     finish();
     if (!path.empty()) out += "<path class=\"curve c" + std::to_string(index % colours) + "\" d=\"" + path + "\"/>";

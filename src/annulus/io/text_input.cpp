@@ -16,7 +16,7 @@ namespace annulus {
 
 namespace {
 
-constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r'; }
+constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 
 /// For a decimal that from_chars calls out of range: is its magnitude at least 1? (It says the same for too small.)

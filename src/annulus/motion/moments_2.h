@@ -26,7 +26,7 @@ struct Moments_2 {
 ///   what remains is a cubic, which two Gauss nodes integrate exactly. On an arc 12 nodes per eighth of a turn leave
 ///   less than 1e-20 of the radius' power.
 /// * `sin2`: 1e-13, plus the effect of one rounding of |origin| on the argument of the sine, which moves the centroid
-///   by no more than a rounding of its coordinates. See moments_sin2.h. Edges up to 1e6 long; beyond, the oscillating
+///   by a few roundings of its coordinates. See moments_sin2.h. Edges up to 1e6 long; beyond, the oscillating
 ///   part of the density is not resolved, which is then less than 1e-6 of the mass.
 ///
 /// O(corners); for `sin2` with h > 1, O(corners + perimeter). No allocation. Thread-safe.

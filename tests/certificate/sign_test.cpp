@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every stage that answers has the exact sign; the exact one always answers, with 0 just where the points are degenerate.
+
+#include <support/arbitrary.h>
+#include <support/stages.h>
+
+#include <catch2/catch.hpp>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+template <class Case>
+void check_signs(const Case& x, int truth) {
+    const Answers answers = ask(x);
+    HOLDS(answers.exact.sign == truth, x);
+    HOLDS(answers.exact.stage == Stage::exact, x);
+    HOLDS(!answers.filter || answers.filter->sign == truth, x);
+    HOLDS(!answers.filter || answers.filter->stage == Stage::filter, x);
+    HOLDS(!answers.floating || answers.floating->sign == truth, x);
+    HOLDS(!answers.interval || answers.interval->sign == truth, x);
+    HOLDS(!answers.interval || answers.interval->stage == Stage::interval, x);
+    HOLDS(ladder(x).sign == truth, x);
+    HOLDS(ladder(x, false).sign == truth, x);
+    HOLDS(truth > 0 || ladder(x).tolerance == 0.0, x);
+    HOLDS(truth > 0 || ladder(x, false).tolerance == 0.0, x);
+}
+
+void check_signs(const Triangle& t) { check_signs(t, exact_orientation(t.a, t.b, t.c)); }
+void check_signs(const Bicell& c) { check_signs(c, exact_empty_circle(c.a, c.b, c.q, c.p)); }
+
+}  // namespace
+
+TEST_CASE("every stage has the exact sign of the orientation", "[certificate]") {
+    REQUIRE(rc::check("of triangles of every family", [](const Seed& seed) {
+        for_each_triangle(seed.random(), 8, [](const Triangle& t) { check_signs(t); });
+    }));
+}
+
+TEST_CASE("every stage has the exact sign of the empty circle", "[certificate]") {
+    REQUIRE(rc::check("of bi-cells of every family", [](const Seed& seed) {
+        for_each_bicell(seed.random(), 4, [](const Bicell& c) { check_signs(c); });
+    }));
+    REQUIRE(rc::check("of four points in any order, whatever the orientation of the cells", [](const Seed& seed) {
+        Random random = seed.random();
+        for_each_bicell(seed.random(), 2, [&random](const Bicell& c) {
+            std::array<Point, 4> x{c.a, c.b, c.p, c.q};
+            for (std::size_t i = 4; i > 1; --i) std::swap(x[i - 1], x[random() % i]);
+            check_signs(Bicell{x[0], x[1], x[2], x[3]});
+        });
+    }));
+    REQUIRE(rc::check("of four points some of which are equal", [](const Seed& seed) {
+        Random random = seed.random();
+        for_each_bicell(seed.random(), 1, [&random](const Bicell& c) {
+            std::array<Point, 4> x{c.a, c.b, c.p, c.q};
+            x[random() % 4] = x[random() % 4];
+            check_signs(Bicell{x[0], x[1], x[2], x[3]});
+        });
+    }));
+}
+
+TEST_CASE("degenerate inputs have sign 0, tolerance 0, and reach the exact stage", "[certificate]") {
+    REQUIRE(rc::check("collinear points", [](const Seed& seed) {
+        Random random = seed.random();
+        for (int i = 0; i < 20; ++i) {
+            const Triangle t = triangle(Triangle_family::collinear, random);
+            const Verdict v = ladder(t);
+            HOLDS(v.sign == 0 && v.tolerance == 0.0, t);
+            HOLDS(v.stage == Stage::exact, t);
+        }
+    }));
+    REQUIRE(rc::check("cocircular points", [](const Seed& seed) {
+        Random random = seed.random();
+        for (int i = 0; i < 20; ++i) {
+            const Bicell c = bicell(Bicell_family::cocircular_exact, random);
+            const Verdict v = ladder(c);
+            HOLDS(v.sign == 0 && v.tolerance == 0.0, c);
+            HOLDS(v.stage == Stage::exact, c);
+        }
+    }));
+}
+
+TEST_CASE("one unit in the last place off a degenerate position is seen", "[certificate]") {
+    const double up = std::nextafter(1.0, 2.0), down = std::nextafter(1.0, 0.0);
+    for (const double y : {down, 1.0, up}) {
+        INFO("y = " << as_code(y));
+        const int expected = (y > 1.0) - (y < 1.0);
+        const Triangle t{{0, 1}, {1, 1}, {0.5, y}};
+        CHECK(ladder(t).sign == expected);
+        CHECK((ladder(t).tolerance > 0) == (expected > 0));
+        // q leaves the circle of the square through its corner (0, 1) upward.
+        const Bicell c{{0, 0}, {1, 1}, {1, 0}, {0, y}};
+        CHECK(ladder(c).sign == expected);
+        CHECK((ladder(c).tolerance > 0) == (expected > 0));
+    }
+    const double tiny = 0x1p-1074;
+    CHECK(ladder(Triangle{{0, 0}, {tiny, 0}, {0, tiny}}).sign == 1);
+    CHECK(ladder(Triangle{{0, 0}, {0x1p500, 0}, {0, tiny}}).sign == 1);
+    CHECK(ladder(Triangle{{-0x1p500, -0x1p500}, {0x1p500, 0x1p500}, {0, tiny}}).sign == 1);
+    CHECK(ladder(Triangle{{-0x1p500, -0x1p500}, {0x1p500, 0x1p500}, {-0.0, 0.0}}).sign == 0);
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Programs that once went wrong: what fuzz/moves_2.cpp and the property tests printed, made small.
+#include "../../fuzz/common/program.h"
+
+#include <catch2/catch.hpp>
+
+using namespace annulus;
+using namespace annulus::oracle;
+
+namespace {
+
+/// The same under every way to keep a triangulation right.
+void holds_everywhere(Program program) {
+    for (const Setting& setting : certified_settings) {
+        program.setting = setting;
+        INFO(as_code(program));
+        CHECK(run(program) == "");
+    }
+}
+
+}  // namespace
+
+TEST_CASE("A vertex that crosses the hull does not leave a border that winds twice", "[finds]") {
+    // Every triangle positive, every circle empty, every hull vertex convex, and yet the angle at one of them was
+    // beyond 2 pi: the signs of theory 1 do not exclude a double cover after flips that jumped.
+    holds_everywhere({{}, {{2, 8}, {1, 9}, {9, 7}, {15, 6}, {12, 0}}, {move(0, {15, 2})}});
+    holds_everywhere({{}, {{0, 3}, {5, 15}, {15, 8}, {10, 13}, {10, 14}}, {settle(), move(1, {5, 8})}});
+}
+
+TEST_CASE("A collision beyond the hull is noticed", "[finds]") {
+    holds_everywhere({{}, {{14, 6}, {1, 9}, {10, 10}, {13, 14}, {9, 12}}, {move(3, {14, 6})}});
+}
+
+TEST_CASE("Ring positions permuted into a pentagram leave no star that winds twice", "[finds]") {
+    // Nothing is flipped on the way: the five triangles at the apex stay positive, their circles empty.
+    const std::vector<Position> ring{{100, 0}, {31, 95}, {-81, 59}, {-81, -59}, {31, -95}};
+    std::vector<Position> points{ring[0], ring[1], ring[2], ring[3], ring[4], {0, 0}};
+    const std::vector<Position> star{ring[0], ring[2], ring[4], ring[1], ring[3], {0, 0}};
+    holds_everywhere({{}, points, {move_all(star), move_all(points), settle(), move_all(star)}});
+    // The same inside a larger hull.
+    const std::vector<Position> frame{{1000, 1000}, {-1000, 1000}, {-1000, -1000}, {1000, -1000}};
+    std::vector<Position> framed_star = star;
+    points.insert(points.end(), frame.begin(), frame.end());
+    framed_star.insert(framed_star.end(), frame.begin(), frame.end());
+    holds_everywhere({{}, points, {move_all(framed_star), move_all(points)}});
+}
+
+TEST_CASE("A second look at subnormal positions ends", "[finds]") {
+    const double u = 0x1p-1074;
+    holds_everywhere({{},
+                      {{2 * u, 1 * u}, {12 * u, 1 * u}, {0, 13 * u}, {10 * u, 6 * u}},
+                      {move(0, {6 * u, 1 * u}), settle(), move(1, {7 * u, 8 * u}), settle(), move(0, {6 * u, 0})}});
+}
+
+TEST_CASE("A second look that a refused call cut short leaves nothing behind", "[finds]") {
+    // What it was about to renew was written into the records of the next settled triangulation.
+    holds_everywhere({{},
+                      {{0, 0}, {8, 0}, {4, 7}, {4, -7}, {20, 0}, {20, 9}},
+                      {settle(), move_all({{0, 0}, {8, 0}, {4, 7}, {4, -7}, {20.5, 0.5}, {0, 0}}),
+                       move_all({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}}), move(3, {3, 5}), settle()}});
+}
+
+TEST_CASE("A timestamp refused by filter-each leaves fixed positions and tolerances", "[finds]") {
+    holds_everywhere({{}, {{2, 3}, {1, 1}, {4, 3}}, {move_all({{0, 0}, {68, 1000}, {68, 1000}})}});
+    holds_everywhere({{}, {{0, 0}, {9, 0}, {0, 9}, {9, 9}, {4, 5}},
+                      {settle(), move(4, {4.125, 5}), move_all({{0, 0}, {9, 0}, {0, 9}, {9, 0}, {4, 5}})}});
+}
+
+TEST_CASE("A timestamp refused after the points became collinear on the way leaves all as it was", "[finds]") {
+    holds_everywhere({{}, {{0, 0}, {1, 0}, {0, 1}, {3, 0}}, {move_all({{0, 0}, {1, 0}, {2, 0}, {1, 0}})}});
+}
+
+TEST_CASE("filter-each with the paper's tolerances keeps CGAL's object valid", "[finds]") {
+    CHECK(run({{Strategy::filter_each, Second_look::off, Tolerance_kind::paper},
+               {{87, 86}, {90, 27}, {-23, 50}, {29, -25}, {97, -53}},
+               {move(0, {28, 42})}}) == "");
+}
+
+TEST_CASE("filter with the paper's tolerances inserts and removes without crash or hang", "[finds]") {
+    const Setting paper{Strategy::filter, Second_look::off, Tolerance_kind::paper};
+    CHECK(run({paper,
+               {{12, 0}, {9, 7}, {5, 4}, {2, 13}, {11, 8}},
+               {move_all({{12, 0}, {9, 7}, {5, 4}, {2, 13}, {5, 10}}), remove(0), insert({11, 0})}}) == "");
+    CHECK(run({paper,
+               {{10, 12}, {1, 12}, {15, 13}, {12, 12}, {6, 10}, {12, 3}},
+               {remove(4), move(3, {10, 12}), insert({5, 7})}}) == "");
+    CHECK(run({paper,
+               {{4, 8}, {9, 5}, {15, 6}, {9, 11}, {15, 1}, {14, 3}, {5, 6}, {6, 14}},
+               {move_all({{0, 0}, {9, 5}, {4, 2}, {9, 11}, {15, 1}, {10, 0}, {5, 6}, {11, 14}}), move(6, {11, 3}),
+                move(3, {4, 7}), move(1, {3, 4}), remove(5)}}) == "");
+}

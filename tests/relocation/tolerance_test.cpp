@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a tolerance promises: never above the truth, not far below it, and moves inside it change nothing.
+#include "../../fuzz/common/program.h"
+
+#include <catch2/catch.hpp>
+#include <rapidcheck.h>
+#include <support/arbitrary.h>
+
+#include <numeric>
+
+using namespace annulus;
+using namespace annulus::oracle;
+using annulus::testing::between;
+using annulus::testing::Family;
+using annulus::testing::Point_set_case;
+using annulus::testing::point_set_case;
+using annulus::testing::Random;
+
+namespace {
+
+Options options_of(const Setting& s) {
+    Options o;
+    o.strategy = s.strategy;
+    o.second_look = s.second_look;
+    o.tolerance = s.tolerance;
+    return o;
+}
+
+std::string title(const Setting& s) {
+    return std::string(name_of(s.strategy)) + (s.second_look == Second_look::off ? "" : ", second look");
+}
+
+/// A fault of the session as a failed assertion.
+template <class Body>
+void without_fault(Body body) {
+    try {
+        body();
+    } catch (const Session::Fault& fault) {
+        RC_FAIL(fault.words);
+    }
+}
+
+/// A point at most `share` of r from p: toward or away from `target` for kind 0 and 1, else in a random direction.
+Position shifted(const Position& p, double r, double share, const Position& target, int kind, Random& random) {
+    double angle = between(random, 0.0, 6.283185307179586);
+    if (kind < 2) angle = std::atan2(target[1] - p[1], target[0] - p[0]) + (kind == 1 ? 3.141592653589793 : 0.0);
+    const double step = share * r;
+    Position q{p[0] + step * std::cos(angle), p[1] + step * std::sin(angle)};
+    if (std::fabs(q[0]) > 0x1p500 || std::fabs(q[1]) > 0x1p500) return p;
+    // Far from the origin the sum rounds to a point farther away than asked: stay home then.
+    const mpq_class dx = mpq_class(q[0]) - mpq_class(p[0]);
+    const mpq_class dy = mpq_class(q[1]) - mpq_class(p[1]);
+    const mpq_class reach = mpq_class(r) * mpq_class(0.99995);
+    return share >= 1.0 || dx * dx + dy * dy < reach * reach ? q : p;
+}
+
+/// The median circle's centre of the tightest annulus at v, where a move does most harm; its own position where
+/// a vertex has none.
+std::vector<Position> worst_targets(const Moving_delaunay_2& dt) {
+    const auto& tr = dt.triangulation();
+    const auto at = [](Index i) { return static_cast<std::size_t>(i); };
+    std::vector<Position> target(dt.positions().begin(), dt.positions().end());
+    std::vector<double> least(target.size(), std::numeric_limits<double>::infinity());
+    if (tr.dimension() < 2) return target;
+    for (auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e) {
+        const auto [f, i] = *e;
+        if (tr.is_infinite(f) || tr.is_infinite(f->neighbor(i))) continue;
+        const Index a = f->vertex(tr.ccw(i))->index();
+        const Index b = f->vertex(tr.cw(i))->index();
+        const Index q = f->vertex(i)->index();
+        const Index p = tr.tds().mirror_vertex(f, i)->index();
+        const auto x = [&](Index v) { return dt.positions()[at(v)]; };
+        const double w = half_annulus(x(a), x(b), x(p), x(q)).get_d();
+        const double ux = x(b)[0] - x(a)[0];
+        const double uy = x(b)[1] - x(a)[1];
+        const double vx = x(q)[0] - x(p)[0];
+        const double vy = x(q)[1] - x(p)[1];
+        const double r1 = 0.5 * (ux * ux + uy * uy);
+        const double r2 = vx * (0.5 * (x(p)[0] + x(q)[0]) - x(a)[0]) + vy * (0.5 * (x(p)[1] + x(q)[1]) - x(a)[1]);
+        const double det = ux * vy - uy * vx;
+        const Position centre{x(a)[0] + (r1 * vy - uy * r2) / det, x(a)[1] + (ux * r2 - r1 * vx) / det};
+        if (!std::isfinite(centre[0]) || !std::isfinite(centre[1])) continue;
+        for (const Index v : {a, b, p, q})
+            if (w < least[at(v)]) {
+                least[at(v)] = w;
+                target[at(v)] = centre;
+            }
+    }
+    return target;
+}
+
+constexpr Setting filter{Strategy::filter};
+constexpr Setting filter_each{Strategy::filter_each};
+constexpr Setting filter_look{Strategy::filter, Second_look::unequal_moves};
+
+/// sum of D^2 must be a normal number for the comparison of squares to be exact enough to promise anything.
+bool squares_underflow(Family family) {
+    return family == Family::subnormal || family == Family::mixture || family == Family::tiny;
+}
+
+}  // namespace
+
+TEST_CASE("A settled tolerance is never above the exact one and within 0.2 % of it, under every strategy",
+          "[tolerance]") {
+    for (const Setting& setting : certified_settings) {
+        DYNAMIC_SECTION(title(setting)) {
+            REQUIRE(rc::check([setting] {
+                const auto set = *point_set_case(0, 30);
+                without_fault([&] {
+                    Session session(Program{setting, set.points, {}});
+                    session.check_settled_tolerances();
+                    Random random(set.seed + 1);
+                    session.apply(move_all(annulus::testing::point_set(set.family, set.points.size(), random)));
+                    session.apply(settle());
+                    session.check_settled_tolerances();
+                });
+            }));
+        }
+    }
+}
+
+TEST_CASE("A tolerance after a drift is never above what is left of the exact one", "[tolerance]") {
+    // All vertices rest but one: it may go tolerance() from its fixed position, in the direction that hurts most.
+    for (const Setting& setting : {filter, filter_look, filter_each}) {
+        DYNAMIC_SECTION(title(setting)) {
+            REQUIRE(rc::check([setting] {
+                const auto set = *point_set_case(4, 25);
+                without_fault([&] {
+                    Session session(Program{setting, set.points, {}});
+                    Random random(set.seed + 1);
+                    const std::size_t n = set.points.size();
+                    for (int step = 0; step < 8; ++step) {
+                        std::vector<Position> x(n);
+                        const auto target = worst_targets(session.dt());
+                        for (std::size_t i = 0; i < n; ++i) {
+                            const auto v = session.dt().vertex(i);
+                            const auto f = session.dt().fixed_position(v);
+                            x[i] = shifted({f.x(), f.y()}, session.dt().tolerance(v), between(random, 0.3, 3.0),
+                                           target[i], static_cast<int>(random() % 3), random);
+                        }
+                        if (std::set<Position>(x.begin(), x.end()).size() < n) continue;
+                        session.apply(move_all(x));
+                        session.check();
+                    }
+                });
+            }));
+        }
+    }
+}
+
+TEST_CASE("Moves of 0.9999 tolerances, all at once, evaluate nothing and keep the triangulation", "[tolerance]") {
+    for (const Setting& setting : {filter, filter_look, filter_each}) {
+        DYNAMIC_SECTION(title(setting)) {
+            REQUIRE(rc::check([setting] {
+                const auto set = *point_set_case(3, 30);
+                RC_PRE(!squares_underflow(set.family));
+                without_fault([&] {
+                    Session session(Program{setting, set.points, {}});
+                    Random random(set.seed + 1);
+                    const auto target = worst_targets(session.dt());
+                    const Cells before = cells_of(session.dt().triangulation());
+                    for (int kind = 0; kind < 4; ++kind) {
+                        std::vector<Position> x = set.points;
+                        for (std::size_t i = 0; i < x.size(); ++i)
+                            x[i] = shifted(x[i], session.dt().tolerance(session.dt().vertex(i)), 0.9999, target[i],
+                                           kind < 3 ? kind : static_cast<int>(random() % 2), random);
+                        if (std::set<Position>(x.begin(), x.end()).size() < x.size()) continue;
+                        session.apply(move_all(x));
+                        session.check();
+                        if (session.dt().triangulation().dimension() < 2) continue;
+                        RC_ASSERT(session.last().evaluated == 0U);
+                        RC_ASSERT(session.last().moves.within_tolerance == x.size());
+                        RC_ASSERT(cells_of(session.dt().triangulation()) == before);
+                    }
+                });
+            }));
+        }
+    }
+}
+
+TEST_CASE("Whenever a drifting call reports all within tolerance the audit passes", "[tolerance]") {
+    for (const Setting& setting : {filter, filter_look, filter_each}) {
+        DYNAMIC_SECTION(title(setting)) {
+            REQUIRE(rc::check([setting] {
+                const auto set = *point_set_case(4, 25);
+                without_fault([&] {
+                    Session session(Program{setting, set.points, {}});
+                    Random random(set.seed + 1);
+                    std::vector<double> spacing(set.points.size());
+                    for (std::size_t i = 0; i < spacing.size(); ++i)
+                        spacing[i] = session.dt().tolerance(session.dt().vertex(i));
+                    std::vector<Position> x = set.points;
+                    const bool steady = random() % 2 == 0;
+                    for (int step = 0; step < 20; ++step) {
+                        const std::vector<Position> target = worst_targets(session.dt());
+                        std::vector<Position> y = x;
+                        for (std::size_t i = 0; i < x.size(); ++i)
+                            y[i] = shifted(x[i], spacing[i], between(random, 0.01, 0.4), target[i], steady ? 0 : 2,
+                                           random);
+                        if (std::set<Position>(y.begin(), y.end()).size() < y.size()) continue;
+                        x = y;
+                        session.apply(move_all(x));
+                        session.check();
+                    }
+                });
+            }));
+        }
+    }
+}
+
+TEST_CASE("Moving one by one and moving all at once end in the same cells", "[relocation]") {
+    for (const Setting& setting : certified_settings) {
+        DYNAMIC_SECTION(title(setting)) {
+            REQUIRE(rc::check([setting] {
+                const auto set = *point_set_case(1, 30);
+                Random random(set.seed + 1);
+                const auto goal = annulus::testing::point_set(set.family, set.points.size(), random);
+                without_fault([&] {
+                    Session at_once(Program{setting, set.points, {}});
+                    Session one_by_one(Program{setting, set.points, {}});
+                    at_once.apply(move_all(goal));
+                    std::vector<std::size_t> order(goal.size());
+                    std::iota(order.begin(), order.end(), std::size_t{0});
+                    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+                    for (int round = 0; round < 2; ++round)  // the second for those whose place was taken
+                        for (const std::size_t i : order) one_by_one.apply(move(static_cast<Index>(i), goal[i]));
+                    RC_PRE(one_by_one.sites() == at_once.sites());
+                    at_once.check();
+                    one_by_one.check();
+                    RC_ASSERT(cells_of(one_by_one.dt().triangulation()) == cells_of(at_once.dt().triangulation()));
+                });
+            }));
+        }
+    }
+}
+
+TEST_CASE("Scaling by a power of two scales the tolerances and changes nothing else", "[relocation]") {
+    for (const Setting& setting : certified_settings) {
+        DYNAMIC_SECTION(title(setting)) {
+            REQUIRE(rc::check([setting] {
+                const auto set = *point_set_case(3, 25);
+                RC_PRE(set.family != Family::subnormal && set.family != Family::huge && set.family != Family::mixture &&
+                       set.family != Family::tiny);
+                const double scale = std::ldexp(1.0, *rc::gen::inRange(-60, 60));
+                const auto scaled = [scale](std::vector<Position> x) {
+                    for (Position& p : x)
+                        for (double& c : p) c *= scale;
+                    return x;
+                };
+                Random random(set.seed + 1);
+                Moving_delaunay_2 one(set.points, options_of(setting));
+                Moving_delaunay_2 other(scaled(set.points), options_of(setting));
+                for (int step = 0; step < 3; ++step) {
+                    std::vector<Position> goal = annulus::testing::point_set(set.family, set.points.size(), random);
+                    if (step == 1) {  // a short way
+                        goal.assign(one.positions().begin(), one.positions().end());
+                        for (Position& p : goal)
+                            for (double& c : p) c += c * between(random, -0x1p-12, 0x1p-12);
+                        if (std::set<Position>(goal.begin(), goal.end()).size() < goal.size()) continue;
+                    }
+                    const Move_report a = one.move_all(goal);
+                    const Move_report b = other.move_all(scaled(goal));
+                    RC_ASSERT(a.moves == b.moves);
+                    RC_ASSERT(a.evaluated == b.evaluated);
+                    RC_ASSERT(a.flips == b.flips);
+                    RC_ASSERT(cells_of(one.triangulation()) == cells_of(other.triangulation()));
+                    for (std::size_t i = 0; i < goal.size(); ++i) {
+                        const double s = one.tolerance(one.vertex(i));
+                        RC_ASSERT(std::fabs(s * scale - other.tolerance(other.vertex(i))) <= 0x1p-8 * s * scale);
+                    }
+                }
+            }));
+        }
+    }
+}
+
+TEST_CASE("The order of the input changes nothing but the names", "[relocation]") {
+    for (const Setting& setting : certified_settings) {
+        DYNAMIC_SECTION(title(setting)) {
+            REQUIRE(rc::check([setting] {
+                const auto set = *point_set_case(1, 25);
+                Random random(set.seed + 1);
+                const std::size_t n = set.points.size();
+                std::vector<std::size_t> name(n);  // of the i-th in the other order
+                std::iota(name.begin(), name.end(), std::size_t{0});
+                for (std::size_t i = n; i > 1; --i) std::swap(name[i - 1], name[random() % i]);
+                const auto renamed = [&](const std::vector<Position>& x) {
+                    std::vector<Position> y(n);
+                    for (std::size_t i = 0; i < n; ++i) y[name[i]] = x[i];
+                    return y;
+                };
+                Moving_delaunay_2 one(set.points, options_of(setting));
+                Moving_delaunay_2 other(renamed(set.points), options_of(setting));
+                for (int step = 0; step < 2; ++step) {
+                    const auto goal = annulus::testing::point_set(set.family, n, random);
+                    one.move_all(goal);
+                    other.move_all(renamed(goal));
+                    Cells expected = cells_of(one.triangulation());
+                    for (Cell& cell : expected) {
+                        for (Index& v : cell)
+                            if (v != none) v = static_cast<Index>(name[static_cast<std::size_t>(v)]);
+                        cell = canonical(cell);
+                    }
+                    std::sort(expected.begin(), expected.end());
+                    RC_ASSERT(cells_of(other.triangulation()) == expected);
+                    one.settle();
+                    other.settle();
+                    for (std::size_t i = 0; i < n; ++i) {
+                        const double s = one.tolerance(one.vertex(i));
+                        RC_ASSERT(std::fabs(s - other.tolerance(other.vertex(name[i]))) <= 0x1p-8 * s + 0x1p-1070);
+                    }
+                }
+            }));
+        }
+    }
+}
