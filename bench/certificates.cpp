@@ -29,9 +29,7 @@ std::vector<Bicell> bicells(Family family) {
     while (cells.size() < 1024) {
         Bicell c{};
         switch (family) {
-            case uniform:
-                c.x = {{{unit(), unit()}, {unit(), unit()}, {unit(), unit()}, {unit(), unit()}}};
-                break;
+            case uniform: c.x = {{{unit(), unit()}, {unit(), unit()}, {unit(), unit()}, {unit(), unit()}}}; break;
             case near_cocircular: {
                 // Counter-clockwise a, p, b, q, off the circle by about 1e-11.
                 const std::array<double, 4> turn{0.1 * unit(), 0.5 + 0.1 * unit(), 0.25 + 0.1 * unit(),

@@ -78,12 +78,12 @@ class Decoder {
     }
     double coordinate() {
         switch (coordinates_) {
-            case 0: return byte() % 5;                          // a small grid
+            case 0: return byte() % 5;  // a small grid
             case 1: return byte() % 16;
             case 2: return static_cast<std::int8_t>(byte());
-            case 3: return raw(8);                              // any double, also NaN and infinity
-            case 4: return raw(3);                              // any magnitude, few bits
-            case 5: {                                           // a small grid, off by an ulp
+            case 3: return raw(8);  // any double, also NaN and infinity
+            case 4: return raw(3);  // any magnitude, few bits
+            case 5: {               // a small grid, off by an ulp
                 const std::uint8_t b = byte();
                 const double x = 1.0 + b % 5;
                 return (b >> 4) < 5 ? std::nextafter(x, (b & 16) != 0 ? 0.0 : 9.0) : x;

@@ -117,7 +117,7 @@ template <class Triangulation>
             known[at(v)] = 1;
         }
     };
-    std::map<Index, Index> next;      // along the hull
+    std::map<Index, Index> next;  // along the hull
     std::map<Index, Index> previous;
     for (auto f = tr.finite_faces_begin(); f != tr.finite_faces_end(); ++f) {
         const Cell v{f->vertex(0)->index(), f->vertex(1)->index(), f->vertex(2)->index()};

@@ -22,14 +22,19 @@ struct Setting {
     Tolerance_kind tolerance = Tolerance_kind::certified;
 };
 
-inline constexpr std::array<Setting, 8> certified_settings{
-    {{Strategy::rebuild}, {Strategy::relocate}, {Strategy::relocate_flips}, {Strategy::in_place}, {Strategy::filter},
-     {Strategy::filter, Second_look::unequal_moves}, {Strategy::filter_each}, {Strategy::hybrid}}};
+inline constexpr std::array<Setting, 8> certified_settings{{{Strategy::rebuild},
+                                                            {Strategy::relocate},
+                                                            {Strategy::relocate_flips},
+                                                            {Strategy::in_place},
+                                                            {Strategy::filter},
+                                                            {Strategy::filter, Second_look::unequal_moves},
+                                                            {Strategy::filter_each},
+                                                            {Strategy::hybrid}}};
 
 struct Operation {
     enum class Kind { move, move_all, insert, remove, settle };
     Kind kind = Kind::settle;
-    Index vertex = none;            ///< move, remove
+    Index vertex = none;             ///< move, remove
     std::vector<Position> points{};  ///< one for move and insert, all for move_all
 };
 
@@ -75,8 +80,8 @@ struct Program {
         return s;
     };
     std::ostringstream out;
-    out << "const Program program{{Strategy::" << identifier(name_of(program.setting.strategy)) << ", Second_look::"
-        << (program.setting.second_look == Second_look::off ? "off" : "unequal_moves")
+    out << "const Program program{{Strategy::" << identifier(name_of(program.setting.strategy))
+        << ", Second_look::" << (program.setting.second_look == Second_look::off ? "off" : "unequal_moves")
         << ", Tolerance_kind::" << name_of(program.setting.tolerance) << "},\n    {" << points_as_code(program.points)
         << "},\n    {";
     for (std::size_t i = 0; i < program.operations.size(); ++i) {
@@ -290,7 +295,8 @@ class Session {
         std::vector<Position> after;
         switch (o.kind) {
             case Operation::Kind::settle: return std::nullopt;
-            case Operation::Kind::remove: return live(o.vertex) ? std::nullopt : std::optional(Error_code::unknown_vertex);
+            case Operation::Kind::remove:
+                return live(o.vertex) ? std::nullopt : std::optional(Error_code::unknown_vertex);
             case Operation::Kind::move:
                 if (!live(o.vertex)) return Error_code::unknown_vertex;
                 break;
@@ -313,9 +319,9 @@ class Session {
         switch (o.kind) {
             case Operation::Kind::settle: last_ = dt_->settle(); break;
             case Operation::Kind::remove:
-                dt_->remove(o.vertex < 0 ? Moving_delaunay_2::Vertex_handle()
-                                         : dt_->vertex(static_cast<std::size_t>(o.vertex)),
-                            &last_);
+                dt_->remove(
+                    o.vertex < 0 ? Moving_delaunay_2::Vertex_handle() : dt_->vertex(static_cast<std::size_t>(o.vertex)),
+                    &last_);
                 break;
             case Operation::Kind::move: last_ = dt_->move(o.vertex, o.points[0]); break;
             case Operation::Kind::move_all: last_ = dt_->move_all(o.points); break;

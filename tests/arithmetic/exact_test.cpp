@@ -5,10 +5,10 @@
 
 #include <annulus/arithmetic/exact.h>
 
-#include <catch2/catch.hpp>
 #include <gmpxx.h>
 #include <mpfr.h>
 #include <rapidcheck.h>
+#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <limits>
@@ -22,10 +22,8 @@ namespace {
 
 mpq_class power_of_two(long exponent) {
     mpq_class r(1);
-    if (exponent >= 0)
-        mpq_mul_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-    else
-        mpq_div_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+    if (exponent >= 0) mpq_mul_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+    else mpq_div_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
     return r;
 }
 
@@ -68,7 +66,6 @@ void quotient(Number& r, const mpz_class& numerator, const mpz_class& a, const m
 }
 
 }  // namespace
-
 
 TEST_CASE("doubles are integers times one power of two, exactly", "[arithmetic]") {
     REQUIRE(rc::check("any numbers of the domain", [](const Seed& seed) {
@@ -177,6 +174,20 @@ TEST_CASE("quotients by roots that are known", "[arithmetic]") {
     CHECK(mpq_class(y) * mpq_class(y) * 8 < 1);
     CHECK(mpq_class(std::nextafter(y, 1.0)) * mpq_class(std::nextafter(y, 1.0)) * 8 > 1);
 
+    SECTION("a truth just below a double is not taken for it") {
+        // Each is 1 less a part in 2^200 or less, far beyond the working precision, by another of the operands.
+        const mpz_class n = mpz_class(1) << 200, square(n * n), more(square + 1), less(n - 1), twice(2 * n);
+        const double below = std::nextafter(1.0, 0.0);
+        CHECK(quotient_by_roots_lower(n, square, 0, 0) == 1.0);
+        CHECK(quotient_by_roots_lower(twice, square, square, 0) == 1.0);
+        CHECK(quotient_by_roots_lower(less, square, 0, 0) == below);
+        CHECK(quotient_by_roots_lower(n, more, 0, 0) == below);
+        CHECK(quotient_by_roots_lower(n, 0, more, 0) == below);
+        CHECK(quotient_by_roots_lower(twice, more, square, 0) == below);
+        CHECK(quotient_by_roots_lower(twice, square, more, 0) == below);
+        CHECK(quotient_by_roots_lower(n, square, 1, 0) == below);
+        CHECK(quotient_by_roots_lower(n, 1, square, 0) == below);
+    }
     SECTION("overflow is the largest double") {
         CHECK(quotient_by_roots_lower(1, 1, 0, 1023) == 0x1p1023);
         CHECK(quotient_by_roots_lower(1, 1, 0, 1024) == greatest);

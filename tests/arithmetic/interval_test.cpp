@@ -6,9 +6,9 @@
 #include <annulus/arithmetic/interval.h>
 #include <annulus/arithmetic/rounding_guard.h>
 
-#include <catch2/catch.hpp>
 #include <gmpxx.h>
 #include <rapidcheck.h>
+#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <array>
@@ -70,9 +70,9 @@ std::string as_code(const Interval& i) {
 
 }  // namespace
 
-#define ENCLOSES(result, exact, ...)                                                              \
-    do {                                                                                          \
-        const mpq_class exact_value = exact;                                                      \
+#define ENCLOSES(result, exact, ...)                                                                     \
+    do {                                                                                                 \
+        const mpq_class exact_value = exact;                                                             \
         if (!encloses(result, exact_value)) RC_FAIL(#result " " #exact ": " + std::string(__VA_ARGS__)); \
     } while (false)
 
@@ -156,7 +156,8 @@ TEST_CASE("scaled differences enclose the exact ones", "[arithmetic]") {
     REQUIRE(rc::check("with any power of two that keeps them in range", [](const Seed& seed) {
         Random random = seed.random();
         for (int k = 0; k < 50; ++k) {
-            const double a = any_in_domain(random), b = random() % 2 == 0 ? ulp_noise(random, a, 3) : any_in_domain(random);
+            const double a = any_in_domain(random),
+                         b = random() % 2 == 0 ? ulp_noise(random, a, 3) : any_in_domain(random);
             const double scale = std::ldexp(1.0, integer(random, -500, 500));
             Interval r;
             {

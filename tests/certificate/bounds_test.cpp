@@ -11,8 +11,8 @@
 #include <annulus/certificate/bounds.h>
 #include <annulus/certificate/width_terms.h>
 
-#include <catch2/catch.hpp>
 #include <gmpxx.h>
+#include <catch2/catch.hpp>
 
 #include <array>
 #include <cmath>
@@ -32,7 +32,8 @@ using Numbers = std::vector<double>;
 /// How far the filter is off, in units of u times the power of m that its bound has.
 struct Errors {
     double determinant = 0;  ///< of |determinant~ - determinant|
-    double roots = 0;        ///< of what the roots fall short by, in units of u m^3 less their own rounding; or relative, in u
+    double roots =
+        0;  ///< of what the roots fall short by, in units of u m^3 less their own rounding; or relative, in u
 };
 
 Point point(const Numbers& x, std::size_t i) { return {x[2 * i], x[2 * i + 1]}; }
@@ -63,8 +64,8 @@ Errors triangle_errors(const Numbers& x) {
     const auto rounded = orientation_terms(u, v, detail::difference(c, b));
     const auto U = exact_difference(b, a), V = exact_difference(c, a), W = exact_difference(c, b);
     const mpq_class determinant = U.x * V.y - U.y * V.x;
-    const mpq_class longest = std::max({mpq_class(U.x * U.x + U.y * U.y), mpq_class(V.x * V.x + V.y * V.y),
-                                        mpq_class(W.x * W.x + W.y * W.y)});
+    const mpq_class longest = std::max(
+        {mpq_class(U.x * U.x + U.y * U.y), mpq_class(V.x * V.x + V.y * V.y), mpq_class(W.x * W.x + W.y * W.y)});
     const mpq_class unit = mpq_class(bounds::u) * mpq_class(m) * mpq_class(m);
     const mpq_class error = abs(mpq_class(rounded.determinant) - determinant);
     const mpq_class roots = sum_of_roots(longest, longest);
@@ -77,7 +78,8 @@ Errors bicell_errors(const Numbers& x) {
     const Point a = point(x, 0), b = point(x, 1), p = point(x, 2), q = point(x, 3);
     const auto fb = detail::difference(b, a), fp = detail::difference(p, a), fq = detail::difference(q, a);
     const auto fe = detail::difference(q, p);
-    const double m = std::max({detail::magnitude(fb), detail::magnitude(fp), detail::magnitude(fq), detail::magnitude(fe)});
+    const double m =
+        std::max({detail::magnitude(fb), detail::magnitude(fp), detail::magnitude(fq), detail::magnitude(fe)});
     if (!(m > 0)) return {};
     const auto rounded = annulus_terms(fb, fp, fq, fe);
 
@@ -98,7 +100,8 @@ Errors bicell_errors(const Numbers& x) {
     const mpq_class computed(std::sqrt(rounded.inner) + std::sqrt(rounded.outer));
     // Squares, roots and their sum: 3.5 u relative, which is in the tail.
     const mpq_class missing = roots - computed - mpq_class(3.5) * unit * computed;
-    return {ratio(error, unit * exact_m * exact_m * exact_m * exact_m), ratio(missing, unit * exact_m * exact_m * exact_m)};
+    return {ratio(error, unit * exact_m * exact_m * exact_m * exact_m),
+            ratio(missing, unit * exact_m * exact_m * exact_m)};
 }
 
 /// Climbs from `start` by changing a coordinate at a time, and returns the greatest value found.
@@ -172,10 +175,11 @@ TEST_CASE("the filter is never off by more than its bounds, sought by climbing",
     climb_to(most[1], 6, 1000, [](const Numbers& x) { return triangle_errors(x).roots; });
     climb_to(most[2], 8, 8000, [](const Numbers& x) { return bicell_errors(x).determinant; });
     climb_to(most[3], 8, 8000, [](const Numbers& x) { return bicell_errors(x).roots; });
-    std::printf("greatest errors found, in u (bound): orientation %.2f (%g), its roots, relative %.2f (%g), empty circle %.2f "
-                "(%g), its roots %.2f (%g)\n",
-                most[0], bounds::orientation_2, most[1], bounds::tail, most[2], bounds::annulus_2_incircle, most[3],
-                bounds::annulus_2_norms);
+    std::printf(
+        "greatest errors found, in u (bound): orientation %.2f (%g), its roots, relative %.2f (%g), empty circle %.2f "
+        "(%g), its roots %.2f (%g)\n",
+        most[0], bounds::orientation_2, most[1], bounds::tail, most[2], bounds::annulus_2_incircle, most[3],
+        bounds::annulus_2_norms);
     CHECK(most[0] <= bounds::orientation_2);
     CHECK(most[1] <= bounds::tail);
     CHECK(most[2] <= bounds::annulus_2_incircle);
@@ -193,7 +197,8 @@ TEST_CASE("the bound of the norms is made of those of the two vectors", "[certif
 
 TEST_CASE("rounded terms are accepted with their errors taken off, or not at all", "[certificate]") {
     Verdict v;
-    const auto answers = [&v](double determinant, double root, double det_error, double norm_error, bool certified = true) {
+    const auto answers = [&v](double determinant, double root, double det_error, double norm_error,
+                              bool certified = true) {
         v = {};
         return detail::accept({determinant, root * root, root * root}, det_error, norm_error, certified, v);
     };

@@ -80,14 +80,16 @@ TEST_CASE("a bi-cell seen from its other side is the same certificate", "[certif
             HOLDS(ladder(c).sign == ladder(c.turned()).sign, c);
         });
     }));
-    REQUIRE(rc::check("the other diagonal of four points in convex position has the opposite sign", [](const Seed& seed) {
-        for_each_bicell(seed.random(), 5, [](const Bicell& c) {
-            if (is_bicell(c.flipped())) HOLDS(ladder(c).sign == -ladder(c.flipped()).sign, c);
-        });
-    }));
+    REQUIRE(
+        rc::check("the other diagonal of four points in convex position has the opposite sign", [](const Seed& seed) {
+            for_each_bicell(seed.random(), 5, [](const Bicell& c) {
+                if (is_bicell(c.flipped())) HOLDS(ladder(c).sign == -ladder(c.flipped()).sign, c);
+            });
+        }));
     REQUIRE(rc::check("where the points are not in convex position the circle is empty", [](const Seed& seed) {
         for_each_bicell(seed.random(), 5, [](const Bicell& c) {
-            if (!is_bicell(c.flipped()) && exact_orientation(c.a, c.p, c.q) != 0 && exact_orientation(c.b, c.p, c.q) != 0)
+            if (!is_bicell(c.flipped()) && exact_orientation(c.a, c.p, c.q) != 0 &&
+                exact_orientation(c.b, c.p, c.q) != 0)
                 HOLDS(ladder(c).sign == 1, c);
         });
     }));
@@ -126,9 +128,11 @@ TEST_CASE("a power of two times the coordinates is a power of two times the tole
                 const int up = 500 - std::ilogb(most) - 1, down = -1022 + 53 - std::ilogb(least);
                 if (down > up) continue;
                 const int exponent = integer(random, down, up);
-                HOLDS(scales(empty_sphere_exact(c.tuple()), empty_sphere_exact(scaled(c, exponent).tuple()), exponent), c);
+                HOLDS(scales(empty_sphere_exact(c.tuple()), empty_sphere_exact(scaled(c, exponent).tuple()), exponent),
+                      c);
                 const Triangle t{c.a, c.b, c.q};
-                HOLDS(scales(orientation_exact(t.tuple()), orientation_exact(scaled(t, exponent).tuple()), exponent), t);
+                HOLDS(scales(orientation_exact(t.tuple()), orientation_exact(scaled(t, exponent).tuple()), exponent),
+                      t);
             }
     }));
 }

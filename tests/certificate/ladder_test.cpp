@@ -107,7 +107,8 @@ TEST_CASE("the filter looks at every difference before it answers", "[certificat
         CHECK(!ask(c).filter);
         CHECK(!ask(c).floating);
     }
-    for (const Triangle& t : {Triangle{{0, 0}, {1.25 * x, 0}, {0.5 * x, 0.5 * x}}, Triangle{{0, 0}, {x, 0}, {0.5 * x, 1.25 * x}}}) {
+    for (const Triangle& t :
+         {Triangle{{0, 0}, {1.25 * x, 0}, {0.5 * x, 0.5 * x}}, Triangle{{0, 0}, {x, 0}, {0.5 * x, 1.25 * x}}}) {
         INFO(as_code(t));
         CHECK(!ask(t).filter);
         CHECK(!ask(t).floating);

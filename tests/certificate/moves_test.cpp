@@ -117,7 +117,9 @@ void check_triangle(const Triangle& any, Random& random, Tried& tried) {
     // The longest side to the left, the vertex over it to the right.
     const double x = t.b[0] - t.a[0], y = t.b[1] - t.a[1], length = std::hypot(x, y);
     const Point up{-y / length, x / length}, down{y / length, -x / length};
-    const auto displaced_triangle = [&](double l) { return Triangle{moved(t.a, up, l), moved(t.b, up, l), moved(t.c, down, l)}; };
+    const auto displaced_triangle = [&](double l) {
+        return Triangle{moved(t.a, up, l), moved(t.b, up, l), moved(t.c, down, l)};
+    };
 
     const Triangle inside = displaced_triangle(0.9999 * given.tolerance);
     HOLDS(compare_distance(inside.a, t.a, given.tolerance) < 0, t);
@@ -158,7 +160,8 @@ TEST_CASE("the tolerance of a whole bi-cell needs no condition on its triangles"
     REQUIRE(rc::check("the least of the three certificates", [](const Seed& seed) {
         Random random = seed.random();
         for_each_delaunay_bicell(seed.random(), 3, [&random](const Bicell& c) {
-            const Verdict circle = ladder(c), left = ladder(Triangle{c.a, c.b, c.q}), right = ladder(Triangle{c.b, c.a, c.p});
+            const Verdict circle = ladder(c), left = ladder(Triangle{c.a, c.b, c.q}),
+                          right = ladder(Triangle{c.b, c.a, c.p});
             const double tolerance = std::min({circle.tolerance, left.tolerance, right.tolerance});
             if (circle.sign <= 0 || !has_room(c, tolerance)) return;
             for (int i = 0; i < 3; ++i) {

@@ -44,7 +44,8 @@ void check_like_cgal(const Bicell& c) {
 
 Bicell grid_square(Random& random) {
     for (;;) {
-        const Point corner{static_cast<double>(integer(random, -99, 99)), static_cast<double>(integer(random, -99, 99))};
+        const Point corner{static_cast<double>(integer(random, -99, 99)),
+                           static_cast<double>(integer(random, -99, 99))};
         const double x = integer(random, -5, 5), y = integer(random, -5, 5), ratio = integer(random, 1, 3);
         // A rectangle of any direction and of sides 1 : ratio, along its diagonal.
         const Bicell c{corner,

@@ -60,7 +60,8 @@ Triangle fat_triangle(Random& random) {
 Bicell fat_bicell(Random& random) {
     const auto near = [&random](double x) { return x + between(random, -1, 1) * 0x1p-4; };
     const double reach = between(random, 0.6, 1.2);
-    return {{near(0), near(0.5)}, {near(0.5), near(0.5)}, {near(0.25), near(0.5 - reach)}, {near(0.25), near(0.5 + reach)}};
+    return {
+        {near(0), near(0.5)}, {near(0.5), near(0.5)}, {near(0.25), near(0.5 - reach)}, {near(0.25), near(0.5 + reach)}};
 }
 
 /// Bi-cells whose determinant is from 2^-6 down to 2^-44 of its frame to the fourth, where the filter gives up.
@@ -82,9 +83,8 @@ Bicell at_the_edge_of_the_filter(Random& random) {
 }  // namespace
 
 TEST_CASE("no stage certifies more than half the least altitude of a triangle", "[certificate]") {
-    REQUIRE(rc::check("on triangles of every family", [](const Seed& seed) {
-        for_each_triangle(seed.random(), 12, check_triangle);
-    }));
+    REQUIRE(rc::check("on triangles of every family",
+                      [](const Seed& seed) { for_each_triangle(seed.random(), 12, check_triangle); }));
     REQUIRE(rc::check("on triangles as large as their frame", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 50; ++i) check_triangle(fat_triangle(random));
@@ -92,9 +92,8 @@ TEST_CASE("no stage certifies more than half the least altitude of a triangle", 
 }
 
 TEST_CASE("no stage certifies more than half the width of the standard annulus", "[certificate]") {
-    REQUIRE(rc::check("on Delaunay bi-cells of every family", [](const Seed& seed) {
-        for_each_delaunay_bicell(seed.random(), 8, check_bicell);
-    }));
+    REQUIRE(rc::check("on Delaunay bi-cells of every family",
+                      [](const Seed& seed) { for_each_delaunay_bicell(seed.random(), 8, check_bicell); }));
     REQUIRE(rc::check("on bi-cells as large as their frame", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 25; ++i) check_bicell(fat_bicell(random));

@@ -6,8 +6,8 @@
 
 #include <annulus/certificate/theta.h>
 
-#include <catch2/catch.hpp>
 #include <mpfr.h>
+#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -64,7 +64,8 @@ bool is_extreme(Bicell_family family) {
 
 }  // namespace
 
-TEST_CASE("theta is the angle between the axis of the facet and the bisector of the opposite vertices", "[certificate]") {
+TEST_CASE("theta is the angle between the axis of the facet and the bisector of the opposite vertices",
+          "[certificate]") {
     REQUIRE(rc::check("of bi-cells of the usual magnitudes, up to 2^500 and down to 2^-400", [](const Seed& seed) {
         Random random = seed.random();
         for (const Bicell_family family : all_bicell_families)
@@ -98,7 +99,7 @@ TEST_CASE("known angles", "[certificate]") {
     CHECK(theta({0, 0}, {1, 0}, {0, -1}, {2, 1}) == Approx(std::numbers::pi / 4).epsilon(1e-15));
     CHECK(theta({0, 0}, {0, 1}, {1, 0}, {-1, 2}) == Approx(std::numbers::pi / 4).epsilon(1e-15));
     CHECK(theta({0, 0}, {1, 0}, {-5, -0x1p-40}, {5, 0x1p-40}) == Approx(0x1p-39 / 10).epsilon(1e-12));
-    CHECK(theta({0, 0}, {1, 0}, {3, 3}, {3, 3}) == 0.0);                     // no direction: 0 by convention
+    CHECK(theta({0, 0}, {1, 0}, {3, 3}, {3, 3}) == 0.0);  // no direction: 0 by convention
     CHECK(theta({0, 0}, {0, 0}, {0, 1}, {3, 3}) == 0.0);
     CHECK(theta({0, 0}, {0x1p500, 0}, {0, -0x1p500}, {0, 0x1p500}) == half_turn);
 }

@@ -69,11 +69,11 @@ double quantile(std::vector<double> x, double share) {
 }
 
 void print(const char* what, const Slacks& s) {
-    std::printf("relative slack on uniform %s (median, 99%%): filter %.1e %.1e, interval %.1e %.1e, exact %.1e %.1e, "
-                "|floating| %.1e %.1e\n",
-                what, quantile(s.filter, 0.5), quantile(s.filter, 0.99), quantile(s.interval, 0.5),
-                quantile(s.interval, 0.99), quantile(s.exact, 0.5), quantile(s.exact, 0.99), quantile(s.floating, 0.5),
-                quantile(s.floating, 0.99));
+    std::printf(
+        "relative slack on uniform %s (median, 99%%): filter %.1e %.1e, interval %.1e %.1e, exact %.1e %.1e, "
+        "|floating| %.1e %.1e\n",
+        what, quantile(s.filter, 0.5), quantile(s.filter, 0.99), quantile(s.interval, 0.5), quantile(s.interval, 0.99),
+        quantile(s.exact, 0.5), quantile(s.exact, 0.99), quantile(s.floating, 0.5), quantile(s.floating, 0.99));
 }
 
 }  // namespace

@@ -62,7 +62,8 @@ TEST_CASE("A second look that a refused call cut short leaves nothing behind", "
 
 TEST_CASE("A timestamp refused by filter-each leaves fixed positions and tolerances", "[finds]") {
     holds_everywhere({{}, {{2, 3}, {1, 1}, {4, 3}}, {move_all({{0, 0}, {68, 1000}, {68, 1000}})}});
-    holds_everywhere({{}, {{0, 0}, {9, 0}, {0, 9}, {9, 9}, {4, 5}},
+    holds_everywhere({{},
+                      {{0, 0}, {9, 0}, {0, 9}, {9, 9}, {4, 5}},
                       {settle(), move(4, {4.125, 5}), move_all({{0, 0}, {9, 0}, {0, 9}, {9, 0}, {4, 5}})}});
 }
 

@@ -2,9 +2,9 @@
 // Whole programs of calls on point sets of every family: after each call the audit, CGAL and a rebuild must agree.
 #include "../../fuzz/common/program.h"
 
-#include <catch2/catch.hpp>
 #include <rapidcheck.h>
 #include <support/arbitrary.h>
+#include <catch2/catch.hpp>
 
 using namespace annulus;
 using namespace annulus::oracle;
@@ -76,8 +76,8 @@ Program program_of(Setting setting, Family family, std::uint64_t seed, int most,
 
 void survives(const Setting& setting, int most, int calls) {
     REQUIRE(rc::check([=] {
-        const Family family = annulus::testing::all_families[*rc::gen::inRange<std::size_t>(
-            0, annulus::testing::all_families.size())];
+        const Family family =
+            annulus::testing::all_families[*rc::gen::inRange<std::size_t>(0, annulus::testing::all_families.size())];
         const Program program = program_of(setting, family, *annulus::testing::seeds(), most, calls);
         const std::string fault = run(program);
         if (!fault.empty()) RC_FAIL(fault + "\n" + as_code(program));
@@ -165,8 +165,9 @@ TEST_CASE("Positions exchanged among vertices in one call are no collision", "[r
                 std::swap(swapped[random() % n], swapped[random() % n]);
                 std::vector<Position> shuffled = set.points;
                 for (std::size_t i = n; i > 1; --i) std::swap(shuffled[i - 1], shuffled[random() % i]);
-                const Program program{
-                    setting, set.points, {move_all(rotated), move_all(swapped), move_all(shuffled), move_all(set.points)}};
+                const Program program{setting,
+                                      set.points,
+                                      {move_all(rotated), move_all(swapped), move_all(shuffled), move_all(set.points)}};
                 const std::string fault = run(program);
                 if (!fault.empty()) RC_FAIL(fault + "\n" + as_code(program));
             }));
@@ -183,8 +184,8 @@ TEST_CASE("A few points grow to many and shrink to none", "[relocation]") {
                 Program program{setting, {}, {}};
                 for (const Position& p : set.points) {
                     program.operations.push_back(insert(p));
-                    program.operations.push_back(
-                        move(static_cast<Index>(random() % set.points.size()), set.points[random() % set.points.size()]));
+                    program.operations.push_back(move(static_cast<Index>(random() % set.points.size()),
+                                                      set.points[random() % set.points.size()]));
                 }
                 for (std::size_t i = 0; i < set.points.size(); ++i) {
                     program.operations.push_back(remove(static_cast<Index>(i)));

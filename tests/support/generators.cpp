@@ -59,8 +59,8 @@ int exact_empty_circle(const Point& a, const Point& b, const Point& q, const Poi
         return std::array<mpq_class, 3>{dx, dy, lift};
     };
     const auto i = row(a), j = row(b), k = row(q);
-    const mpq_class inside = i[2] * (j[0] * k[1] - j[1] * k[0]) - j[2] * (i[0] * k[1] - i[1] * k[0]) +
-                             k[2] * (i[0] * j[1] - i[1] * j[0]);
+    const mpq_class inside =
+        i[2] * (j[0] * k[1] - j[1] * k[0]) - j[2] * (i[0] * k[1] - i[1] * k[0]) + k[2] * (i[0] * j[1] - i[1] * j[0]);
     return -sgn(inside);
 }
 
@@ -80,9 +80,7 @@ Point pythagorean(Random& random, int primes) {
     static constexpr std::array<std::pair<int, int>, 7> factors{
         {{2, 1}, {3, 2}, {4, 1}, {5, 2}, {6, 1}, {5, 4}, {7, 2}}};
     std::complex<double> z(1, 0);  // integers below 2^41: exact
-    const auto times = [&z](double x, double y) {
-        z = {z.real() * x - z.imag() * y, z.real() * y + z.imag() * x};
-    };
+    const auto times = [&z](double x, double y) { z = {z.real() * x - z.imag() * y, z.real() * y + z.imag() * x}; };
     for (int i = 0; i < primes; ++i) {
         const auto [x, y] = factors[static_cast<std::size_t>(i)];
         switch (random() % 3) {
@@ -184,7 +182,8 @@ Points distinct_points(Family family, std::size_t n, Random& random) {
             const int circles = integer(random, 1, 3);
             int primes = 2;
             for (std::size_t room = 36; room < 2 * n && primes < 7; room *= 3) ++primes;
-            const Point centre{static_cast<double>(integer(random, -99, 99)), static_cast<double>(integer(random, -99, 99))};
+            const Point centre{static_cast<double>(integer(random, -99, 99)),
+                               static_cast<double>(integer(random, -99, 99))};
             return distinct(n, [&](std::size_t) {
                 const Point p = pythagorean(random, primes);
                 const double k = integer(random, 1, circles);
@@ -364,7 +363,8 @@ std::optional<Bicell> attempt(Bicell_family family, Random& random) {
             const Point centre = random() % 2 == 0 ? Point{0, 0} : uniform_point(random);
             const double first = between(random, 0, 6.28);
             const double arc = std::ldexp(6.28, -integer(random, 0, 8));  // the smaller, the flatter
-            const double off = family == Bicell_family::cocircular_near ? std::ldexp(1.0, -integer(random, 10, 52)) : 0.0;
+            const double off =
+                family == Bicell_family::cocircular_near ? std::ldexp(1.0, -integer(random, 10, 52)) : 0.0;
             return arranged_four(random, [&] {
                 return on_circle(first + arc * unit(random), radius * (1 + off * between(random, -1, 1)), centre);
             });
@@ -442,7 +442,8 @@ std::optional<Bicell> attempt(Bicell_family family, Random& random) {
             if (!c) return c;
             double largest = 0;
             for (const Point* p : c->tuple()) largest = std::max({largest, std::fabs((*p)[0]), std::fabs((*p)[1])});
-            const int magnitude = family == Bicell_family::tiny ? integer(random, -420, -380) : integer(random, 380, 500);
+            const int magnitude =
+                family == Bicell_family::tiny ? integer(random, -420, -380) : integer(random, 380, 500);
             const int exponent = magnitude - std::ilogb(largest) - 1;
             for (Point* p : {&c->a, &c->b, &c->p, &c->q}) scale(*p, exponent);
             return c;
@@ -536,11 +537,13 @@ Triangle triangle(Triangle_family family, Random& random) {
             const Point start = uniform_point(random);
             const auto near_line = [&] {
                 const double t = between(random, -2, 2);
-                return Point{ulp_noise(random, start[0] + t * along[0], 1), ulp_noise(random, start[1] + t * along[1], 1)};
+                return Point{ulp_noise(random, start[0] + t * along[0], 1),
+                             ulp_noise(random, start[1] + t * along[1], 1)};
             };
             return {near_line(), near_line(), near_line()};
         }
-        case Triangle_family::sliver: return flat(sign * std::ldexp(between(random, 1, 2), -integer(random, 10, 52)), 1);
+        case Triangle_family::sliver:
+            return flat(sign * std::ldexp(between(random, 1, 2), -integer(random, 10, 52)), 1);
         case Triangle_family::needle: return flat(sign * unit(random), std::ldexp(1.0, -integer(random, 10, 50)));
         case Triangle_family::tiny:
         case Triangle_family::huge: {
@@ -553,7 +556,8 @@ Triangle triangle(Triangle_family family, Random& random) {
             }
             Triangle t = random() % 2 == 0 ? triangle(Triangle_family::uniform, random)
                                            : triangle(Triangle_family::sliver, random);
-            const int exponent = family == Triangle_family::tiny ? integer(random, -420, -380) : integer(random, 380, 498);
+            const int exponent =
+                family == Triangle_family::tiny ? integer(random, -420, -380) : integer(random, 380, 498);
             for (Point* p : {&t.a, &t.b, &t.c}) scale(*p, exponent);
             return t;
         }

@@ -59,10 +59,19 @@ enum class Family {
     far_offset,          ///< integer spacing, far (2^40) from the origin
     mixture,             ///< parts of two or three of the above
 };
-inline constexpr std::array all_families{
-    Family::uniform,    Family::grid,      Family::noisy_grid,       Family::cocircular_rounded, Family::cocircular_exact,
-    Family::collinear,  Family::nearly_collinear, Family::clustered, Family::tiny,               Family::subnormal,
-    Family::huge,       Family::far_offset, Family::mixture};
+inline constexpr std::array all_families{Family::uniform,
+                                         Family::grid,
+                                         Family::noisy_grid,
+                                         Family::cocircular_rounded,
+                                         Family::cocircular_exact,
+                                         Family::collinear,
+                                         Family::nearly_collinear,
+                                         Family::clustered,
+                                         Family::tiny,
+                                         Family::subnormal,
+                                         Family::huge,
+                                         Family::far_offset,
+                                         Family::mixture};
 [[nodiscard]] std::string_view name_of(Family family);
 
 /// Points of the family, in the coordinate domain and in random order: n distinct ones, or, with `duplicates`, n of
@@ -101,13 +110,14 @@ enum class Bicell_family {
     far_offset,          ///< integer spacing, 2^40 from the origin
     mixed_scales,        ///< every coordinate of another magnitude, anywhere in the domain
 };
-inline constexpr std::array all_bicell_families{
-    Bicell_family::uniform,          Bicell_family::grid,       Bicell_family::noisy_grid,
-    Bicell_family::cocircular_rounded, Bicell_family::cocircular_near, Bicell_family::cocircular_exact,
-    Bicell_family::theta_zero,       Bicell_family::sliver,     Bicell_family::needle,
-    Bicell_family::non_convex,       Bicell_family::nearly_collinear, Bicell_family::tiny,
-    Bicell_family::subnormal,        Bicell_family::huge,       Bicell_family::far_offset,
-    Bicell_family::mixed_scales};
+inline constexpr std::array all_bicell_families{Bicell_family::uniform,          Bicell_family::grid,
+                                                Bicell_family::noisy_grid,       Bicell_family::cocircular_rounded,
+                                                Bicell_family::cocircular_near,  Bicell_family::cocircular_exact,
+                                                Bicell_family::theta_zero,       Bicell_family::sliver,
+                                                Bicell_family::needle,           Bicell_family::non_convex,
+                                                Bicell_family::nearly_collinear, Bicell_family::tiny,
+                                                Bicell_family::subnormal,        Bicell_family::huge,
+                                                Bicell_family::far_offset,       Bicell_family::mixed_scales};
 [[nodiscard]] std::string_view name_of(Bicell_family family);
 
 /// A bi-cell of the family, both triangles positive. About half of them have an empty circle (all in non_convex, none
@@ -142,10 +152,12 @@ enum class Triangle_family {
     far_offset,
     mixed_scales,
 };
-inline constexpr std::array all_triangle_families{
-    Triangle_family::uniform, Triangle_family::grid,       Triangle_family::noisy_grid, Triangle_family::collinear,
-    Triangle_family::nearly_collinear, Triangle_family::sliver, Triangle_family::needle, Triangle_family::tiny,
-    Triangle_family::subnormal, Triangle_family::huge, Triangle_family::far_offset, Triangle_family::mixed_scales};
+inline constexpr std::array all_triangle_families{Triangle_family::uniform,          Triangle_family::grid,
+                                                  Triangle_family::noisy_grid,       Triangle_family::collinear,
+                                                  Triangle_family::nearly_collinear, Triangle_family::sliver,
+                                                  Triangle_family::needle,           Triangle_family::tiny,
+                                                  Triangle_family::subnormal,        Triangle_family::huge,
+                                                  Triangle_family::far_offset,       Triangle_family::mixed_scales};
 [[nodiscard]] std::string_view name_of(Triangle_family family);
 
 /// A triangle of the family, of either orientation or degenerate.

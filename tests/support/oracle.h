@@ -85,7 +85,7 @@ class Bicell_truth {
   private:
     Bicell cell_;
     mpq_class determinant_;
-    mpq_class inner_, outer_;                  // |N|^2, |M|^2
+    mpq_class inner_, outer_;  // |N|^2, |M|^2
     mpq_class inner_radius_2_, outer_radius_2_;
 };
 

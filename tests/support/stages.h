@@ -14,9 +14,9 @@
 #include <string>
 
 /// RC_ASSERT that prints the case as code.
-#define HOLDS(condition, x)                                                                                \
-    do {                                                                                                   \
-        if (!(condition)) RC_FAIL(std::string(#condition) + "\n" + annulus::testing::as_code(x));          \
+#define HOLDS(condition, x)                                                                       \
+    do {                                                                                          \
+        if (!(condition)) RC_FAIL(std::string(#condition) + "\n" + annulus::testing::as_code(x)); \
     } while (false)
 
 namespace annulus::testing {

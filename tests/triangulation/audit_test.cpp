@@ -65,6 +65,7 @@ TEST_CASE("The audit refuses an inverted cell", "[audit]") {
 
 TEST_CASE("The audit refuses a flat cell and one that names a vertex twice", "[audit]") {
     refuses({{{0, 0}, {1, 0}, {2, 0}, {1, 2}}, {{0, 1, 2}, {0, 2, 3}}});
+    CHECK(audit({{{0, 0}, {1, 0}, {2, 0}, {1, 2}}, {{0, 1, 2}, {0, 2, 3}}}).inverted_cells == 1);
     refuses({{{0, 0}, {1, 0}, {0, 1}}, {{0, 0, 1}}});
     refuses({{{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}, {1, 1, 1}}});
 }

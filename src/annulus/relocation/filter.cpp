@@ -7,6 +7,7 @@ namespace annulus {
 
 namespace {
 constexpr double never = std::numeric_limits<double>::infinity();
+constexpr std::size_t settling_price = 3;  // in failures a vertex: 310 and 190 ns when measured, and the terms to come
 }  // namespace
 
 template <int d>
@@ -16,15 +17,18 @@ void Filter<d>::resize() {
     fixed_.resize(n);
     threshold_.resize(n, 0.0);
     list_.resize(n);
+    prediction_.resize(n);
     stamp_.resize(n, 0);
     disturbed_stamp_.resize(n, 0);
     Facet_record no_facet{};
     no_facet.expiry.fill(never);
+    no_facet.until = Prediction<d>::forever;
     no_facet.kind = Facet_kind::border;
     no_facet.point.fill(none);
     facet_record_.resize(at(table_.facet_bound()), no_facet);
     Cell_record no_cell{};
     no_cell.expiry.fill(never);
+    no_cell.until = Prediction<d>::forever;
     cell_record_.resize(at(table_.cell_bound()), no_cell);
 }
 
@@ -32,8 +36,17 @@ template <int d>
 void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
     resize();
     if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
+    prediction_.clear();
+    last_step_.clear();
+    settle_here(report);
+}
+
+/// Every certificate evaluated afresh at the present positions; the prediction stays what it is.
+template <int d>
+void Filter<d>::settle_here(Move_report& report) {
     std::copy(position_.begin(), position_.end(), fixed_.begin());
     std::fill(list_.begin(), list_.end(), Expiry_list{});
+    spent_ = 0;
     if (embedding_.dimension() != d) {
         std::fill(threshold_.begin(), threshold_.end(), 0.0);
         return;
@@ -42,6 +55,7 @@ void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
     repair_.suspect_everything();
     (void)repair_.evaluate();
     failed_.clear();
+    renewals_.clear();
     commit(position_);
     report.evaluated += repair_.report().evaluated;
     report.arithmetic += repair_.report().arithmetic;
@@ -49,8 +63,8 @@ void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
 
 template <int d>
 double Filter<d>::tolerance(Index v) const {
-    const double slack = (list_[at(v)].earliest() - list_[at(v)].base) * (1.0 - 0x1p-50);
-    return std::max(0.0, slack);
+    const Expiry_list& list = list_[at(v)];
+    return std::max(0.0, (list.earliest() - sum_upper(list.base, prediction_.slack())) * (1.0 - 0x1p-50));
 }
 
 template <int d>
@@ -58,6 +72,7 @@ void Filter<d>::place(Index v, const Coordinates<d>& p) {
     resize();
     position_[at(v)] = fixed_[at(v)] = p;
     list_[at(v)].clear();
+    prediction_.anchor(at(v));
 }
 
 template <int d>
@@ -98,24 +113,116 @@ void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
 }
 
 template <int d>
-void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
+void Filter<d>::find_failed(std::span<const Coordinates<d>> x) {
     failed_.clear();
     const Index n = table_.vertex_bound();
+    if (prediction_.active()) {
+        for (Index v = 0; v < n; ++v) {
+            const Coordinates<d> f = prediction_.expected(at(v), fixed_[at(v)]);
+            if (squared_distance<d>(x[at(v)], f) < threshold_[at(v)]) [[likely]]
+                continue;
+            if ((x[at(v)] == f && prediction_.rests(at(v))) || table_.corner_of(v) == none) continue;
+            failed_.push_back(v);
+        }
+        return;
+    }
     for (Index v = 0; v < n; ++v) {
         if (squared_distance<d>(x[at(v)], fixed_[at(v)]) < threshold_[at(v)]) [[likely]]
             continue;
         if (x[at(v)] == fixed_[at(v)] || table_.corner_of(v) == none) continue;
         failed_.push_back(v);
     }
+}
+
+template <int d>
+void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
+    if (prediction_.active()) {
+        bool covered = true;
+        for (std::size_t v = 0; v < x.size(); ++v)
+            covered = covered && (prediction_.covers(x[v]) || table_.corner_of(static_cast<Index>(v)) == none);
+        if (!covered) settle(position_, report);
+    }
+    prediction_.advance();
+    find_failed(x);
     const std::size_t asked = embedding_.vertices();
-    if (!failed_.empty()) {
-        process(x, {}, asked, report);
+    note_displacements(x);
+    if (failed_.empty() && prediction_.due().empty()) {
+        report.moves.asked += asked;
+        report.moves.within_tolerance += asked;
+        embedding_.set_points(x);
+        std::copy(x.begin(), x.end(), position_.begin());
+    } else {
+        try {
+            process(x, {}, asked, report);
+        } catch (...) {
+            prediction_.retreat();
+            last_step_.clear();
+            throw;
+        }
+    }
+    prediction_.forget_due();
+    reconsider(report);
+}
+
+/// When as much was spent on failures as a settling with a prediction would cost, the
+/// displacements of two consecutive steps are compared (rent or buy). A prediction promises to be worth it when a step
+/// resembles the one before and neighbours move alike.
+template <int d>
+void Filter<d>::note_displacements(std::span<const Coordinates<d>> x) {
+    this_step_.clear();
+    if (spent_ < settling_price * x.size()) return;
+    this_step_.resize(x.size());
+    for (std::size_t v = 0; v < x.size(); ++v)
+        if (table_.corner_of(static_cast<Index>(v)) != none)
+            for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k)
+                this_step_[v][k] = x[v][k] - position_[v][k];
+}
+
+/// With a prediction a certificate of tolerance s lasts about s / 2 rho steps, without s / max |u|. True when, over a
+/// sample of facets, the first is at least three times as long.
+template <int d>
+bool Filter<d>::coherent(const std::vector<Coordinates<d>>& velocity) const {
+    const Index bound = table_.facet_bound();
+    const Index stride = 1 + bound / 1024;
+    double relative = 0.0;
+    double absolute = 0.0;
+    for (Index f = 0; f < bound; f += stride) {
+        if (!table_.is_facet(f) || facet_record_[at(f)].kind != Facet_kind::empty_sphere) continue;
+        const auto& point = facet_record_[at(f)].point;
+        double fastest = 0.0;
+        for (const Index v : point) fastest = std::max(fastest, squared_distance<d>(velocity[at(v)], Coordinates<d>{}));
+        absolute += std::sqrt(fastest);
+        relative += Prediction<d>::spread(point, velocity);
+    }
+    return 2.0 * relative < absolute;
+}
+
+template <int d>
+void Filter<d>::reconsider(Move_report& report) {
+    if (this_step_.empty() || spent_ < settling_price * this_step_.size()) {  // also when a rebuild has settled meanwhile
+        last_step_.clear();
         return;
     }
-    report.moves.asked += asked;
-    report.moves.within_tolerance += asked;
-    embedding_.set_points(x);
-    std::copy(x.begin(), x.end(), position_.begin());
+    if (last_step_.size() != this_step_.size()) {
+        std::swap(last_step_, this_step_);
+        return;
+    }
+    double way = 0.0;
+    double change = 0.0;
+    for (std::size_t v = 0; v < this_step_.size(); ++v) {
+        way += squared_distance<d>(this_step_[v], Coordinates<d>{});
+        change += squared_distance<d>(this_step_[v], last_step_[v]);
+    }
+    last_step_.clear();
+    spent_ = 0;
+    // Deviations a quarter of displacements, in the mean.
+    if (change < 0.0625 * way && coherent(this_step_)) {
+        prediction_.adopt(std::move(this_step_), position_);
+        this_step_ = {};
+        settle_here(report);
+    } else if (prediction_.active()) {
+        settle(position_, report);
+    }
 }
 
 template <int d>
@@ -140,7 +247,7 @@ void Filter<d>::look_at(Index id, Index v, double reading, Expiry_list& list, st
         if (r.point[k] != v) continue;
         if (reading < r.expiry[k]) {
             list.put(id, r.expiry[k]);
-        } else if (look_ == Second_look::unequal_moves && second_look(f, x)) {
+        } else if (look_ != Second_look::off && second_look(f, x)) {
             list.put(id, renewals_.back().expiry[k]);
         } else {
             repair_.suspect_facet(f, r.kind, r.point);
@@ -164,13 +271,61 @@ void Filter<d>::tour(Index v, double reading, Expiry_list& list, std::span<const
 template <int d>
 void Filter<d>::find_expired(std::span<const Coordinates<d>> x) {
     failed_list_.clear();
+    if (5 * failed_.size() > 2 * x.size()) {
+        // Most certificates have a failed point: to evaluate all is cheaper than to ask which expired.
+        repair_.suspect_everything();
+        for (const Index v : failed_) {
+            Expiry_list list;
+            list.base = reading(v, x[at(v)]);
+            failed_list_.push_back(list);
+        }
+        return;
+    }
     for (const Index v : failed_) {
         Expiry_list list = list_[at(v)];
-        list.base = sum_upper(list.base, distance_upper<d>(x[at(v)], fixed_[at(v)]));
+        list.base = reading(v, x[at(v)]);
         while (!list.empty() && !(list.base < list.earliest())) look_at(list.pop(), v, list.base, list, x);
         if (!(list.base < list.rest())) tour(v, list.base, list, x);
         failed_list_.push_back(list);
     }
+    for (const Index id : prediction_.due()) {
+        if (id & 1) {
+            const Index c = id >> 1;
+            if (table_.is_cell(c) && cell_record_[at(c)].until + 1 == prediction_.now()) repair_.suspect_cell(c);
+        } else {
+            const Index f = id >> 1;
+            const Facet_record& r = facet_record_[at(f)];
+            if (table_.is_facet(f) && r.until + 1 == prediction_.now()) repair_.suspect_facet(f, r.kind, r.point);
+        }
+    }
+}
+
+/// A cheap proof that facet f's certificate holds at x although a tolerance failed; `renewals_` gets new expiries for
+/// commit(). Not under a prediction, where readings leave a drift out that these proofs would have to count.
+template <int d>
+bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
+    const Facet_record& r = facet_record_[at(f)];
+    if (r.kind != Facet_kind::empty_sphere || !(r.tolerance > 0.0) || prediction_.active()) return false;
+    return look_ == Second_look::unequal_moves ? unequal_moves(f, x)
+           : look_ == Second_look::safe_region ? safe_region(f, x)
+                                               : false;
+}
+
+/// The delimiter kept with the certificate still separates; every point may then move as far as the circle is.
+template <int d>
+bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x) {
+    const Facet_record& r = facet_record_[at(f)];
+    Tuple<d, d + 2> points{};
+    for (std::size_t k = 0; k < r.point.size(); ++k) points[k] = &x[at(r.point[k])];
+    Renewal renewal{f, {}};
+    std::array<double, static_cast<std::size_t>(d + 2)> room{};
+    if (!safe_region_lower(delimiter_[at(f)], points, room)) return false;
+    for (std::size_t k = 0; k < room.size(); ++k) {
+        if (!(room[k] > 0.25 * r.tolerance)) return false;  // too little to live on until the next step
+        renewal.expiry[k] = sum_lower(reading(r.point[k], x[at(r.point[k])]), room[k]);
+    }
+    renewals_.push_back(renewal);
+    return true;
 }
 
 /// Whether facet f's certificate is proved at x by the unequal moves of its two sides (theory 2): the sides travelled
@@ -178,14 +333,13 @@ void Filter<d>::find_expired(std::span<const Coordinates<d>> x) {
 /// new expiries ref + dA + rest / 2 and ref + dB + rest / 2, which commit() writes. A renewed record has tolerance 0:
 /// its next failure is an evaluation.
 template <int d>
-bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
+bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x) {
     const Facet_record& r = facet_record_[at(f)];
-    if (r.kind != Facet_kind::empty_sphere || !(r.tolerance > 0.0)) return false;
     std::array<double, 2> travelled{};
     Renewal renewal{f, {}};
     for (std::size_t k = 0; k < r.point.size(); ++k) {
         const std::size_t w = at(r.point[k]);
-        const double reading = sum_upper(list_[w].base, distance_upper<d>(x[w], fixed_[w]));
+        const double reading = this->reading(r.point[k], x[w]);
         // expiry <= reference + tolerance, so this is at least reading - reference up to rounding, which is added.
         const double expired = r.expiry[k] - r.tolerance;
         const double way = (reading - expired) + (reading + r.tolerance) * 0x1p-50;
@@ -216,6 +370,7 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index
     if (!repair_.evaluate()) outcome = repair_.mend(position_, movers);
     // From here on nothing throws.
     report += repair_.report();
+    spent_ += failed_.size();
     report.renewed += renewals_.size();
     report.tours += tours_;
     count(asked, outcome, report);
@@ -270,22 +425,36 @@ void Filter<d>::anchor(Index v, std::span<const Coordinates<d>> x) {
     if (stamp_[at(v)] == epoch_) return;
     stamp_[at(v)] = epoch_;
     anchored_.push_back(v);
-    if (x[at(v)] == fixed_[at(v)]) return;
-    list_[at(v)].base = sum_upper(list_[at(v)].base, distance_upper<d>(x[at(v)], fixed_[at(v)]));
+    const double now = reading(v, x[at(v)]);
+    if (x[at(v)] == fixed_position(v) && prediction_.rests(at(v))) return;
+    list_[at(v)].base = now;
     fixed_[at(v)] = x[at(v)];
+    prediction_.anchor(at(v));
 }
 
-/// Gives a certificate evaluated at x its expiries and tells its points.
+template <int d>
+void Filter<d>::keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x) {
+    if (at(f) >= delimiter_.size()) delimiter_.resize(facet_record_.size());
+    Tuple<d, d + 2> points{};
+    for (std::size_t k = 0; k < point.size(); ++k) points[k] = &x[at(point[k])];
+    delimiter_[at(f)] = standard_delimiter(points);
+}
+
+/// Gives a certificate evaluated at x its term and expiries and tells its points.
 template <int d>
 template <class S>
-void Filter<d>::commit_points(const S& s, Index id, std::span<double> expiry, std::span<const Coordinates<d>> x) {
+auto Filter<d>::commit_points(const S& s, Index id, std::span<double> expiry, std::span<const Coordinates<d>> x)
+    -> Time {
+    const auto term = prediction_.term(s.point, s.verdict.tolerance);
     for (std::size_t k = 0; k < s.point.size(); ++k) {
         if (s.point[k] == none) continue;
         anchor(s.point[k], x);
         Expiry_list& list = list_[at(s.point[k])];
-        expiry[k] = sum_lower(list.base, s.verdict.tolerance);
+        expiry[k] = sum_lower(list.base, term.tolerance);
         list.put(id, expiry[k]);
     }
+    prediction_.schedule(id, term.until);
+    return term.until;
 }
 
 template <int d>
@@ -299,12 +468,13 @@ void Filter<d>::commit(std::span<const Coordinates<d>> x) {
         anchored_.push_back(v);
         list_[at(v)] = failed_list_[i];
         fixed_[at(v)] = x[at(v)];
+        prediction_.anchor(at(v));
     }
     for (const Index v : repair_.reinserted()) list_[at(v)].clear();
     for (const Renewal& renewal : renewals_) {
         if (!table_.is_facet(renewal.facet)) continue;
         Facet_record& r = facet_record_[at(renewal.facet)];
-        r.tolerance = 0.0;
+        if (look_ == Second_look::unequal_moves) r.tolerance = 0.0;
         r.expiry = renewal.expiry;
         for (std::size_t k = 0; k < r.point.size(); ++k) {
             list_[at(r.point[k])].put(id_of_facet(renewal.facet), r.expiry[k]);
@@ -318,14 +488,17 @@ void Filter<d>::commit(std::span<const Coordinates<d>> x) {
         r.kind = s.kind;
         r.tolerance = s.verdict.tolerance;
         r.expiry.fill(never);
-        if (s.kind != Facet_kind::border) commit_points(s, id_of_facet(s.id), r.expiry, x);
+        r.until = Prediction<d>::forever;
+        if (look_ == Second_look::safe_region && s.kind == Facet_kind::empty_sphere) keep_delimiter(s.id, s.point, x);
+        if (s.kind != Facet_kind::border) r.until = commit_points(s, id_of_facet(s.id), r.expiry, x);
     }
     for (const auto& s : repair_.cells()) {
         if (!repair_.exists(s)) continue;
         Cell_record& r = cell_record_[at(s.id)];
         r.expiry.fill(never);
+        r.until = Prediction<d>::forever;
         if (s.kind != Facet_kind::border && repair_.kind() != Tolerance_kind::paper)
-            commit_points(s, id_of_cell(s.id), r.expiry, x);
+            r.until = commit_points(s, id_of_cell(s.id), r.expiry, x);
     }
     for (const Index v : anchored_) set_threshold(v);
     failed_.clear();

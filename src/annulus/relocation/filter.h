@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/certificate/delimiter.h>
 #include <annulus/relocation/displacement.h>
 #include <annulus/relocation/expiry_list.h>
+#include <annulus/relocation/prediction.h>
 #include <annulus/relocation/repair.h>
 
 #include <limits>
@@ -29,6 +31,9 @@ enum class Second_look : std::uint8_t {
 /// position becomes the moving one, those of its certificates that expired are evaluated at the moving positions, all
 /// their points take their moving positions as fixed ones, and whatever is violated is mended (Repair). Soundness:
 /// docs/theory.md.
+///
+/// When a motion goes on as it did the step before, fixed positions move along with it (Prediction): coherent drift
+/// then wears out no tolerance. Predictions are taken up and dropped as they prove themselves (`reconsider`).
 template <int d>
 class Filter {
   public:
@@ -51,19 +56,25 @@ class Filter {
     void place(Index v, const Coordinates<d>& p);
 
     [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
-    [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const { return fixed_[static_cast<std::size_t>(v)]; }
+    /// Where D is measured from: the fixed position, moved along with the prediction.
+    [[nodiscard]] Coordinates<d> fixed_position(Index v) const {
+        return prediction_.active() ? prediction_.expected(at(v), fixed_[at(v)]) : fixed_[at(v)];
+    }
     /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own.
     [[nodiscard]] double tolerance(Index v) const;
 
   private:
-    struct Facet_record {
+    using Time = typename Prediction<d>::Time;
+    struct alignas(64) Facet_record {  // in 2D one cache line
         std::array<double, static_cast<std::size_t>(d + 2)> expiry;  // by point
         double tolerance;                                            // 0: no second look
         Facet_points<d> point;
+        Time until;
         Facet_kind kind;
     };
     struct Cell_record {
         std::array<double, static_cast<std::size_t>(d + 1)> expiry;  // by slot
+        Time until;
     };
     struct Renewal {
         Index facet;
@@ -75,8 +86,19 @@ class Filter {
     static Index id_of_cell(Index c) { return 2 * c + 1; }
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] bool passes(Index v, const Coordinates<d>& p) const {
-        return squared_distance<d>(p, fixed_[at(v)]) < threshold_[at(v)] || p == fixed_[at(v)];
+        const Coordinates<d> f = fixed_position(v);
+        return squared_distance<d>(p, f) < threshold_[at(v)] || (p == f && prediction_.rests(at(v)));
     }
+    /// Odometer reading of v at x: an upper bound.
+    [[nodiscard]] double reading(Index v, const Coordinates<d>& x) const {
+        return sum_upper(list_[at(v)].base, sum_upper(distance_upper<d>(x, fixed_position(v)), prediction_.slack()));
+    }
+    void find_failed(std::span<const Coordinates<d>> x);
+    /// Decides whether the motion is worth predicting; to be called after each step with the positions before it.
+    void reconsider(Move_report& report);
+    [[nodiscard]] bool coherent(const std::vector<Coordinates<d>>& velocity) const;
+    void note_displacements(std::span<const Coordinates<d>> x);
+    void settle_here(Move_report& report);
     void resize();
     /// Mends after `failed_` is known and commits; x is position_ with the moves made.
     void process(std::span<const Coordinates<d>> x, std::span<const Index> movers, std::size_t asked,
@@ -85,14 +107,18 @@ class Filter {
     void commit(std::span<const Coordinates<d>> x);
     void anchor(Index v, std::span<const Coordinates<d>> x);
     [[nodiscard]] bool second_look(Index f, std::span<const Coordinates<d>> x);
+    [[nodiscard]] bool unequal_moves(Index f, std::span<const Coordinates<d>> x);
+    [[nodiscard]] bool safe_region(Index f, std::span<const Coordinates<d>> x);
+    void keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x);
     /// Looks at one certificate of v: expired at this reading, or else back on the list.
     void look_at(Index id, Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
     void tour(Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
     template <class S>
-    void commit_points(const S& suspect, Index id, std::span<double> expiry, std::span<const Coordinates<d>> x);
+    [[nodiscard]] Time commit_points(const S& suspect, Index id, std::span<double> expiry,
+                                     std::span<const Coordinates<d>> x);
     void set_threshold(Index v) {
         const Expiry_list& list = list_[at(v)];
-        const double slack = list.earliest() - list.base;
+        const double slack = list.earliest() - sum_upper(list.base, prediction_.slack());
         threshold_[at(v)] = squared_threshold_lower(slack * (1.0 - 0x1p-50));
     }
     void count(std::size_t asked, typename Repair<d>::Outcome outcome, Move_report& report);
@@ -101,12 +127,17 @@ class Filter {
     const Cell_table<d>& table_;
     Repair<d> repair_;
     Second_look look_;
+    Prediction<d> prediction_;
+    std::vector<Coordinates<d>> last_step_;  // displacements of the step before, while a prediction is considered
+    std::vector<Coordinates<d>> this_step_;
+    std::uint64_t spent_ = 0;  // failures since the last settling
     std::vector<Coordinates<d>> position_;
     std::vector<Coordinates<d>> fixed_;
     std::vector<double> threshold_;  // by vertex: squared, compared with |moving - fixed|^2
     std::vector<Expiry_list> list_;  // by vertex
     std::vector<Facet_record> facet_record_;
     std::vector<Cell_record> cell_record_;
+    std::vector<Delimiter_2> delimiter_;  // by facet, for the second look that needs it
     // Of one step:
     std::vector<Index> failed_;
     std::vector<Expiry_list> failed_list_;  // of failed_, with base at the new fixed position

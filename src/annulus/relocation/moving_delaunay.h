@@ -124,7 +124,7 @@ class Moving_delaunay {
     [[nodiscard]] bool filters() const { return strategy_ == Strategy::filter; }
     [[nodiscard]] bool filters_each() const { return strategy_ == Strategy::filter_each; }
     [[nodiscard]] std::size_t position_count() const { return positions().size(); }
-    [[nodiscard]] const Coordinates<d>& fixed_coordinates(Index v) const {
+    [[nodiscard]] Coordinates<d> fixed_coordinates(Index v) const {
         return filters()        ? filter_.fixed_position(v)
                : filters_each() ? filter_each_.fixed_position(v)
                                 : plain_[at(v)];
