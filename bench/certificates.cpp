@@ -64,7 +64,7 @@ std::vector<Bicell> bicells(Family family) {
 }
 
 void count(benchmark::State& state, std::size_t a_round) {
-    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * a_round));
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(a_round));
     state.SetLabel(names[static_cast<std::size_t>(state.range(0))]);
 }
 

@@ -7,7 +7,6 @@ namespace annulus {
 
 namespace {
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr std::size_t settling_price = 3;  // in failures a vertex: 310 and 190 ns when measured, and the terms to come
 }  // namespace
 
 template <int d>
@@ -164,67 +163,6 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
     reconsider(report);
 }
 
-/// When as much was spent on failures as a settling with a prediction would cost, the
-/// displacements of two consecutive steps are compared (rent or buy). A prediction promises to be worth it when a step
-/// resembles the one before and neighbours move alike.
-template <int d>
-void Filter<d>::note_displacements(std::span<const Coordinates<d>> x) {
-    this_step_.clear();
-    if (spent_ < settling_price * x.size()) return;
-    this_step_.resize(x.size());
-    for (std::size_t v = 0; v < x.size(); ++v)
-        if (table_.corner_of(static_cast<Index>(v)) != none)
-            for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k)
-                this_step_[v][k] = x[v][k] - position_[v][k];
-}
-
-/// With a prediction a certificate of tolerance s lasts about s / 2 rho steps, without s / max |u|. True when, over a
-/// sample of facets, the first is at least three times as long.
-template <int d>
-bool Filter<d>::coherent(const std::vector<Coordinates<d>>& velocity) const {
-    const Index bound = table_.facet_bound();
-    const Index stride = 1 + bound / 1024;
-    double relative = 0.0;
-    double absolute = 0.0;
-    for (Index f = 0; f < bound; f += stride) {
-        if (!table_.is_facet(f) || facet_record_[at(f)].kind != Facet_kind::empty_sphere) continue;
-        const auto& point = facet_record_[at(f)].point;
-        double fastest = 0.0;
-        for (const Index v : point) fastest = std::max(fastest, squared_distance<d>(velocity[at(v)], Coordinates<d>{}));
-        absolute += std::sqrt(fastest);
-        relative += Prediction<d>::spread(point, velocity);
-    }
-    return 2.0 * relative < absolute;
-}
-
-template <int d>
-void Filter<d>::reconsider(Move_report& report) {
-    if (this_step_.empty() || spent_ < settling_price * this_step_.size()) {  // also when a rebuild has settled meanwhile
-        last_step_.clear();
-        return;
-    }
-    if (last_step_.size() != this_step_.size()) {
-        std::swap(last_step_, this_step_);
-        return;
-    }
-    double way = 0.0;
-    double change = 0.0;
-    for (std::size_t v = 0; v < this_step_.size(); ++v) {
-        way += squared_distance<d>(this_step_[v], Coordinates<d>{});
-        change += squared_distance<d>(this_step_[v], last_step_[v]);
-    }
-    last_step_.clear();
-    spent_ = 0;
-    // Deviations a quarter of displacements, in the mean.
-    if (change < 0.0625 * way && coherent(this_step_)) {
-        prediction_.adopt(std::move(this_step_), position_);
-        this_step_ = {};
-        settle_here(report);
-    } else if (prediction_.active()) {
-        settle(position_, report);
-    }
-}
-
 template <int d>
 void Filter<d>::look_at(Index id, Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x) {
     if (id & 1) {
@@ -300,64 +238,6 @@ void Filter<d>::find_expired(std::span<const Coordinates<d>> x) {
     }
 }
 
-/// A cheap proof that facet f's certificate holds at x although a tolerance failed; `renewals_` gets new expiries for
-/// commit(). Not under a prediction, where readings leave a drift out that these proofs would have to count.
-template <int d>
-bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
-    const Facet_record& r = facet_record_[at(f)];
-    if (r.kind != Facet_kind::empty_sphere || !(r.tolerance > 0.0) || prediction_.active()) return false;
-    return look_ == Second_look::unequal_moves ? unequal_moves(f, x)
-           : look_ == Second_look::safe_region ? safe_region(f, x)
-                                               : false;
-}
-
-/// The delimiter kept with the certificate still separates; every point may then move as far as the circle is.
-template <int d>
-bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x) {
-    const Facet_record& r = facet_record_[at(f)];
-    Tuple<d, d + 2> points{};
-    for (std::size_t k = 0; k < r.point.size(); ++k) points[k] = &x[at(r.point[k])];
-    Renewal renewal{f, {}};
-    std::array<double, static_cast<std::size_t>(d + 2)> room{};
-    if (!safe_region_lower(delimiter_[at(f)], points, room)) return false;
-    for (std::size_t k = 0; k < room.size(); ++k) {
-        if (!(room[k] > 0.25 * r.tolerance)) return false;  // too little to live on until the next step
-        renewal.expiry[k] = sum_lower(reading(r.point[k], x[at(r.point[k])]), room[k]);
-    }
-    renewals_.push_back(renewal);
-    return true;
-}
-
-/// Whether facet f's certificate is proved at x by the unequal moves of its two sides (theory 2): the sides travelled
-/// dA and dB since the reference at most, and dA + dB < width. What is left of the width is shared: `renewals_` gets
-/// new expiries ref + dA + rest / 2 and ref + dB + rest / 2, which commit() writes. A renewed record has tolerance 0:
-/// its next failure is an evaluation.
-template <int d>
-bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x) {
-    const Facet_record& r = facet_record_[at(f)];
-    std::array<double, 2> travelled{};
-    Renewal renewal{f, {}};
-    for (std::size_t k = 0; k < r.point.size(); ++k) {
-        const std::size_t w = at(r.point[k]);
-        const double reading = this->reading(r.point[k], x[w]);
-        // expiry <= reference + tolerance, so this is at least reading - reference up to rounding, which is added.
-        const double expired = r.expiry[k] - r.tolerance;
-        const double way = (reading - expired) + (reading + r.tolerance) * 0x1p-50;
-        double& side = travelled[k < static_cast<std::size_t>(d) ? 0 : 1];
-        side = std::max(side, way);
-    }
-    const double rest = 2.0 * r.tolerance - (travelled[0] + travelled[1]) * (1.0 + 0x1p-50);
-    if (!(rest > 0.25 * r.tolerance)) return false;  // too little to live on until the next step
-    for (std::size_t k = 0; k < r.point.size(); ++k) {
-        const double side = travelled[k < static_cast<std::size_t>(d) ? 0 : 1];
-        const double reference = r.expiry[k] - r.tolerance;  // rounded: at most one unit above the reference
-        const double expiry = reference + (side + 0.5 * rest);
-        renewal.expiry[k] = expiry - expiry * 0x1p-50;
-    }
-    renewals_.push_back(renewal);
-    return true;
-}
-
 template <int d>
 void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index> movers, std::size_t asked,
                         Move_report& report) {
@@ -430,14 +310,6 @@ void Filter<d>::anchor(Index v, std::span<const Coordinates<d>> x) {
     list_[at(v)].base = now;
     fixed_[at(v)] = x[at(v)];
     prediction_.anchor(at(v));
-}
-
-template <int d>
-void Filter<d>::keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x) {
-    if (at(f) >= delimiter_.size()) delimiter_.resize(facet_record_.size());
-    Tuple<d, d + 2> points{};
-    for (std::size_t k = 0; k < point.size(); ++k) points[k] = &x[at(point[k])];
-    delimiter_[at(f)] = standard_delimiter(points);
 }
 
 /// Gives a certificate evaluated at x its term and expiries and tells its points.

@@ -2,26 +2,14 @@
 #include <annulus/relocation/repair.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/arithmetic/rounding_guard.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace annulus {
 
 namespace {
 
-constexpr double no_limit = std::numeric_limits<double>::infinity();
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-template <int d, std::size_t k, std::size_t n>
-Tuple<d, static_cast<int>(k)> tuple(const std::array<Index, n>& point, std::span<const Coordinates<d>> x)
-    requires(k <= n)
-{
-    Tuple<d, static_cast<int>(k)> t{};
-    for (std::size_t i = 0; i < k; ++i) t[i] = &x[at(point[i])];
-    return t;
-}
 
 }  // namespace
 
@@ -117,132 +105,6 @@ void Repair<d>::suspect_cell(Index c) {
     s.kind = t.is_infinite(c) ? Facet_kind::border : Facet_kind::empty_sphere;
     s.point = cell_points(t, c);
     s.stale = true;
-}
-
-template <int d>
-bool Repair<d>::filter(Facet_suspect& s) const {
-    if (s.kind == Facet_kind::empty_sphere)
-        return empty_sphere_filter(tuple<d, d + 2>(s.point, x_), certified(), s.verdict);
-    if (s.kind != Facet_kind::border) {
-        if (!orientation_filter(tuple<d, d + 1>(s.point, x_), certified(), s.verdict)) return false;
-        if (kind_ == Tolerance_kind::paper && s.verdict.sign > 0)
-            s.verdict.tolerance = paper_slab(tuple<d, d + 1>(s.point, x_));
-        return true;
-    }
-    s.verdict = {no_limit, 1, Stage::filter};
-    return true;
-}
-
-template <int d>
-bool Repair<d>::filter(Cell_suspect& s) const {
-    if (s.kind != Facet_kind::border) return orientation_filter(tuple<d, d + 1>(s.point, x_), certified(), s.verdict);
-    s.verdict = {no_limit, 1, Stage::filter};
-    return true;
-}
-
-template <int d>
-bool Repair<d>::interval(Facet_suspect& s) const {
-    return s.kind == Facet_kind::empty_sphere ? empty_sphere_interval(tuple<d, d + 2>(s.point, x_), s.verdict)
-                                              : orientation_interval(tuple<d, d + 1>(s.point, x_), s.verdict);
-}
-
-template <int d>
-bool Repair<d>::interval(Cell_suspect& s) const {
-    return orientation_interval(tuple<d, d + 1>(s.point, x_), s.verdict);
-}
-
-template <int d>
-void Repair<d>::exact(Facet_suspect& s) const {
-    s.verdict = s.kind == Facet_kind::empty_sphere ? empty_sphere_exact(tuple<d, d + 2>(s.point, x_))
-                                                   : orientation_exact(tuple<d, d + 1>(s.point, x_));
-}
-
-template <int d>
-void Repair<d>::exact(Cell_suspect& s) const {
-    s.verdict = orientation_exact(tuple<d, d + 1>(s.point, x_));
-}
-
-template <int d>
-template <class S>
-void Repair<d>::evaluate_stale(std::vector<S>& suspects) {
-    unresolved_.clear();
-    for (std::size_t i = 0; i < suspects.size(); ++i) {
-        S& s = suspects[i];
-        if (!s.stale || !exists(s)) continue;
-        s.stale = false;
-        if (s.kind != Facet_kind::border) ++report_.evaluated;
-        if (!filter(s)) {
-            unresolved_.push_back(static_cast<Index>(i));
-        } else if (s.kind != Facet_kind::border) {
-            ++report_.arithmetic.filter;
-        }
-    }
-    if (unresolved_.empty()) return;
-    std::size_t open = 0;
-    {
-        const Rounding_guard guard(FE_UPWARD);  // one for the batch
-        for (const Index i : unresolved_)
-            if (!interval(suspects[at(i)])) unresolved_[open++] = i;
-    }
-    report_.arithmetic.interval += unresolved_.size() - open;
-    report_.arithmetic.exact += open;
-    for (std::size_t i = 0; i < open; ++i) exact(suspects[at(unresolved_[i])]);
-}
-
-template <int d>
-template <class S>
-void Repair<d>::decide(S& s) {
-    if (!s.stale) return;
-    s.stale = false;
-    ++report_.evaluated;
-    if (filter(s)) {
-        ++report_.arithmetic.filter;
-        return;
-    }
-    bool answered = false;
-    {
-        const Rounding_guard guard(FE_UPWARD);
-        answered = interval(s);
-    }
-    if (!answered) exact(s);
-    report_.arithmetic.count(answered ? Stage::interval : Stage::exact);
-}
-
-template <int d>
-const typename Repair<d>::Facet_suspect& Repair<d>::examine_facet(Index f) {
-    if (at(f) >= place_of_facet_.size() || place_of_facet_[at(f)] == 0) suspect_facet(f);
-    Facet_suspect& s = facets_[at(place_of_facet_[at(f)] - 1)];
-    decide(s);
-    return s;
-}
-
-template <int d>
-const typename Repair<d>::Cell_suspect& Repair<d>::examine_cell(Index c) {
-    if (at(c) >= place_of_cell_.size() || place_of_cell_[at(c)] == 0) suspect_cell(c);
-    Cell_suspect& s = cells_[at(place_of_cell_[at(c)] - 1)];
-    decide(s);
-    return s;
-}
-
-template <int d>
-bool Repair<d>::violated(const Facet_suspect& s) const {
-    if (s.kind == Facet_kind::border) return false;
-    if (s.kind == Facet_kind::slab) return s.verdict.sign <= 0;
-    if (s.kind == Facet_kind::ridge) return s.verdict.sign < 0;  // collinear hull vertices are convex enough
-    if (s.verdict.sign != 0) return s.verdict.sign < 0;
-    return perturbed_empty_circle_sign(tuple<d, d + 2>(s.point, x_)) < 0;
-}
-
-template <int d>
-bool Repair<d>::evaluate() {
-    evaluate_stale(facets_);
-    evaluate_stale(cells_);
-    // The perturbation needs positive cells; where a cell is inverted the answer is no anyway.
-    const bool cells_hold =
-        !has_cells() ||
-        std::none_of(cells_.begin(), cells_.end(), [this](const auto& s) { return exists(s) && violated(s); });
-    return cells_hold &&
-           std::none_of(facets_.begin(), facets_.end(), [this](const auto& s) { return exists(s) && violated(s); });
 }
 
 template <int d>
