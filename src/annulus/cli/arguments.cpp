@@ -9,7 +9,7 @@ void add_common(CLI::App& app, Common_arguments& a) {
     app.add_option("-o,--output", a.output, "Write summary.json, report.html and the other files to this directory")
         ->type_name("DIR");
     app.add_option("--seed", a.seed, "Seed of everything random")->capture_default_str();
-    app.add_option("--threads", a.threads, "Threads for motion and audits; results do not depend on it")
+    app.add_option("--threads", a.threads, "Threads for the motion; results do not depend on it")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     app.add_flag("-q,--quiet", a.quiet, "No progress and no summary, only errors");

@@ -93,6 +93,7 @@ template <int d>
 void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     failed_.clear();
     const std::array<Index, 1> movers{v};
+    if (!covers(p)) settle(position_, report);  // so far out that nobody can be there: this call will not fail
     if (passes(v, p)) {
         position_[at(v)] = p;
         embedding_.set_point(v, p);

@@ -52,6 +52,8 @@ class Filter {
     /// To be called after cells were replaced by other hands (insertion, removal) at the present positions: evaluates
     /// the certificates of these cells.
     void refresh(std::span<const Index> cells, Move_report& report);
+    /// False when p is so far out that the rounding of predicted positions is not bounded there: settle after placing.
+    [[nodiscard]] bool covers(const Coordinates<d>& p) const { return !prediction_.active() || prediction_.covers(p); }
     /// The vertex takes position p as moving and fixed position; it was not in the triangulation.
     void place(Index v, const Coordinates<d>& p);
 

@@ -269,7 +269,7 @@ typename Moving_delaunay<Cgal>::Vertex_handle Moving_delaunay<Cgal>::insert(cons
         plain_[at(i)] = x;
     } else {
         filters() ? filter_.place(i, x) : filter_each_.place(i, x);
-        if (before != d) {
+        if (before != d || (filters() && !filter_.covers(x))) {
             report += settle();
         } else {
             filters() ? filter_.refresh(changed, report) : filter_each_.refresh(changed, report);
