@@ -19,8 +19,8 @@ class Decoder {
     [[nodiscard]] Program program() {
         Program program;
         const std::uint8_t head = byte();
-        if ((head & 15) < 8) {
-            program.setting = certified_settings[head & 7];
+        if ((head & 15) < certified_settings.size()) {
+            program.setting = certified_settings[head & 15];
         } else {
             program.setting.strategy = (head & 1) != 0 ? Strategy::filter : Strategy::filter_each;
             program.setting.tolerance = (head & 2) != 0 ? Tolerance_kind::paper : Tolerance_kind::floating;

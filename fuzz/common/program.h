@@ -22,12 +22,13 @@ struct Setting {
     Tolerance_kind tolerance = Tolerance_kind::certified;
 };
 
-inline constexpr std::array<Setting, 8> certified_settings{{{Strategy::rebuild},
+inline constexpr std::array<Setting, 9> certified_settings{{{Strategy::rebuild},
                                                             {Strategy::relocate},
                                                             {Strategy::relocate_flips},
                                                             {Strategy::in_place},
                                                             {Strategy::filter},
                                                             {Strategy::filter, Second_look::unequal_moves},
+                                                            {Strategy::filter, Second_look::safe_region},
                                                             {Strategy::filter_each},
                                                             {Strategy::hybrid}}};
 
@@ -65,6 +66,9 @@ struct Program {
     }
     return text.data();
 }
+[[nodiscard]] inline std::string name_as_code(Second_look look) {
+    return look == Second_look::off ? "off" : look == Second_look::unequal_moves ? "unequal_moves" : "safe_region";
+}
 [[nodiscard]] inline std::string points_as_code(const std::vector<Position>& points) {
     std::string s;
     for (const auto& p : points)
@@ -81,7 +85,7 @@ struct Program {
     };
     std::ostringstream out;
     out << "const Program program{{Strategy::" << identifier(name_of(program.setting.strategy))
-        << ", Second_look::" << (program.setting.second_look == Second_look::off ? "off" : "unequal_moves")
+        << ", Second_look::" << name_as_code(program.setting.second_look)
         << ", Tolerance_kind::" << name_of(program.setting.tolerance) << "},\n    {" << points_as_code(program.points)
         << "},\n    {";
     for (std::size_t i = 0; i < program.operations.size(); ++i) {

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The geometry of a certificate in the plane: docs/theory.md, sections 3, 4 and 7. Standard library only.
+(* The geometry of a certificate in the plane: docs/theory.md, sections 2 and 4. Standard library only.
 
    - flat_triangle_has_a_middle  three points on a line: some line-and-side condition on one of them must fail
    - pointwise_2          the pointwise lemma: positive triangles and one circle around a, b that leaves p, q outside

@@ -60,6 +60,26 @@ TEST_CASE("A second look that a refused call cut short leaves nothing behind", "
                        move_all({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}}), move(3, {3, 5}), settle()}});
 }
 
+TEST_CASE("A safe region renewed for a vertex that is off its fixed position is measured from where it is", "[finds]") {
+    holds_everywhere({{},
+                      {{-0x1.c0675cffdccap-1, -0x1.e0daa8280e75p-4},
+                       {-0x1.0cc3c948876ccp-2, -0x1.073ac5dd85bd4p-1},
+                       {0x1.e3372432fb666p-1, 0x1.6a5fca153768ep-1},
+                       {-0x1.25015be003f4ap-1, -0x1.940e1191c4ff4p-2}},
+                      {move_all({{-0x1.c0306a74c8274p-1, -0x1.df99ed05adab8p-4},
+                                 {-0x1.0ca7b6e1109fp-2, -0x1.06f837db39bf7p-1},
+                                 {0x1.e3372432fb666p-1, 0x1.6a5fca153768ep-1},
+                                 {-0x1.25015be003f4ap-1, -0x1.940e1191c4ff4p-2}}),
+                       move_all({{-0x1.c0306a74c8274p-1, -0x1.df99ed05adab8p-4},
+                                 {-0x1.0ca6de8bf89p-2, -0x1.06f636f603762p-1},
+                                 {0x1.e3372432fb666p-1, 0x1.6a5fca153768ep-1},
+                                 {-0x1.25015be003f4ap-1, -0x1.940e1191c4ff4p-2}}),
+                       move_all({{-0x1.c10c311c0e088p-1, -0x1.e49cd0e218a96p-4},
+                                 {-0x1.0cdfd9c505665p-2, -0x1.077d523e4d986p-1},
+                                 {0x1.e2f4c84b469b9p-1, 0x1.6a50db010e2a2p-1},
+                                 {-0x1.24deb1945c4dap-1, -0x1.939906249ef6ap-2}})}});
+}
+
 TEST_CASE("A timestamp refused by filter-each leaves fixed positions and tolerances", "[finds]") {
     holds_everywhere({{}, {{2, 3}, {1, 1}, {4, 3}}, {move_all({{0, 0}, {68, 1000}, {68, 1000}})}});
     holds_everywhere({{},

@@ -85,7 +85,7 @@ void survives(const Setting& setting, int most, int calls) {
 }
 
 std::string title(const Setting& s) {
-    return std::string(name_of(s.strategy)) + (s.second_look == Second_look::off ? "" : ", second look");
+    return std::string(name_of(s.strategy)) + ", second look " + name_as_code(s.second_look);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ Options options_of(const Setting& s) {
 }
 
 std::string title(const Setting& s) {
-    return std::string(name_of(s.strategy)) + (s.second_look == Second_look::off ? "" : ", second look");
+    return std::string(name_of(s.strategy)) + ", second look " + name_as_code(s.second_look);
 }
 
 /// A fault of the session as a failed assertion.
@@ -97,6 +97,7 @@ std::vector<Position> worst_targets(const Moving_delaunay_2& dt) {
 constexpr Setting filter{Strategy::filter};
 constexpr Setting filter_each{Strategy::filter_each};
 constexpr Setting filter_look{Strategy::filter, Second_look::unequal_moves};
+constexpr Setting filter_region{Strategy::filter, Second_look::safe_region};
 
 /// sum of D^2 must be a normal number for the comparison of squares to be exact enough to promise anything.
 bool squares_underflow(Family family) {
@@ -126,7 +127,7 @@ TEST_CASE("A settled tolerance is never above the exact one and within 0.2 % of 
 
 TEST_CASE("A tolerance after a drift is never above what is left of the exact one", "[tolerance]") {
     // All vertices rest but one: it may go tolerance() from its fixed position, in the direction that hurts most.
-    for (const Setting& setting : {filter, filter_look, filter_each}) {
+    for (const Setting& setting : {filter, filter_look, filter_region, filter_each}) {
         DYNAMIC_SECTION(title(setting)) {
             REQUIRE(rc::check([setting] {
                 const auto set = *point_set_case(4, 25);
@@ -156,7 +157,7 @@ TEST_CASE("A tolerance after a drift is never above what is left of the exact on
 TEST_CASE("The most harmful moves, just inside and just outside the tolerances, leave nothing wrong", "[tolerance]") {
     // Few points, so that the certificate that decides one vertex decides its neighbours too. The scale is one where
     // squares of tolerances are subnormal.
-    for (const Setting& setting : {filter, filter_look, filter_each}) {
+    for (const Setting& setting : {filter, filter_look, filter_region, filter_each}) {
         DYNAMIC_SECTION(title(setting)) {
             REQUIRE(rc::check([setting] {
                 Random random(*annulus::testing::seeds());
@@ -193,7 +194,7 @@ TEST_CASE("The most harmful moves, just inside and just outside the tolerances, 
 }
 
 TEST_CASE("Moves of 0.9999 tolerances, all at once, evaluate nothing and keep the triangulation", "[tolerance]") {
-    for (const Setting& setting : {filter, filter_look, filter_each}) {
+    for (const Setting& setting : {filter, filter_look, filter_region, filter_each}) {
         DYNAMIC_SECTION(title(setting)) {
             REQUIRE(rc::check([setting] {
                 const auto set = *point_set_case(3, 30);
@@ -223,7 +224,7 @@ TEST_CASE("Moves of 0.9999 tolerances, all at once, evaluate nothing and keep th
 }
 
 TEST_CASE("Whenever a drifting call reports all within tolerance the audit passes", "[tolerance]") {
-    for (const Setting& setting : {filter, filter_look, filter_each}) {
+    for (const Setting& setting : {filter, filter_look, filter_region, filter_each}) {
         DYNAMIC_SECTION(title(setting)) {
             REQUIRE(rc::check([setting] {
                 const auto set = *point_set_case(4, 25);
@@ -245,6 +246,51 @@ TEST_CASE("Whenever a drifting call reports all within tolerance the audit passe
                         x = y;
                         session.apply(move_all(x));
                         session.check();
+                    }
+                });
+            }));
+        }
+    }
+}
+
+TEST_CASE("Steady motion that breaks off never leaves a wrong triangulation", "[tolerance]") {
+    // Constant velocities are what a filter may learn to expect; then some vertices turn, stop or go home.
+    for (const Setting& setting : {filter, filter_look, filter_region, filter_each}) {
+        DYNAMIC_SECTION(title(setting)) {
+            REQUIRE(rc::check([setting] {
+                const auto set = *point_set_case(4, 60);
+                RC_PRE(set.family != Family::huge && set.family != Family::mixture);
+                without_fault([&] {
+                    Session session(Program{setting, set.points, {}});
+                    Random random(set.seed + 1);
+                    const std::size_t n = set.points.size();
+                    std::vector<Position> x = set.points;
+                    std::vector<Position> velocity(n);
+                    const double pace = std::ldexp(1.0, -static_cast<int>(random() % 14));
+                    const Position common = set.points[random() % n];
+                    for (std::size_t i = 0; i < n; ++i)
+                        for (std::size_t c = 0; c < 2; ++c)
+                            velocity[i][c] =
+                                pace * (random() % 2 == 0 ? common[c] / 64 : 0.0) +
+                                pace * session.dt().tolerance(session.dt().vertex(i)) * between(random, -1.0, 1.0);
+                    for (int step = 0; step < 30; ++step) {
+                        std::vector<Position> y = x;
+                        for (std::size_t i = 0; i < n; ++i)
+                            for (std::size_t c = 0; c < 2; ++c) y[i][c] += velocity[i][c];
+                        if (random() % 8 == 0) y[random() % n] = x[random() % n];
+                        if (random() % 8 == 0) y[random() % n] = set.points[random() % n];
+                        if (random() % 8 == 0) velocity[random() % n] = {0, 0};
+                        if (random() % 8 == 0)
+                            for (double& c : velocity[random() % n]) c = -c;
+                        if (std::set<Position>(y.begin(), y.end()).size() < n) continue;
+                        x = y;
+                        session.apply(move_all(x));
+                        session.check();
+                        if (random() % 12 == 0) {
+                            const std::size_t i = random() % n;
+                            session.apply(move(static_cast<Index>(i), set.points[i]));
+                            x[i] = *session.sites()[i];
+                        }
                     }
                 });
             }));

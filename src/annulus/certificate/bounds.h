@@ -6,19 +6,20 @@ namespace annulus::bounds {
 /// Unit roundoff of double, u = 2^-53: a rounded operation is off by at most u relative to its result.
 inline constexpr double u = 0x1p-53;
 
-// Forward errors of the filter stage, in units of u, when every computed difference of coordinates is at most 1 in
-// magnitude. A determinant of degree k over differences of magnitude at most m has k-th power scaling, so the absolute
-// bounds are these constants times u m^k. proofs/gappa/certificates_2.g proves each line (goals rounded up by one
-// unit), for exactly the order of operations in width_terms.h.
+// Forward errors of the filter stage in units of u, when every computed difference of coordinates is at most 1 in
+// magnitude. They hold for any other magnitude m as the constant times u m^k, k the degree of the determinant, because
+// the proofs use nothing of an operation but its relative error: a bound proved for the unit box in binary64 as such
+// would hold for powers of two only (an ulp below 1 is half of one above; orientation reaches 8 u m^2 at m = 1 + 2^-22).
+// proofs/gappa/certificates_2.g proves each line for exactly the order of operations in width_terms.h.
 
-inline constexpr double orientation_2 = 7.0;       ///< orientation_terms: determinant, degree 2
-inline constexpr double annulus_2_incircle = 121.0;  ///< annulus_terms: determinant, degree 4
-inline constexpr double annulus_2_inner = 65.0;      ///< annulus_terms: each coordinate of N, degree 3
-inline constexpr double annulus_2_outer = 121.0;     ///< annulus_terms: each coordinate of M, degree 3
+inline constexpr double orientation_2 = 9.0;       ///< orientation_terms: determinant, degree 2
+inline constexpr double annulus_2_incircle = 177.0;  ///< annulus_terms: determinant, degree 4
+inline constexpr double annulus_2_inner = 69.0;      ///< annulus_terms: each coordinate of N, degree 3
+inline constexpr double annulus_2_outer = 123.0;     ///< annulus_terms: each coordinate of M, degree 3
 
-/// |M~| + |N~| falls short of |M| + |N| by at most sqrt(2) (65 + 121) u m^3 for the vectors themselves; rounding of the
+/// |M~| + |N~| falls short of |M| + |N| by at most sqrt(2) (69 + 123) u m^3 < 272 u m^3 for the vectors themselves; rounding of the
 /// squares, roots and sum is relative and is in `tail`.
-inline constexpr double annulus_2_norms = 264.0;
+inline constexpr double annulus_2_norms = 273.0;
 
 /// Relative error of the tail: two squares and a sum (2u), square root (u/2 of that plus u), sum of the roots (u),
 /// quotient (u), and the few operations on the bounds themselves (6u); 16u is above the total to first order with room

@@ -79,7 +79,7 @@ void Filter<d>::refresh(std::span<const Index> cells, Move_report& report) {
     resize();
     repair_.begin(position_);
     for (const Index c : cells) {
-        if (repair_.kind() != Tolerance_kind::paper) repair_.suspect_cell(c);
+        repair_.suspect_cell(c);
         for (int i = 0; i <= d; ++i) repair_.suspect_facet(table_.facet(table_.corner(c, i)));
     }
     (void)repair_.evaluate();

@@ -38,7 +38,8 @@ template <int d>
 class Filter {
   public:
     Filter(Embedding<d>& embedding, Tolerance_kind kind, Second_look look)
-        : embedding_(embedding), table_(embedding.table()), repair_(embedding, kind), look_(look) {}
+        : embedding_(embedding), table_(embedding.table()), repair_(embedding, kind, kind == Tolerance_kind::certified),
+          look_(look) {}
 
     /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh.
     /// O(n).

@@ -48,6 +48,16 @@ void Filter_each<d>::place(Index v, const Coordinates<d>& p) {
 }
 
 template <int d>
+void Filter_each<d>::restore(const Snapshot& s) {
+    position_ = s.position;
+    fixed_ = s.fixed;
+    epsilon_ = s.epsilon;
+    threshold_ = s.threshold;
+    queue_.clear();
+    std::fill(queued_.begin(), queued_.end(), char{0});
+}
+
+template <int d>
 void Filter_each<d>::lower(Index v, double tolerance) {
     if (!(tolerance < epsilon_[at(v)])) return;
     epsilon_[at(v)] = tolerance;
@@ -83,7 +93,7 @@ void Filter_each<d>::refresh(std::span<const Index> cells, Move_report& report) 
     resize();
     repair_.begin(site());
     for (const Index c : cells) {
-        if (repair_.kind() != Tolerance_kind::paper) repair_.suspect_cell(c);
+        repair_.suspect_cell(c);
         for (int i = 0; i <= d; ++i) repair_.suspect_facet(t.facet(t.corner(c, i)));
     }
     (void)repair_.evaluate();

@@ -26,13 +26,23 @@ template <int d>
 class Filter_each {
   public:
     Filter_each(Embedding<d>& embedding, Tolerance_kind kind)
-        : embedding_(embedding), repair_(embedding, kind), at_fixed_(kind != Tolerance_kind::certified) {}
+        : embedding_(embedding), repair_(embedding, kind, true), at_fixed_(kind != Tolerance_kind::certified) {}
 
     /// As in Filter.
     void settle(std::span<const Coordinates<d>> x, Move_report& report);
     void move(Index v, const Coordinates<d>& p, Move_report& report);
     void refresh(std::span<const Index> cells, Move_report& report);
     void place(Index v, const Coordinates<d>& p);
+
+    /// The state of every vertex, to be put back with the triangulation it belongs to.
+    struct Snapshot {
+        std::vector<Coordinates<d>> position, fixed;
+        std::vector<double> epsilon, threshold;
+    };
+    [[nodiscard]] Snapshot save() const { return {position_, fixed_, epsilon_, threshold_}; }
+    void restore(const Snapshot& s);
+    /// Where CGAL's object is Delaunay.
+    [[nodiscard]] const std::vector<Coordinates<d>>& sites() const { return at_fixed_ ? fixed_ : position_; }
 
     [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
     [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const { return fixed_[at(v)]; }

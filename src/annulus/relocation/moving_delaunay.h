@@ -135,6 +135,8 @@ class Moving_delaunay {
     void rebuild_all(std::span<const Coordinates<d>> x, Move_report& report);
     void move_plain(Index i, const Coordinates<d>& p, Move_report& report);
     void move_each(std::span<const Coordinates<d>> x, Move_report& report);
+    void try_move_each(std::span<const Coordinates<d>> x, Move_report& report);
+    void make_trusted(Move_report& report);
     void consider_switch(std::span<const Coordinates<d>> x);
     [[nodiscard]] double star_tolerance(Index i) const;
     void list_changes(Move_report& report, std::span<const Index> cells) const;

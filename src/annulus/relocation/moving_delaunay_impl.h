@@ -73,12 +73,12 @@ void Moving_delaunay<Cgal>::settle_into(Move_report& report) {
 template <class Cgal>
 Move_report Moving_delaunay<Cgal>::settle() {
     Move_report report;
-    if (filters()) filter_.settle(filter_.positions(), report);
-    if (filters_each()) {
-        // At fixed positions the triangulation must be brought to the moving ones first.
-        if (options_.tolerance != Tolerance_kind::certified) embedding_.rebuild(filter_each_.positions());
-        filter_each_.settle(filter_each_.positions(), report);
+    if (options_.tolerance != Tolerance_kind::certified) {
+        make_trusted(report);
+        return report;
     }
+    if (filters()) filter_.settle(filter_.positions(), report);
+    if (filters_each()) filter_each_.settle(filter_each_.positions(), report);
     return report;
 }
 
@@ -153,8 +153,7 @@ Move_report Moving_delaunay<Cgal>::move(Index i, const Coordinates<d>& p) {
 /// A timestamp under a strategy that moves one vertex at a time. A position that another vertex has yet to leave is
 /// no collision of the timestamp: such vertices are moved last, and when that does not help (a cycle) all is rebuilt.
 template <class Cgal>
-void Moving_delaunay<Cgal>::move_each(std::span<const Coordinates<d>> x, Move_report& report) {
-    const std::vector<Coordinates<d>> old(positions().begin(), positions().end());
+void Moving_delaunay<Cgal>::try_move_each(std::span<const Coordinates<d>> x, Move_report& report) {
     std::vector<Index> waiting;
     for (Index i = 0; at(i) < x.size(); ++i)
         if (embedding_.handle(i) != Vertex_handle()) waiting.push_back(i);
@@ -162,18 +161,14 @@ void Moving_delaunay<Cgal>::move_each(std::span<const Coordinates<d>> x, Move_re
     for (bool progress = true; progress && !waiting.empty();) {
         refused.clear();
         for (const Index i : waiting) {
+            if (filters_each() && embedding_.dimension() != d) {
+                // Single moves of a flat set are rebuilds: do them all at once.
+                report.moves = {};
+                rebuild_all(x, report);
+                return;
+            }
             try {
-                if (filters_each()) {
-                    if (embedding_.dimension() != d) {
-                        // Single moves of a flat set are rebuilds: do them all at once.
-                        report.moves = {};
-                        rebuild_all(x, report);
-                        return;
-                    }
-                    filter_each_.move(i, x[at(i)], report);
-                } else {
-                    move_plain(i, x[at(i)], report);
-                }
+                filters_each() ? filter_each_.move(i, x[at(i)], report) : move_plain(i, x[at(i)], report);
             } catch (const Error& e) {
                 if (e.code() != Error_code::collision) throw;
                 refused.push_back(i);
@@ -184,13 +179,32 @@ void Moving_delaunay<Cgal>::move_each(std::span<const Coordinates<d>> x, Move_re
     }
     if (waiting.empty()) return;
     report.moves = {};
+    rebuild_all(x, report);
+}
+
+template <class Cgal>
+void Moving_delaunay<Cgal>::move_each(std::span<const Coordinates<d>> x, Move_report& report) {
+    const std::vector<Coordinates<d>> old = plain_;
+    const auto saved = filter_each_.save();
     try {
-        rebuild_all(x, report);
+        try_move_each(x, report);
     } catch (const Error&) {
-        Move_report undo;
-        rebuild_all(old, undo);
+        embedding_.rebuild(filters_each() ? (options_.tolerance == Tolerance_kind::certified ? saved.position : saved.fixed)
+                                          : old);
+        plain_ = old;
+        filter_each_.restore(saved);
         throw;
     }
+}
+
+/// CGAL inserts into and removes from Delaunay triangulations only; tolerances that are not certified may have left
+/// another, or one at other positions.
+template <class Cgal>
+void Moving_delaunay<Cgal>::make_trusted(Move_report& report) {
+    if (options_.tolerance == Tolerance_kind::certified || (!filters() && !filters_each())) return;
+    const std::vector<Coordinates<d>> x(positions().begin(), positions().end());
+    embedding_.rebuild(x);
+    filters() ? filter_.settle(x, report) : filter_each_.settle(x, report);
 }
 
 template <class Cgal>
@@ -257,8 +271,7 @@ typename Moving_delaunay<Cgal>::Vertex_handle Moving_delaunay<Cgal>::insert(cons
     const Coordinates<d> x = Cgal::coordinates(p);
     require_in_domain(x);
     Move_report report;
-    // CGAL's object must be at the moving positions before a point is compared with them.
-    if (filters_each() && options_.tolerance != Tolerance_kind::certified) report += settle();
+    make_trusted(report);
     const Index i = vacant_.empty() ? static_cast<Index>(index_bound()) : vacant_.back();
     std::vector<Index> changed;
     const int before = embedding_.dimension();
@@ -285,7 +298,7 @@ void Moving_delaunay<Cgal>::remove(Vertex_handle v, Move_report* out) {
     if (v == Vertex_handle() || triangulation().is_infinite(v))
         throw Error(Error_code::unknown_vertex, "no such vertex");
     Move_report report;
-    if (filters_each() && options_.tolerance != Tolerance_kind::certified) report += settle();
+    make_trusted(report);
     const Index i = index(v);
     require_vertex(i);
     std::vector<Index> changed;

@@ -76,7 +76,6 @@ void Repair<d>::suspect_everything() {
     const auto& t = embedding_.table();
     for (Index f = 0; f < t.facet_bound(); ++f)
         if (t.is_facet(f)) suspect_facet(f);
-    if (!has_cells()) return;
     for (Index c = 0; c < t.cell_bound(); ++c)
         if (t.is_cell(c)) suspect_cell(c);
 }
@@ -85,7 +84,7 @@ template <int d>
 void Repair<d>::suspect_star(Index v) {
     const auto& t = embedding_.table();
     t.for_each_corner(v, [&](Index h) {
-        if (has_cells()) suspect_cell(t.cell_of(h));
+        suspect_cell(t.cell_of(h));
         suspect_facet(t.facet(h));
         suspect_facet(t.facet(t.ccw(h)));
     });
@@ -154,7 +153,7 @@ typename Repair<d>::Outcome Repair<d>::mend(std::span<const Coordinates<d>> old,
     require_distinct(movers);
     // Without certified tolerances the triangulation may be wrong in places nobody suspects; CGAL's removal and
     // location need a right one, a rebuild does not.
-    if (certified() && reinsert(old, movers)) return Outcome::reinserted;
+    if (trusted_ && reinsert(old, movers)) return Outcome::reinserted;
     forget();
     detached_.clear();
     embedding_.rebuild(x_);

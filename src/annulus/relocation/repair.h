@@ -32,7 +32,9 @@ class Repair {
     using Facet_suspect = Suspect<Facet_points<d>>;
     using Cell_suspect = Suspect<Cell_points<d>>;
 
-    Repair(Embedding<d>& embedding, Tolerance_kind kind) : embedding_(embedding), kind_(kind) {}
+    /// `trusted`: CGAL's object is Delaunay at its points whenever mend() is called, so that CGAL may remove and insert.
+    Repair(Embedding<d>& embedding, Tolerance_kind kind, bool trusted)
+        : embedding_(embedding), kind_(kind), trusted_(trusted) {}
 
     /// Starts an examination at positions x (one for every vertex index). x must outlive it and not change.
     void begin(std::span<const Coordinates<d>> x);
@@ -90,7 +92,6 @@ class Repair {
     /// The certificate does not hold. A degenerate sphere is decided by the perturbation, once its cells are positive.
     [[nodiscard]] bool violated(const Facet_suspect& s) const;
     [[nodiscard]] bool violated(const Cell_suspect& s) const { return s.verdict.sign <= 0; }
-    [[nodiscard]] bool has_cells() const { return kind_ != Tolerance_kind::paper; }
     [[nodiscard]] bool certified() const { return kind_ == Tolerance_kind::certified; }
     void suspect_around(std::span<const Index> cells);
     void collect_violated();
@@ -108,6 +109,7 @@ class Repair {
 
     Embedding<d>& embedding_;
     Tolerance_kind kind_;
+    bool trusted_;
     std::span<const Coordinates<d>> x_;
     std::vector<Facet_suspect> facets_;
     std::vector<Cell_suspect> cells_;

@@ -89,7 +89,7 @@ Repair<2>::Progress Repair<2>::run_flips() {
         suspect_around(both);
         // In a valid triangulation a violated edge is flippable; if not, there is more wrong than flips can mend.
         for (const Index k : both)
-            if (has_cells() && violated(examine_cell(k))) return Progress::stuck;
+            if (violated(examine_cell(k))) return Progress::stuck;
     }
     return evaluate() ? Progress::done : Progress::stuck;
 }

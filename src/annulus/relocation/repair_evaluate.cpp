@@ -145,7 +145,6 @@ bool Repair<d>::evaluate() {
     evaluate_stale(cells_);
     // The perturbation needs positive cells; where a cell is inverted the answer is no anyway.
     const bool cells_hold =
-        !has_cells() ||
         std::none_of(cells_.begin(), cells_.end(), [this](const auto& s) { return exists(s) && violated(s); });
     return cells_hold &&
            std::none_of(facets_.begin(), facets_.end(), [this](const auto& s) { return exists(s) && violated(s); });
