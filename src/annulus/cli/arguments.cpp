@@ -8,7 +8,9 @@ namespace annulus::cli {
 void add_common(CLI::App& app, Common_arguments& a) {
     app.add_option("-o,--output", a.output, "Write summary.json, report.html and the other files to this directory")
         ->type_name("DIR");
-    app.add_option("--seed", a.seed, "Seed of everything random")->capture_default_str();
+    app.add_option("--seed", a.seed, "Seed of everything random")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     app.add_option("--threads", a.threads, "Threads for the motion; results do not depend on it")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
@@ -27,6 +29,7 @@ void add_tracking(CLI::App& app, Tracking_arguments& a) {
         ->capture_default_str();
     app.add_option("--audit", a.audit, "Exact audit every N steps and at the end; 0: never")
         ->type_name("N")
+        ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
 }
 

@@ -4,6 +4,7 @@
 #include <annulus/cli/lloyd_scene.h>
 #include <annulus/cli/progress.h>
 #include <annulus/cli/tracker_2.h>
+#include <annulus/io/input_error.h>
 #include <annulus/io/output_directory.h>
 #include <annulus/io/summary.h>
 #include <annulus/io/write_csv.h>
@@ -121,6 +122,9 @@ int run(const Arguments& a, const Invocation& invocation) {
     if (sub->count("--seed") == 0) common.seed = a.common.seed;
     if (sub->count("--threads") == 0) common.threads = a.common.threads;
     const Lloyd_scene scene = make_scene(lloyd_arguments, common.seed);
+    if (scene.merged > 0 && !a.common.quiet)
+        std::fprintf(stderr, "annulus: %s: merged %s\n", lloyd_arguments.input.c_str(),
+                     counted(scene.merged, "duplicate point").c_str());
     const std::uint64_t iterations = lloyd_arguments.iterations;
     const std::size_t n = scene.points.size();
     std::deque<Tracker_2> trackers;

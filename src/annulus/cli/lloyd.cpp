@@ -27,7 +27,7 @@ int run(const Arguments& a, const std::string& command) {
     const auto begin = Clock::now();
     const Options options = options_of(a.tracking, a.common);
     const Lloyd_scene scene = make_scene(a.lloyd, a.common.seed);
-    if (scene.merged > 0)
+    if (scene.merged > 0 && !a.common.quiet)
         std::fprintf(stderr, "annulus: %s: merged %s\n", a.lloyd.input.c_str(),
                      counted(scene.merged, "duplicate point").c_str());
     Tracker_2 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.lloyd.iterations,

@@ -31,7 +31,9 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
     app.add_option("--radius", a.radius,
                    "Radius of the disc, half side of the square (default 1; 2 pi for sin2, two rings)")
         ->check(CLI::PositiveNumber);
-    app.add_option("-i,--iterations", a.iterations, "Number of iterations")->capture_default_str();
+    app.add_option("-i,--iterations", a.iterations, "Number of iterations")
+        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}))
+        ->capture_default_str();
 }
 
 double Lloyd_scene::spacing() const { return std::sqrt(domain.area() / static_cast<double>(points.size())); }
@@ -85,6 +87,7 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
     if (a.points == 0 && a.input.empty())
         throw Error(Error_code::usage, "say how many points with --points N, or name a file with --input FILE");
     const Density density = parse_density(a.density);
+    if (!std::isfinite(a.radius)) throw Error(Error_code::usage, "--radius must be a finite number");
     const double radius = a.radius > 0 ? a.radius : density == Density::sin2 ? 2 * std::numbers::pi : 1.0;
     std::optional<Domain_2> domain;
     if (a.domain == "disc" || (a.domain.empty() && a.input.empty())) {

@@ -42,6 +42,10 @@ class Expiry_list {
                 remove(i);
                 break;
             }
+        put_new(id, expiry);
+    }
+    /// The same for a certificate that is not listed.
+    void put_new(Index id, double expiry) {
         if (!(expiry < rest_)) return;
         if (size_ == capacity) {
             if (!(expiry < expiry_[capacity - 1])) {

@@ -10,6 +10,15 @@ constexpr double never = std::numeric_limits<double>::infinity();
 }  // namespace
 
 template <int d>
+void Filter<d>::list_changes(Move_report& report) const {
+    if (!report_changes_) return;
+    const auto& t = embedding_.table();
+    for (const Index c : repair_.changed_cells())
+        if (t.is_cell(c))
+            for (int i = 0; i <= d; ++i) report.changed.push_back(t.vertex(t.corner(c, i)));
+}
+
+template <int d>
 void Filter<d>::resize() {
     const std::size_t n = at(table_.vertex_bound());
     position_.resize(n);
@@ -77,6 +86,7 @@ void Filter<d>::place(Index v, const Coordinates<d>& p) {
 template <int d>
 void Filter<d>::refresh(std::span<const Index> cells, Move_report& report) {
     resize();
+    renewals_.clear();
     repair_.begin(position_);
     for (const Index c : cells) {
         repair_.suspect_cell(c);
@@ -187,7 +197,8 @@ void Filter<d>::look_at(Index id, Index v, double reading, Expiry_list& list, st
         if (reading < r.expiry[k]) {
             list.put(id, r.expiry[k]);
         } else if (look_ != Second_look::off && second_look(f, x)) {
-            list.put(id, renewals_.back().expiry[k]);
+            list.put(id, look_ == Second_look::safe_region ? sum_lower(reading, renewals_.back().expiry[k])
+                                                          : renewals_.back().expiry[k]);
         } else {
             repair_.suspect_facet(f, r.kind, r.point);
         }
@@ -195,23 +206,60 @@ void Filter<d>::look_at(Index id, Index v, double reading, Expiry_list& list, st
     }
 }
 
-/// Looks at every certificate of v and fills the list anew.
+/// The expiry of v in a record, without branches: which point v is cannot be predicted.
+template <std::size_t k>
+double expiry_of(Index v, const std::array<Index, k>& point, const std::array<double, k>& expiry) {
+    double e = never;
+    for (std::size_t i = 0; i < k; ++i) e = point[i] == v ? expiry[i] : e;
+    return e;
+}
+
+/// Looks at every certificate of v and fills the list anew. First all expiries are fetched, so that the loads overlap;
+/// then they are sorted out.
 template <int d>
 void Filter<d>::tour(Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x) {
     ++tours_;
     list.clear();
+    certificates_.clear();
     table_.for_each_corner(v, [&](Index h) {
-        look_at(id_of_cell(table_.cell_of(h)), v, reading, list, x);
-        look_at(id_of_facet(table_.facet(h)), v, reading, list, x);
-        look_at(id_of_facet(table_.facet(table_.ccw(h))), v, reading, list, x);
+        const Index c = table_.cell_of(h);
+        const Index link = table_.facet(h);
+        const Index spoke = table_.facet(table_.ccw(h));
+        const Facet_record& l = facet_record_[at(link)];
+        const Facet_record& s = facet_record_[at(spoke)];
+        certificates_.push_back({cell_record_[at(c)].expiry[static_cast<std::size_t>(table_.slot_of(h))], id_of_cell(c)});
+        certificates_.push_back({expiry_of(v, l.point, l.expiry), id_of_facet(link)});
+        certificates_.push_back({expiry_of(v, s.point, s.expiry), id_of_facet(spoke)});
     });
+    for (const auto& [expiry, id] : certificates_) {
+        if (reading < expiry) {
+            list.put_new(id, expiry);
+        } else {
+            look_at(id, v, reading, list, x);
+        }
+    }
+}
+
+/// True when nearly every vertex failed and went, by a sample, well beyond the earliest expiry of its certificates: then
+/// to evaluate all certificates is cheaper than to ask which expired.
+template <int d>
+bool Filter<d>::most_expired(std::span<const Coordinates<d>> x) const {
+    if (10 * failed_.size() < 7 * x.size()) return false;
+    const std::size_t stride = 1 + failed_.size() / 256;
+    std::size_t sampled = 0;
+    std::size_t far = 0;
+    for (std::size_t i = 0; i < failed_.size(); i += stride) {
+        const Index v = failed_[i];
+        ++sampled;
+        far += squared_distance<d>(x[at(v)], fixed_position(v)) > 4.0 * threshold_[at(v)] ? 1 : 0;
+    }
+    return 4 * far > 3 * sampled;
 }
 
 template <int d>
 void Filter<d>::find_expired(std::span<const Coordinates<d>> x) {
     failed_list_.clear();
-    if (5 * failed_.size() > 2 * x.size()) {
-        // Most certificates have a failed point: to evaluate all is cheaper than to ask which expired.
+    if (most_expired(x)) {
         repair_.suspect_everything();
         for (const Index v : failed_) {
             Expiry_list list;
@@ -244,7 +292,7 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index
                         Move_report& report) {
     ++epoch_;
     renewals_.clear();
-    repair_.begin(x);
+    repair_.begin(x, movers.empty());
     tours_ = 0;
     find_expired(x);
     auto outcome = Repair<d>::Outcome::flipped;
@@ -347,9 +395,13 @@ void Filter<d>::commit(std::span<const Coordinates<d>> x) {
     for (const Renewal& renewal : renewals_) {
         if (!table_.is_facet(renewal.facet)) continue;
         Facet_record& r = facet_record_[at(renewal.facet)];
-        if (look_ == Second_look::unequal_moves) r.tolerance = 0.0;
         r.expiry = renewal.expiry;
+        if (look_ == Second_look::unequal_moves) r.tolerance = 0.0;
         for (std::size_t k = 0; k < r.point.size(); ++k) {
+            if (look_ == Second_look::safe_region) {  // the room is around the present position
+                anchor(r.point[k], x);
+                r.expiry[k] = sum_lower(list_[at(r.point[k])].base, renewal.expiry[k]);
+            }
             list_[at(r.point[k])].put(id_of_facet(renewal.facet), r.expiry[k]);
             if (stamp_[at(r.point[k])] != epoch_) set_threshold(r.point[k]);
         }

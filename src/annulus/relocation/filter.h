@@ -41,6 +41,9 @@ class Filter {
         : embedding_(embedding), table_(embedding.table()), repair_(embedding, kind, kind == Tolerance_kind::certified),
           look_(look) {}
 
+    /// Whether reports list the cells that changed.
+    void report_changes(bool on) { report_changes_ = on; }
+
     /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh.
     /// O(n).
     void settle(std::span<const Coordinates<d>> x, Move_report& report);
@@ -103,10 +106,12 @@ class Filter {
     void note_displacements(std::span<const Coordinates<d>> x);
     void settle_here(Move_report& report);
     void resize();
+    void list_changes(Move_report& report) const;
     /// Mends after `failed_` is known and commits; x is position_ with the moves made.
     void process(std::span<const Coordinates<d>> x, std::span<const Index> movers, std::size_t asked,
                  Move_report& report);
     void find_expired(std::span<const Coordinates<d>> x);
+    [[nodiscard]] bool most_expired(std::span<const Coordinates<d>> x) const;
     void commit(std::span<const Coordinates<d>> x);
     void anchor(Index v, std::span<const Coordinates<d>> x);
     [[nodiscard]] bool second_look(Index f, std::span<const Coordinates<d>> x);
@@ -129,6 +134,7 @@ class Filter {
     Embedding<d>& embedding_;
     const Cell_table<d>& table_;
     Repair<d> repair_;
+    bool report_changes_ = false;
     Second_look look_;
     Prediction<d> prediction_;
     std::vector<Coordinates<d>> last_step_;  // displacements of the step before, while a prediction is considered
@@ -144,6 +150,7 @@ class Filter {
     // Of one step:
     std::vector<Index> failed_;
     std::vector<Expiry_list> failed_list_;  // of failed_, with base at the new fixed position
+    std::vector<std::pair<double, Index>> certificates_;  // of one vertex: expiry and id
     std::vector<Index> anchored_;
     std::vector<std::uint64_t> stamp_;  // by vertex: == epoch_ when anchored in this step
     std::vector<Renewal> renewals_;

@@ -13,6 +13,15 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 }  // namespace
 
 template <int d>
+void Filter_each<d>::list_changes(Move_report& report) const {
+    if (!report_changes_) return;
+    const auto& t = embedding_.table();
+    for (const Index c : repair_.changed_cells())
+        if (t.is_cell(c))
+            for (int i = 0; i <= d; ++i) report.changed.push_back(t.vertex(t.corner(c, i)));
+}
+
+template <int d>
 void Filter_each<d>::resize() {
     const std::size_t n = at(embedding_.table().vertex_bound());
     position_.resize(n);
@@ -108,7 +117,7 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
     const std::array<Index, 1> movers{h};
     const Coordinates<d> old_fixed = fixed_[at(h)];
     fixed_[at(h)] = position_[at(h)];
-    repair_.begin(site());
+    repair_.begin(site(), false);
     repair_.suspect_star(h);
     auto outcome = Repair<d>::Outcome::flipped;
     const bool holds = repair_.evaluate();
@@ -125,6 +134,7 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
     }
     queued_[at(h)] = 0;
     report += repair_.report();
+    list_changes(report);
     if (first) {
         ++report.moves.asked;
         ++(holds                                       ? report.moves.kept_in_place

@@ -29,6 +29,7 @@ class Filter_each {
         : embedding_(embedding), repair_(embedding, kind, true), at_fixed_(kind != Tolerance_kind::certified) {}
 
     /// As in Filter.
+    void report_changes(bool on) { report_changes_ = on; }
     void settle(std::span<const Coordinates<d>> x, Move_report& report);
     void move(Index v, const Coordinates<d>& p, Move_report& report);
     void refresh(std::span<const Index> cells, Move_report& report);
@@ -57,6 +58,7 @@ class Filter_each {
     /// Where the triangulation is Delaunay.
     [[nodiscard]] std::vector<Coordinates<d>>& site() { return at_fixed_ ? fixed_ : position_; }
     void resize();
+    void list_changes(Move_report& report) const;
     void lower(Index v, double tolerance);
     template <class S>
     void lower_points(const S& suspect);
@@ -65,6 +67,7 @@ class Filter_each {
 
     Embedding<d>& embedding_;
     Repair<d> repair_;
+    bool report_changes_ = false;
     bool at_fixed_;
     std::vector<Coordinates<d>> position_;
     std::vector<Coordinates<d>> fixed_;

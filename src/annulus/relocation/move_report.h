@@ -41,7 +41,8 @@ struct Move_report {
     std::uint64_t flips = 0;         ///< flips that stand
     std::uint64_t undone_flips = 0;  ///< flips taken back because they led nowhere
     double handle_seconds = 0.0;     ///< part of a rebuild spent on keeping vertex handles valid, not CGAL's own
-    std::vector<Index> changed;      ///< on request: vertices of the new cells, d + 1 a cell (infinite = -1)
+    std::vector<Index> changed;      ///< on request: vertices of cells that may be new, d + 1 a cell (infinite = -1):
+                                     ///< those that changed under the filters, every finite cell otherwise
 
     Move_report& operator+=(const Move_report& o) {
         moves += o.moves;

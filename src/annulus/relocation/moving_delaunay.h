@@ -52,7 +52,9 @@ class Moving_delaunay {
 
     /// Moves one vertex. Expected O(degree) for a short way. Throws not_finite, out_of_domain, collision,
     /// unknown_vertex.
-    Move_report move(Vertex_handle v, const Point& p) { return move(index(v), Cgal::coordinates(p)); }
+    Move_report move(Vertex_handle v, const Point& p) {
+        return move(v == Vertex_handle() ? none : index(v), Cgal::coordinates(p));
+    }
     Move_report move(Index i, const Coordinates<d>& p);
 
     /// Moves every vertex: points[i] is the new position of vertex i; what stands at a vacant index is ignored.
@@ -140,6 +142,7 @@ class Moving_delaunay {
     void consider_switch(std::span<const Coordinates<d>> x);
     [[nodiscard]] double star_tolerance(Index i) const;
     void list_changes(Move_report& report, std::span<const Index> cells) const;
+    void list_everything(Move_report& report) const;
 
     Options options_;
     Strategy strategy_;

@@ -30,6 +30,8 @@ Moving_delaunay<Cgal>::Moving_delaunay(std::span<const Coordinates<d>> points, c
       filter_each_(embedding_, options.tolerance),
       random_(options.seed) {
     require_sound_environment();
+    filter_.report_changes(options.report_changes);
+    filter_each_.report_changes(options.report_changes);
     for (const auto& p : points) require_in_domain(p);
     std::vector<Coordinates<d>> distinct;
     index_of_input_.reserve(points.size());
@@ -88,6 +90,7 @@ void Moving_delaunay<Cgal>::rebuild_all(std::span<const Coordinates<d>> x, Move_
     report.handle_seconds += embedding_.handle_seconds();
     report.moves.asked += number_of_vertices();
     report.moves.rebuilt += number_of_vertices();
+    list_everything(report);
     if (filters()) {
         filter_.settle(x, report);
     } else if (filters_each()) {
@@ -114,6 +117,7 @@ void Moving_delaunay<Cgal>::move_plain(Index i, const Coordinates<d>& p, Move_re
         ++report.moves.asked;
         ++report.moves.rebuilt;
         plain_ = std::move(x);
+        list_everything(report);
         return;
     }
     const bool in_place = strategy_ == Strategy::in_place && embedding_.update_in_place(i, p);
@@ -127,6 +131,7 @@ void Moving_delaunay<Cgal>::move_plain(Index i, const Coordinates<d>& p, Move_re
        : strategy_ == Strategy::relocate_flips        ? report.moves.flipped
                                                       : report.moves.reinserted);
     plain_[at(i)] = p;
+    if (!in_place) list_everything(report);
 }
 
 template <class Cgal>
@@ -315,9 +320,23 @@ void Moving_delaunay<Cgal>::remove(Vertex_handle v, Move_report* out) {
     if (out) *out = report;
 }
 
+/// For the strategies that leave the book-keeping to CGAL: whatever may have changed, which is every finite cell.
+template <class Cgal>
+void Moving_delaunay<Cgal>::list_everything(Move_report& report) const {
+    if (!options_.report_changes) return;
+    report.changed.clear();
+    embedding_.for_each_finite_cell([&](const auto& cell) {
+        report.changed.insert(report.changed.end(), cell.begin(), cell.end());
+    });
+}
+
 template <class Cgal>
 void Moving_delaunay<Cgal>::list_changes(Move_report& report, std::span<const Index> cells) const {
     if (!options_.report_changes) return;
+    if (cells.empty()) {
+        list_everything(report);
+        return;
+    }
     for (const Index c : cells)
         for (int k = 0; k <= d; ++k) report.changed.push_back(embedding_.table().vertex(embedding_.table().corner(c, k)));
 }

@@ -14,7 +14,8 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 template <int d>
-void Repair<d>::begin(std::span<const Coordinates<d>> x) {
+void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
+    many_ = many;
     forget();
     x_ = x;
     const auto& t = embedding_.table();
@@ -22,6 +23,7 @@ void Repair<d>::begin(std::span<const Coordinates<d>> x) {
     place_of_cell_.resize(at(t.cell_bound()), 0);
     disturbed_.clear();
     detached_.clear();
+    changed_.clear();
     log_.clear();
     report_ = {};
 }
@@ -59,8 +61,7 @@ void Repair<d>::suspect_facet(Index f) {
     if (kind == Facet_kind::empty_sphere) {
         points = bicell_points(t, h);
     } else if (kind == Facet_kind::ridge) {
-        Cell_points<d> ridge = ridge_points(t, h);
-        if (kind_ == Tolerance_kind::paper) ridge = ridge_vertex_last(t, h, ridge);
+        const Cell_points<d> ridge = ridge_vertex_last(t, h, ridge_points(t, h));
         std::copy(ridge.begin(), ridge.end(), points.begin());
     } else if (kind_ == Tolerance_kind::paper) {
         const Cell_points<d> slab = slab_points(t, h);
@@ -109,6 +110,7 @@ void Repair<d>::suspect_cell(Index c) {
 template <int d>
 void Repair<d>::suspect_around(std::span<const Index> cells) {
     const auto& t = embedding_.table();
+    changed_.insert(changed_.end(), cells.begin(), cells.end());
     for (const Index c : cells) {
         suspect_cell(c);
         for (int i = 0; i <= d; ++i) {
@@ -157,6 +159,8 @@ typename Repair<d>::Outcome Repair<d>::mend(std::span<const Coordinates<d>> old,
     forget();
     detached_.clear();
     embedding_.rebuild(x_);
+    changed_.clear();
+    for (Index c = 0; c < embedding_.table().cell_bound(); ++c) changed_.push_back(c);
     return Outcome::rebuilt;
 }
 

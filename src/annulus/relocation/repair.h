@@ -36,8 +36,9 @@ class Repair {
     Repair(Embedding<d>& embedding, Tolerance_kind kind, bool trusted)
         : embedding_(embedding), kind_(kind), trusted_(trusted) {}
 
-    /// Starts an examination at positions x (one for every vertex index). x must outlive it and not change.
-    void begin(std::span<const Coordinates<d>> x);
+    /// Starts an examination at positions x (one for every vertex index). x must outlive it and not change. `many`: x
+    /// differs from where the triangulation was Delaunay last in more than one vertex.
+    void begin(std::span<const Coordinates<d>> x, bool many = true);
     void suspect_facet(Index f);
     void suspect_cell(Index c);
     /// The same for a facet whose points and kind the caller has at hand.
@@ -47,7 +48,13 @@ class Repair {
     void suspect_everything();
     void suspect_star(Index v);
 
-    /// Evaluates what is stale, in one batch. True when all suspects hold.
+    /// Evaluates what is stale, in one batch. True when all suspects hold and the border winds once.
+    ///
+    /// Signs alone do not exclude a surface that winds several times (a pentagon permuted into a pentagram turns left
+    /// everywhere). With all cells positive and the border locally convex, everything is embedded if and only if the
+    /// border turns once (docs/theory.md 1.2). Cells and ridges proved by tolerances keep it turning once, and so does
+    /// a single vertex that leaves its cells positive; so the border is walked, O(hull), only when many moved and a
+    /// cell or ridge had to be evaluated, or when inverted cells were unfolded.
     [[nodiscard]] bool evaluate();
 
     /// Whether flips reached a triangulation all of whose certificates hold.
@@ -67,6 +74,8 @@ class Repair {
     /// Vertices of certificates that were found violated, and those taken out and put back, of this examination.
     [[nodiscard]] std::span<const Index> disturbed() const { return disturbed_; }
     [[nodiscard]] std::span<const Index> reinserted() const { return detached_; }
+    /// Cells that flips, removal or insertion created or changed, some perhaps gone again; everything after a rebuild.
+    [[nodiscard]] std::span<const Index> changed_cells() const { return changed_; }
     /// Counters of this examination.
     [[nodiscard]] const Move_report& report() const { return report_; }
 
@@ -98,6 +107,7 @@ class Repair {
     void forget();
     Progress run_flips();
     bool unfold(Index c);
+    [[nodiscard]] bool border_winds_once() const;
     bool flip_is_simplicial(Index h) const;
     void flip(Index h);
     void undo_flips();
@@ -110,6 +120,7 @@ class Repair {
     Embedding<d>& embedding_;
     Tolerance_kind kind_;
     bool trusted_;
+    bool many_ = true;  // the winding of the border is in doubt
     std::span<const Coordinates<d>> x_;
     std::vector<Facet_suspect> facets_;
     std::vector<Cell_suspect> cells_;
@@ -117,6 +128,7 @@ class Repair {
     std::vector<Index> place_of_cell_;
     std::vector<Index> disturbed_;
     std::vector<Index> detached_;
+    std::vector<Index> changed_;
     std::vector<Index> queue_;     // facets to look at
     std::vector<Index> inverted_;  // cells to unfold
     std::vector<std::pair<Index, Index>> log_;  // cells of each flip, in order
@@ -131,6 +143,8 @@ template <>
 bool Repair<2>::unfold(Index c);
 template <>
 Repair<2>::Progress Repair<2>::run_flips();
+template <>
+bool Repair<2>::border_winds_once() const;
 template <>
 void Repair<2>::undo_flip(Index c, Index n);
 

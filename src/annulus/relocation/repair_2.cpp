@@ -44,6 +44,7 @@ bool Repair<2>::unfold(Index c) {
         const int after = (holds(p, a, q) ? 0 : 1) + (holds(q, b, p) ? 0 : 1);
         if (after >= before || !flip_is_simplicial(h)) continue;
         flip(h);
+        many_ = true;
         const std::array<Index, 2> both{c, n};
         suspect_around(both);
         for (const Index k : both)
@@ -51,6 +52,29 @@ bool Repair<2>::unfold(Index c) {
         return true;
     }
     return false;
+}
+
+/// Around infinity the border is walked clockwise. It turns right everywhere, so it winds as often as its direction
+/// enters the half-plane of directions that point up, or right when level.
+template <>
+bool Repair<2>::border_winds_once() const {
+    const auto& t = embedding_.table();
+    const Index first = t.corner_of_infinity();
+    const auto points_up = [&](Index h) {
+        const Coordinates<2>& from = x_[at(t.vertex(t.ccw(h)))];
+        const Coordinates<2>& to = x_[at(t.vertex(t.cw(h)))];
+        return from[1] < to[1] || (from[1] == to[1] && from[0] < to[0]);
+    };
+    int entries = 0;
+    bool before = points_up(first);
+    Index h = first;
+    do {
+        h = t.next_around(h);
+        const bool now = points_up(h);
+        if (now && !before) ++entries;
+        before = now;
+    } while (h != first);
+    return entries == 1;
 }
 
 /// Four flips of a quadrilateral's diagonal give the same two triangles with their corners turned by one place, twelve

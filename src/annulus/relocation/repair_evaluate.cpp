@@ -134,7 +134,12 @@ template <int d>
 bool Repair<d>::violated(const Facet_suspect& s) const {
     if (s.kind == Facet_kind::border) return false;
     if (s.kind == Facet_kind::slab) return s.verdict.sign <= 0;
-    if (s.kind == Facet_kind::ridge) return s.verdict.sign < 0;  // collinear hull vertices are convex enough
+    if (s.kind == Facet_kind::ridge) {
+        if (s.verdict.sign != 0) return s.verdict.sign < 0;
+        // Collinear hull vertices are convex enough unless the border folds back: the ridge lies between its neighbours.
+        const auto x = tuple<d, d + 1>(s.point, x_);
+        return !((*x[0] < *x[2] && *x[2] < *x[1]) || (*x[1] < *x[2] && *x[2] < *x[0]));
+    }
     if (s.verdict.sign != 0) return s.verdict.sign < 0;
     return perturbed_empty_circle_sign(tuple<d, d + 2>(s.point, x_)) < 0;
 }
@@ -144,10 +149,14 @@ bool Repair<d>::evaluate() {
     evaluate_stale(facets_);
     evaluate_stale(cells_);
     // The perturbation needs positive cells; where a cell is inverted the answer is no anyway.
-    const bool cells_hold =
-        std::none_of(cells_.begin(), cells_.end(), [this](const auto& s) { return exists(s) && violated(s); });
-    return cells_hold &&
-           std::none_of(facets_.begin(), facets_.end(), [this](const auto& s) { return exists(s) && violated(s); });
+    const auto fails = [this](const auto& s) { return exists(s) && violated(s); };
+    if (std::any_of(cells_.begin(), cells_.end(), fails) || std::any_of(facets_.begin(), facets_.end(), fails))
+        return false;
+    if (!many_ || kind_ == Tolerance_kind::paper) return true;
+    const bool in_doubt = !cells_.empty() || std::any_of(facets_.begin(), facets_.end(), [](const auto& s) {
+        return s.kind == Facet_kind::ridge;
+    });
+    return !in_doubt || border_winds_once();
 }
 
 template class Repair<2>;

@@ -17,7 +17,8 @@ bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
                                                : false;
 }
 
-/// The delimiter kept with the certificate still separates; every point may then move as far as the circle is.
+/// The delimiter kept with the certificate still separates; every point may then move as far as the circle is. The
+/// renewal holds these distances; commit() anchors the points where they are and makes expiries of them.
 template <int d>
 bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x) {
     const Facet_record& r = facet_record_[at(f)];
@@ -28,7 +29,9 @@ bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x) {
     if (!safe_region_lower(delimiter_[at(f)], points, room)) return false;
     for (std::size_t k = 0; k < room.size(); ++k) {
         if (!(room[k] > 0.25 * r.tolerance)) return false;  // too little to live on until the next step
-        renewal.expiry[k] = sum_lower(reading(r.point[k], x[at(r.point[k])]), room[k]);
+        renewal.expiry[k] = room[k];
+        const double now = reading(r.point[k], x[at(r.point[k])]);
+        if (!(now < sum_lower(now, room[k]))) return false;  // rounded away
     }
     renewals_.push_back(renewal);
     return true;
@@ -59,6 +62,7 @@ bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x) {
         const double reference = r.expiry[k] - r.tolerance;  // rounded: at most one unit above the reference
         const double expiry = reference + (side + 0.5 * rest);
         renewal.expiry[k] = expiry - expiry * 0x1p-50;
+        if (!(reading(r.point[k], x[at(r.point[k])]) < renewal.expiry[k])) return false;  // rounded away
     }
     renewals_.push_back(renewal);
     return true;

@@ -125,7 +125,10 @@ void fault(Audit_result& r, std::uint64_t& counter, const std::string& words) {
 
 std::string named(const char* what, std::initializer_list<Index> v) {
     std::string s = what;
-    for (const Index i : v) s += " " + std::to_string(i);
+    for (const Index i : v) {
+        s += ' ';
+        s += std::to_string(i);
+    }
     return s;
 }
 
@@ -149,6 +152,8 @@ Audit_result audit_flat(const Audit_input<2>& in) {
     for (std::size_t i = 1; i < order.size(); ++i)
         expected.push_back({std::min(order[i - 1], order[i]), std::max(order[i - 1], order[i])});
     std::vector<std::array<Index, 2>> found;
+    if (order.size() <= 1 && !in.cells.empty())
+        fault(r, r.topological_faults, "cells, but not two points to join");
     if (order.size() > 1)
         for (const auto& c : in.cells) found.push_back({std::min(c[0], c[1]), std::max(c[0], c[1])});
     std::sort(expected.begin(), expected.end());

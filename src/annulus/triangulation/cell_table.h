@@ -42,6 +42,12 @@ class Cell_table {
     /// A corner whose vertex is v; `none` for a vertex that is not in the triangulation.
     [[nodiscard]] Index corner_of(Index v) const { return corner_of_vertex_[at(v)]; }
 
+    /// A corner at infinity. Precondition: there are cells.
+    [[nodiscard]] Index corner_of_infinity() const {
+        assert(vertex(corner_of_infinity_) == infinite && is_cell(cell_of(corner_of_infinity_)));
+        return corner_of_infinity_;
+    }
+
     [[nodiscard]] bool is_infinite(Index c) const {
         for (int i = 0; i <= d; ++i)
             if (vertex(corner(c, i)) == infinite) return true;
@@ -88,7 +94,7 @@ class Cell_table {
     void free_cell(Index c);
     void set_vertex(Index h, Index v) {
         vertex_[at(h)] = v;
-        if (v != infinite) corner_of_vertex_[at(v)] = h;
+        note_corner(v, h);
     }
     void set_absent(Index v) { corner_of_vertex_[at(v)] = none; }
     /// Makes h and t the two sides of facet f; of a new facet when f is `none`. Returns the facet.
@@ -102,7 +108,9 @@ class Cell_table {
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    void note_corner(Index v, Index h) { (v == infinite ? corner_of_infinity_ : corner_of_vertex_[at(v)]) = h; }
 
+    Index corner_of_infinity_ = none;
     std::vector<Index> vertex_;            // by corner
     std::vector<Index> twin_;              // by corner
     std::vector<Index> facet_;             // by corner
@@ -191,13 +199,10 @@ void Cell_table<d>::flip(Index h)
     glue(h, t_side, t_facet);
     glue(t, h_side, h_facet);
     glue(ccw(h), ccw(t), diagonal);
-    const auto settle = [this](Index v, Index at_corner) {
-        if (v != infinite) corner_of_vertex_[at(v)] = at_corner;
-    };
-    settle(a, ccw(h));
-    settle(b, ccw(t));
-    settle(vertex(h), h);
-    settle(vertex(t), t);
+    note_corner(a, ccw(h));
+    note_corner(b, ccw(t));
+    note_corner(vertex(h), h);
+    note_corner(vertex(t), t);
 }
 
 }  // namespace annulus
