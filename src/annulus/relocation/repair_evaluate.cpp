@@ -152,7 +152,7 @@ bool Repair<d>::evaluate() {
     const auto fails = [this](const auto& s) { return exists(s) && violated(s); };
     if (std::any_of(cells_.begin(), cells_.end(), fails) || std::any_of(facets_.begin(), facets_.end(), fails))
         return false;
-    if (!many_ || kind_ == Tolerance_kind::paper) return true;
+    if (!many_) return true;
     const bool in_doubt = !cells_.empty() || std::any_of(facets_.begin(), facets_.end(), [](const auto& s) {
         return s.kind == Facet_kind::ridge;
     });
