@@ -7,6 +7,7 @@
 #include <bit>
 #include <random>
 #include <unordered_set>
+#include <utility>
 
 namespace annulus {
 
@@ -59,6 +60,31 @@ struct Hash {
 
 }  // namespace
 
+namespace {
+
+/// Every other bit of the result is a bit of i.
+std::uint64_t spread_bits(std::uint64_t i) {
+    i = (i | (i << 16)) & 0x0000ffff0000ffffULL;
+    i = (i | (i << 8)) & 0x00ff00ff00ff00ffULL;
+    i = (i | (i << 4)) & 0x0f0f0f0f0f0f0f0fULL;
+    i = (i | (i << 2)) & 0x3333333333333333ULL;
+    return (i | (i << 1)) & 0x5555555555555555ULL;
+}
+
+/// Morton's order (Z curve) on a grid of 2^16 by 2^16 over the box.
+void sort_along_curve(std::vector<Coordinates<2>>& points, const Domain_2::Box& box) {
+    std::vector<std::pair<std::uint64_t, Coordinates<2>>> keyed;
+    keyed.reserve(points.size());
+    const auto cell = [&](double c, std::size_t k) {
+        return static_cast<std::uint64_t>(65535.0 * std::clamp((c - box.lower[k]) / (box.upper[k] - box.lower[k]), 0.0, 1.0));
+    };
+    for (const auto& p : points) keyed.emplace_back(spread_bits(cell(p[0], 0)) | (spread_bits(cell(p[1], 1)) << 1), p);
+    std::sort(keyed.begin(), keyed.end());
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = keyed[i].second;
+}
+
+}  // namespace
+
 std::vector<Coordinates<2>> sample(const Domain_2& domain, Density density, std::size_t n, std::uint64_t seed) {
     const double bound = density_upper_bound(density, domain.extent());
     Uniform uniform(domain, seed);
@@ -77,6 +103,7 @@ std::vector<Coordinates<2>> sample(const Domain_2& domain, Density density, std:
             throw Error(Error_code::bad_input, "the domain has not that many different points");
         }
     }
+    sort_along_curve(points, domain.bounding_box());
     return points;
 }
 

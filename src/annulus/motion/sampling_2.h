@@ -11,7 +11,8 @@
 
 namespace annulus {
 
-/// n points of the domain, independently distributed in proportion to the density, no two equal.
+/// n points of the domain, independently distributed in proportion to the density, no two equal, in the order of a
+/// space-filling curve (Morton's), so that neighbours are near each other in memory.
 ///
 /// By rejection: uniform points (in the disc's square; in a polygon's triangles) are kept with probability density over
 /// its bound. The same arguments give the same points everywhere: the generator is std::mt19937_64, whose output the

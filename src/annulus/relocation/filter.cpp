@@ -147,10 +147,14 @@ void Filter<d>::find_failed(std::span<const Coordinates<d>> x) {
 template <int d>
 void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
     if (prediction_.active()) {
-        bool covered = true;
-        for (std::size_t v = 0; v < x.size(); ++v)
-            covered = covered && (prediction_.covers(x[v]) || table_.corner_of(static_cast<Index>(v)) == none);
-        if (!covered) settle(position_, report);
+        bool far = false;
+        for (const auto& p : x) far |= !prediction_.covers(p);
+        // What stands at a vacant index does not count.
+        for (std::size_t v = 0; far && v < x.size(); ++v)
+            if (!prediction_.covers(x[v]) && table_.corner_of(static_cast<Index>(v)) != none) {
+                settle(position_, report);
+                far = false;
+            }
     }
     prediction_.advance();
     find_failed(x);

@@ -60,7 +60,9 @@ class Prediction {
     }
     /// False when a position is so far out that slack() no longer covers rounding: settle anew.
     [[nodiscard]] bool covers(const Coordinates<d>& p) const {
-        return std::all_of(p.begin(), p.end(), [this](double c) { return std::fabs(c) <= 2.0 * reach_; });
+        bool near = true;
+        for (const double c : p) near &= std::fabs(c) <= 2.0 * reach_;  // no branch: this runs over all positions
+        return near;
     }
 
     void advance() { ++now_; }

@@ -171,6 +171,12 @@ void Cgal_embedding_2<Info>::mirror() {
         f->set_cell(none);
         faces.push_back(f);
     }
+    // Cells and facets are numbered along the vertices, so that what is near in the plane is near in memory whenever
+    // the caller's order is.
+    const auto least = [this](Face_handle f) {
+        return std::min({index_of(tr_, f->vertex(0)), index_of(tr_, f->vertex(1)), index_of(tr_, f->vertex(2))});
+    };
+    std::sort(faces.begin(), faces.end(), [&](Face_handle f, Face_handle g) { return least(f) < least(g); });
     std::vector<Index> changed;
     replace_cells({}, faces, changed);
 }
