@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <numbers>
 
@@ -30,7 +31,12 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
         ->type_name("DOMAIN");
     app.add_option("--radius", a.radius,
                    "Radius of the disc, half side of the square (default 1; 2 pi for sin2, two rings)")
-        ->check(CLI::PositiveNumber);
+        ->check([](const std::string& word) {
+            char* end = nullptr;
+            const double r = std::strtod(word.c_str(), &end);
+            return end != word.c_str() && *end == '\0' && std::isfinite(r) && r > 0 ? std::string()
+                                                                                    : "'" + word + "' is no positive number";
+        });
     app.add_option("-i,--iterations", a.iterations, "Number of iterations")
         ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}))
         ->capture_default_str();

@@ -303,6 +303,7 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index
     if (!repair_.evaluate()) outcome = repair_.mend(position_, movers);
     // From here on nothing throws.
     report += repair_.report();
+    list_changes(report);
     spent_ += failed_.size();
     report.renewed += renewals_.size();
     report.tours += tours_;

@@ -149,7 +149,7 @@ bool Repair<d>::evaluate() {
     evaluate_stale(facets_);
     evaluate_stale(cells_);
     // The perturbation needs positive cells; where a cell is inverted the answer is no anyway.
-    const auto fails = [this](const auto& s) { return exists(s) && violated(s); };
+    const auto fails = [this](const auto& s) { return this->exists(s) && this->violated(s); };
     if (std::any_of(cells_.begin(), cells_.end(), fails) || std::any_of(facets_.begin(), facets_.end(), fails))
         return false;
     if (!many_) return true;
