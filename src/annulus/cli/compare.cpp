@@ -3,6 +3,7 @@
 #include <annulus/cli/files.h>
 #include <annulus/cli/lloyd_scene.h>
 #include <annulus/cli/progress.h>
+#include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker_2.h>
 #include <annulus/io/input_error.h>
 #include <annulus/io/output_directory.h>
@@ -11,7 +12,6 @@
 #include <annulus/io/write_json.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <deque>
 #include <memory>
@@ -19,9 +19,6 @@
 namespace annulus::cli {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 struct Arguments {
     Common_arguments common;

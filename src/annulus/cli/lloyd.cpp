@@ -3,19 +3,16 @@
 #include <annulus/cli/files.h>
 #include <annulus/cli/lloyd_scene.h>
 #include <annulus/cli/progress.h>
+#include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker_2.h>
 #include <annulus/io/input_error.h>
 
-#include <chrono>
 #include <cstdio>
 #include <memory>
 
 namespace annulus::cli {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 struct Arguments {
     Common_arguments common;

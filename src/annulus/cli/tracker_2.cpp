@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker_2.h>
 
 #include <annulus/statistics/memory.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
 namespace annulus::cli {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 Moves_record moves_of(const Move_counts& c) {
     return {c.asked, c.within_tolerance, c.kept_in_place, c.flipped, c.reinserted, c.rebuilt};
