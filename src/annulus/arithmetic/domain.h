@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
+#include <annulus/arithmetic/error.h>
 
 #include <cmath>
 
@@ -22,6 +23,15 @@ template <std::size_t d>
     for (const double c : x)
         if (!in_domain(c)) return false;
     return true;
+}
+
+/// Throws Error(not_finite) or Error(out_of_domain) unless x is in the domain.
+template <std::size_t d>
+inline void require_in_domain(const std::array<double, d>& x) {
+    if (in_domain(x)) return;
+    for (const double c : x)
+        if (!std::isfinite(c)) throw Error(Error_code::not_finite, "a coordinate is not a finite number");
+    throw Error(Error_code::out_of_domain, "a coordinate is larger than 2^500 in magnitude");
 }
 
 }  // namespace annulus

@@ -27,6 +27,17 @@ struct Partial {
     std::size_t count = 0, kept = 0;
 };
 
+/// How far a cell's corners are from the first, at most. A cell that contains its vertex is about as large as its centroid
+/// is far. One that is a point up to rounding belongs to a vertex outside of the domain and touches it there, and so
+/// may the cell of a neighbour: both vertices would go to one place.
+double reach(const Cell_2& cell) {
+    double most = 0;
+    for (const Corner_2& corner : cell.corners)
+        most = std::max(most, std::hypot(corner.offset[0] - cell.corners[0].offset[0],
+                                         corner.offset[1] - cell.corners[0].offset[1]));
+    return most;
+}
+
 }  // namespace
 
 bool centroid(Density density, const Cell_2& cell, Coordinates<2>& offset) {
@@ -80,12 +91,12 @@ Lloyd_step Lloyd_2::step(const Neighbours_2& neighbours, std::span<const Coordin
                 continue;
             }
             const Coordinates<2> wanted{cell.origin[0] + offset[0], cell.origin[1] + offset[1]};
-            if (!domain_.contains(wanted)) {
+            const double moved = std::hypot(wanted[0] - position[v][0], wanted[1] - position[v][1]);
+            if (!domain_.contains(wanted) || !(reach(cell) > 1e-12 * moved)) {
                 ++sums.kept;
                 continue;
             }
             target[v] = wanted;
-            const double moved = std::hypot(wanted[0] - position[v][0], wanted[1] - position[v][1]);
             sums.sum += moved;
             sums.max = std::max(sums.max, moved);
         }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
+#include <annulus/relocation/expiry.h>
 
-#include <algorithm>
 #include <array>
-#include <limits>
+#include <cstdint>
 
 namespace annulus {
 
@@ -15,18 +15,15 @@ namespace annulus {
 /// `rest`. So nothing expires before `earliest()`, and while readings stay below `rest` only listed certificates have to
 /// be looked at: a full tour of the vertex' certificates is needed only when the list has run dry. Entries are hints;
 /// the record of the certificate is the truth.
-class Expiry_list {
+class alignas(64) Expiry_list {  // one cache line
   public:
-    static constexpr double never = std::numeric_limits<double>::infinity();
-
-    Expiry_list() { clear(); }
     /// No certificate at all.
     void clear() {
         size_ = 0;
-        rest_ = never;
+        rest_ = Expiry::never();
     }
-    [[nodiscard]] double earliest() const { return size_ == 0 ? rest_ : expiry_[0]; }
-    [[nodiscard]] double rest() const { return rest_; }
+    [[nodiscard]] Expiry earliest() const { return size_ == 0 ? rest_ : expiry_[0]; }
+    [[nodiscard]] Expiry rest() const { return rest_; }
     [[nodiscard]] bool empty() const { return size_ == 0; }
 
     /// Takes the first entry off; precondition: not empty.
@@ -36,7 +33,7 @@ class Expiry_list {
         return id;
     }
     /// States that certificate `id` now expires at `expiry`.
-    void put(Index id, double expiry) {
+    void put(Index id, Expiry expiry) {
         for (std::size_t i = 0; i < size_; ++i)
             if (id_[i] == id) {
                 remove(i);
@@ -45,7 +42,7 @@ class Expiry_list {
         put_new(id, expiry);
     }
     /// The same for a certificate that is not listed.
-    void put_new(Index id, double expiry) {
+    void put_new(Index id, Expiry expiry) {
         if (!(expiry < rest_)) return;
         if (size_ == capacity) {
             if (!(expiry < expiry_[capacity - 1])) {
@@ -64,11 +61,11 @@ class Expiry_list {
         id_[i] = id;
     }
 
-    /// Upper bound of the length of the path of fixed positions since the last settling.
+    /// Upper bound of the length of the path of fixed positions since the odometer was at 0.
     double base = 0.0;
 
   private:
-    static constexpr std::size_t capacity = 3;  // with `base` one cache line
+    static constexpr std::size_t capacity = 6;
 
     void remove(std::size_t i) {
         --size_;
@@ -78,10 +75,11 @@ class Expiry_list {
         }
     }
 
-    double rest_ = never;
-    std::array<double, capacity> expiry_{};
-    std::array<Index, capacity> id_{};
+    Expiry rest_ = Expiry::never();
     std::uint32_t size_ = 0;
+    std::array<Expiry, capacity> expiry_{};
+    std::array<Index, capacity> id_{};
 };
+static_assert(sizeof(Expiry_list) == 64);
 
 }  // namespace annulus

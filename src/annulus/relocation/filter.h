@@ -48,39 +48,36 @@ class Filter {
     /// O(n).
     void settle(std::span<const Coordinates<d>> x, Move_report& report);
 
-    /// Moves every vertex to x. Throws Error(collision), with everything as it was, when two would coincide.
-    /// Precondition: x is in the coordinate domain, settled in dimension d.
+    /// Moves every vertex to x. Throws Error, with everything as it was: not_finite, out_of_domain, or collision when two
+    /// would coincide. Precondition: settled in dimension d.
     void move_all(std::span<const Coordinates<d>> x, Move_report& report);
+    /// One vertex; precondition: p is in the coordinate domain.
     void move(Index v, const Coordinates<d>& p, Move_report& report);
 
     /// To be called after cells were replaced by other hands (insertion, removal) at the present positions: evaluates
     /// the certificates of these cells.
     void refresh(std::span<const Index> cells, Move_report& report);
     /// False when p is so far out that the rounding of predicted positions is not bounded there: settle after placing.
-    [[nodiscard]] bool covers(const Coordinates<d>& p) const { return !prediction_.active() || prediction_.covers(p); }
+    [[nodiscard]] bool covers(const Coordinates<d>& p) const { return within(p, prediction_.limit()); }
     /// The vertex takes position p as moving and fixed position; it was not in the triangulation.
     void place(Index v, const Coordinates<d>& p);
 
     [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
     /// Where D is measured from: the fixed position, moved along with the prediction.
-    [[nodiscard]] Coordinates<d> fixed_position(Index v) const {
-        return prediction_.active() ? prediction_.expected(at(v), fixed_[at(v)]) : fixed_[at(v)];
-    }
+    [[nodiscard]] Coordinates<d> fixed_position(Index v) const { return vertex_[at(v)].expected(prediction_.now()); }
     /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own.
     [[nodiscard]] double tolerance(Index v) const;
 
   private:
     using Time = typename Prediction<d>::Time;
-    struct alignas(64) Facet_record {  // in 2D one cache line
-        std::array<double, static_cast<std::size_t>(d + 2)> expiry;  // by point
-        double tolerance;                                            // 0: no second look
+    /// The points of a facet's certificate and at which readings of each it expires. In 2D half a cache line: what is
+    /// seldom asked for has arrays of its own.
+    struct Facet_record {
+        std::array<Expiry, static_cast<std::size_t>(d + 2)> expiry;  // by point
         Facet_points<d> point;
-        Time until;
-        Facet_kind kind;
     };
     struct Cell_record {
-        std::array<double, static_cast<std::size_t>(d + 1)> expiry;  // by slot
-        Time until;
+        std::array<Expiry, static_cast<std::size_t>(d + 1)> expiry;  // by slot
     };
     struct Renewal {
         Index facet;
@@ -91,23 +88,32 @@ class Filter {
     static Index id_of_facet(Index f) { return 2 * f; }
     static Index id_of_cell(Index c) { return 2 * c + 1; }
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] static bool within(const Coordinates<d>& p, double limit) {
+        bool near = true;
+        for (const double c : p) near &= std::fabs(c) <= limit;  // no branch: this runs over all positions
+        return near;
+    }
     [[nodiscard]] bool passes(Index v, const Coordinates<d>& p) const {
         const Coordinates<d> f = fixed_position(v);
-        return squared_distance<d>(p, f) < threshold_[at(v)] || (p == f && prediction_.rests(at(v)));
+        return squared_distance<d>(p, f) < vertex_[at(v)].threshold || (p == f && vertex_[at(v)].rests());
     }
     /// Odometer reading of v at x: an upper bound.
     [[nodiscard]] double reading(Index v, const Coordinates<d>& x) const {
-        return sum_upper(list_[at(v)].base, sum_upper(distance_upper<d>(x, fixed_position(v)), prediction_.slack()));
+        const double length = sum_upper(distance_upper<d>(x, fixed_position(v)), prediction_.slack());
+        return sum_upper(list_[at(v)].base, length);
     }
-    void find_failed(std::span<const Coordinates<d>> x);
+    /// False when a vertex went beyond the limit of the prediction or the coordinate domain.
+    [[nodiscard]] bool find_failed(std::span<const Coordinates<d>> x);
+    void require_covered(std::span<const Coordinates<d>> x, Move_report& report);
     /// Decides whether the motion is worth predicting; to be called after each step with the positions before it.
     void reconsider(Move_report& report);
     [[nodiscard]] bool coherent(const std::vector<Coordinates<d>>& velocity) const;
     void note_displacements(std::span<const Coordinates<d>> x);
     void settle_here(Move_report& report);
+    void anchor_all(std::span<const Coordinates<d>> x);
+    void set_thresholds();
     void resize();
-    void list_changes(Move_report& report) const;
-    /// Mends after `failed_` is known and commits; x is position_ with the moves made.
+    [[nodiscard]] double reach() const;
     void process(std::span<const Coordinates<d>> x, std::span<const Index> movers, std::size_t asked,
                  Move_report& report);
     void find_expired(std::span<const Coordinates<d>> x);
@@ -121,13 +127,20 @@ class Filter {
     /// Looks at one certificate of v: expired at this reading, or else back on the list.
     void look_at(Index id, Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
     void tour(Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
-    template <class S>
-    [[nodiscard]] Time commit_points(const S& suspect, Index id, std::span<double> expiry,
+    void rebase(Index v);
+    void commit_renewals(std::span<const Coordinates<d>> x);
+    /// `fresh`: no certificate in question is on any list.
+    template <bool fresh>
+    void commit_evaluated(std::span<const Coordinates<d>> x);
+    template <bool fresh, class S>
+    [[nodiscard]] Time commit_points(const S& suspect, Index id, std::span<Expiry> expiry,
                                      std::span<const Coordinates<d>> x);
-    void set_threshold(Index v) {
+    void set_threshold(Index v) { vertex_[at(v)].threshold = squared_threshold_lower(slack(v)); }
+    /// How far v may be from its fixed position: the margins keep a reading that is within below every expiry.
+    [[nodiscard]] double slack(Index v) const {
         const Expiry_list& list = list_[at(v)];
-        const double slack = list.earliest() - sum_upper(list.base, prediction_.slack());
-        threshold_[at(v)] = squared_threshold_lower(slack * (1.0 - 0x1p-50));
+        const double length = list.earliest().reading() - list.base * (1.0 + 0x1p-50);
+        return (length * (1.0 - 0x1p-50) - prediction_.slack() * (1.0 + 0x1p-50)) * (1.0 - 0x1p-50);
     }
     void count(std::size_t asked, typename Repair<d>::Outcome outcome, Move_report& report);
 
@@ -141,21 +154,25 @@ class Filter {
     std::vector<Coordinates<d>> this_step_;
     std::uint64_t spent_ = 0;  // failures since the last settling
     std::vector<Coordinates<d>> position_;
-    std::vector<Coordinates<d>> fixed_;
-    std::vector<double> threshold_;  // by vertex: squared, compared with |moving - fixed|^2
+    std::vector<Vertex_record<d>> vertex_;
     std::vector<Expiry_list> list_;  // by vertex
     std::vector<Facet_record> facet_record_;
     std::vector<Cell_record> cell_record_;
+    std::vector<Facet_kind> kind_;        // by facet
+    std::vector<Time> facet_until_;       // by facet and by cell: last time of the term of the record
+    std::vector<Time> cell_until_;
+    std::vector<double> tolerance_;       // by facet, when there are second looks; 0: no second look
     std::vector<Delimiter_2> delimiter_;  // by facet, for the second look that needs it
     // Of one step:
+    bool everything_ = false;  // is evaluated
     std::vector<Index> failed_;
     std::vector<Expiry_list> failed_list_;  // of failed_, with base at the new fixed position
-    std::vector<std::pair<double, Index>> certificates_;  // of one vertex: expiry and id
+    std::vector<std::pair<Expiry, Index>> certificates_;  // of one vertex: expiry and id
     std::vector<Index> anchored_;
-    std::vector<std::uint64_t> stamp_;  // by vertex: == epoch_ when anchored in this step
     std::vector<Renewal> renewals_;
     std::vector<std::uint64_t> disturbed_stamp_;
-    std::uint64_t epoch_ = 0;
+    std::uint64_t step_ = 0;   // of disturbed_stamp_
+    std::uint32_t epoch_ = 0;  // of Vertex_record::stamp
     std::uint64_t tours_ = 0;
 };
 

@@ -13,15 +13,6 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 }  // namespace
 
 template <int d>
-void Filter_each<d>::list_changes(Move_report& report) const {
-    if (!report_changes_) return;
-    const auto& t = embedding_.table();
-    for (const Index c : repair_.changed_cells())
-        if (t.is_cell(c))
-            for (int i = 0; i <= d; ++i) report.changed.push_back(t.vertex(t.corner(c, i)));
-}
-
-template <int d>
 void Filter_each<d>::resize() {
     const std::size_t n = at(embedding_.table().vertex_bound());
     position_.resize(n);
@@ -98,13 +89,9 @@ void Filter_each<d>::update() {
 
 template <int d>
 void Filter_each<d>::refresh(std::span<const Index> cells, Move_report& report) {
-    const auto& t = embedding_.table();
     resize();
     repair_.begin(site());
-    for (const Index c : cells) {
-        repair_.suspect_cell(c);
-        for (int i = 0; i <= d; ++i) repair_.suspect_facet(t.facet(t.corner(c, i)));
-    }
+    repair_.suspect_cells(cells);
     (void)repair_.evaluate();
     update();
     report += repair_.report();
@@ -134,7 +121,7 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
     }
     queued_[at(h)] = 0;
     report += repair_.report();
-    list_changes(report);
+    if (report_changes_) repair_.list_changes(report);
     if (first) {
         ++report.moves.asked;
         ++(holds                                       ? report.moves.kept_in_place

@@ -58,7 +58,6 @@ class Filter_each {
     /// Where the triangulation is Delaunay.
     [[nodiscard]] std::vector<Coordinates<d>>& site() { return at_fixed_ ? fixed_ : position_; }
     void resize();
-    void list_changes(Move_report& report) const;
     void lower(Index v, double tolerance);
     template <class S>
     void lower_points(const S& suspect);

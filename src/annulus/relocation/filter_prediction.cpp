@@ -33,12 +33,12 @@ bool Filter<d>::coherent(const std::vector<Coordinates<d>>& velocity) const {
     double relative = 0.0;
     double absolute = 0.0;
     for (Index f = 0; f < bound; f += stride) {
-        if (!table_.is_facet(f) || facet_record_[at(f)].kind != Facet_kind::empty_sphere) continue;
+        if (!table_.is_facet(f) || kind_[at(f)] != Facet_kind::empty_sphere) continue;
         const auto& point = facet_record_[at(f)].point;
         double fastest = 0.0;
         for (const Index v : point) fastest = std::max(fastest, squared_distance<d>(velocity[at(v)], Coordinates<d>{}));
         absolute += std::sqrt(fastest);
-        relative += Prediction<d>::spread(point, velocity);
+        relative += Prediction<d>::spread(point, [&](Index v) -> const Coordinates<d>& { return velocity[at(v)]; });
     }
     return 2.0 * relative < absolute;
 }
@@ -63,8 +63,7 @@ void Filter<d>::reconsider(Move_report& report) {
     spent_ = 0;
     // Deviations a quarter of displacements, in the mean.
     if (change < 0.0625 * way && coherent(this_step_)) {
-        prediction_.adopt(std::move(this_step_), position_);
-        this_step_ = {};
+        prediction_.adopt(this_step_, vertex_, reach());
         settle_here(report);
     } else if (prediction_.active()) {
         settle(position_, report);

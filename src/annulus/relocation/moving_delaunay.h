@@ -131,7 +131,6 @@ class Moving_delaunay {
                : filters_each() ? filter_each_.fixed_position(v)
                                 : plain_[at(v)];
     }
-    static void require_in_domain(const Coordinates<d>& p);
     void require_vertex(Index i) const;
     void settle_into(Move_report& report);
     void rebuild_all(std::span<const Coordinates<d>> x, Move_report& report);

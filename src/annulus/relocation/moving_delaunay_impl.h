@@ -9,14 +9,6 @@
 namespace annulus {
 
 template <class Cgal>
-void Moving_delaunay<Cgal>::require_in_domain(const Coordinates<d>& p) {
-    if (in_domain(p)) return;
-    for (const double c : p)
-        if (!std::isfinite(c)) throw Error(Error_code::not_finite, "a coordinate is not a finite number");
-    throw Error(Error_code::out_of_domain, "a coordinate is larger than 2^500 in magnitude");
-}
-
-template <class Cgal>
 void Moving_delaunay<Cgal>::require_vertex(Index i) const {
     if (i < 0 || at(i) >= index_bound() || embedding_.handle(i) == Vertex_handle())
         throw Error(Error_code::unknown_vertex, "no vertex has index " + std::to_string(i));
@@ -217,9 +209,8 @@ Move_report Moving_delaunay<Cgal>::move_all(std::span<const Coordinates<d>> poin
     if (points.size() != index_bound())
         throw Error(Error_code::wrong_size, "move_all takes " + std::to_string(index_bound()) + " points, not " +
                                                 std::to_string(points.size()));
-    bool sound = true;
-    for (const auto& p : points) sound &= in_domain(p);
-    if (!sound)
+    // The filter looks at every position anyway and finds out itself.
+    if (!filters() || embedding_.dimension() != d)
         for (std::size_t i = 0; i < points.size(); ++i)
             if (embedding_.handle(static_cast<Index>(i)) != Vertex_handle()) require_in_domain(points[i]);
     Move_report report;

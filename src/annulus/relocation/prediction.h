@@ -12,126 +12,182 @@
 
 namespace annulus {
 
-/// Linear prediction of a motion: fixed positions that move along, so that a drift shared by neighbours costs nothing.
+/// What a step reads of every vertex to tell whether it moved too far.
+template <int d>
+struct Vertex_record {
+    using Time = std::uint32_t;
+
+    Coordinates<d> fixed{};     ///< fixed position, at time `since`
+    Coordinates<d> velocity{};  ///< by which it is expected to move, a tick
+    double threshold = 0.0;     ///< squared, compared with |moving - expected|^2
+    Time since = 0;
+    std::uint32_t stamp = 0;  ///< of the step in which it was anchored last (Filter::epoch_)
+
+    /// Where the vertex is expected at time `now`: its fixed position when nothing is predicted.
+    [[nodiscard]] Coordinates<d> expected(Time now) const {
+        Coordinates<d> e = fixed;
+        const double ticks = static_cast<std::int32_t>(now - since);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) e[k] += ticks * velocity[k];
+        return e;
+    }
+    [[nodiscard]] bool rests() const { return velocity == Coordinates<d>{}; }
+};
+
+/// Prediction of a motion: fixed positions that move along, so that a drift shared by neighbours costs nothing.
 ///
 /// Vertex v anchored at f at time t_v is expected at f + (t - t_v) u_v. Certificates do not change when all their points
 /// move by one vector, so what wears out a certificate evaluated at time t0 with tolerance s is the difference of the
 /// velocities of its points and their deviations from the prediction: with all velocities within rho of some vector,
-/// it holds while (t - t0) rho + deviation < s at every point (docs/theory.md, section on prediction). Half of s goes to
-/// each; `Term::until` is the last time at which the first half suffices. Without velocities the prediction is that
-/// everything rests, terms never end and deviations have all of s.
+/// it holds while (t - t0) rho + deviation < s at every point (docs/theory.md 5.4). Each gets a share of s; `Term::until`
+/// is the last time at which the first share suffices. Without velocities the prediction is that everything rests,
+/// terms never end and deviations have all of s.
+///
+/// Time is not the number of steps. It may pass as it likes, as long as it is the same for all vertices: each step
+/// lasts as many ticks as fit best what the vertices did (`ticks_of_step`), so that a motion that slows down everywhere
+/// alike goes on as predicted.
 ///
 /// The predicted position is computed in doubles: off by at most 2^-51 times the largest coordinate or so, per
 /// coordinate. `slack()` is above that and is added to every deviation.
 template <int d>
 class Prediction {
   public:
-    using Time = std::uint32_t;
+    using Time = typename Vertex_record<d>::Time;
     static constexpr Time forever = std::numeric_limits<Time>::max();
+    /// Settle when this is reached.
+    static constexpr Time latest = Time{1} << 30;
 
     struct Term {
         double tolerance;  ///< for the deviation of each point
         Time until;        ///< last time at which the certificate may be trusted
     };
 
-    [[nodiscard]] bool active() const { return !velocity_.empty(); }
+    [[nodiscard]] bool active() const { return active_; }
     [[nodiscard]] Time now() const { return now_; }
     [[nodiscard]] double slack() const { return slack_; }
 
     /// Everything rests from now on, and nothing is scheduled.
-    void clear() {
-        velocity_.clear();
-        anchored_.clear();
+    void clear(std::span<Vertex_record<d>> vertices) {
+        for (auto& v : vertices) {
+            v.velocity = {};
+            v.since = 0;
+        }
         for (auto& bucket : calendar_) bucket.clear();
+        active_ = false;
         slack_ = 0.0;
-        now_ = 0;
+        before_ = now_ = 0;
     }
-    /// Vertex v, now at x[v], moves by velocity[v] a step. Replaces everything predicted before.
-    void adopt(std::vector<Coordinates<d>> velocity, std::span<const Coordinates<d>> x) {
-        clear();
-        velocity_ = std::move(velocity);
-        anchored_.assign(velocity_.size(), 0);
+    /// Vertex v moves by displacement[v] in a step of ordinary length. Replaces everything predicted before. `reach`
+    /// bounds the coordinates.
+    void adopt(std::span<const Coordinates<d>> displacement, std::span<Vertex_record<d>> vertices, double reach) {
+        clear(vertices);
+        for (std::size_t v = 0; v < displacement.size(); ++v)
+            for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k)
+                vertices[v].velocity[k] = displacement[v][k] / ticks_a_step;
         calendar_.resize(horizon);
-        reach_ = 0.0;
-        for (const auto& p : x)
-            for (const double c : p)
-                if (std::fabs(c) <= 0x1p500) reach_ = std::max(reach_, std::fabs(c));  // vacant entries may be anything
-        slack_ = reach_ * 0x1p-46;
+        active_ = true;
+        limit_ = 2.0 * reach;
+        slack_ = reach * 0x1p-46;
     }
-    /// False when a position is so far out that slack() no longer covers rounding: settle anew.
-    [[nodiscard]] bool covers(const Coordinates<d>& p) const {
-        bool near = true;
-        for (const double c : p) near &= std::fabs(c) <= 2.0 * reach_;  // no branch: this runs over all positions
-        return near;
-    }
+    /// Coordinates up to this are covered by slack(); when one is larger, settle anew.
+    [[nodiscard]] double limit() const { return active_ ? limit_ : std::numeric_limits<double>::infinity(); }
 
-    void advance() { ++now_; }
-    void retreat() { --now_; }
-    /// There is room for new vertices; they rest.
-    void resize(std::size_t n) {
-        if (!active()) return;
-        velocity_.resize(n, Coordinates<d>{});
-        anchored_.resize(n, now_);
+    /// The number of ticks after which the prediction fits best where the vertices went, in the mean of squares over a
+    /// sample of them.
+    [[nodiscard]] Time ticks_of_step(std::span<const Coordinates<d>> from, std::span<const Coordinates<d>> to,
+                                     std::span<const Vertex_record<d>> vertices) const {
+        if (!active_) return 0;
+        const std::size_t stride = 1 + to.size() / 512;
+        double along = 0.0;
+        double length = 0.0;
+        for (std::size_t v = 0; v < to.size(); v += stride)
+            for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) {
+                const double u = vertices[v].velocity[k];
+                along += (to[v][k] - from[v][k]) * u;
+                length += u * u;
+            }
+        const double ticks = along / length;
+        return ticks > 0.0 ? static_cast<Time>(std::min(ticks + 0.5, 4.0 * ticks_a_step)) : Time{0};
     }
-    void anchor(std::size_t v) {
-        if (active()) anchored_[v] = now_;
+    void advance(Time ticks) {
+        before_ = now_;
+        now_ += ticks;
     }
-    [[nodiscard]] bool rests(std::size_t v) const { return !active() || velocity_[v] == Coordinates<d>{}; }
-    [[nodiscard]] const Coordinates<d>& velocity(std::size_t v) const { return velocity_[v]; }
-    /// Where v, anchored at f, is expected now.
-    [[nodiscard]] Coordinates<d> expected(std::size_t v, const Coordinates<d>& f) const {
-        Coordinates<d> e = f;
-        const double steps = now_ - anchored_[v];
-        for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) e[k] += steps * velocity_[v][k];
-        return e;
-    }
+    void retreat() { now_ = before_; }
 
     /// Half the diagonal of the box of the points' velocities, rounded up: all are within that of its middle.
-    template <class Points>
-    [[nodiscard]] static double spread(const Points& points, const std::vector<Coordinates<d>>& velocity) {
+    /// `velocity(v)` is that of vertex v.
+    template <class Points, class Velocity>
+    [[nodiscard]] static double spread(const Points& points, Velocity velocity) {
         Coordinates<d> low;
         Coordinates<d> high;
         low.fill(std::numeric_limits<double>::infinity());
         high.fill(-std::numeric_limits<double>::infinity());
         for (const Index v : points) {
             if (v == none) continue;
+            const Coordinates<d>& u = velocity(v);
             for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) {
-                low[k] = std::min(low[k], velocity[static_cast<std::size_t>(v)][k]);
-                high[k] = std::max(high[k], velocity[static_cast<std::size_t>(v)][k]);
+                low[k] = std::min(low[k], u[k]);
+                high[k] = std::max(high[k], u[k]);
             }
         }
         return low == high ? 0.0 : 0.5 * distance_upper<d>(low, high) * (1.0 + 0x1p-50);
     }
     /// The term of a certificate evaluated now.
     template <class Points>
-    [[nodiscard]] Term term(const Points& points, double tolerance) const {
-        if (!active()) return {tolerance, forever};
-        const double rho = spread(points, velocity_);
+    [[nodiscard]] Term term(const Points& points, double tolerance, std::span<const Vertex_record<d>> vertices) const {
+        if (!active_) return {tolerance, forever};
+        const auto velocity = [vertices](Index v) -> const Coordinates<d>& {
+            return vertices[static_cast<std::size_t>(v)].velocity;
+        };
+        const double rho = spread(points, velocity);
         if (rho == 0.0) return {tolerance, forever};
-        const double steps = 0.5 * tolerance / rho * (1.0 - 0x1p-40);
-        const double most = horizon - 2;
-        return {0.5 * tolerance, now_ + static_cast<Time>(std::min(most, std::floor(std::max(0.0, steps))))};
+        const double ticks = (1.0 - deviation_share) * tolerance / rho * (1.0 - 0x1p-40);
+        const double most = (horizon - 2) * ticks_a_day;
+        const Time end = now_ + static_cast<Time>(std::min(most, std::floor(std::max(0.0, ticks))));
+        const Time midnight = end / ticks_a_day * ticks_a_day;  // terms end with a day of the calendar if they can
+        return {deviation_share * tolerance, midnight > now_ ? midnight - 1 : end};
     }
     /// Certificate `id` wants to be looked at when its term has ended.
     void schedule(Index id, Time until) {
-        if (until != forever) calendar_[(until + 1) % horizon].push_back(id);
+        if (until != forever) calendar_[day(until + 1) % horizon].push_back({id, until});
     }
-    /// Those whose term may have ended (a certificate evaluated since has another term now).
-    [[nodiscard]] std::span<const Index> due() const {
-        return active() ? std::span<const Index>(calendar_[now_ % horizon]) : std::span<const Index>{};
+    /// Calls visit(id, until) for those whose term may have ended with this step (a certificate evaluated since has
+    /// another term now).
+    template <class Visit>
+    void for_each_due(Visit visit) const {
+        if (!active_ || now_ == before_) return;
+        for (Time t = day(before_); t <= day(now_); ++t)
+            for (const auto& entry : calendar_[t % horizon])
+                if (entry.until < now_) visit(entry.id, entry.until);
     }
+    [[nodiscard]] bool any_due() const {
+        bool any = false;
+        for_each_due([&any](Index, Time) { any = true; });
+        return any;
+    }
+    /// To be called once the step is done.
     void forget_due() {
-        if (active()) calendar_[now_ % horizon].clear();
+        if (!active_ || now_ == before_) return;
+        for (Time t = day(before_); t < day(now_); ++t) calendar_[t % horizon].clear();
+        std::erase_if(calendar_[day(now_) % horizon], [this](const Entry& entry) { return entry.until < now_; });
     }
 
   private:
-    static constexpr Time horizon = 1024;  // the longest term
+    struct Entry {
+        Index id;
+        Time until;
+    };
+    static constexpr double deviation_share = 0.6875;  // of a tolerance; measured to need the fewest evaluations
+    static constexpr Time ticks_a_step = 1024;  // of ordinary length
+    static constexpr Time ticks_a_day = 256;
+    static constexpr Time horizon = 4096;  // the longest term in days, about
+    [[nodiscard]] static Time day(Time t) { return t / ticks_a_day; }
 
-    std::vector<Coordinates<d>> velocity_;  // by vertex, a step; empty: everything rests
-    std::vector<Time> anchored_;            // by vertex: time of its fixed position
-    std::vector<std::vector<Index>> calendar_;
-    double reach_ = 0.0;
+    std::vector<std::vector<Entry>> calendar_;  // by day, modulo horizon
+    bool active_ = false;
+    double limit_ = 0.0;
     double slack_ = 0.0;
+    Time before_ = 0;  // before this step
     Time now_ = 0;
 };
 

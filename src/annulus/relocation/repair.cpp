@@ -108,17 +108,29 @@ void Repair<d>::suspect_cell(Index c) {
 }
 
 template <int d>
+void Repair<d>::suspect_cells(std::span<const Index> cells) {
+    const auto& t = embedding_.table();
+    for (const Index c : cells) {
+        suspect_cell(c);
+        for (int i = 0; i <= d; ++i) suspect_facet(t.facet(t.corner(c, i)));
+    }
+}
+
+template <int d>
 void Repair<d>::suspect_around(std::span<const Index> cells) {
     const auto& t = embedding_.table();
     changed_.insert(changed_.end(), cells.begin(), cells.end());
-    for (const Index c : cells) {
-        suspect_cell(c);
-        for (int i = 0; i <= d; ++i) {
-            const Index f = t.facet(t.corner(c, i));
-            suspect_facet(f);
-            queue_.push_back(f);
-        }
-    }
+    suspect_cells(cells);
+    for (const Index c : cells)
+        for (int i = 0; i <= d; ++i) queue_.push_back(t.facet(t.corner(c, i)));
+}
+
+template <int d>
+void Repair<d>::list_changes(Move_report& report) const {
+    const auto& t = embedding_.table();
+    for (const Index c : changed_)
+        if (t.is_cell(c))
+            for (int i = 0; i <= d; ++i) report.changed.push_back(t.vertex(t.corner(c, i)));
 }
 
 template <int d>

@@ -47,6 +47,8 @@ class Repair {
     /// Every certificate of the triangulation, and every one that contains v.
     void suspect_everything();
     void suspect_star(Index v);
+    /// Every certificate of these cells and of their facets.
+    void suspect_cells(std::span<const Index> cells);
 
     /// Evaluates what is stale, in one batch. True when all suspects hold and the border winds once.
     ///
@@ -76,6 +78,8 @@ class Repair {
     [[nodiscard]] std::span<const Index> reinserted() const { return detached_; }
     /// Cells that flips, removal or insertion created or changed, some perhaps gone again; everything after a rebuild.
     [[nodiscard]] std::span<const Index> changed_cells() const { return changed_; }
+    /// Appends the vertices of those that there still are to report.changed.
+    void list_changes(Move_report& report) const;
     /// Counters of this examination.
     [[nodiscard]] const Move_report& report() const { return report_; }
 

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `filter` writes down of certificates that were evaluated, and how it starts.
+#include <annulus/relocation/filter.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+namespace {
+constexpr Expiry never = Expiry::never();
+}  // namespace
+
+template <int d>
+void Filter<d>::resize() {
+    const std::size_t n = at(table_.vertex_bound());
+    position_.resize(n);
+    vertex_.resize(n);
+    list_.resize(n);
+    disturbed_stamp_.resize(n, 0);
+    Facet_record no_facet{};
+    no_facet.expiry.fill(never);
+    no_facet.point.fill(none);
+    const std::size_t facets = at(table_.facet_bound());
+    facet_record_.resize(facets, no_facet);
+    facet_until_.resize(facets, Prediction<d>::forever);
+    kind_.resize(facets, Facet_kind::border);
+    if (look_ != Second_look::off) tolerance_.resize(facets, 0.0);
+    Cell_record no_cell{};
+    no_cell.expiry.fill(never);
+    const std::size_t cells = at(table_.cell_bound());
+    cell_record_.resize(cells, no_cell);
+    cell_until_.resize(cells, Prediction<d>::forever);
+}
+
+template <int d>
+void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
+    resize();
+    if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
+    prediction_.clear(vertex_);
+    last_step_.clear();
+    settle_here(report);
+}
+
+/// Largest magnitude of a coordinate. What stands at a vacant index does not count.
+template <int d>
+double Filter<d>::reach() const {
+    double most = 0.0;
+    for (std::size_t v = 0; v < position_.size(); ++v)
+        if (table_.corner_of(static_cast<Index>(v)) != none)
+            for (const double c : position_[v]) most = std::max(most, std::fabs(c));
+    return most;
+}
+
+/// Every vertex is at its fixed position, x, with its odometer at 0 and no certificate.
+template <int d>
+void Filter<d>::anchor_all(std::span<const Coordinates<d>> x) {
+    for (std::size_t v = 0; v < x.size(); ++v) {
+        vertex_[v].fixed = x[v];
+        vertex_[v].since = prediction_.now();
+        vertex_[v].threshold = 0.0;
+    }
+    std::fill(list_.begin(), list_.end(), Expiry_list{});
+}
+
+template <int d>
+void Filter<d>::set_thresholds() {
+    for (Index v = 0; v < table_.vertex_bound(); ++v) set_threshold(v);
+}
+
+/// Every certificate evaluated afresh at the present positions; the prediction stays what it is. In blocks that stay in
+/// the cache from the evaluation to the record.
+template <int d>
+void Filter<d>::settle_here(Move_report& report) {
+    spent_ = 0;
+    anchor_all(position_);
+    if (embedding_.dimension() != d) return;
+    const auto in_blocks = [&](Index bound, auto suspect) {
+        constexpr Index block = 512;
+        for (Index first = 0; first < bound; first += block) {
+            repair_.begin(position_, false);
+            for (Index i = first; i < std::min(bound, first + block); ++i) suspect(i);
+            (void)repair_.evaluate();
+            commit_evaluated<true>(position_);
+            report.evaluated += repair_.report().evaluated;
+            report.arithmetic += repair_.report().arithmetic;
+        }
+    };
+    in_blocks(table_.facet_bound(), [this](Index f) {
+        if (table_.is_facet(f)) repair_.suspect_facet(f);
+    });
+    in_blocks(table_.cell_bound(), [this](Index c) {
+        if (table_.is_cell(c)) repair_.suspect_cell(c);
+    });
+    set_thresholds();
+}
+
+template <int d>
+void Filter<d>::place(Index v, const Coordinates<d>& p) {
+    resize();
+    position_[at(v)] = p;
+    vertex_[at(v)] = {};
+    vertex_[at(v)].fixed = p;
+    list_[at(v)].clear();
+}
+
+template <int d>
+void Filter<d>::refresh(std::span<const Index> cells, Move_report& report) {
+    resize();
+    renewals_.clear();
+    failed_.clear();
+    everything_ = false;
+    repair_.begin(position_);
+    repair_.suspect_cells(cells);
+    (void)repair_.evaluate();
+    commit(position_);
+    report.evaluated += repair_.report().evaluated;
+    report.arithmetic += repair_.report().arithmetic;
+}
+
+template <int d>
+void Filter<d>::anchor(Index v, std::span<const Coordinates<d>> x) {
+    Vertex_record<d>& r = vertex_[at(v)];
+    if (r.stamp == epoch_) return;
+    r.stamp = epoch_;
+    anchored_.push_back(v);
+    if (r.rests() && x[at(v)] == r.fixed) return;
+    list_[at(v)].base = reading(v, x[at(v)]);
+    r.fixed = x[at(v)];
+    r.since = prediction_.now();
+}
+
+/// Gives a certificate evaluated at x its term and expiries and tells its points.
+template <int d>
+template <bool fresh, class S>
+auto Filter<d>::commit_points(const S& s, Index id, std::span<Expiry> expiry, std::span<const Coordinates<d>> x)
+    -> Time {
+    const auto term = prediction_.term(s.point, s.verdict.tolerance, std::span<const Vertex_record<d>>(vertex_));
+    for (std::size_t k = 0; k < s.point.size(); ++k) {
+        if (s.point[k] == none) continue;
+        if constexpr (!fresh) anchor(s.point[k], x);
+        Expiry_list& list = list_[at(s.point[k])];
+        expiry[k] = Expiry::lower(sum_lower(list.base, term.tolerance));
+        if constexpr (fresh) {
+            list.put_new(id, expiry[k]);
+        } else {
+            list.put(id, expiry[k]);
+        }
+    }
+    prediction_.schedule(id, term.until);
+    return term.until;
+}
+
+template <int d>
+void Filter<d>::commit_renewals(std::span<const Coordinates<d>> x) {
+    for (const Renewal& renewal : renewals_) {
+        if (!table_.is_facet(renewal.facet)) continue;
+        Facet_record& r = facet_record_[at(renewal.facet)];
+        if (look_ == Second_look::unequal_moves) tolerance_[at(renewal.facet)] = 0.0;
+        for (std::size_t k = 0; k < r.point.size(); ++k) {
+            const Index v = r.point[k];
+            double expiry = renewal.expiry[k];
+            if (look_ == Second_look::safe_region) {  // the room is around the present position
+                anchor(v, x);
+                expiry = sum_lower(list_[at(v)].base, expiry);
+            }
+            r.expiry[k] = Expiry::lower(expiry);
+            list_[at(v)].put(id_of_facet(renewal.facet), r.expiry[k]);
+            if (vertex_[at(v)].stamp != epoch_) set_threshold(v);
+        }
+    }
+}
+
+template <int d>
+template <bool fresh>
+void Filter<d>::commit_evaluated(std::span<const Coordinates<d>> x) {
+    for (const auto& s : repair_.facets()) {
+        if (!repair_.exists(s)) continue;
+        Facet_record& r = facet_record_[at(s.id)];
+        r.point = s.point;
+        r.expiry.fill(never);
+        kind_[at(s.id)] = s.kind;
+        if (look_ != Second_look::off) tolerance_[at(s.id)] = s.verdict.tolerance;
+        if (look_ == Second_look::safe_region && s.kind == Facet_kind::empty_sphere) keep_delimiter(s.id, s.point, x);
+        facet_until_[at(s.id)] = s.kind == Facet_kind::border
+                                     ? Prediction<d>::forever
+                                     : commit_points<fresh>(s, id_of_facet(s.id), r.expiry, x);
+    }
+    for (const auto& s : repair_.cells()) {
+        if (!repair_.exists(s)) continue;
+        Cell_record& r = cell_record_[at(s.id)];
+        r.expiry.fill(never);
+        cell_until_[at(s.id)] = s.kind == Facet_kind::border || repair_.kind() == Tolerance_kind::paper
+                                    ? Prediction<d>::forever
+                                    : commit_points<fresh>(s, id_of_cell(s.id), r.expiry, x);
+    }
+}
+
+/// Starts v's odometer at 0 again: what is left of each of its certificates stays what it is. Odometers that have come
+/// a long way would round tolerances away.
+template <int d>
+void Filter<d>::rebase(Index v) {
+    Expiry_list& list = list_[at(v)];
+    const double base = list.base;
+    list.clear();
+    list.base = 0.0;
+    const auto shift = [&](Expiry& e, Index id) {
+        if (e == never) return;
+        const double left = e.reading() - base;
+        e = Expiry::lower(left - left * 0x1p-52);
+        list.put(id, e);
+    };
+    table_.for_each_corner(v, [&](Index h) {
+        const Index c = table_.cell_of(h);
+        shift(cell_record_[at(c)].expiry[static_cast<std::size_t>(table_.slot_of(h))], id_of_cell(c));
+        for (const Index f : {table_.facet(h), table_.facet(table_.ccw(h))}) {
+            Facet_record& r = facet_record_[at(f)];
+            for (std::size_t k = 0; k < r.point.size(); ++k) {
+                if (r.point[k] != v) continue;
+                // Unequal moves infer the reference from the expiry, which they cannot once it has been cut off at 0.
+                if (look_ != Second_look::off && r.expiry[k].reading() < base) tolerance_[at(f)] = 0.0;
+                shift(r.expiry[k], id_of_facet(f));
+            }
+        }
+    });
+}
+
+template <int d>
+void Filter<d>::commit(std::span<const Coordinates<d>> x) {
+    if (++epoch_ == 0) {
+        for (auto& r : vertex_) r.stamp = 0;
+        epoch_ = 1;
+    }
+    resize();
+    if (everything_) {
+        everything_ = false;
+        anchor_all(x);
+        commit_evaluated<true>(x);
+        set_thresholds();
+        failed_.clear();
+        return;
+    }
+    anchored_.clear();
+    for (std::size_t i = 0; i < failed_.size(); ++i) {
+        const Index v = failed_[i];
+        Vertex_record<d>& r = vertex_[at(v)];
+        r.stamp = epoch_;
+        r.fixed = x[at(v)];
+        r.since = prediction_.now();
+        anchored_.push_back(v);
+        list_[at(v)] = failed_list_[i];
+    }
+    for (const Index v : repair_.reinserted()) list_[at(v)].clear();
+    commit_renewals(x);
+    commit_evaluated<false>(x);
+    for (const Index v : anchored_) {
+        const Expiry_list& list = list_[at(v)];
+        if (list.base > 0x1p8 * (list.earliest().reading() - list.base)) rebase(v);
+        set_threshold(v);
+    }
+    failed_.clear();
+    renewals_.clear();
+}
+
+template class Filter<2>;
+
+}  // namespace annulus
