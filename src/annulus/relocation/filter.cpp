@@ -17,7 +17,8 @@ template <int d>
 void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     failed_.clear();
     const std::array<Index, 1> movers{v};
-    if (!covers(p)) settle(position_, report);  // so far out that nobody can be there: this call will not fail
+    const bool tracked = tracks_;
+    if (!covers(p) || !tracks_) settle(position_, report);  // so far out that nobody can be there: this call will not fail
     if (passes(v, p)) {
         position_[at(v)] = p;
         embedding_.set_point(v, p);
@@ -29,9 +30,10 @@ void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     const Coordinates<d> old = position_[at(v)];
     position_[at(v)] = p;
     try {
-        process(position_, movers, 1, report);
+        process(position_, movers, false, report);
     } catch (...) {
         position_[at(v)] = old;
+        if (!tracked) stop_tracking();
         throw;
     }
 }
@@ -84,6 +86,12 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
         prediction_.advance(prediction_.ticks_of_step(position_, x, vertex_));
         (void)find_failed(x);
     }
+    const bool tracked = tracks_;
+    const bool everything = most_expired(x);
+    if (!tracks_ && !everything && !failed_.empty()) {
+        settle(position_, report);
+        (void)find_failed(x);
+    }
     const std::size_t asked = embedding_.vertices();
     note_displacements(x);
     if (failed_.empty() && !prediction_.any_due()) {
@@ -93,10 +101,11 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
         std::copy(x.begin(), x.end(), position_.begin());
     } else {
         try {
-            process(x, {}, asked, report);
+            process(x, {}, everything, report);
         } catch (...) {
             prediction_.retreat();
             last_step_.clear();
+            if (!tracked) stop_tracking();
             throw;
         }
     }
@@ -106,27 +115,23 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
 
 /// Mends after `failed_` is known and commits; x is position_ with the moves made.
 template <int d>
-void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index> movers, std::size_t asked,
+void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index> movers, bool everything,
                         Move_report& report) {
     renewals_.clear();
     repair_.begin(x, movers.empty());
     tours_ = 0;
-    find_expired(x);
+    if (!everything) find_expired(x);
     auto outcome = Repair<d>::Outcome::flipped;
-    if (!repair_.evaluate()) outcome = repair_.mend(position_, movers);
+    if (!(everything ? repair_.evaluate_everything() : repair_.evaluate())) outcome = repair_.mend(position_, movers);
     // From here on nothing throws.
     report += repair_.report();
     if (report_changes_) repair_.list_changes(report);
-    spent_ += failed_.size();
+    if (!everything) spent_ += failed_.size();
     report.renewed += renewals_.size();
     report.tours += tours_;
-    count(asked, outcome, report);
-    if (outcome == Repair<d>::Outcome::rebuilt) {
-        everything_ = false;
-        settle(x, report);
-        return;
-    }
-    commit(x);
+    count(movers.empty() ? embedding_.vertices() : movers.size(), outcome, report);
+    const bool track = !everything || worth_tracking(x, report);
+    if (!everything && outcome != Repair<d>::Outcome::rebuilt) commit(x);
     if (outcome == Repair<d>::Outcome::flipped) {
         if (movers.empty()) {
             embedding_.set_points(x);
@@ -135,6 +140,11 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index
         }
     }
     if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
+    if (!track) {
+        stop_tracking();
+    } else if (everything || outcome == Repair<d>::Outcome::rebuilt) {
+        settle(position_, report);
+    }
 }
 
 template <int d>

@@ -32,6 +32,9 @@ enum class Second_look : std::uint8_t {
 /// their points take their moving positions as fixed ones, and whatever is violated is mended (Repair). Soundness:
 /// docs/theory.md.
 ///
+/// While nearly every certificate expires at every step (the first steps of an optimisation) tolerances are not kept at
+/// all: all certificates are evaluated, once, for their signs (`tracks`).
+///
 /// When a motion goes on as it did the step before, fixed positions move along with it (Prediction): coherent drift
 /// then wears out no tolerance. Predictions are taken up and dropped as they prove themselves (`reconsider`).
 template <int d>
@@ -65,7 +68,10 @@ class Filter {
     [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
     /// Where D is measured from: the fixed position, moved along with the prediction.
     [[nodiscard]] Coordinates<d> fixed_position(Index v) const { return vertex_[at(v)].expected(prediction_.now()); }
+    /// False while the motion is so fast that tolerances would not last a step and are not kept.
+    [[nodiscard]] bool tracks() const { return tracks_; }
     /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own.
+    /// Precondition: tracks().
     [[nodiscard]] double tolerance(Index v) const;
 
   private:
@@ -110,11 +116,11 @@ class Filter {
     [[nodiscard]] bool coherent(const std::vector<Coordinates<d>>& velocity) const;
     void note_displacements(std::span<const Coordinates<d>> x);
     void settle_here(Move_report& report);
-    void anchor_all(std::span<const Coordinates<d>> x);
-    void set_thresholds();
+    void stop_tracking();
+    [[nodiscard]] bool worth_tracking(std::span<const Coordinates<d>> x, Move_report& report);
     void resize();
     [[nodiscard]] double reach() const;
-    void process(std::span<const Coordinates<d>> x, std::span<const Index> movers, std::size_t asked,
+    void process(std::span<const Coordinates<d>> x, std::span<const Index> movers, bool everything,
                  Move_report& report);
     void find_expired(std::span<const Coordinates<d>> x);
     [[nodiscard]] bool most_expired(std::span<const Coordinates<d>> x) const;
@@ -149,6 +155,7 @@ class Filter {
     Repair<d> repair_;
     bool report_changes_ = false;
     Second_look look_;
+    bool tracks_ = true;  // tolerances; if not, records and lists are void
     Prediction<d> prediction_;
     std::vector<Coordinates<d>> last_step_;  // displacements of the step before, while a prediction is considered
     std::vector<Coordinates<d>> this_step_;
@@ -164,7 +171,6 @@ class Filter {
     std::vector<double> tolerance_;       // by facet, when there are second looks; 0: no second look
     std::vector<Delimiter_2> delimiter_;  // by facet, for the second look that needs it
     // Of one step:
-    bool everything_ = false;  // is evaluated
     std::vector<Index> failed_;
     std::vector<Expiry_list> failed_list_;  // of failed_, with base at the new fixed position
     std::vector<std::pair<Expiry, Index>> certificates_;  // of one vertex: expiry and id

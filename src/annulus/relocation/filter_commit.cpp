@@ -51,28 +51,18 @@ double Filter<d>::reach() const {
     return most;
 }
 
-/// Every vertex is at its fixed position, x, with its odometer at 0 and no certificate.
-template <int d>
-void Filter<d>::anchor_all(std::span<const Coordinates<d>> x) {
-    for (std::size_t v = 0; v < x.size(); ++v) {
-        vertex_[v].fixed = x[v];
-        vertex_[v].since = prediction_.now();
-        vertex_[v].threshold = 0.0;
-    }
-    std::fill(list_.begin(), list_.end(), Expiry_list{});
-}
-
-template <int d>
-void Filter<d>::set_thresholds() {
-    for (Index v = 0; v < table_.vertex_bound(); ++v) set_threshold(v);
-}
-
 /// Every certificate evaluated afresh at the present positions; the prediction stays what it is. In blocks that stay in
 /// the cache from the evaluation to the record.
 template <int d>
 void Filter<d>::settle_here(Move_report& report) {
     spent_ = 0;
-    anchor_all(position_);
+    tracks_ = true;
+    for (std::size_t v = 0; v < position_.size(); ++v) {
+        vertex_[v].fixed = position_[v];
+        vertex_[v].since = prediction_.now();
+        vertex_[v].threshold = 0.0;
+    }
+    std::fill(list_.begin(), list_.end(), Expiry_list{});
     if (embedding_.dimension() != d) return;
     const auto in_blocks = [&](Index bound, auto suspect) {
         constexpr Index block = 512;
@@ -91,7 +81,19 @@ void Filter<d>::settle_here(Move_report& report) {
     in_blocks(table_.cell_bound(), [this](Index c) {
         if (table_.is_cell(c)) repair_.suspect_cell(c);
     });
-    set_thresholds();
+    for (Index v = 0; v < table_.vertex_bound(); ++v) set_threshold(v);
+}
+
+/// Tolerances are given up: no vertex that moves passes until the next settling.
+template <int d>
+void Filter<d>::stop_tracking() {
+    tracks_ = false;
+    prediction_.clear(vertex_);
+    last_step_.clear();
+    for (std::size_t v = 0; v < position_.size(); ++v) {
+        vertex_[v].fixed = position_[v];
+        vertex_[v].threshold = 0.0;
+    }
 }
 
 template <int d>
@@ -108,7 +110,7 @@ void Filter<d>::refresh(std::span<const Index> cells, Move_report& report) {
     resize();
     renewals_.clear();
     failed_.clear();
-    everything_ = false;
+    if (!tracks_) return;
     repair_.begin(position_);
     repair_.suspect_cells(cells);
     (void)repair_.evaluate();
@@ -231,14 +233,6 @@ void Filter<d>::commit(std::span<const Coordinates<d>> x) {
         epoch_ = 1;
     }
     resize();
-    if (everything_) {
-        everything_ = false;
-        anchor_all(x);
-        commit_evaluated<true>(x);
-        set_thresholds();
-        failed_.clear();
-        return;
-    }
     anchored_.clear();
     for (std::size_t i = 0; i < failed_.size(); ++i) {
         const Index v = failed_[i];

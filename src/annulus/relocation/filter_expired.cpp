@@ -76,7 +76,7 @@ void Filter<d>::tour(Index v, double reading, Expiry_list& list, std::span<const
 /// to evaluate all certificates is cheaper than to ask which expired.
 template <int d>
 bool Filter<d>::most_expired(std::span<const Coordinates<d>> x) const {
-    if (10 * failed_.size() < 7 * x.size()) return false;
+    if (10 * failed_.size() < 7 * x.size() || repair_.kind() == Tolerance_kind::paper) return false;
     const std::size_t stride = 1 + failed_.size() / 256;
     std::size_t sampled = 0;
     std::size_t far = 0;
@@ -88,14 +88,32 @@ bool Filter<d>::most_expired(std::span<const Coordinates<d>> x) const {
     return 4 * far > 3 * sampled;
 }
 
+/// Whether tolerances would last: by a sample of facets, do two thirds of the certificates survive another step like the one to x?
+template <int d>
+bool Filter<d>::worth_tracking(std::span<const Coordinates<d>> x, Move_report& report) {
+    const Index stride = 1 + table_.facet_bound() / 256;
+    repair_.begin(x, false);
+    for (Index f = 0; f < table_.facet_bound(); f += stride)
+        if (table_.is_facet(f)) repair_.suspect_facet(f);
+    (void)repair_.evaluate();
+    report.evaluated += repair_.report().evaluated;
+    report.arithmetic += repair_.report().arithmetic;
+    std::size_t sampled = 0;
+    std::size_t short_lived = 0;
+    for (const auto& s : repair_.facets()) {
+        if (s.kind == Facet_kind::border) continue;
+        double moved = 0.0;
+        for (const Index v : s.point)
+            if (v != none) moved = std::max(moved, squared_distance<d>(x[at(v)], position_[at(v)]));
+        ++sampled;
+        short_lived += moved > s.verdict.tolerance * s.verdict.tolerance ? 1 : 0;
+    }
+    return 3 * short_lived <= sampled;
+}
+
 template <int d>
 void Filter<d>::find_expired(std::span<const Coordinates<d>> x) {
     failed_list_.clear();
-    everything_ = most_expired(x);
-    if (everything_) {
-        repair_.suspect_everything();
-        return;
-    }
     for (const Index v : failed_) {
         Expiry_list list = list_[at(v)];
         list.base = reading(v, x[at(v)]);

@@ -253,7 +253,7 @@ double Moving_delaunay<Cgal>::star_tolerance(Index i) const {
 template <class Cgal>
 double Moving_delaunay<Cgal>::tolerance(Vertex_handle v) const {
     if (embedding_.dimension() != d) return 0.0;
-    return filters() ? filter_.tolerance(index(v)) : filters_each() ? filter_each_.tolerance(index(v)) : star_tolerance(index(v));
+    return filters() && filter_.tracks() ? filter_.tolerance(index(v)) : filters_each() ? filter_each_.tolerance(index(v)) : star_tolerance(index(v));
 }
 
 template <class Cgal>

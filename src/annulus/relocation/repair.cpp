@@ -16,6 +16,7 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 template <int d>
 void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
     many_ = many;
+    everything_ = false;
     forget();
     x_ = x;
     const auto& t = embedding_.table();
@@ -51,25 +52,42 @@ void Repair<d>::suspect_facet(Index f, Facet_kind kind, const Facet_points<d>& p
     s.stale = true;
 }
 
+/// Facet f with its kind and points, to be examined.
 template <int d>
-void Repair<d>::suspect_facet(Index f) {
+typename Repair<d>::Facet_suspect Repair<d>::facet_suspect(Index f) const {
     const auto& t = embedding_.table();
     const Index h = t.half(f);
-    const Facet_kind kind = facet_kind(t, h);
-    Facet_points<d> points{};
-    points.fill(none);
-    if (kind == Facet_kind::empty_sphere) {
-        points = bicell_points(t, h);
-    } else if (kind == Facet_kind::ridge) {
+    Facet_suspect s;
+    s.id = f;
+    s.kind = facet_kind(t, h);
+    s.point.fill(none);
+    if (s.kind == Facet_kind::empty_sphere) {
+        s.point = bicell_points(t, h);
+    } else if (s.kind == Facet_kind::ridge) {
         const Cell_points<d> ridge = ridge_vertex_last(t, h, ridge_points(t, h));
-        std::copy(ridge.begin(), ridge.end(), points.begin());
+        std::copy(ridge.begin(), ridge.end(), s.point.begin());
     } else if (kind_ == Tolerance_kind::paper) {
         const Cell_points<d> slab = slab_points(t, h);
-        std::copy(slab.begin(), slab.end(), points.begin());
-        suspect_facet(f, Facet_kind::slab, points);
-        return;
+        std::copy(slab.begin(), slab.end(), s.point.begin());
+        s.kind = Facet_kind::slab;
     }
-    suspect_facet(f, kind, points);
+    return s;
+}
+
+template <int d>
+typename Repair<d>::Cell_suspect Repair<d>::cell_suspect(Index c) const {
+    const auto& t = embedding_.table();
+    Cell_suspect s;
+    s.id = c;
+    s.kind = t.is_infinite(c) ? Facet_kind::border : Facet_kind::empty_sphere;
+    s.point = cell_points(t, c);
+    return s;
+}
+
+template <int d>
+void Repair<d>::suspect_facet(Index f) {
+    const Facet_suspect s = facet_suspect(f);
+    suspect_facet(f, s.kind, s.point);
 }
 
 template <int d>
@@ -99,12 +117,7 @@ void Repair<d>::suspect_cell(Index c) {
         cells_.push_back({});
         place = static_cast<Index>(cells_.size());
     }
-    Cell_suspect& s = cells_[at(place - 1)];
-    const auto& t = embedding_.table();
-    s.id = c;
-    s.kind = t.is_infinite(c) ? Facet_kind::border : Facet_kind::empty_sphere;
-    s.point = cell_points(t, c);
-    s.stale = true;
+    cells_[at(place - 1)] = cell_suspect(c);
 }
 
 template <int d>

@@ -59,6 +59,10 @@ class Repair {
     /// cell or ridge had to be evaluated, or when inverted cells were unfolded.
     [[nodiscard]] bool evaluate();
 
+    /// The same for every certificate of the triangulation, none of which need be named: those that clearly hold are
+    /// not kept, so `facets()` and `cells()` lack them.
+    [[nodiscard]] bool evaluate_everything();
+
     /// Whether flips reached a triangulation all of whose certificates hold.
     enum class Progress { done, stuck };
 
@@ -89,6 +93,8 @@ class Repair {
     [[nodiscard]] Tolerance_kind kind() const { return kind_; }
 
   private:
+    [[nodiscard]] Facet_suspect facet_suspect(Index f) const;
+    [[nodiscard]] Cell_suspect cell_suspect(Index c) const;
     [[nodiscard]] const Facet_suspect& examine_facet(Index f);
     [[nodiscard]] const Cell_suspect& examine_cell(Index c);
     /// Filter stage; false when the next stage must be asked.
@@ -124,7 +130,8 @@ class Repair {
     Embedding<d>& embedding_;
     Tolerance_kind kind_;
     bool trusted_;
-    bool many_ = true;  // the winding of the border is in doubt
+    bool many_ = true;        // vertices moved
+    bool everything_ = false;  // is examined: evaluate_everything
     std::span<const Coordinates<d>> x_;
     std::vector<Facet_suspect> facets_;
     std::vector<Cell_suspect> cells_;

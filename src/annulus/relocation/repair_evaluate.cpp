@@ -153,10 +153,34 @@ bool Repair<d>::evaluate() {
     if (std::any_of(cells_.begin(), cells_.end(), fails) || std::any_of(facets_.begin(), facets_.end(), fails))
         return false;
     if (!many_) return true;
-    const bool in_doubt = !cells_.empty() || std::any_of(facets_.begin(), facets_.end(), [](const auto& s) {
+    const bool in_doubt = everything_ || !cells_.empty() || std::any_of(facets_.begin(), facets_.end(), [](const auto& s) {
         return s.kind == Facet_kind::ridge;
     });
     return !in_doubt || border_winds_once();
+}
+
+template <int d>
+bool Repair<d>::evaluate_everything() {
+    const auto& t = embedding_.table();
+    everything_ = true;
+    const auto clearly_holds = [this](auto& s) {
+        if (s.kind == Facet_kind::border) return true;
+        if (!filter(s) || s.verdict.sign <= 0) return false;
+        ++report_.evaluated;
+        ++report_.arithmetic.filter;
+        return true;
+    };
+    for (Index f = 0; f < t.facet_bound(); ++f) {
+        if (!t.is_facet(f)) continue;
+        Facet_suspect s = facet_suspect(f);
+        if (!clearly_holds(s)) suspect_facet(f, s.kind, s.point);
+    }
+    for (Index c = 0; c < t.cell_bound(); ++c) {
+        if (!t.is_cell(c)) continue;
+        Cell_suspect s = cell_suspect(c);
+        if (!clearly_holds(s)) suspect_cell(c);
+    }
+    return evaluate();
 }
 
 template class Repair<2>;
