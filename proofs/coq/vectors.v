@@ -3,14 +3,14 @@
 Require Import Reals Lra Psatz.
 Open Scope R_scope.
 
-Record vec := V { X : R; Y : R; Z : R }.
+Record vec := V { X1 : R; X2 : R; X3 : R }.
 
-Definition add u v := V (X u + X v) (Y u + Y v) (Z u + Z v).
-Definition sub u v := V (X u - X v) (Y u - Y v) (Z u - Z v).
-Definition scale k u := V (k * X u) (k * Y u) (k * Z u).
+Definition add u v := V (X1 u + X1 v) (X2 u + X2 v) (X3 u + X3 v).
+Definition sub u v := V (X1 u - X1 v) (X2 u - X2 v) (X3 u - X3 v).
+Definition scale k u := V (k * X1 u) (k * X2 u) (k * X3 u).
 Definition zero := V 0 0 0.
-Definition dot u v := X u * X v + Y u * Y v + Z u * Z v.
-Definition cross u v := V (Y u * Z v - Z u * Y v) (Z u * X v - X u * Z v) (X u * Y v - Y u * X v).
+Definition dot u v := X1 u * X1 v + X2 u * X2 v + X3 u * X3 v.
+Definition cross u v := V (X2 u * X3 v - X3 u * X2 v) (X3 u * X1 v - X1 u * X3 v) (X1 u * X2 v - X2 u * X1 v).
 
 Declare Scope vec_scope.
 Notation "u ⊕ v" := (add u v) (at level 50, left associativity) : vec_scope.
@@ -25,21 +25,21 @@ Definition sq u := u · u.
 Definition norm u := sqrt (sq u).
 Definition vol u v w := (u ✕ v) · w.
 
-Lemma vec_eq u v : X u = X v -> Y u = Y v -> Z u = Z v -> u = v.
+Lemma vec_eq u v : X1 u = X1 v -> X2 u = X2 v -> X3 u = X3 v -> u = v.
 Proof. destruct u, v. simpl. now intros -> -> ->. Qed.
 
 (* Decides polynomial identities between vectors: coordinates, then ring. *)
 Ltac coordinates :=
-  unfold vol, sq, dot, cross, add, sub, scale, zero; cbn [X Y Z].
+  unfold vol, sq, dot, cross, add, sub, scale, zero; cbn [X1 X2 X3].
 Ltac vector :=
   intros; first [ apply vec_eq; coordinates; ring | coordinates; ring ].
 
 Lemma sq_nonneg u : 0 <= sq u.
-Proof. unfold sq, dot. generalize (Rle_0_sqr (X u)) (Rle_0_sqr (Y u)) (Rle_0_sqr (Z u)). unfold Rsqr. lra. Qed.
+Proof. unfold sq, dot. generalize (Rle_0_sqr (X1 u)) (Rle_0_sqr (X2 u)) (Rle_0_sqr (X3 u)). unfold Rsqr. lra. Qed.
 
 Lemma sq_zero u : sq u = 0 -> u = zero.
 Proof.
-  unfold sq, dot. intro H. generalize (Rle_0_sqr (X u)) (Rle_0_sqr (Y u)) (Rle_0_sqr (Z u)). unfold Rsqr. intros.
+  unfold sq, dot. intro H. generalize (Rle_0_sqr (X1 u)) (Rle_0_sqr (X2 u)) (Rle_0_sqr (X3 u)). unfold Rsqr. intros.
   apply vec_eq; apply Rsqr_0_uniq; unfold Rsqr, zero; lra.
 Qed.
 
@@ -104,3 +104,6 @@ Qed.
 (* The square at a moved point. *)
 Lemma sq_moved u d : sq (u ⊕ d) = sq u + 2 * (u · d) + sq d.
 Proof. vector. Qed.
+
+(* r is one of the numbers of a tree of maxima *)
+Ltac leaf := first [ apply Rle_refl | apply Rle_trans with (2 := Rmax_l _ _); leaf | apply Rle_trans with (2 := Rmax_r _ _); leaf ].
