@@ -12,8 +12,8 @@
    radii       the difference of its squared radii is det / Lam
    width       half the width is det / (|N - 2 Lam x_A| + |N - 2 Lam x_B|)
    slab        what this is when Lam = 0: half the width of a slab *)
-From Annulus Require Export vectors.
 Require Import Reals Lra Psatz.
+From Annulus Require Export vectors.
 Open Scope R_scope.
 
 Inductive vertex := a | b | c | p | q.

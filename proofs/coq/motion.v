@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Straight motions: what is continuous along them, and where a sign changes. *)
-From Annulus Require Export vectors.
 Require Import Reals Lra Psatz.
+From Annulus Require Export vectors.
 Open Scope R_scope.
 
 Definition along (u v : vec) (t : R) := u ⊕ t ⊙ (v ⊖ u).

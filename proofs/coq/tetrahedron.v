@@ -8,8 +8,8 @@
    orientation_certified    unequal moves: whatever slab, the moves of two points on its different sides do not add up to its width
    orientation_tolerance    every point closer than half the width: the orientation stays positive
    orientation_attained     there is a flat placement with every point at exactly half the width *)
-From Annulus Require Export vectors motion.
 Require Import Reals Lra Psatz.
+From Annulus Require Export vectors motion.
 Open Scope R_scope.
 
 Inductive corner := o | u | v | w.
