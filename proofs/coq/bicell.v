@@ -118,6 +118,14 @@ Proof.
   ring.
 Qed.
 
+(* What the certificate says: where both cells are positive, det > 0 exactly if q is outside the sphere of a, b, c, p. *)
+Theorem empty_sphere o r2 : sq (x a ⊖ o) = r2 -> sq (x b ⊖ o) = r2 -> sq (x c ⊖ o) = r2 -> sq (x p ⊖ o) = r2 ->
+  lambda x q * (sq (x q ⊖ o) - r2) = det x.
+Proof.
+  intros A B C P. generalize (powers 1 zero r2 o). unfold sum, quadric. rewrite A, B, C, P.
+  assert (E : forall v, zero · v = 0) by vector. rewrite !E. lra.
+Qed.
+
 (* lambda_i |z|^2 - U_i.z is constant on the four points other than i, and larger by det at x_i. *)
 Definition one (B : vertex -> bool) i := if B i then det x else 0.
 

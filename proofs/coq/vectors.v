@@ -29,8 +29,7 @@ Lemma vec_eq u v : X1 u = X1 v -> X2 u = X2 v -> X3 u = X3 v -> u = v.
 Proof. destruct u, v. simpl. now intros -> -> ->. Qed.
 
 (* Decides polynomial identities between vectors: coordinates, then ring. *)
-Ltac coordinates :=
-  unfold vol, sq, dot, cross, add, sub, scale, zero; cbn [X1 X2 X3].
+Ltac coordinates := cbv beta iota delta [vol sq dot cross add sub scale zero X1 X2 X3].
 Ltac vector :=
   intros; first [ apply vec_eq; coordinates; ring | coordinates; ring ].
 
