@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* From local certificates to a Delaunay triangulation, in space.
 
-   Cells are positive tetrahedra with their circumspheres. The sites are the points of which none may be strictly inside a sphere.
+   Cells are tetrahedra with their circumspheres, their corners in positive order. The sites are the points of which none may be strictly inside a sphere.
 
    delaunay   if every facet of every cell either has all sites on the cell's side (hull), or is shared with a cell whose opposite corner
               lies beyond the facet and strictly outside the sphere (the certificate of the bi-cell), and if no site lies in a cell of
@@ -74,7 +74,6 @@ Definition neighbours t k t' :=
   (forall i, i <> k -> exists j, at_ t' j = at_ t i) /\
   exists j, height t k (at_ t' j) < 0 /\ radius2 t < sq (at_ t' j ⊖ origin t).
 
-Hypothesis positive : forall t, In t cells -> 0 < volume (at_ t).
 Hypothesis spheres : forall t k, In t cells -> sq (at_ t k ⊖ origin t) = radius2 t.
 Hypothesis facets : forall t k, In t cells ->
   (forall z, site z -> 0 <= height t k z) \/ (exists t', In t' cells /\ neighbours t k t').
