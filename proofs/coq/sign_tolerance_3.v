@@ -8,7 +8,8 @@
    sign_tolerance_3         all six half widths (four annuli, two cells) from one reference. The cells may have any sign at y
    sign_tolerance_3_unequal the same with a bound for each point's move
    sign_tolerance_3_own     both cells positive at y, by whatever certificate; then the half widths of the cells at x are needed only
-                            where Lam < 0 for one of the partitions, and there the sign at y of one lambda will do instead *)
+                            where Lam < 0 for one of the partitions, and there the sign at y of one lambda will do instead
+                            (own_cells.v: without either it is false) *)
 Require Import Reals Lra Psatz.
 From Annulus Require Export vectors motion tetrahedron delimiter bicell.
 Open Scope R_scope.
