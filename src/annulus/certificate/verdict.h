@@ -25,6 +25,8 @@ struct Verdict {
     double tolerance = 0.0;       ///< lower bound of half the width (unit of length); 0 unless sign > 0
     std::int8_t sign = 0;         ///< exact sign of the determinant
     Stage stage = Stage::filter;  ///< the stage that decided
+    std::uint8_t backward =
+        0;  ///< empty spheres in space: bit k where partition k is not certainly forward (ladder_3.h)
 };
 
 /// Pointers to the positions of the points of one certificate.
