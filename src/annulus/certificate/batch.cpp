@@ -75,8 +75,9 @@ std::size_t store(double sign, double tolerance, double backward, Verdict& out) 
     return answered ? 1 : 0;
 }
 
+/// Flattened: a call between two halves of a formula would spill every register.
 template <class T>
-std::size_t filter_stage(std::span<const T> x, bool certified, std::span<Verdict> out, Cells cells) {
+[[gnu::flatten]] std::size_t filter_stage(std::span<const T> x, bool certified, std::span<Verdict> out, Cells cells) {
     constexpr std::size_t lanes = width<Lanes>;
     std::size_t answered = 0;
     std::size_t i = 0;
