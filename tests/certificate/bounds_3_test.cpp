@@ -21,16 +21,12 @@
 using namespace annulus;
 using namespace annulus::testing;
 
-namespace annulus {
-// So that the templates of width_terms_3.h can be instantiated with the numbers of this test.
-template <class T>
-using Differences = std::array<Vector_3<T>, 4>;
-inline mpq_class squared(const mpq_class& x) { return x * x; }
-}  // namespace annulus
-
 namespace {
 
 using Numbers = std::array<double, 15>;
+
+template <class T>
+using Differences = std::array<Vector_3<T>, 4>;
 
 template <class T>
 Differences<T> differences(const Numbers& x) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <utility>
 
 namespace annulus {
 
@@ -28,11 +29,12 @@ using Interval = boost::numeric::interval<
 /// x^2 as an interval that is never negative (x*x would forget that both factors are one number).
 [[nodiscard]] inline Interval squared(const Interval& x) { return boost::numeric::square(x); }
 
-/// The same for doubles, and for several doubles side by side.
+/// The same for every other number type.
 template <class T>
-requires requires(const T& x) {
-    { x* x } -> std::same_as<T>;
+concept Multipliable = std::convertible_to<decltype(std::declval<const T&>() * std::declval<const T&>()), T>;
+template <Multipliable T>
+[[nodiscard]] T squared(const T& x) {
+    return x * x;
 }
-[[nodiscard]] T squared(const T& x) { return x * x; }
 
 }  // namespace annulus
