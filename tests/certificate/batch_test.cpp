@@ -6,7 +6,7 @@
 #include <support/oracle_3.h>
 #include <support/stages_3.h>
 
-#include <annulus/certificate/batch.h>
+#include <annulus/certificate/ladder.h>
 
 #include <catch2/catch.hpp>
 
@@ -105,4 +105,29 @@ TEST_CASE("tight is the largest double that is not above the truth", "[certifica
     CHECK(empty_sphere_exact(Bicell{{0, -1}, {0, 1}, {3, 0}, {-3, 0}}.tuple()).tolerance == 1.0);
     CHECK(empty_sphere_exact(Bicell{{0, -0x1p-1074}, {0, 0x1p-1074}, {0x3p-1074, 0}, {-0x3p-1074, 0}}.tuple())
               .tolerance == 0x1p-1074);
+}
+
+TEST_CASE(
+    "the sign tolerance is the least half width of annuli and cells, that of a vertex the least of its certificates",
+    "[certificate][space]") {
+    REQUIRE(rc::check("of bi-cells in the plane and in space", [](const Seed& seed) {
+        for_each_delaunay_bicell(seed.random(), 1, [](const Bicell& c) {
+            const Verdict sign = sign_verdict(c.tuple(), Mode::tight);
+            const double cells = std::min(orientation_exact({&c.a, &c.b, &c.q}).tolerance,
+                                          orientation_exact({&c.b, &c.a, &c.p}).tolerance);
+            HOLDS(sign.tolerance == std::min(empty_sphere_exact(c.tuple()).tolerance, cells), c);
+            HOLDS(sign_verdict(c.tuple()).tolerance <= sign.tolerance, c);
+            HOLDS(sign_verdict(c.tuple()).sign == sign.sign, c);
+        });
+        for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
+            const Verdict sign = sign_verdict(c.tuple(), Mode::tight);
+            HOLDS(sign.tolerance == empty_sphere_exact(c.tuple(), Cells::always).tolerance, c);
+            HOLDS(sign_verdict(c.tuple()).tolerance <= sign.tolerance, c);
+        });
+    }));
+    std::vector<double> tolerance(5, HUGE_VAL);
+    const std::vector<std::array<Index, 3>> triangles{{0, 1, 2}, {1, 2, 3}};
+    const std::vector<Verdict> verdicts{{0.5, 1}, {0.25, 1}};
+    lower_to_certificates<3>(triangles, verdicts, tolerance);
+    CHECK(tolerance == std::vector<double>{0.5, 0.25, 0.25, 0.25, HUGE_VAL});
 }

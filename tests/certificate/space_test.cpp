@@ -21,7 +21,7 @@ namespace {
 
 /// As in tightness_test.cpp.
 constexpr double filter_gives_away = 4 * bounds::filter_slack + 16 * bounds::filter_slack * bounds::filter_slack;
-constexpr double interval_gives_away = bounds::filter_slack * (1 + 0x1p-40);
+constexpr double interval_gives_away = bounds::interval_slack * (1 + 0x1p-40);
 
 bool is_sane(const Verdict& v) {
     if (v.sign <= 0) return v.tolerance == 0.0;

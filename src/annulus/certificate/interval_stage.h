@@ -62,7 +62,7 @@ template <std::size_t d, std::size_t k, class Evaluate>
 [[nodiscard]] inline bool quotient_lower_tight(const Interval& determinant, double roots_most, double roots_least,
                                                double& lower) {
     lower = quotient_lower(determinant.lower(), roots_most);
-    return determinant.upper() / roots_least - lower <= bounds::filter_slack * lower;
+    return determinant.upper() / roots_least - lower <= bounds::interval_slack * lower;
 }
 
 /// Undoes the scale: exact unless the result is subnormal; then the quotient is still below.

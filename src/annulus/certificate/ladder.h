@@ -5,3 +5,4 @@
 #include <annulus/certificate/batch.h>
 #include <annulus/certificate/ladder_2.h>
 #include <annulus/certificate/ladder_3.h>
+#include <annulus/certificate/tolerances.h>

@@ -20,6 +20,13 @@ enum class Tolerance_kind : std::uint8_t {
     return kind == Tolerance_kind::certified ? "certified" : kind == Tolerance_kind::paper ? "paper" : "floating";
 }
 
+/// Which answer is wanted of the ladder.
+enum class Mode : std::uint8_t {
+    floating,  ///< exact sign, tolerance in plain double where the filter knows the sign
+    fast,      ///< certified lower bound of the first stage that answers within its slack (bounds.h)
+    tight,     ///< the largest double that is not above the truth: the exact stage for every certificate that holds
+};
+
 /// What is known of one certificate at given positions.
 struct Verdict {
     double tolerance = 0.0;       ///< lower bound of half the width (unit of length); 0 unless sign > 0
