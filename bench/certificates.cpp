@@ -186,10 +186,10 @@ void family_and_mode(benchmark::internal::Benchmark* b) {
 BENCHMARK_TEMPLATE(half_width_batch, 2)->Apply(family_and_mode);
 BENCHMARK_TEMPLATE(half_width_batch, 3)->Apply(family_and_mode);
 
-/// range(1): Cells.
+/// range(1): Cell_widths.
 void half_width_batch_cells(benchmark::State& state) {
     Cases<3> cases(static_cast<Family>(state.range(0)));
-    const auto cells = static_cast<Cells>(state.range(1));
+    const auto cells = static_cast<Cell_widths>(state.range(1));
     for (auto _ : state) {
         evaluate(std::span<const Tuple<3, 5>>(cases.bicells), Mode::fast, cases.verdicts, cells);
         benchmark::DoNotOptimize(cases.verdicts.data());

@@ -83,7 +83,7 @@ TEST_CASE("a batch is a loop of single calls, bit for bit", "[certificate][space
         for_each_tetrahedron(seed.random(), 1, [&](const Tetrahedron& t) { tetrahedra.push_back(t); });
         for_each_bicell_3(seed.random(), 1, [&](const Bicell_3& c) { bicells.push_back(c); });
         check_modes(tetrahedra);
-        for (const Cells cells : all_cells) check_modes(bicells, cells);
+        for (const Cell_widths cells : all_cells) check_modes(bicells, cells);
     }));
 }
 
@@ -121,7 +121,7 @@ TEST_CASE(
         });
         for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
             const Verdict sign = sign_verdict(c.tuple(), Mode::tight);
-            HOLDS(sign.tolerance == empty_sphere_exact(c.tuple(), Cells::always).tolerance, c);
+            HOLDS(sign.tolerance == empty_sphere_exact(c.tuple(), Cell_widths::always).tolerance, c);
             HOLDS(sign_verdict(c.tuple()).tolerance <= sign.tolerance, c);
         });
     }));

@@ -37,7 +37,7 @@ bool is_of_usual_magnitude(const Bicell_3& c) {
 TEST_CASE("the half widths of a bi-cell of space do not depend on how it is named", "[certificate][space]") {
     REQUIRE(rc::check("on bi-cells of every family", [](const Seed& seed) {
         for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
-            for (const Cells cells : all_cells) {
+            for (const Cell_widths cells : all_cells) {
                 const Verdict v = empty_sphere_exact(c.tuple(), cells);
                 for (const Bicell_3& other : {c.turned(), c.rotated(), c.rotated().rotated(), c.turned().rotated()}) {
                     const Verdict w = empty_sphere_exact(other.tuple(), cells);
@@ -93,7 +93,7 @@ TEST_CASE("half widths scale by powers of two and do not see exact translations"
             if (!is_of_usual_magnitude(c)) return;
             const int exponent = integer(random, -20, 20);
             const Bicell_3 s = mapped(c, [exponent](const Point_3& p) { return scaled(p, exponent); });
-            const Answers one = ask(c, Cells::always), other = ask(s, Cells::always);
+            const Answers one = ask(c, Cell_widths::always), other = ask(s, Cell_widths::always);
             const auto corresponds = [exponent](const Verdict& v, const Verdict& w) {
                 return v.sign == w.sign && std::ldexp(v.tolerance, exponent) == w.tolerance && v.backward == w.backward;
             };

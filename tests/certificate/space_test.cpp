@@ -97,12 +97,13 @@ TEST_CASE("tetrahedra: every stage is sound, tight and has the exact sign", "[ce
 
 TEST_CASE("bi-cells of space: every stage is sound, tight and has the exact sign", "[certificate][space]") {
     REQUIRE(rc::check("of every family, with both signs", [](const Seed& seed) {
-        for_each_bicell_3(seed.random(), 1,
-                          [](const Bicell_3& c) { check_answers(c, ask(c, Cells::never), Bicell_3_truth(c, false)); });
+        for_each_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
+            check_answers(c, ask(c, Cell_widths::never), Bicell_3_truth(c, false));
+        });
     }));
     REQUIRE(rc::check("of every family, Delaunay, with cells", [](const Seed& seed) {
         for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
-            check_answers(c, ask(c, Cells::always), Bicell_3_truth(c, true));
+            check_answers(c, ask(c, Cell_widths::always), Bicell_3_truth(c, true));
         });
     }));
 }
@@ -110,8 +111,8 @@ TEST_CASE("bi-cells of space: every stage is sound, tight and has the exact sign
 TEST_CASE("which annuli are backward, and the cells that stand in for them", "[certificate][space]") {
     REQUIRE(rc::check("in bi-cells of every family", [](const Seed& seed) {
         for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
-            const Answers never = ask(c, Cells::never), needed = ask(c, Cells::where_needed),
-                          always = ask(c, Cells::always);
+            const Answers never = ask(c, Cell_widths::never), needed = ask(c, Cell_widths::where_needed),
+                          always = ask(c, Cell_widths::always);
             if (never.exact.sign == 0) return;
             const std::uint8_t truth = backward(c);
             HOLDS(never.exact.backward == truth && needed.exact.backward == truth && always.exact.backward == truth, c);
@@ -145,7 +146,7 @@ TEST_CASE("the ladder in space gives the answer of its first stage that has one"
             HOLDS(same(orientation_verdict(t.tuple(), false), a.floating ? *a.floating : rest), t);
         });
         for_each_bicell_3(seed.random(), 2, [](const Bicell_3& c) {
-            for (const Cells cells : all_cells) {
+            for (const Cell_widths cells : all_cells) {
                 const Answers a = ask(c, cells);
                 const Verdict rest = a.interval ? *a.interval : a.exact;
                 HOLDS(same(empty_sphere_verdict(c.tuple(), true, cells), a.filter ? *a.filter : rest), c);
@@ -167,8 +168,8 @@ TEST_CASE("the filter in space answers in its whole range and nowhere else", "[c
     for (const double x : {least, std::nextafter(least, 1.0), 1.0, std::nextafter(most, 1.0), most}) {
         INFO("x = " << as_code(x));
         CHECK(ask(corner_of(x)).filter);
-        CHECK(ask(pair_of(x / 1.5), Cells::always).exact.sign == 1);
-        CHECK(ask(pair_of(0.625 * x), Cells::always).filter.has_value() == (0.625 * 1.5 * x >= least));
+        CHECK(ask(pair_of(x / 1.5), Cell_widths::always).exact.sign == 1);
+        CHECK(ask(pair_of(0.625 * x), Cell_widths::always).filter.has_value() == (0.625 * 1.5 * x >= least));
     }
     for (const double x :
          {std::nextafter(least, 0.0), std::nextafter(most, HUGE_VAL), 0x1p-1074, 0x1p-1060, 0x1p-1022, 0x1p498}) {
@@ -183,7 +184,7 @@ TEST_CASE("the filter in space answers in its whole range and nowhere else", "[c
     }
     for (const double x : {most, 0x1p-300, 0x1p498}) {
         INFO("x = " << as_code(x));
-        CHECK(!ask(pair_of(x), Cells::always).filter);
+        CHECK(!ask(pair_of(x), Cell_widths::always).filter);
         CHECK(empty_sphere_verdict(pair_of(x).tuple()).stage == Stage::interval);
     }
 }
@@ -197,8 +198,8 @@ TEST_CASE("the filter in space looks at every coordinate before it answers", "[c
         const std::array<Point_3*, 5> points{&c.a, &c.b, &c.c, &c.p, &c.q};
         (*points[coordinate / 3])[coordinate % 3] = (coordinate == 11 ? -1.25 : 1.25) * x;
         INFO(as_code(c));
-        CHECK(!ask(c, Cells::never).filter);
-        CHECK(!ask(c, Cells::never).floating);
+        CHECK(!ask(c, Cell_widths::never).filter);
+        CHECK(!ask(c, Cell_widths::never).floating);
         const Tetrahedron t = coordinate < 9 ? c.cell_q() : Tetrahedron{c.a, c.b, c.c, coordinate < 12 ? c.p : c.q};
         CHECK(!ask(t).filter);
         CHECK(!ask(t).floating);
@@ -247,7 +248,7 @@ TEST_CASE("how often each stage in space passes the question on", "[certificate]
     std::printf(" bi-cells\n");
     for (const Family_3 family : all_families_3) {
         Leavers leavers;
-        for (int i = 0; i < each; ++i) leavers.count(ask(bicell(family, random), Cells::never));
+        for (int i = 0; i < each; ++i) leavers.count(ask(bicell(family, random), Cell_widths::never));
         leavers.print(name_of(family));
         if (family == Family_3::uniform) CHECK(leavers.filter < each / 50);
     }

@@ -25,7 +25,7 @@ namespace annulus::testing {
     return a;
 }
 
-[[nodiscard]] inline Answers ask(const Bicell_3& c, Cells cells) {
+[[nodiscard]] inline Answers ask(const Bicell_3& c, Cell_widths cells) {
     Answers a;
     Verdict v;
     if (empty_sphere_filter(c.tuple(), true, v, cells)) a.filter = v;
@@ -40,7 +40,7 @@ namespace annulus::testing {
     return a;
 }
 
-inline constexpr std::array all_cells{Cells::never, Cells::where_needed, Cells::always};
+inline constexpr std::array all_cells{Cell_widths::never, Cell_widths::where_needed, Cell_widths::always};
 
 /// check(c) for `each` bi-cells of every family, with both signs.
 template <class Check>

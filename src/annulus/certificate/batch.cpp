@@ -37,35 +37,35 @@ Vector_3<V> vector_3(const T* x, std::size_t i) {
 
 // The filter stage of width<V> certificates from x on.
 template <class V>
-detail::Bicell_decision<V> decide(const Tuple<2, 3>* x, bool certified, Cells) {
+detail::Bicell_decision<V> decide(const Tuple<2, 3>* x, bool certified, Cell_widths) {
     return {detail::decide_orientation(vector_2<V>(x, 1, 0), vector_2<V>(x, 2, 0), vector_2<V>(x, 2, 1), certified),
             V(0.0)};
 }
 template <class V>
-detail::Bicell_decision<V> decide(const Tuple<2, 4>* x, bool certified, Cells) {
+detail::Bicell_decision<V> decide(const Tuple<2, 4>* x, bool certified, Cell_widths) {
     return {detail::decide_annulus(vector_2<V>(x, 1, 0), vector_2<V>(x, 2, 0), vector_2<V>(x, 3, 0),
                                    vector_2<V>(x, 3, 2), certified),
             V(0.0)};
 }
 template <class V>
-detail::Bicell_decision<V> decide(const Tuple<3, 4>* x, bool certified, Cells) {
+detail::Bicell_decision<V> decide(const Tuple<3, 4>* x, bool certified, Cell_widths) {
     return {detail::decide_orientation(vector_3<V>(x, 1), vector_3<V>(x, 2), vector_3<V>(x, 3), certified), V(0.0)};
 }
 template <class V>
-detail::Bicell_decision<V> decide(const Tuple<3, 5>* x, bool certified, Cells cells) {
+detail::Bicell_decision<V> decide(const Tuple<3, 5>* x, bool certified, Cell_widths cells) {
     return detail::decide_annulus(vector_3<V>(x, 1), vector_3<V>(x, 2), vector_3<V>(x, 3), vector_3<V>(x, 4), certified,
                                   cells);
 }
 
 // The later stages, with one signature.
-bool interval(const Tuple<2, 3>& x, Verdict& out, Cells) { return orientation_interval(x, out); }
-bool interval(const Tuple<2, 4>& x, Verdict& out, Cells) { return empty_sphere_interval(x, out); }
-bool interval(const Tuple<3, 4>& x, Verdict& out, Cells) { return orientation_interval(x, out); }
-bool interval(const Tuple<3, 5>& x, Verdict& out, Cells cells) { return empty_sphere_interval(x, out, cells); }
-Verdict exact(const Tuple<2, 3>& x, Cells) { return orientation_exact(x); }
-Verdict exact(const Tuple<2, 4>& x, Cells) { return empty_sphere_exact(x); }
-Verdict exact(const Tuple<3, 4>& x, Cells) { return orientation_exact(x); }
-Verdict exact(const Tuple<3, 5>& x, Cells cells) { return empty_sphere_exact(x, cells); }
+bool interval(const Tuple<2, 3>& x, Verdict& out, Cell_widths) { return orientation_interval(x, out); }
+bool interval(const Tuple<2, 4>& x, Verdict& out, Cell_widths) { return empty_sphere_interval(x, out); }
+bool interval(const Tuple<3, 4>& x, Verdict& out, Cell_widths) { return orientation_interval(x, out); }
+bool interval(const Tuple<3, 5>& x, Verdict& out, Cell_widths cells) { return empty_sphere_interval(x, out, cells); }
+Verdict exact(const Tuple<2, 3>& x, Cell_widths) { return orientation_exact(x); }
+Verdict exact(const Tuple<2, 4>& x, Cell_widths) { return empty_sphere_exact(x); }
+Verdict exact(const Tuple<3, 4>& x, Cell_widths) { return orientation_exact(x); }
+Verdict exact(const Tuple<3, 5>& x, Cell_widths cells) { return empty_sphere_exact(x, cells); }
 
 /// Writes one lane; what is left to the next stage says so in its `stage`. Returns 1 for an answer.
 std::size_t store(double sign, double tolerance, double backward, Verdict& out) {
@@ -77,7 +77,8 @@ std::size_t store(double sign, double tolerance, double backward, Verdict& out) 
 
 /// Flattened: a call between two halves of a formula would spill every register.
 template <class T>
-[[gnu::flatten]] std::size_t filter_stage(std::span<const T> x, bool certified, std::span<Verdict> out, Cells cells) {
+[[gnu::flatten]] std::size_t filter_stage(std::span<const T> x, bool certified, std::span<Verdict> out,
+                                          Cell_widths cells) {
     constexpr std::size_t lanes = width<Lanes>;
     std::size_t answered = 0;
     std::size_t i = 0;
@@ -94,7 +95,7 @@ template <class T>
 }
 
 template <class T>
-std::size_t interval_stage(std::span<const T> x, std::span<Verdict> out, Cells cells) {
+std::size_t interval_stage(std::span<const T> x, std::span<Verdict> out, Cell_widths cells) {
     const Rounding_guard guard(FE_UPWARD);
     std::size_t answered = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -106,7 +107,7 @@ std::size_t interval_stage(std::span<const T> x, std::span<Verdict> out, Cells c
 }
 
 template <class T>
-Stage_counts ladder(std::span<const T> x, Mode mode, std::span<Verdict> out, Cells cells) {
+Stage_counts ladder(std::span<const T> x, Mode mode, std::span<Verdict> out, Cell_widths cells) {
     Stage_counts counts;
     counts.filter = filter_stage(x, mode != Mode::floating, out, cells);
     if (counts.filter < x.size()) counts.interval = interval_stage(x, out, cells);
@@ -123,15 +124,15 @@ Stage_counts ladder(std::span<const T> x, Mode mode, std::span<Verdict> out, Cel
 }  // namespace
 
 Stage_counts evaluate(std::span<const Tuple<2, 3>> x, Mode mode, std::span<Verdict> out) {
-    return ladder(x, mode, out, Cells::never);
+    return ladder(x, mode, out, Cell_widths::never);
 }
 Stage_counts evaluate(std::span<const Tuple<2, 4>> x, Mode mode, std::span<Verdict> out) {
-    return ladder(x, mode, out, Cells::never);
+    return ladder(x, mode, out, Cell_widths::never);
 }
 Stage_counts evaluate(std::span<const Tuple<3, 4>> x, Mode mode, std::span<Verdict> out) {
-    return ladder(x, mode, out, Cells::never);
+    return ladder(x, mode, out, Cell_widths::never);
 }
-Stage_counts evaluate(std::span<const Tuple<3, 5>> x, Mode mode, std::span<Verdict> out, Cells cells) {
+Stage_counts evaluate(std::span<const Tuple<3, 5>> x, Mode mode, std::span<Verdict> out, Cell_widths cells) {
     return ladder(x, mode, out, cells);
 }
 

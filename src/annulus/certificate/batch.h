@@ -18,6 +18,6 @@ Stage_counts evaluate(std::span<const Tuple<2, 3>> x, Mode mode, std::span<Verdi
 Stage_counts evaluate(std::span<const Tuple<2, 4>> x, Mode mode, std::span<Verdict> out);
 Stage_counts evaluate(std::span<const Tuple<3, 4>> x, Mode mode, std::span<Verdict> out);
 Stage_counts evaluate(std::span<const Tuple<3, 5>> x, Mode mode, std::span<Verdict> out,
-                      Cells cells = Cells::where_needed);
+                      Cell_widths cells = Cell_widths::where_needed);
 
 }  // namespace annulus

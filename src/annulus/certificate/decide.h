@@ -10,8 +10,8 @@
 #include <cmath>
 #include <concepts>
 
-// The filter stage on a number type V: a double, or several of them side by side (lanes.h). One formula for both, without a
-// branch, so that a batch gives bit for bit what single calls give.
+// The filter stage on a number type V: a double, or several of them side by side (lanes.h). One formula for both, with the
+// same operations, so that a batch gives bit for bit what single calls give.
 namespace annulus::detail {
 
 template <class Mask, class V>
@@ -23,6 +23,13 @@ template <class Mask, class V>
         where(choose, result) = yes;
         return result;
     }
+}
+
+/// True where one lane at least is.
+template <class Mask>
+[[nodiscard]] bool any(const Mask& mask) {
+    if constexpr (std::same_as<Mask, bool>) return mask;
+    else return any_of(mask);
 }
 
 template <class V>

@@ -70,7 +70,7 @@ bool orientation_interval(const Tuple<3, 4>& x, Verdict& out) {
     });
 }
 
-bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cells cells) {
+bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cell_widths cells) {
     return detail::with_scale(x, [&](const auto& difference, const detail::Scale& s) {
         const auto t = annulus_terms(vector(x, 1, difference), vector(x, 2, difference), vector(x, 3, difference),
                                      vector(x, 4, difference));
@@ -87,7 +87,7 @@ bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cells cells) {
         }
         double lower = 0.0;
         if (!detail::quotient_lower_tight(t.determinant, most, least, lower)) return false;
-        if (cells == Cells::always || (cells == Cells::where_needed && out.backward != 0)) {
+        if (cells == Cell_widths::always || (cells == Cell_widths::where_needed && out.backward != 0)) {
             double p = 0.0;
             double q = 0.0;
             if (!width_lower(cell_p_terms(t), p) || !width_lower(cell_q_terms(t), q)) return false;
@@ -108,7 +108,7 @@ Verdict orientation_exact(const Tuple<3, 4>& x) {
     return out;
 }
 
-Verdict empty_sphere_exact(const Tuple<3, 5>& x, Cells cells) {
+Verdict empty_sphere_exact(const Tuple<3, 5>& x, Cell_widths cells) {
     const Exact_bicell e(x);
     Verdict out;
     out.stage = Stage::exact;
@@ -118,7 +118,7 @@ Verdict empty_sphere_exact(const Tuple<3, 5>& x, Cells cells) {
     if (out.sign <= 0) return out;
     out.tolerance = e.half_width_of(0);
     for (std::size_t k = 1; k < partitions_3; ++k) out.tolerance = std::min(out.tolerance, e.half_width_of(k));
-    if (cells == Cells::always || (cells == Cells::where_needed && out.backward != 0))
+    if (cells == Cell_widths::always || (cells == Cell_widths::where_needed && out.backward != 0))
         out.tolerance = std::min({out.tolerance, half_width(cell_p_terms(e.terms), e.exponent),
                                   half_width(cell_q_terms(e.terms), e.exponent)});
     return out;
@@ -134,7 +134,7 @@ Verdict orientation_verdict(const Tuple<3, 4>& x, bool certified) {
     return orientation_exact(x);
 }
 
-Verdict empty_sphere_verdict(const Tuple<3, 5>& x, bool certified, Cells cells) {
+Verdict empty_sphere_verdict(const Tuple<3, 5>& x, bool certified, Cell_widths cells) {
     Verdict out;
     if (empty_sphere_filter(x, certified, out, cells)) return out;
     {

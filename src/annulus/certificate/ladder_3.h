@@ -19,7 +19,7 @@ namespace annulus {
 ///
 /// The annulus of a partition A | B excludes it wherever its points are when A is the inner side, sum of lambda over B > 0. Else it
 /// does so only along a motion on which both cells stay positive, from the same reference.
-enum class Cells : std::uint8_t {
+enum class Cell_widths : std::uint8_t {
     never,         ///< the least of the four annuli; see Verdict::backward
     where_needed,  ///< with the cells where one of the sums is not certainly positive: safe by itself
     always,        ///< the sign tolerance of theory 2: of use where a motion is all that is known of the cells
@@ -68,7 +68,7 @@ struct Bicell_decision {
 /// The filter stage of an empty sphere, from the rounded differences to a.
 template <class V>
 [[nodiscard]] Bicell_decision<V> decide_annulus(const Vector_3<V>& b, const Vector_3<V>& c, const Vector_3<V>& p,
-                                                const Vector_3<V>& q, bool certified, Cells cells) {
+                                                const Vector_3<V>& q, bool certified, Cell_widths cells) {
     using std::max;
     const V m = max(V(max(magnitude(b), magnitude(c))), V(max(magnitude(p), magnitude(q))));
     const V m2 = m * m;
@@ -81,10 +81,12 @@ template <class V>
     V backward(0.0);
     for (std::size_t k = 1; k < partitions_3; ++k)
         backward = backward + select(t.side[k] > side_error, V(0.0), V(static_cast<double>(1U << k)));
-    if (cells != Cells::never) {
-        const auto needed = cells == Cells::always ? backward >= V(0.0) : backward > V(0.0);
-        d = both(d, decide_width(cell_p_terms(t), m, certified), needed);
-        d = both(d, decide_width(cell_q_terms(t), m, certified), needed);
+    if (cells != Cell_widths::never) {
+        const auto needed = cells == Cell_widths::always ? backward >= V(0.0) : backward > V(0.0);
+        if (any(needed)) {  // the only branch: the widths are half of the work, and often nobody asks for them
+            d = both(d, decide_width(cell_p_terms(t), m, certified), needed);
+            d = both(d, decide_width(cell_q_terms(t), m, certified), needed);
+        }
     }
     return {in_range(m, bounds::filter_range_3, d), backward};
 }
@@ -113,7 +115,7 @@ template <class V>
 ///
 /// Rounding mode must be to nearest. Errors: bounds.h, proofs/gappa/certificates_3.g.
 [[nodiscard]] inline bool empty_sphere_filter(const Tuple<3, 5>& x, bool certified, Verdict& out,
-                                              Cells cells = Cells::where_needed) {
+                                              Cell_widths cells = Cell_widths::where_needed) {
     return detail::answer(
         detail::decide_annulus(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]),
                                detail::difference(*x[3], *x[0]), detail::difference(*x[4], *x[0]), certified, cells),
@@ -125,16 +127,16 @@ template <class V>
 /// Never inlined: see Rounding_guard.
 [[nodiscard, gnu::noinline]] bool orientation_interval(const Tuple<3, 4>& x, Verdict& out);
 [[nodiscard, gnu::noinline]] bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out,
-                                                        Cells cells = Cells::where_needed);
+                                                        Cell_widths cells = Cell_widths::where_needed);
 
 /// Exact stage: always answers, with the largest double that is not above the truth. Microseconds.
 [[nodiscard]] Verdict orientation_exact(const Tuple<3, 4>& x);
-[[nodiscard]] Verdict empty_sphere_exact(const Tuple<3, 5>& x, Cells cells = Cells::where_needed);
+[[nodiscard]] Verdict empty_sphere_exact(const Tuple<3, 5>& x, Cell_widths cells = Cell_widths::where_needed);
 
 /// The whole ladder for one certificate; the rounding mode must be to nearest and is put back.
 [[nodiscard]] Verdict orientation_verdict(const Tuple<3, 4>& x, bool certified = true);
 [[nodiscard]] Verdict empty_sphere_verdict(const Tuple<3, 5>& x, bool certified = true,
-                                           Cells cells = Cells::where_needed);
+                                           Cell_widths cells = Cell_widths::where_needed);
 
 /// The four annuli of a bi-cell one by one, in the order of Partition_3.
 struct Annuli {

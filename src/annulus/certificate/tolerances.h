@@ -36,8 +36,8 @@ template <class T>
     return out;
 }
 [[nodiscard]] inline Verdict sign_verdict(const Tuple<3, 5>& x, Mode mode = Mode::fast) {
-    const Verdict v = empty_sphere_verdict(x, mode != Mode::floating, Cells::always);
-    return mode == Mode::tight && v.sign > 0 ? empty_sphere_exact(x, Cells::always) : v;
+    const Verdict v = empty_sphere_verdict(x, mode != Mode::floating, Cell_widths::always);
+    return mode == Mode::tight && v.sign > 0 ? empty_sphere_exact(x, Cell_widths::always) : v;
 }
 
 /// Lowers the tolerance of every vertex of certificate i to that of verdict i: with `tolerance` infinite before the first call, and

@@ -80,8 +80,8 @@ Result study(double delta) {
     for (const auto& facet : facets_at_ab(fixed)) {
         r.paper = std::min(r.paper, paper_annulus(facet));
         r.theta = std::min(r.theta, theta(*facet[0], *facet[1], *facet[2], *facet[3], *facet[4]));
-        r.exact = std::min(r.exact, empty_sphere_exact(facet, Cells::always).tolerance);
-        const Verdict v = empty_sphere_verdict(facet, true, Cells::always);
+        r.exact = std::min(r.exact, empty_sphere_exact(facet, Cell_widths::always).tolerance);
+        const Verdict v = empty_sphere_verdict(facet, true, Cell_widths::always);
         if (v.tolerance < r.certified.tolerance) r.certified = v;
     }
     r.three_before = three_cells_are_delaunay(fixed);
