@@ -223,10 +223,11 @@ TEST_CASE("the quotient is the largest double not above the truth, ties included
     // A truth of 1 that 128 bits see from below: every number of it is longer.
     const mpz_class longer = large + 1;
     CHECK(quotient_by_roots_lower(4 * longer, 4 * longer * longer, 4 * longer * longer, 0) == 1.0);
-    // 3.75 less 2^-127: all of it has 128 bits but the quotient, which must not be rounded to 3.75.
-    const mpz_class half = (mpz_class(1) << 125) - 1;
-    const mpz_class numerator = (30 * half - 2) / 4;
-    CHECK(quotient_by_roots_lower(numerator, half * half, half * half, 0) == std::nextafter(3.75, 0.0));
+    // 3.75 less almost 2^-126: everything on the way has 128 bits but the quotient, which must not be rounded to 3.75.
+    const mpz_class whole = (mpz_class(1) << 62) + 1;
+    const mpz_class numerator = 15 * whole * (mpz_class(1) << 62) - 1;
+    const mpz_class square = whole * whole * (mpz_class(1) << 126);
+    CHECK(quotient_by_roots_lower(numerator, square, square, 0) == std::nextafter(3.75, 0.0));
     // The ends of the range of doubles.
     CHECK(quotient_by_roots_lower(2, 1, 1, -1074) == 0x1p-1074);
     CHECK(quotient_by_roots_lower(2, 1, 1, -1075) == 0.0);
