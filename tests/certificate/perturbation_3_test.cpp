@@ -52,9 +52,9 @@ int check_triangulation(const std::set<Point_3>& points) {
         const auto other = cell->neighbor(f->second);
         if (t.is_infinite(cell) || t.is_infinite(other)) continue;
         const auto corner = [&](int i) { return ours(cell->vertex(t.vertex_triple_index(f->second, i))->point()); };
-        // CGAL's triple turns right seen from the cell's own vertex.
-        const Bicell_3 c{corner(1), corner(0), corner(2), ours(t.mirror_vertex(cell, f->second)->point()),
-                         ours(cell->vertex(f->second)->point())};
+        Bicell_3 c{corner(0), corner(1), corner(2), ours(t.mirror_vertex(cell, f->second)->point()),
+                   ours(cell->vertex(f->second)->point())};
+        if (exact_orientation(c.a, c.b, c.c, c.q) < 0) std::swap(c.a, c.b);
         HOLDS(exact_orientation(c.a, c.b, c.c, c.q) > 0 && exact_orientation(c.b, c.a, c.c, c.p) > 0, c);
         const int sign = empty_sphere_verdict(c.tuple()).sign;
         HOLDS(sign >= 0, c);
