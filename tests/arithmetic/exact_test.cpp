@@ -202,3 +202,37 @@ TEST_CASE("quotients by roots that are known", "[arithmetic]") {
         CHECK(quotient_by_roots_lower(1, 1, 1, -1000000) == 0.0);
     }
 }
+
+TEST_CASE("the quotient is the largest double not above the truth, ties included", "[arithmetic]") {
+    // sqrt(a) + sqrt(b) a whole number: the truth is a fraction, often a double.
+    for (long p = 1; p < 400; ++p)
+        for (const long k : {1L, 2L, 3L, 5L, 8L}) {
+            const double y = quotient_by_roots_lower(p, k * k, 9 * k * k, -7);  // p / 4k / 128
+            const mpq_class truth = mpq_class(p, 512 * k);
+            CHECK(mpq_class(y) <= truth);
+            CHECK(mpq_class(std::nextafter(y, 1e9)) > truth);
+            CHECK(is_at_least(p, k * k, 9 * k * k, -7, y));
+            CHECK(!is_at_least(p, k * k, 9 * k * k, -7, std::nextafter(y, 1e9)));
+        }
+    // One part in 2^200 below and above a tie.
+    const mpz_class large = mpz_class(1) << 200;
+    CHECK(quotient_by_roots_lower(4 * large, 4 * large * large, 4 * large * large, 0) == 1.0);
+    CHECK(quotient_by_roots_lower(4 * large - 1, 4 * large * large, 4 * large * large, 0) == std::nextafter(1.0, 0.0));
+    CHECK(quotient_by_roots_lower(4 * large + 1, 4 * large * large, 4 * large * large, 0) == 1.0);
+    CHECK(quotient_by_roots_lower(4 * large, 4 * large * large + 1, 4 * large * large, 0) == std::nextafter(1.0, 0.0));
+    // A truth of 1 that 128 bits see from below: every number of it is longer.
+    const mpz_class longer = large + 1;
+    CHECK(quotient_by_roots_lower(4 * longer, 4 * longer * longer, 4 * longer * longer, 0) == 1.0);
+    // 3.75 less almost 2^-126: everything on the way has 128 bits but the quotient, which must not be rounded to 3.75.
+    const mpz_class whole = (mpz_class(1) << 62) + 1;
+    const mpz_class numerator = 15 * whole * (mpz_class(1) << 62) - 1;
+    const mpz_class square = whole * whole * (mpz_class(1) << 126);
+    CHECK(quotient_by_roots_lower(numerator, square, square, 0) == std::nextafter(3.75, 0.0));
+    // The ends of the range of doubles.
+    CHECK(quotient_by_roots_lower(2, 1, 1, -1074) == 0x1p-1074);
+    CHECK(quotient_by_roots_lower(2, 1, 1, -1075) == 0.0);
+    CHECK(quotient_by_roots_lower(3, 1, 1, -1074) == 0x1p-1074);
+    CHECK(quotient_by_roots_lower(2, 1, 1, 1023) == 0x1p1023);
+    CHECK(quotient_by_roots_lower(2, 1, 1, 1024) == std::numeric_limits<double>::max());
+    CHECK(is_at_least(0, 1, 1, 0, 0.0));
+}
