@@ -170,6 +170,13 @@ Proof.
   - generalize (fmul_pow_upper m m 1 1 1 1 ltac:(lia) ltac:(lra) ltac:(lra) W). cbn [Nat.add]. lra.
 Qed.
 
+Lemma m2_range_4 : (1 - 4 * u) * m ^ 2 <= m2 <= (1 + 4 * u) * m ^ 2.
+Proof.
+  generalize u_bounds m2_range (pow_lt m 2 m_positive). intros U [L H] P. split.
+  - apply Rle_trans with (2 := L). apply Rmult_le_compat_r; lra.
+  - apply Rle_trans with (1 := H). apply Rmult_le_compat_r; lra.
+Qed.
+
 Lemma m3_range : (1 - 4 * u) * m ^ 3 <= m3 <= (1 + 4 * u) * m ^ 3.
 Proof.
   generalize u_bounds m_positive m2_range. intros U M [L H].

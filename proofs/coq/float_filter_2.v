@@ -111,7 +111,7 @@ Proof.
     (bX := (3 * one)%Z) (bC := (3 * one)%Z) (bE := (17 * half_u)%Z) as (_ & _ & De).
   { apply (env_all F); [exact F_0 |]. each; assumption. }
   { apply (env_all (fun a => Rabs a <= m)); [rewrite Rabs_R0; lra |]. each; assumption. }
-  { apply (env_all_2 (fun a b => Rabs (a - b) <= u * m)); [rewrite Rminus_0_r, Rabs_R0; nra |].
+  { apply (env_all_2 (fun a b => Rabs (a - b) <= u * m)); [rewrite Rminus_0_r, Rabs_R0; apply Rmult_le_pos; lra |].
     each; (eapply Rle_trans; [eassumption |]); apply Rmult_le_compat_l; lra. }
   { constructor. }
   { vm_compute. reflexivity. }
@@ -119,10 +119,9 @@ Proof.
   change (rounded x E_orientation) with (F_orientation ux uy vx vy) in De.
   change (exact X E_orientation) with (orientation_truth x0 y0 x1 y1 x2 y2) in De.
   (* its error bound *)
-  generalize (m2_range m M). fold (m2 m). intros [L2 H2].
   assert (P2 : bpow radix2 (-240) <= m ^ 2) by exact (pow_large m M 2).
   generalize (bpow_gt_0 radix2 (-240)). intro B240.
-  generalize (error_bound_range m M 9 (m2 m) 2 ltac:(lia) ltac:(lia) ltac:(split; nra)). intros [EL EH].
+  generalize (error_bound_range m M 9 (m2 m) 2 ltac:(lia) ltac:(lia) (m2_range_4 m M)). intros [EL EH].
   set (e := error_bound 9 (m2 m)) in *. replace (IZR 9) with 9 in EL, EH by reflexivity.
   assert (E0 : u * m ^ 2 <= e).
   { apply Rle_trans with (2 := EL). apply Rmult_le_compat_r; [lra |]. unfold u. lra. }
@@ -131,12 +130,14 @@ Proof.
   set (T := longest_truth x0 y0 x1 y1 x2 y2).
   assert (T1 : R_side (x1 - x0) (y1 - y0) <= T /\ R_side (x2 - x0) (y2 - y0) <= T).
   { unfold T, longest_truth. split; apply Rle_trans with (2 := Rmax_l _ _); [apply Rmax_l | apply Rmax_r]. }
+  assert (small : forall a, u * Rabs a <= / 10 * Rabs a)
+    by (intro; apply Rmult_le_compat_r; [apply Rabs_pos | lra]).
   assert (coordinate : forall a A, Rabs (a - A) <= u * Rabs a -> a * a <= 2 * (A * A)).
   { intros a A H. generalize (Rabs_triang (a - A) A). replace (a - A + A) with a by ring. intro Q.
     assert (R : Rabs a <= 5 / 4 * Rabs A).
-    { generalize (Rabs_pos a) (Rabs_pos A). intros. nra. }
+    { generalize (small a) (Rabs_pos a). lra. }
     rewrite <- (Rabs_pos_eq (a * a)), <- (Rabs_pos_eq (A * A)) by apply Rle_0_sqr. rewrite !Rabs_mult.
-    generalize (Rabs_pos a). nra. }
+    generalize (mul_below _ _ _ _ (Rabs_pos a) (Rabs_pos a) R R) (Rle_0_sqr (Rabs A)). unfold Rsqr. lra. }
   assert (Tm : m ^ 2 <= 2 * T).
   { assert (C : forall a A S, Rabs (a - A) <= u * Rabs a -> A * A <= S -> S <= T -> Rabs a ^ 2 <= 2 * T).
     { intros a A S H1 HS HT. generalize (coordinate a A H1). rewrite pow2_abs. simpl. lra. }
@@ -175,8 +176,9 @@ Proof.
       assert (Rabs s <= 3 * m).
       { unfold s. replace (q - p + (p - a) - (q - b)) with (q + (- p) + (p - a) + (- (q - b))) by ring.
         generalize (Rabs_triang (q + - p + (p - a)) (- (q - b))) (Rabs_triang (q + - p) (p - a)) (Rabs_triang q (- p)).
-        rewrite !Rabs_Ropp. nra. }
-      generalize (Rabs_triang (w - s) s). replace (w - s + s) with w by ring. generalize (Rabs_pos w). nra. }
+        rewrite !Rabs_Ropp. generalize (small p) (small q). lra. }
+      generalize (Rabs_triang (w - s) s). replace (w - s + s) with w by ring.
+      generalize (Rabs_pos w) (small w). lra. }
     split.
     - apply (third ux vx wx (x1 - x0) (x2 - x0) Hux Hvx Bux Bvx).
       replace (vx - ux + (ux - (x1 - x0)) - (vx - (x2 - x0))) with (x2 - x1) by ring. exact Hwx.
@@ -200,7 +202,7 @@ Proof.
   - generalize (bpow_gt_0 radix2 (-122)). lra.
   - apply Rle_trans with (1 := De). apply Rle_trans with (2 := EL).
     apply Rmult_le_compat_r; [lra |]. unfold u. lra.
-  - generalize (sqrt_pos T). nra.
+  - assert (0 <= u * sqrt T) by (apply Rmult_le_pos; [lra | apply sqrt_pos]). lra.
   - rewrite Rplus_0_r. apply Rle_trans with (2 := E0).
     apply Rle_trans with (bpow radix2 (-900) * (32 * m)).
     + apply Rmult_le_compat_l; [apply bpow_ge_0 | lra].

@@ -274,17 +274,19 @@ Proof.
   generalize (rnd_normal_le q ltac:(lra)). intro Rq.
   assert (sh : / 2 <= shrink <= 1) by (unfold shrink; lra).
   assert (Rt : rnd q * shrink * (1 - u) <= fmul (rnd q) shrink <= rnd q * shrink * (1 + u)).
-  { apply rnd_normal_le. nra. }
+  { apply rnd_normal_le. apply Rle_trans with (bpow radix2 (-900) / 2 * / 2); [lra |].
+    assert (bpow radix2 (-900) * / 2 <= q * (1 - u)) by (apply mul_below; lra).
+    apply mul_below; lra. }
   unfold tolerance. fold num den q.
   assert (q0 : 0 < q) by lra.
   split; [lra | split].
-  - apply fmul_pos; [nra | lra].
+  - apply fmul_pos; [apply rnd_pos |]; lra.
   - apply Rmult_le_reg_r with truth; [exact Ht |].
     unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
     set (c := (1 - 8 * u) * ((1 - u) * (1 - u) * (1 - u))).
     assert (C0 : 0 < c) by (unfold c; unfold u; lra).
     assert (T1 : truth * c <= den).
-    { apply Rle_trans with (2 := Low). unfold c. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; [nra | lra]. }
+    { apply Rle_trans with (2 := Low). unfold c. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; [unfold u; lra | lra]. }
     assert (T2 : fmul (rnd q) shrink <= q * ((1 + u) * shrink * (1 + u))).
     { apply Rle_trans with (1 := proj2 Rt). rewrite <- !Rmult_assoc.
       do 2 (apply Rmult_le_compat_r; [lra |]). apply Rq. }
