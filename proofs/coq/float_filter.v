@@ -26,7 +26,7 @@ Definition sound (answer : option (Z * R)) (certified : bool) (det truth : R) : 
 
 Theorem accept_sound det truth computed inner outer det_error norm_error certified :
   F computed -> F inner -> F outer -> F det_error -> F norm_error ->
-  0 < det_error -> 0 <= norm_error -> 0 < truth ->
+  0 < det_error -> 0 <= norm_error -> (0 < det -> 0 < truth) ->
   Rabs (computed - det) <= det_error ->
   (1 - 8 * u) * truth <= sqrt inner + sqrt outer + norm_error ->
   bpow radix2 (-900) * (sqrt inner + sqrt outer + norm_error) <= det_error ->
@@ -64,7 +64,30 @@ Qed.
 
 Ltac each := repeat (apply Forall_nil || apply Forall_cons || apply Forall2_nil || apply Forall2_cons).
 
+Lemma half_units m c k : IZR (c * half_u) * scale m k = IZR c / 2 * u * m ^ k.
+Proof.
+  rewrite mult_IZR. replace (IZR half_u) with (IZR unit_roundoff / 2).
+  - unfold scale. generalize unit_u. intro E.
+    replace (IZR c * (IZR unit_roundoff / 2) * (unit * m ^ k)) with (IZR c / 2 * (IZR unit_roundoff * unit) * m ^ k) by field.
+    rewrite E. ring.
+  - unfold half_u, unit_roundoff. change (2 ^ 147)%Z with (2 * 2 ^ 146)%Z. rewrite mult_IZR. field.
+Qed.
+
+Lemma units m c k : IZR (c * one) * scale m k = IZR c * m ^ k.
+Proof.
+  rewrite mult_IZR. unfold scale. generalize unit_one. intro E.
+  replace (IZR c * IZR one * (unit * m ^ k)) with (IZR c * (IZR one * unit) * m ^ k) by ring. rewrite E. ring.
+Qed.
+
 (* The magnitude of the differences. *)
+Definition mag (x y : R) : R := Rmax (Rabs x) (Rabs y).
+
+Lemma Rabs_le_mag x y : Rabs x <= mag x y /\ Rabs y <= mag x y.
+Proof. unfold mag. split; [apply Rmax_l | apply Rmax_r]. Qed.
+
+Lemma F_mag x y : F x -> F y -> F (mag x y).
+Proof. intros. apply F_max; now apply F_abs. Qed.
+
 Definition in_range (m : R) : Prop := m <= bpow radix2 120 /\ 1 <= fmul m (bpow radix2 120).
 
 Lemma in_range_dec m : {in_range m} + {~ in_range m}.

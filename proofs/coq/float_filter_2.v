@@ -9,8 +9,6 @@ From Annulus Require Import float_model float_error float_terms_2 float_tail flo
 Import ListNotations.
 Open Scope R_scope.
 
-Definition mag (x y : R) : R := Rmax (Rabs x) (Rabs y).
-
 (* ---- Orientation ---- *)
 
 Section orientation.
@@ -32,21 +30,6 @@ Definition orientation_truth : R := R_orientation (x1 - x0) (y1 - y0) (x2 - x0) 
 Definition longest_truth : R :=
   Rmax (Rmax (R_side (x1 - x0) (y1 - y0)) (R_side (x2 - x0) (y2 - y0))) (R_side (x2 - x1) (y2 - y1)).
 End orientation.
-
-Lemma half_units m c k : IZR (c * half_u) * scale m k = IZR c / 2 * u * m ^ k.
-Proof.
-  rewrite mult_IZR. replace (IZR half_u) with (IZR unit_roundoff / 2).
-  - unfold scale. generalize unit_u. intro E.
-    replace (IZR c * (IZR unit_roundoff / 2) * (unit * m ^ k)) with (IZR c / 2 * (IZR unit_roundoff * unit) * m ^ k) by field.
-    rewrite E. ring.
-  - unfold half_u, unit_roundoff. change (2 ^ 147)%Z with (2 * 2 ^ 146)%Z. rewrite mult_IZR. field.
-Qed.
-
-Lemma units m c k : IZR (c * one) * scale m k = IZR c * m ^ k.
-Proof.
-  rewrite mult_IZR. unfold scale. generalize unit_one. intro E.
-  replace (IZR c * IZR one * (unit * m ^ k)) with (IZR c * (IZR one * unit) * m ^ k) by ring. rewrite E. ring.
-Qed.
 
 (* A computed side of a triangle is shorter than the exact one by a factor, and underflow. *)
 Lemma side_lower x y x' y' : F x -> F y -> F x' -> F y' ->
@@ -73,12 +56,6 @@ Proof.
   - rewrite <- Rmult_assoc. apply Rmult_le_compat_r; [apply sqrt_pos | nra].
   - apply Rmult_le_compat_l; [lra | exact L].
 Qed.
-
-Lemma Rabs_le_mag x y : Rabs x <= mag x y /\ Rabs y <= mag x y.
-Proof. unfold mag. split; [apply Rmax_l | apply Rmax_r]. Qed.
-
-Lemma F_mag x y : F x -> F y -> F (mag x y).
-Proof. intros. apply F_max; now apply F_abs. Qed.
 
 Theorem orientation_filter_sound x0 y0 x1 y1 x2 y2 certified :
   F x0 -> F y0 -> F x1 -> F y1 -> F x2 -> F y2 ->
@@ -199,7 +176,7 @@ Proof.
   - exact F_0.
   - apply Rlt_le_trans with (2 := E0). apply Rmult_lt_0_compat; lra.
   - lra.
-  - generalize (bpow_gt_0 radix2 (-122)). lra.
+  - intros _. generalize (bpow_gt_0 radix2 (-122)). lra.
   - apply Rle_trans with (1 := De). apply Rle_trans with (2 := EL).
     apply Rmult_le_compat_r; [lra |]. unfold u. lra.
   - assert (0 <= u * sqrt T) by (apply Rmult_le_pos; [lra | apply sqrt_pos]). lra.

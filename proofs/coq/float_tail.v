@@ -219,7 +219,7 @@ Qed.
    at most norm_error. *)
 Theorem tolerance_sound det truth computed inner outer det_error norm_error :
   F computed -> F inner -> F outer -> F det_error -> F norm_error ->
-  0 < det_error -> 0 <= norm_error -> 0 < truth ->
+  0 < det_error -> 0 <= norm_error -> (0 < det -> 0 < truth) ->
   Rabs (computed - det) <= det_error ->
   (1 - 8 * u) * truth <= sqrt inner + sqrt outer + norm_error ->
   bpow radix2 (-900) * (sqrt inner + sqrt outer + norm_error) <= det_error ->
@@ -229,6 +229,7 @@ Proof.
   intros Fc Fi Fo Fe Fn He Hn Ht HE HR HU HS.
   apply slack_sound in HS; [| exact Fe]. apply Rabs_le_inv in HE.
   assert (Hdet : computed - det_error <= det) by lra.
+  specialize (Ht ltac:(lra)).
   generalize u_bounds (sqrt_pos inner) (sqrt_pos outer). intros U I0 O0.
   set (A := sqrt inner + sqrt outer + norm_error) in *.
   assert (A0 : 0 < A) by nra.
