@@ -24,10 +24,10 @@ Definition hints_2 : hints := [(E_D, two); (E_eg_x, two); (E_eg_y, two)].
 Definition within (e : expr) (k : nat) (C E : Z) : bool := error_below hints_2 e k (C * one) (C * one) (E * half_u).
 
 Lemma constants_2 :
-  (within (incircle E_annulus) 4 17 353 &&
-   within (nx E_annulus) 3 8 138 && within (ny E_annulus) 3 8 138 &&
-   within (mx E_annulus) 3 12 246 && within (my E_annulus) 3 12 246)%bool = true.
-Proof. vm_compute. reflexivity. Qed.
+  within (incircle E_annulus) 4 17 353 = true /\
+  within (nx E_annulus) 3 8 138 = true /\ within (ny E_annulus) 3 8 138 = true /\
+  within (mx E_annulus) 3 12 246 = true /\ within (my E_annulus) 3 12 246 = true.
+Proof. do 4 (apply conj; [vm_compute; reflexivity |]). vm_compute. reflexivity. Qed.
 
 (* The least integers that this analysis proves: 9 (orientation), 177, 67, 121. One less is refused. *)
 Lemma constants_2_least :
@@ -91,11 +91,10 @@ Definition circle_filter (certified : bool) : option (Z * R) :=
   let q_x := fsub qx ax in let q_y := fsub qy ay in
   let e_x := fsub qx px in let e_y := fsub qy py in
   let m := Rmax (Rmax (mag b_x b_y) (mag p_x p_y)) (Rmax (mag q_x q_y) (mag e_x e_y)) in
-  if in_range_dec m then
+  if in_range_dec 120 m then
     let t := F_annulus b_x b_y p_x p_y q_x q_y e_x e_y in
     let m2 := fmul m m in
-    let m3 := fmul m2 m in
-    accept (incircle t) (inner t) (outer t) (error_bound 177 (fmul m2 m2)) (error_bound 273 m3) certified
+    decide (incircle t) (root_sum (inner t) (outer t)) (error_bound 177 (fmul m2 m2)) (error_bound 273 (fmul m2 m)) certified
   else None.
 
 (* As it is meant. *)
@@ -138,9 +137,9 @@ Proof.
   set (q_x := fsub qx ax) in *. set (q_y := fsub qy ay) in *. set (e_x := fsub qx px) in *. set (e_y := fsub qy py) in *.
   intros Hbx Hby Hpx Hpy Hqx Hqy Hex Hey.
   set (m := Rmax (Rmax (mag b_x b_y) (mag p_x p_y)) (Rmax (mag q_x q_y) (mag e_x e_y))).
-  destruct (in_range_dec m) as [Range |]; [| discriminate].
+  destruct (in_range_dec 120 m) as [Range |]; [| discriminate].
   assert (M : bpow radix2 (-120) <= m).
-  { apply in_range_lower; [| exact Range]. apply F_max; apply F_max; apply F_mag; tauto. }
+  { apply (in_range_lower 120); [lia | | exact Range]. apply F_max; apply F_max; apply F_mag; tauto. }
   generalize u_bounds (m_positive m M). intros U M0.
   assert (Bb : mag b_x b_y <= m) by (apply Rle_trans with (2 := Rmax_l _ _); apply Rmax_l).
   assert (Bp : mag p_x p_y <= m) by (apply Rle_trans with (2 := Rmax_l _ _); apply Rmax_r).
@@ -162,7 +161,7 @@ Proof.
       generalize (Rabs_triang (x n) (- (x n - X n))) (xm n) (xX n). rewrite Rabs_Ropp.
       replace (x n + - (x n - X n)) with (X n) by ring. lra.
     - unfold X, env. cbn [nth]. split; ring. }
-  generalize constants_2. intro K. rewrite !Bool.andb_true_iff in K. destruct K as ((((K1 & K2) & K3) & K4) & K5).
+  destruct constants_2 as (K1 & K2 & K3 & K4 & K5).
   assert (close : forall e k C E, within e k C E = true ->
     Rabs (rounded x e) <= IZR C * m ^ k /\ Rabs (rounded x e - exact X e) <= IZR E / 2 * u * m ^ k).
   { intros e k C E W. generalize (error_below_sound m M X x xF xm xX hints_2 e k _ _ _ HH W).
@@ -208,33 +207,44 @@ Proof.
   change (fadd (fmul (nx c) (nx c)) (fmul (ny c) (ny c))) with (inner c).
   change (fadd (fmul (mx c) (mx c)) (fmul (my c) (my c))) with (outer c).
   intros HI HO.
-  apply accept_sound.
-  - apply F_rnd.
+  generalize (root_sum_range _ _ (F_rnd (fmul (nx c) (nx c) + fmul (ny c) (ny c))) (F_rnd (fmul (mx c) (mx c) + fmul (my c) (my c)))).
+  change (rnd (fmul (nx c) (nx c) + fmul (ny c) (ny c))) with (inner c).
+  change (rnd (fmul (mx c) (mx c) + fmul (my c) (my c))) with (outer c).
+  set (r := root_sum (inner c) (outer c)). intros [RL RH].
+  generalize (sqrt_pos (inner c)) (sqrt_pos (outer c)) (sqrt_pos (inner t)) (sqrt_pos (outer t)). intros ci co ti to.
+  apply decide_sound.
   - apply F_rnd.
   - apply F_rnd.
   - apply F_error_bound.
   - apply F_error_bound.
   - apply Rlt_le_trans with (2 := E0). apply Rmult_lt_0_compat; lra.
   - apply Rle_trans with (2 := N0). apply Rmult_le_pos; lra.
+  - apply Rle_trans with (2 := RL). apply Rmult_le_pos; lra.
   - replace t with (R_annulus (bx - ax) (by' - ay) (px - ax) (py - ay) (qx - ax) (qy - ay)
       ((qx - ax) - (px - ax)) ((qy - ay) - (py - ay))).
     + apply norms_positive.
     + unfold t, circle_truth. f_equal; ring.
   - apply Rle_trans with (1 := De). apply Rle_trans with (2 := EL).
     apply Rmult_le_compat_r; [lra |]. unfold u. lra.
-  - assert (S : forall L l E, 0 <= L -> L - 14143 / 10000 * E <= l -> 0 <= E -> (1 - u) * L - 14143 / 10000 * E <= (1 - u) * l).
-    { intros L l E HL Hl HE. apply Rle_trans with ((1 - u) * (L - 14143 / 10000 * E)).
-      - assert (0 <= u * E) by (apply Rmult_le_pos; lra). lra.
-      - apply Rmult_le_compat_l; lra. }
-    assert (um : 0 <= u * m ^ 3) by (apply Rmult_le_pos; lra).
-    generalize (S _ _ _ (sqrt_pos (inner t)) CI ltac:(lra)) (S _ _ _ (sqrt_pos (outer t)) CO ltac:(lra)). intros SI SO.
-    assert (0 <= u * sqrt (inner t)) by (apply Rmult_le_pos; [lra | apply sqrt_pos]).
-    assert (0 <= u * sqrt (outer t)) by (apply Rmult_le_pos; [lra | apply sqrt_pos]).
-    lra.
-  - apply Rle_trans with (2 := E0). apply Rle_trans with (bpow radix2 (-900) * (256 * m ^ 3)).
+  - (* |N| + |M| less errors <= computed norms; then three factors 1 - u *)
+    set (L := sqrt (inner t) + sqrt (outer t)) in *. set (um := u * m ^ 3) in *.
+    assert (um0 : 0 <= um) by (apply Rmult_le_pos; lra).
+    assert (C : L - 27157 / 100 * um <= sqrt (nx c * nx c + ny c * ny c) + sqrt (mx c * mx c + my c * my c)) by (unfold L; unfold um in *; lra).
+    assert (D : (1 - u) * (L - 27157 / 100 * um) - 2 * tiny <= sqrt (inner c) + sqrt (outer c)).
+    { apply Rle_trans with ((1 - u) * (sqrt (nx c * nx c + ny c * ny c) + sqrt (mx c * mx c + my c * my c)) - 2 * tiny); [| lra].
+      apply Rplus_le_compat_r. apply Rmult_le_compat_l; lra. }
+    apply (Rmult_le_compat_l (1 - 2 * u)) in D; [| lra].
+    assert (0 <= u * um) by (apply Rmult_le_pos; lra). assert (0 <= u * (u * um)) by (apply Rmult_le_pos; lra).
+    assert (0 <= L) by (unfold L; lra).
+    assert (0 <= u * L) by (apply Rmult_le_pos; lra). assert (0 <= u * (u * L)) by (apply Rmult_le_pos; lra).
+    assert (0 <= u * tiny) by (apply Rmult_le_pos; [lra | left; apply tiny_pos]).
+    assert (u * um <= / 1000 * um) by (apply Rmult_le_compat_r; lra).
+    assert (u * (u * um) <= 1 * (u * um)) by (apply Rmult_le_compat_r; lra). generalize tiny_pos. intro.
+    assert (2725 / 10 * um <= n) by (unfold um in *; lra). lra.
+  - apply Rle_trans with (2 := E0). apply Rle_trans with (bpow radix2 (-900) * (1024 * m ^ 3)).
     + apply Rmult_le_compat_l; [apply bpow_ge_0 | lra].
     + replace (u * m ^ 4) with (u * m * m ^ 3) by ring. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; [lra |].
       apply Rle_trans with (u * bpow radix2 (-120)).
-      * change u with (bpow radix2 (-53)). change 256 with (bpow radix2 8). rewrite <- !bpow_plus. apply bpow_le. lia.
+      * change u with (bpow radix2 (-53)). change 1024 with (bpow radix2 10). rewrite <- !bpow_plus. apply bpow_le. lia.
       * apply Rmult_le_compat_l; lra.
 Qed.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What the filters of the plane and of space share: `detail::accept` of src/annulus/certificate/ladder_2.h, the range of m, and
+(* What the filters of the plane and of space share: `detail::decide` of src/annulus/certificate/decide.h, the range of m, and
    error bounds C u m^k that are themselves computed in floating point. *)
 Require Import Reals Lra Psatz ZArith List.
 From Flocq Require Import Core Mult_error.
@@ -8,14 +8,14 @@ Import ListNotations.
 Open Scope R_scope.
 
 (* Sign and tolerance, or no answer. With certified = false the tolerance is the plain quotient. *)
-Definition accept (det inner outer det_error norm_error : R) (certified : bool) : option (Z * R) :=
+Definition decide (det roots det_error norm_error : R) (certified : bool) : option (Z * R) :=
   if Rlt_dec det (- det_error) then Some ((-1)%Z, 0)
   else if Rlt_dec det_error (fmul det filter_slack) then
     if certified then
-      if Rlt_dec norm_error (fmul (roots inner outer) filter_slack)
-      then Some (1%Z, tolerance det inner outer det_error norm_error)
+      if Rlt_dec norm_error (fmul roots filter_slack)
+      then Some (1%Z, tolerance det roots det_error norm_error)
       else None
-    else Some (1%Z, rnd (det / roots inner outer))
+    else Some (1%Z, rnd (det / roots))
   else None.
 
 (* What is claimed of an answer: the sign is that of the exact determinant, and a certified tolerance is at most the
@@ -24,21 +24,21 @@ Definition sound (answer : option (Z * R)) (certified : bool) (det truth : R) : 
   forall sign value, answer = Some (sign, value) ->
   sign = 1%Z /\ 0 < det /\ (certified = true -> 0 <= value <= det / truth) \/ sign = (-1)%Z /\ det < 0.
 
-Theorem accept_sound det truth computed inner outer det_error norm_error certified :
-  F computed -> F inner -> F outer -> F det_error -> F norm_error ->
-  0 < det_error -> 0 <= norm_error -> (0 < det -> 0 < truth) ->
+Theorem decide_sound det truth computed roots det_error norm_error certified :
+  F computed -> F roots -> F det_error -> F norm_error ->
+  0 < det_error -> 0 <= norm_error -> 0 <= roots -> (0 < det -> 0 < truth) ->
   Rabs (computed - det) <= det_error ->
-  (1 - 8 * u) * truth <= sqrt inner + sqrt outer + norm_error ->
-  bpow radix2 (-900) * (sqrt inner + sqrt outer + norm_error) <= det_error ->
-  sound (accept computed inner outer det_error norm_error certified) certified det truth.
+  (1 - 10 * u) * truth <= roots + norm_error ->
+  bpow radix2 (-900) * (roots + norm_error) <= det_error ->
+  sound (decide computed roots det_error norm_error certified) certified det truth.
 Proof.
-  intros Fc Fi Fo Fe Fn He Hn Ht HE HR HU sign value A. unfold accept in A.
+  intros Fc Fr Fe Fn He Hn Hr Ht HE HR HU sign value A. unfold decide in A.
   destruct (Rlt_dec computed (- det_error)) as [N | _].
   - right. injection A as <- _. split; [reflexivity |]. now apply negative_sound with (1 := HE).
   - destruct (Rlt_dec det_error (fmul computed filter_slack)) as [S | _]; [| discriminate].
-    destruct (tolerance_sound det truth computed inner outer det_error norm_error) as [P T]; try assumption.
+    destruct (tolerance_sound det truth computed roots det_error norm_error) as [P T]; try assumption.
     left. destruct certified.
-    + destruct (Rlt_dec norm_error (fmul (roots inner outer) filter_slack)); [| discriminate].
+    + destruct (Rlt_dec norm_error (fmul roots filter_slack)); [| discriminate].
       injection A as <- <-. auto.
     + injection A as <- _. split; [reflexivity |]. split; [exact P | discriminate].
 Qed.
@@ -88,18 +88,21 @@ Proof. unfold mag. split; [apply Rmax_l | apply Rmax_r]. Qed.
 Lemma F_mag x y : F x -> F y -> F (mag x y).
 Proof. intros. apply F_max; now apply F_abs. Qed.
 
-Definition in_range (m : R) : Prop := m <= bpow radix2 120 /\ 1 <= fmul m (bpow radix2 120).
+Definition in_range (r : Z) (m : R) : Prop := m <= bpow radix2 r /\ 1 <= fmul m (bpow radix2 r).
 
-Lemma in_range_dec m : {in_range m} + {~ in_range m}.
+Lemma in_range_dec r m : {in_range r m} + {~ in_range r m}.
 Proof.
-  unfold in_range. destruct (Rle_dec m (bpow radix2 120)); destruct (Rle_dec 1 (fmul m (bpow radix2 120)));
+  unfold in_range. destruct (Rle_dec m (bpow radix2 r)); destruct (Rle_dec 1 (fmul m (bpow radix2 r)));
   (left; tauto) || (right; tauto).
 Qed.
 
-Lemma in_range_lower m : F m -> in_range m -> bpow radix2 (-120) <= m.
+(* filter_range is 2^120 in the plane and filter_range_3 is 2^100. *)
+Lemma in_range_lower r m : (0 <= r <= 120)%Z -> F m -> in_range r m -> bpow radix2 (-120) <= m.
 Proof.
-  intros Fm [_ L]. unfold fmul in L. rewrite rnd_F in L.
-  - apply Rmult_le_reg_r with (bpow radix2 120); [apply bpow_gt_0 |]. rewrite <- bpow_plus. exact L.
+  intros R Fm [_ L]. unfold fmul in L. rewrite rnd_F in L.
+  - apply Rle_trans with (bpow radix2 (- r)); [apply bpow_le; lia |].
+    apply Rmult_le_reg_r with (bpow radix2 r); [apply bpow_gt_0 |].
+    rewrite <- bpow_plus, Z.add_opp_diag_l. exact L.
   - apply mult_bpow_pos_exact_FLT; [exact Fm | lia].
 Qed.
 

@@ -20,9 +20,9 @@ Definition orientation_filter (certified : bool) : option (Z * R) :=
   let vx := fsub x2 x0 in let vy := fsub y2 y0 in
   let wx := fsub x2 x1 in let wy := fsub y2 y1 in
   let m := Rmax (mag ux uy) (mag vx vy) in
-  if in_range_dec m then
+  if in_range_dec 120 m then
     let longest := Rmax (Rmax (F_side ux uy) (F_side vx vy)) (F_side wx wy) in
-    accept (F_orientation ux uy vx vy) longest longest (error_bound 9 (fmul m m)) 0 certified
+    decide (F_orientation ux uy vx vy) (fmul 2 (rnd (sqrt longest))) (error_bound 9 (fmul m m)) 0 certified
   else None.
 
 (* As it is meant. *)
@@ -74,9 +74,9 @@ Proof.
   set (ux := fsub x1 x0) in *. set (uy := fsub y1 y0) in *. set (vx := fsub x2 x0) in *. set (vy := fsub y2 y0) in *.
   set (wx := fsub x2 x1) in *. set (wy := fsub y2 y1) in *.
   intros Hux Huy Hvx Hvy Hwx Hwy Su Sv Sw.
-  set (m := Rmax (mag ux uy) (mag vx vy)). destruct (in_range_dec m) as [Range |]; [| discriminate].
+  set (m := Rmax (mag ux uy) (mag vx vy)). destruct (in_range_dec 120 m) as [Range |]; [| discriminate].
   assert (M : bpow radix2 (-120) <= m).
-  { apply in_range_lower; [| exact Range]. apply F_max; now apply F_mag. }
+  { apply (in_range_lower 120); [lia | | exact Range]. apply F_max; now apply F_mag. }
   generalize u_bounds (m_positive m M). intros U M0.
   assert (Bux : Rabs ux <= m) by (apply Rle_trans with (1 := proj1 (Rabs_le_mag ux uy)); apply Rmax_l).
   assert (Buy : Rabs uy <= m) by (apply Rle_trans with (1 := proj2 (Rabs_le_mag ux uy)); apply Rmax_l).
@@ -168,23 +168,31 @@ Proof.
     { repeat split; replace (16 * m) with (4 * (4 * m)) by ring; apply norm_2_upper; lra. }
     unfold longest, Rmax. repeat destruct Rle_dec; apply S. }
   change (fmul m m) with (m2 m). fold e.
-  apply accept_sound.
+  assert (double : fmul 2 (rnd (sqrt longest)) = 2 * rnd (sqrt longest)) by (apply rnd_F, F_double, F_rnd).
+  assert (Fl : F longest) by (apply F_max; [apply F_max |]; apply F_rnd).
+  generalize (rnd_sqrt_le _ Fl) (sqrt_pos longest). intros [RL RH] l0.
+  assert (RH' : sqrt longest * (1 + u) <= sqrt longest * 2) by (apply Rmult_le_compat_l; lra).
+  apply decide_sound.
   - apply F_rnd.
-  - apply F_max; [apply F_max |]; apply F_rnd.
-  - apply F_max; [apply F_max |]; apply F_rnd.
+  - apply F_rnd.
   - apply F_error_bound.
   - exact F_0.
   - apply Rlt_le_trans with (2 := E0). apply Rmult_lt_0_compat; lra.
   - lra.
+  - apply fmul_pos; [lra | now apply rnd_pos].
   - intros _. generalize (bpow_gt_0 radix2 (-122)). lra.
   - apply Rle_trans with (1 := De). apply Rle_trans with (2 := EL).
     apply Rmult_le_compat_r; [lra |]. unfold u. lra.
-  - assert (0 <= u * sqrt T) by (apply Rmult_le_pos; [lra | apply sqrt_pos]). lra.
-  - rewrite Rplus_0_r. apply Rle_trans with (2 := E0).
-    apply Rle_trans with (bpow radix2 (-900) * (32 * m)).
+  - rewrite double, Rplus_0_r.
+    assert (low' : (1 - 4 * u) * sqrt T <= sqrt longest) by lra.
+    assert ((1 - 4 * u) * sqrt T * (1 - u) <= sqrt longest * (1 - u)) by (apply Rmult_le_compat_r; lra).
+    assert (0 <= u * sqrt T) by (apply Rmult_le_pos; [lra | apply sqrt_pos]).
+    assert (0 <= u * (u * sqrt T)) by (apply Rmult_le_pos; lra). lra.
+  - rewrite double, Rplus_0_r. apply Rle_trans with (2 := E0).
+    apply Rle_trans with (bpow radix2 (-900) * (64 * m)).
     + apply Rmult_le_compat_l; [apply bpow_ge_0 | lra].
     + simpl pow. rewrite Rmult_1_r. rewrite <- !Rmult_assoc. apply Rmult_le_compat_r; [lra |].
       apply Rle_trans with (u * bpow radix2 (-120)).
-      * change u with (bpow radix2 (-53)). change 32 with (bpow radix2 5). rewrite <- !bpow_plus. apply bpow_le. lia.
+      * change u with (bpow radix2 (-53)). change 64 with (bpow radix2 6). rewrite <- !bpow_plus. apply bpow_le. lia.
       * apply Rmult_le_compat_l; lra.
 Qed.

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The last operations of the filter stage, `detail::accept` of src/annulus/certificate/ladder_2.h, and the norms they
-   use: from error bounds of the terms to a tolerance that is not above the truth. *)
+(* The last operations of the filter stage, `detail::decide` of src/annulus/certificate/decide.h, and the norms they use: from
+   error bounds of the terms to a tolerance that is not above the truth. *)
 Require Import Reals Lra Psatz ZArith.
 From Flocq Require Import Core.
 From Annulus Require Import float_model float_error.
@@ -10,9 +10,8 @@ Open Scope R_scope.
 Definition filter_slack : R := / 1024.
 Definition shrink : R := 1 - 16 * u.
 
-Definition roots (inner outer : R) : R := fadd (rnd (sqrt inner)) (rnd (sqrt outer)).
-Definition tolerance (det inner outer det_error norm_error : R) : R :=
-  fmul (rnd (fsub det det_error / fadd (roots inner outer) norm_error)) shrink.
+Definition tolerance (det roots det_error norm_error : R) : R :=
+  fmul (rnd (fsub det det_error / fadd roots norm_error)) shrink.
 
 Lemma mul_below a b x y : 0 <= a -> 0 <= x -> a <= b -> x <= y -> a * x <= b * y.
 Proof. intros. apply Rmult_le_compat; assumption. Qed.
@@ -215,62 +214,65 @@ Proof.
     change (bpow radix2 (-53)) with (/ 9007199254740992). lra.
 Qed.
 
-(* What `accept` returns. `truth` is the exact sum of the two norms; the computed ones fall short of it by a factor and by
-   at most norm_error. *)
-Theorem tolerance_sound det truth computed inner outer det_error norm_error :
-  F computed -> F inner -> F outer -> F det_error -> F norm_error ->
-  0 < det_error -> 0 <= norm_error -> (0 < det -> 0 < truth) ->
-  Rabs (computed - det) <= det_error ->
-  (1 - 8 * u) * truth <= sqrt inner + sqrt outer + norm_error ->
-  bpow radix2 (-900) * (sqrt inner + sqrt outer + norm_error) <= det_error ->
-  det_error < fmul computed filter_slack ->
-  0 < det /\ 0 <= tolerance computed inner outer det_error norm_error <= det / truth.
+(* The computed sum of two roots. *)
+Definition root_sum (inner outer : R) : R := fadd (rnd (sqrt inner)) (rnd (sqrt outer)).
+
+Lemma root_sum_range inner outer : F inner -> F outer ->
+  (1 - 2 * u) * (sqrt inner + sqrt outer) <= root_sum inner outer <= 2 * (sqrt inner + sqrt outer).
 Proof.
-  intros Fc Fi Fo Fe Fn He Hn Ht HE HR HU HS.
+  intros Fi Fo. generalize u_bounds (sqrt_pos inner) (sqrt_pos outer) (rnd_sqrt_le _ Fi) (rnd_sqrt_le _ Fo).
+  intros U I0 O0 Ri Ro.
+  assert (Ri0 : 0 <= rnd (sqrt inner)) by now apply rnd_pos.
+  assert (Ro0 : 0 <= rnd (sqrt outer)) by now apply rnd_pos.
+  generalize (rnd_add_le _ _ (F_rnd (sqrt inner)) (F_rnd (sqrt outer)) ltac:(lra)).
+  fold (fadd (rnd (sqrt inner)) (rnd (sqrt outer))). fold (root_sum inner outer). intros [L H]. split.
+  - apply Rle_trans with (2 := L).
+    apply Rle_trans with ((sqrt inner + sqrt outer) * (1 - u) * (1 - u)).
+    + rewrite Rmult_assoc, (Rmult_comm (1 - 2 * u)). apply Rmult_le_compat_l; [lra | unfold u; lra].
+    + apply Rmult_le_compat_r; lra.
+  - apply Rle_trans with (1 := H).
+    apply Rle_trans with ((sqrt inner + sqrt outer) * (1 + u) * (1 + u)).
+    + apply Rmult_le_compat_r; lra.
+    + rewrite Rmult_assoc, (Rmult_comm 2). apply Rmult_le_compat_l; [lra | unfold u; lra].
+Qed.
+
+(* The last five operations. `truth` is an exact sum of two norms, or twice a longest side; what the code has for it falls
+   short by a factor and by at most norm_error. *)
+Theorem tolerance_sound det truth computed roots det_error norm_error :
+  F computed -> F roots -> F det_error -> F norm_error ->
+  0 < det_error -> 0 <= norm_error -> 0 <= roots -> (0 < det -> 0 < truth) ->
+  Rabs (computed - det) <= det_error ->
+  (1 - 10 * u) * truth <= roots + norm_error ->
+  bpow radix2 (-900) * (roots + norm_error) <= det_error ->
+  det_error < fmul computed filter_slack ->
+  0 < det /\ 0 <= tolerance computed roots det_error norm_error <= det / truth.
+Proof.
+  intros Fc Fr Fe Fn He Hn Hr Ht HE HR HU HS.
   apply slack_sound in HS; [| exact Fe]. apply Rabs_le_inv in HE.
   assert (Hdet : computed - det_error <= det) by lra.
-  specialize (Ht ltac:(lra)).
-  generalize u_bounds (sqrt_pos inner) (sqrt_pos outer). intros U I0 O0.
-  set (A := sqrt inner + sqrt outer + norm_error) in *.
-  assert (A0 : 0 < A) by nra.
-  (* numerator *)
+  specialize (Ht ltac:(lra)). generalize u_bounds. intro U.
+  set (A := roots + norm_error) in *.
+  assert (A0 : 0 < A) by (apply Rlt_le_trans with (2 := HR); apply Rmult_lt_0_compat; lra).
+  (* numerator and denominator *)
   assert (Num : (computed - det_error) * (1 - u) <= fsub computed det_error <= (computed - det_error) * (1 + u)).
   { unfold fsub. change (computed - det_error) with (computed + - det_error).
     apply rnd_add_le; [exact Fc | now apply F_opp | lra]. }
-  (* denominator *)
-  generalize (rnd_sqrt_le _ Fi) (rnd_sqrt_le _ Fo). intros Ri Ro.
-  assert (Ri0 : 0 <= rnd (sqrt inner)) by now apply rnd_pos.
-  assert (Ro0 : 0 <= rnd (sqrt outer)) by now apply rnd_pos.
-  generalize (rnd_add_le _ _ (F_rnd (sqrt inner)) (F_rnd (sqrt outer)) ltac:(lra)). fold (fadd (rnd (sqrt inner)) (rnd (sqrt outer))).
-  fold (roots inner outer). intro Rr.
-  assert (Rr0 : 0 <= roots inner outer) by (apply rnd_pos; lra).
-  generalize (rnd_add_le _ _ (F_rnd (rnd (sqrt inner) + rnd (sqrt outer))) Fn ltac:(change (0 <= roots inner outer + norm_error); lra)).
-  change (rnd (rnd (sqrt inner) + rnd (sqrt outer))) with (roots inner outer).
-  fold (fadd (roots inner outer) norm_error). set (den := fadd (roots inner outer) norm_error). intro Rd.
-  assert (Low : A * ((1 - u) * (1 - u) * (1 - u)) <= den).
-  { assert ((sqrt inner + sqrt outer) * ((1 - u) * (1 - u)) <= roots inner outer) by nra.
-    assert (norm_error * ((1 - u) * (1 - u)) <= norm_error * 1) by (apply Rmult_le_compat_l; nra).
-    apply Rle_trans with (2 := proj1 Rd). unfold A.
-    rewrite <- (Rmult_assoc _ _ (1 - u)). apply Rmult_le_compat_r; lra. }
-  assert (High : den <= 2 * A).
-  { assert (roots inner outer <= (sqrt inner + sqrt outer) * ((1 + u) * (1 + u))) by nra.
-    assert (roots inner outer <= (sqrt inner + sqrt outer) * (3 / 2)).
-    { apply Rle_trans with (1 := H). apply Rmult_le_compat_l; nra. }
-    apply Rle_trans with (1 := proj2 Rd).
-    apply Rle_trans with ((roots inner outer + norm_error) * (4 / 3)); [apply Rmult_le_compat_l; lra |].
-    unfold A. lra. }
-  assert (D0 : 0 < den).
-  { apply Rlt_le_trans with (2 := Low). apply Rmult_lt_0_compat; [exact A0 |]. nra. }
-  (* quotient *)
-  set (num := fsub computed det_error) in *. assert (N0 : det_error * 512 <= num) by nra.
+  generalize (rnd_add_le _ _ Fr Fn ltac:(lra)). fold (fadd roots norm_error). fold A.
+  set (den := fadd roots norm_error). intros [Low High].
+  assert (D0 : 0 < den) by (apply Rlt_le_trans with (2 := Low); apply Rmult_lt_0_compat; lra).
+  assert (D2 : den <= 2 * A) by (apply Rle_trans with (1 := High); rewrite Rmult_comm; apply Rmult_le_compat_r; lra).
+  set (num := fsub computed det_error) in *.
+  assert (N0 : 2 * det_error <= num).
+  { apply Rle_trans with (2 := proj1 Num). apply Rle_trans with ((4 * det_error) * / 2); [lra |].
+    apply mul_below; lra. }
+  (* quotient: far from underflow *)
   set (q := num / den). assert (Q : q * den = num) by (unfold q; field; lra).
   assert (Qlow : bpow radix2 (-900) <= q).
   { apply Rmult_le_reg_r with den; [exact D0 |]. rewrite Q.
     apply Rle_trans with (bpow radix2 (-900) * (2 * A)); [| lra].
-    apply Rmult_le_compat_l; [apply bpow_ge_0 | exact High]. }
+    apply Rmult_le_compat_l; [apply bpow_ge_0 | exact D2]. }
   assert (big : bpow radix2 (-1022) <= bpow radix2 (-900) / 4).
-  { unfold Rdiv. change 4 with (bpow radix2 2).
-    rewrite <- bpow_opp, <- bpow_plus. apply bpow_le. lia. }
+  { unfold Rdiv. change 4 with (bpow radix2 2). rewrite <- bpow_opp, <- bpow_plus. apply bpow_le. lia. }
   assert (P900 : 0 < bpow radix2 (-900)) by apply bpow_gt_0.
   generalize (rnd_normal_le q ltac:(lra)). intro Rq.
   assert (sh : / 2 <= shrink <= 1) by (unfold shrink; lra).
@@ -284,10 +286,10 @@ Proof.
   - apply fmul_pos; [apply rnd_pos |]; lra.
   - apply Rmult_le_reg_r with truth; [exact Ht |].
     unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-    set (c := (1 - 8 * u) * ((1 - u) * (1 - u) * (1 - u))).
-    assert (C0 : 0 < c) by (unfold c; unfold u; lra).
+    set (c := (1 - 10 * u) * (1 - u)).
+    assert (C0 : 0 < c) by (unfold c, u; lra).
     assert (T1 : truth * c <= den).
-    { apply Rle_trans with (2 := Low). unfold c. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; [unfold u; lra | lra]. }
+    { apply Rle_trans with (2 := Low). unfold c. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; lra. }
     assert (T2 : fmul (rnd q) shrink <= q * ((1 + u) * shrink * (1 + u))).
     { apply Rle_trans with (1 := proj2 Rt). rewrite <- !Rmult_assoc.
       do 2 (apply Rmult_le_compat_r; [lra |]). apply Rq. }
