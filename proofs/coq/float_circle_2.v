@@ -178,10 +178,10 @@ Proof.
   assert (P3 : bpow radix2 (-360) <= m ^ 3) by exact (pow_large m M 3).
   assert (P4 : bpow radix2 (-480) <= m ^ 4) by exact (pow_large m M 4).
   generalize (bpow_gt_0 radix2 (-360)) (bpow_gt_0 radix2 (-480)). intros B360 B480.
-  change (fmul (fmul m m) (fmul m m)) with (m4 m). change (fmul (fmul m m) m) with (m3 m).
-  generalize (error_bound_range m M 177 (m4 m) 4 ltac:(lia) ltac:(lia) (m4_range m M)).
-  generalize (error_bound_range m M 273 (m3 m) 3 ltac:(lia) ltac:(lia) (m3_range m M)).
-  set (e := error_bound 177 (m4 m)). set (n := error_bound 273 (m3 m)). intros [NL NH] [EL EH].
+  change (fmul (fmul m m) (fmul m m)) with (power_4 m). change (fmul (fmul m m) m) with (power_3 m).
+  generalize (error_bound_range m M 177 (power_4 m) 4 ltac:(lia) ltac:(lia) (widen m M _ _ 4 4 ltac:(lra) ltac:(lra) (power_4_range m M))).
+  generalize (error_bound_range m M 273 (power_3 m) 3 ltac:(lia) ltac:(lia) (widen m M _ _ 4 4 ltac:(lra) ltac:(lra) (power_3_range m M))).
+  set (e := error_bound 177 (power_4 m)). set (n := error_bound 273 (power_3 m)). intros [NL NH] [EL EH].
   assert (E0 : u * m ^ 4 <= e).
   { apply Rle_trans with (2 := EL). apply Rmult_le_compat_r; [lra |]. unfold u. lra. }
   assert (N0 : 2725 / 10 * u * m ^ 3 <= n).

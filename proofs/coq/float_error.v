@@ -7,8 +7,8 @@
    the degree. Only the relative error of an operation is used, and of products that they may underflow; so nothing here
    depends on where m lies between two powers of two (docs/theory.md 4.1).
 
-   All bounds are integers in units of 2^-200 m^k. That is so small that one unit pays for the underflow of a product of
-   degree up to 7: 2^-1075 <= 2^-200 (2^-120)^7. *)
+   All bounds are integers in units of 2^-100 m^k. That is so small that one unit pays for the underflow of a product of
+   degree up to 8: 2^-1075 <= 2^-100 (2^-120)^8. *)
 Require Import Reals Lra Psatz ZArith List.
 From Flocq Require Import Core.
 From Annulus Require Import float_model.
@@ -47,15 +47,15 @@ Fixpoint rounded (x : nat -> R) (e : expr) : R :=
   | Opp a => - rounded x a
   end.
 
-(* deg: the degree k. In units of 2^-200 m^k: ex bounds the exact value, co the computed one, er their difference. *)
+(* deg: the degree k. In units of 2^-100 m^k: ex bounds the exact value, co the computed one, er their difference. *)
 Record bnd := Bnd { deg : nat; ex : Z; co : Z; er : Z }.
 
-Definition one : Z := 2 ^ 200.
-Definition unit_roundoff : Z := 2 ^ 147.
+Definition one : Z := 2 ^ 100.
+Definition unit_roundoff : Z := 2 ^ 47.
 
-(* Quotient rounded up. *)
-Definition up (a b : Z) : Z := (- (- a / b))%Z.
-Definition prod (a b : Z) : Z := up (a * b) one.
+(* a / 2^k rounded up. *)
+Definition up (a k : Z) : Z := (- Z.shiftr (- a) k)%Z.
+Definition prod (a b : Z) : Z := up (a * b) 100.
 
 (* A hint gives an expression a smaller bound for its exact value, proved by other means (a cancellation, say). *)
 Definition hints := list (expr * Z).
@@ -68,7 +68,7 @@ Fixpoint tighten (h : hints) (e : expr) (z : Z) : Z :=
 (* X: exact value, S: what is rounded, E: its error before rounding, t: units lost to underflow. *)
 Definition round_off (k : nat) (X S E t : Z) : bnd :=
   let S' := Z.min S (X + E) in
-  let r := (up S' (2 ^ 53) + t)%Z in
+  let r := (up S' 53 + t)%Z in
   Bnd k X (Z.min (S' + r) (X + (E + r))) (E + r).
 
 Definition sum (h : hints) (e : expr) (a b : bnd) : option bnd :=
@@ -92,7 +92,7 @@ Fixpoint bound (h : hints) (e : expr) : option bnd :=
   | Times a b =>
     match bound h a, bound h b with
     | Some x, Some y =>
-      if Nat.leb (deg x + deg y) 7
+      if Nat.leb (deg x + deg y) 8
       then Some (round_off (deg x + deg y) (tighten h e (prod (ex x) (ex y))) (prod (co x) (co y))
                            (Z.min (prod (co x) (er y) + prod (er x) (ex y)) (prod (ex x) (er y) + prod (er x) (co y))) 1)
       else None
@@ -114,7 +114,7 @@ Proof. congruence. Qed.
 
 Section soundness.
 
-Definition unit := bpow radix2 (-200).
+Definition unit := bpow radix2 (-100).
 Variable m : R.
 Hypothesis m_large : bpow radix2 (-120) <= m.
 Variables X x : nat -> R.
@@ -153,10 +153,10 @@ Lemma scale_u : IZR unit_roundoff * scale 1 = u * m.
 Proof. unfold scale. rewrite <- Rmult_assoc, unit_u. ring. Qed.
 
 (* The unit of degree k is above half the least positive number. *)
-Lemma scale_underflow k : (k <= 7)%nat -> eta <= scale k.
+Lemma scale_underflow k : (k <= 8)%nat -> eta <= scale k.
 Proof.
   intro K. unfold scale, unit, eta.
-  apply Rle_trans with (bpow radix2 (-200) * bpow radix2 (-120) ^ k).
+  apply Rle_trans with (bpow radix2 (-100) * bpow radix2 (-120) ^ k).
   - replace (bpow radix2 (-120) ^ k) with (bpow radix2 (-120 * Z.of_nat k)).
     + rewrite <- bpow_plus. apply bpow_le. lia.
     + clear K. induction k as [|k IH]; [reflexivity |].
@@ -165,10 +165,10 @@ Proof.
     apply pow_incr. split; [apply bpow_ge_0 | apply m_large].
 Qed.
 
-Lemma up_le a b : (0 < b)%Z -> IZR a <= IZR (up a b) * IZR b.
+Lemma up_le a k : (0 <= k)%Z -> IZR a <= IZR (up a k) * IZR (2 ^ k).
 Proof.
-  intro H. rewrite <- mult_IZR. apply IZR_le. unfold up.
-  generalize (Z.mul_div_le (- a) b H). lia.
+  intro H. rewrite <- mult_IZR. apply IZR_le. unfold up. rewrite Z.shiftr_div_pow2 by exact H.
+  generalize (Z.mul_div_le (- a) (2 ^ k) (Z.pow_pos_nonneg 2 k eq_refl H)). lia.
 Qed.
 
 (* A product of two bounds, in the unit of the sum of the degrees. *)
@@ -181,7 +181,7 @@ Proof.
   - replace ((IZR a * scale i) * (IZR b * scale j)) with (IZR (a * b) * unit * scale (i + j)).
     + apply Rmult_le_compat_r; [left; apply scale_pos |].
       apply Rle_trans with (IZR (prod a b) * IZR one * unit).
-      * apply Rmult_le_compat_r; [left; apply unit_pos |]. apply up_le. reflexivity.
+      * apply Rmult_le_compat_r; [left; apply unit_pos |]. apply up_le. discriminate.
       * rewrite Rmult_assoc, unit_one. lra.
     + unfold scale. rewrite mult_IZR, pow_add. ring.
 Qed.
@@ -199,7 +199,7 @@ Lemma round_off_fits k vX vS vE t v V :
   fits (rnd v) V (round_off k vX vS vE t).
 Proof.
   intros HX HS HE HR. unfold round_off, fits. cbn [deg ex co er].
-  set (S' := Z.min vS (vX + vE)). set (r := (up S' (2 ^ 53) + t)%Z).
+  set (S' := Z.min vS (vX + vE)). set (r := (up S' 53 + t)%Z).
   assert (tri : forall y z, Rabs y <= Rabs z + Rabs (y - z)).
   { intros y z. replace y with (z + (y - z)) at 1 by ring. apply Rabs_triang. }
   assert (H : Rabs v <= IZR S' * scale k).
@@ -210,9 +210,9 @@ Proof.
     apply Rle_trans with (u * (IZR S' * scale k)).
     - apply Rmult_le_compat_l; [generalize u_bounds; lra | exact H].
     - rewrite <- Rmult_assoc. apply Rmult_le_compat_r; [left; apply scale_pos |].
-      apply Rle_trans with (u * (IZR (up S' (2 ^ 53)) * IZR (2 ^ 53))).
-      + apply Rmult_le_compat_l; [generalize u_bounds; lra |]. apply up_le. reflexivity.
-      + replace (u * (IZR (up S' (2 ^ 53)) * IZR (2 ^ 53))) with (IZR (up S' (2 ^ 53)) * (u * IZR (2 ^ 53))) by ring.
+      apply Rle_trans with (u * (IZR (up S' 53) * IZR (2 ^ 53))).
+      + apply Rmult_le_compat_l; [generalize u_bounds; lra |]. apply up_le. discriminate.
+      + replace (u * (IZR (up S' 53) * IZR (2 ^ 53))) with (IZR (up S' 53) * (u * IZR (2 ^ 53))) by ring.
         rewrite u_53. lra. }
   assert (E : Rabs (rnd v - V) <= IZR (vE + r) * scale k).
   { rewrite plus_IZR. generalize (Rabs_triang (rnd v - v) (v - V)).
@@ -295,7 +295,7 @@ Proof.
     apply (add_sub (Minus a b') _ _ p q _ _ _ _ (IHa p eq_refl) (IHb q eq_refl)); try apply rounded_format; auto.
   - generalize B. intro B'. cbn [bound] in B'. destruct (bound h a) as [p |]; [| discriminate].
     destruct (bound h b') as [q |]; [| discriminate].
-    destruct (Nat.leb_spec (deg p + deg q) 7) as [K |]; [| discriminate].
+    destruct (Nat.leb_spec (deg p + deg q) 8) as [K |]; [| discriminate].
     apply some_eq in B'. rename B' into R. destruct (IHa p eq_refl) as (A1 & A2 & A3). destruct (IHb q eq_refl) as (B1 & B2 & B3).
     cbn [rounded exact]. set (va := rounded x a) in *. set (vb := rounded x b') in *.
     set (Va := exact X a) in *. set (Vb := exact X b') in *.
@@ -318,7 +318,7 @@ Proof.
     replace (- rounded x a - - exact X a) with (- (rounded x a - exact X a)) by ring. rewrite !Rabs_Ropp. auto.
 Qed.
 
-(* Units turned into what the code says: E = C u, C a number of the form c / 2^53 2^200 ... in units of 2^-200. *)
+(* Units turned into what the code says: E = C u, C a number of the form c / 2^53 2^200 ... in units of 2^-100. *)
 Theorem error_below_sound h e k bX bC bE : hints_hold h -> error_below h e k bX bC bE = true ->
   Rabs (exact X e) <= IZR bX * scale k /\ Rabs (rounded x e) <= IZR bC * scale k /\
   Rabs (rounded x e - exact X e) <= IZR bE * scale k.

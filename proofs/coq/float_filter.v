@@ -44,7 +44,7 @@ Proof.
 Qed.
 
 (* Halves of u: the constants of bounds.h less what rounding the error bounds themselves can take off. *)
-Definition half_u : Z := 2 ^ 146.
+Definition half_u : Z := 2 ^ 46.
 
 (* Environments: the differences of the code, and those they stand for. *)
 Definition env (l : list R) (n : nat) : R := nth n l 0.
@@ -70,7 +70,7 @@ Proof.
   - unfold scale. generalize unit_u. intro E.
     replace (IZR c * (IZR unit_roundoff / 2) * (unit * m ^ k)) with (IZR c / 2 * (IZR unit_roundoff * unit) * m ^ k) by field.
     rewrite E. ring.
-  - unfold half_u, unit_roundoff. change (2 ^ 147)%Z with (2 * 2 ^ 146)%Z. rewrite mult_IZR. field.
+  - unfold half_u, unit_roundoff. change (2 ^ 47)%Z with (2 * 2 ^ 46)%Z. rewrite mult_IZR. field.
 Qed.
 
 Lemma units m c k : IZR (c * one) * scale m k = IZR c * m ^ k.
@@ -153,8 +153,8 @@ Qed.
 Definition error_bound (C : Z) (p : R) : R := fmul (fmul (IZR C) u) p.
 
 Lemma error_bound_range C p k : (k <= 8)%nat -> (1 <= C < 2 ^ 20)%Z ->
-  (1 - 4 * u) * m ^ k <= p <= (1 + 4 * u) * m ^ k ->
-  IZR C * u * (1 - 6 * u) * m ^ k <= error_bound C p <= IZR C * u * (1 + 6 * u) * m ^ k.
+  (1 - 6 * u) * m ^ k <= p <= (1 + 6 * u) * m ^ k ->
+  IZR C * u * (1 - 8 * u) * m ^ k <= error_bound C p <= IZR C * u * (1 + 8 * u) * m ^ k.
 Proof.
   intros K HC [L H]. unfold error_bound.
   assert (E : fmul (IZR C) u = IZR C * u).
@@ -163,52 +163,58 @@ Proof.
   assert (C1 : 1 <= IZR C <= 1048576) by (split; apply IZR_le; lia).
   assert (P : 0 <= m ^ k) by (apply pow_le; left; apply m_positive).
   assert (Q : 0 <= IZR C * u) by (apply Rmult_le_pos; lra).
-  assert (S : u * (1 - 4 * u) <= IZR C * u * (1 - 4 * u)) by (apply Rmult_le_compat_r; nra).
-  assert (S' : IZR C * u * (1 - 4 * u) <= IZR C * u * (1 + 4 * u)) by (apply Rmult_le_compat_l; lra).
-  assert (W : bpow radix2 (-60) <= u * (1 - 4 * u)).
+  assert (S : u * (1 - 6 * u) <= IZR C * u * (1 - 6 * u)) by (apply Rmult_le_compat_r; nra).
+  assert (S' : IZR C * u * (1 - 6 * u) <= IZR C * u * (1 + 6 * u)) by (apply Rmult_le_compat_l; lra).
+  assert (W : bpow radix2 (-60) <= u * (1 - 6 * u)).
   { change (bpow radix2 (-60)) with (/ 1152921504606846976). unfold u. lra. }
   split.
   - replace k with (0 + k)%nat by reflexivity.
-    apply Rle_trans with (IZR C * u * (1 - 4 * u) * (1 - u) * m ^ (0 + k)).
-    + apply Rmult_le_compat_r; [exact P |]. rewrite (Rmult_assoc _ (1 - 4 * u)). apply Rmult_le_compat_l; nra.
+    apply Rle_trans with (IZR C * u * (1 - 6 * u) * (1 - u) * m ^ (0 + k)).
+    + apply Rmult_le_compat_r; [exact P |]. rewrite (Rmult_assoc _ (1 - 6 * u)). apply Rmult_le_compat_l; nra.
     + apply fmul_pow_lower; [exact K | rewrite pow_O; lra | exact L | exact Q | lra | lra].
   - replace k with (0 + k)%nat by reflexivity.
-    apply Rle_trans with (IZR C * u * (1 + 4 * u) * (1 + u) * m ^ (0 + k)).
+    apply Rle_trans with (IZR C * u * (1 + 6 * u) * (1 + u) * m ^ (0 + k)).
     + apply fmul_pow_upper; [exact K | rewrite pow_O; lra | | lra].
       split; [| exact H]. apply Rle_trans with (2 := L). apply Rmult_le_pos; [lra | exact P].
-    + apply Rmult_le_compat_r; [exact P |]. rewrite (Rmult_assoc _ (1 + 4 * u)). apply Rmult_le_compat_l; nra.
+    + apply Rmult_le_compat_r; [exact P |]. rewrite (Rmult_assoc _ (1 + 6 * u)). apply Rmult_le_compat_l; nra.
 Qed.
 
 Lemma F_error_bound C p : F (error_bound C p).
 Proof. apply F_rnd. Qed.
 
 (* The powers themselves, as the code forms them. *)
-Definition m2 := fmul m m.
-Definition m3 := fmul m2 m.
-Definition m4 := fmul m2 m2.
+Definition power_2 := fmul m m.
+Definition power_3 := fmul power_2 m.
+Definition power_4 := fmul power_2 power_2.
+Definition power_5 := fmul power_4 m.
 
-Lemma m2_range : (1 - u) * m ^ 2 <= m2 <= (1 + u) * m ^ 2.
+Lemma power_2_range : (1 - u) * m ^ 2 <= power_2 <= (1 + u) * m ^ 2.
 Proof.
   generalize u_bounds m_positive. intros U M.
   assert (W : bpow radix2 (-60) <= 1 * 1) by (rewrite Rmult_1_l; change 1 with (bpow radix2 0); apply bpow_le; lia).
-  split; unfold m2.
+  split; unfold power_2.
   - generalize (fmul_pow_lower m m 1 1 1 1 ltac:(lia) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) W). cbn [Nat.add]. lra.
   - generalize (fmul_pow_upper m m 1 1 1 1 ltac:(lia) ltac:(lra) ltac:(lra) W). cbn [Nat.add]. lra.
 Qed.
 
-Lemma m2_range_4 : (1 - 4 * u) * m ^ 2 <= m2 <= (1 + 4 * u) * m ^ 2.
+(* In the form that error_bound_range takes. *)
+Lemma widen p k c d : 0 <= c <= 6 -> 0 <= d <= 6 -> (1 - c * u) * m ^ k <= p <= (1 + d * u) * m ^ k ->
+  (1 - 6 * u) * m ^ k <= p <= (1 + 6 * u) * m ^ k.
 Proof.
-  generalize u_bounds m2_range (pow_lt m 2 m_positive). intros U [L H] P. split.
-  - apply Rle_trans with (2 := L). apply Rmult_le_compat_r; lra.
-  - apply Rle_trans with (1 := H). apply Rmult_le_compat_r; lra.
+  generalize u_bounds (pow_lt m k m_positive). intros U P C D [L H]. split.
+  - apply Rle_trans with (2 := L). apply Rmult_le_compat_r; [lra |]. assert (c * u <= 6 * u) by (apply Rmult_le_compat_r; lra). lra.
+  - apply Rle_trans with (1 := H). apply Rmult_le_compat_r; [lra |]. assert (d * u <= 6 * u) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
 
-Lemma m3_range : (1 - 4 * u) * m ^ 3 <= m3 <= (1 + 4 * u) * m ^ 3.
+Lemma power_2_range_6 : (1 - 6 * u) * m ^ 2 <= power_2 <= (1 + 6 * u) * m ^ 2.
+Proof. apply (widen _ _ 1 1); try lra. rewrite !Rmult_1_l. exact power_2_range. Qed.
+
+Lemma power_3_range : (1 - 4 * u) * m ^ 3 <= power_3 <= (1 + 4 * u) * m ^ 3.
 Proof.
-  generalize u_bounds m_positive m2_range. intros U M [L H].
+  generalize u_bounds m_positive power_2_range. intros U M [L H].
   assert (P : forall k, 0 < m ^ k) by (intro; apply pow_lt, M).
   assert (W : bpow radix2 (-60) <= / 2) by (change (/ 2) with (bpow radix2 (-1)); apply bpow_le; lia).
-  split; unfold m3.
+  split; unfold power_3.
   - apply Rle_trans with ((1 - u) * 1 * (1 - u) * m ^ (2 + 1)).
     + cbn [Nat.add]. apply Rmult_le_compat_r; [left; apply P | nra].
     + apply fmul_pow_lower; lia || lra.
@@ -218,18 +224,33 @@ Proof.
     + cbn [Nat.add]. apply Rmult_le_compat_r; [left; apply P | nra].
 Qed.
 
-Lemma m4_range : (1 - 4 * u) * m ^ 4 <= m4 <= (1 + 4 * u) * m ^ 4.
+Lemma power_4_range : (1 - 4 * u) * m ^ 4 <= power_4 <= (1 + 4 * u) * m ^ 4.
 Proof.
-  generalize u_bounds m_positive m2_range. intros U M [L H].
+  generalize u_bounds m_positive power_2_range. intros U M [L H].
   assert (P : forall k, 0 < m ^ k) by (intro; apply pow_lt, M).
   assert (W : bpow radix2 (-60) <= / 2) by (change (/ 2) with (bpow radix2 (-1)); apply bpow_le; lia).
-  assert (m2_pos : 0 <= m2) by (apply Rle_trans with (2 := L); apply Rmult_le_pos; [lra | left; apply P]).
-  split; unfold m4.
+  assert (power_2_pos : 0 <= power_2) by (apply Rle_trans with (2 := L); apply Rmult_le_pos; [lra | left; apply P]).
+  split; unfold power_4.
   - apply Rle_trans with ((1 - u) * (1 - u) * (1 - u) * m ^ (2 + 2)).
     + cbn [Nat.add]. apply Rmult_le_compat_r; [left; apply P | nra].
     + apply fmul_pow_lower; lia || lra || nra.
   - apply Rle_trans with ((1 + u) * (1 + u) * (1 + u) * m ^ (2 + 2)).
     + apply fmul_pow_upper; lia || lra || nra.
     + cbn [Nat.add]. apply Rmult_le_compat_r; [left; apply P | nra].
+Qed.
+
+Lemma power_5_range : (1 - 5 * u) * m ^ 5 <= power_5 <= (1 + 6 * u) * m ^ 5.
+Proof.
+  generalize u_bounds m_positive power_4_range. intros U M [L H].
+  assert (P : forall k, 0 < m ^ k) by (intro; apply pow_lt, M).
+  assert (W : bpow radix2 (-60) <= / 2) by (change (/ 2) with (bpow radix2 (-1)); apply bpow_le; lia).
+  assert (power_4_pos : 0 <= power_4) by (apply Rle_trans with (2 := L); apply Rmult_le_pos; [lra | left; apply P]).
+  split; unfold power_5.
+  - apply Rle_trans with ((1 - 4 * u) * 1 * (1 - u) * m ^ (4 + 1)).
+    + cbn [Nat.add]. apply Rmult_le_compat_r; [left; apply P | unfold u; lra].
+    + apply fmul_pow_lower; lia || lra.
+  - apply Rle_trans with ((1 + 4 * u) * 1 * (1 + u) * m ^ (4 + 1)).
+    + apply fmul_pow_upper; lia || lra.
+    + cbn [Nat.add]. apply Rmult_le_compat_r; [left; apply P | unfold u; lra].
 Qed.
 End powers.

@@ -98,8 +98,8 @@ Proof.
   (* its error bound *)
   assert (P2 : bpow radix2 (-240) <= m ^ 2) by exact (pow_large m M 2).
   generalize (bpow_gt_0 radix2 (-240)). intro B240.
-  generalize (error_bound_range m M 9 (m2 m) 2 ltac:(lia) ltac:(lia) (m2_range_4 m M)). intros [EL EH].
-  set (e := error_bound 9 (m2 m)) in *. replace (IZR 9) with 9 in EL, EH by reflexivity.
+  generalize (error_bound_range m M 9 (power_2 m) 2 ltac:(lia) ltac:(lia) (power_2_range_6 m M)). intros [EL EH].
+  set (e := error_bound 9 (power_2 m)) in *. replace (IZR 9) with 9 in EL, EH by reflexivity.
   assert (E0 : u * m ^ 2 <= e).
   { apply Rle_trans with (2 := EL). apply Rmult_le_compat_r; [lra |]. unfold u. lra. }
   (* the longest side *)
@@ -167,7 +167,7 @@ Proof.
     assert (S : sqrt (F_side ux uy) <= 16 * m /\ sqrt (F_side vx vy) <= 16 * m /\ sqrt (F_side wx wy) <= 16 * m).
     { repeat split; replace (16 * m) with (4 * (4 * m)) by ring; apply norm_2_upper; lra. }
     unfold longest, Rmax. repeat destruct Rle_dec; apply S. }
-  change (fmul m m) with (m2 m). fold e.
+  change (fmul m m) with (power_2 m). fold e.
   assert (double : fmul 2 (rnd (sqrt longest)) = 2 * rnd (sqrt longest)) by (apply rnd_F, F_double, F_rnd).
   assert (Fl : F longest) by (apply F_max; [apply F_max |]; apply F_rnd).
   generalize (rnd_sqrt_le _ Fl) (sqrt_pos longest). intros [RL RH] l0.
