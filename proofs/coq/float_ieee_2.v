@@ -65,6 +65,9 @@ Proof.
   - symmetry. apply rnd_F. change u with (bpow radix2 (-53)). apply F_int; lia.
 Qed.
 
+(* Data are not to be unfolded when terms are compared. *)
+Local Opaque badd bsub bmul bsqrt constant.
+
 Theorem circle_ieee (ax ay bx by' px py qx qy : bin) :
   coordinate ax -> coordinate ay -> coordinate bx -> coordinate by' ->
   coordinate px -> coordinate py -> coordinate qx -> coordinate qy ->
