@@ -318,7 +318,7 @@ Proof.
     replace (- rounded x a - - exact X a) with (- (rounded x a - exact X a)) by ring. rewrite !Rabs_Ropp. auto.
 Qed.
 
-(* Units turned into what the code says: E = C u, C a number of the form c / 2^53 2^200 ... in units of 2^-100. *)
+(* The same as one comparison, for lists of constants. *)
 Theorem error_below_sound h e k bX bC bE : hints_hold h -> error_below h e k bX bC bE = true ->
   Rabs (exact X e) <= IZR bX * scale k /\ Rabs (rounded x e) <= IZR bC * scale k /\
   Rabs (rounded x e - exact X e) <= IZR bE * scale k.

@@ -312,3 +312,13 @@ Proof.
     left. split; [reflexivity |]. split; [exact D |]. split; [discriminate |]. intro CC. specialize (C CC).
     destruct C as (C0 & C1 & C2 & C3 & C4). repeat (split; [assumption |]). discriminate.
 Qed.
+
+(* Whoever has an answer was in the range. *)
+Theorem bicell_answer_sound a b c p q certified use :
+  F_point a -> F_point b -> F_point c -> F_point p -> F_point q ->
+  bicell_sound (bicell_filter a b c p q certified use) certified (cells_needed a b c p q use) (bicell_truth a b c p q).
+Proof.
+  intros Fa Fb Fc Fp Fq sign value A. generalize A. intro A'. unfold bicell_filter in A'.
+  destruct (in_range_dec 100 (bicell_m a b c p q)) as [I |]; [clear A' | discriminate].
+  exact (proj1 (bicell_filter_sound a b c p q certified use Fa Fb Fc Fp Fq I) sign value A).
+Qed.
