@@ -229,7 +229,8 @@ Proof.
   - (* |N| + |M| less errors <= computed norms; then three factors 1 - u *)
     set (L := sqrt (inner t) + sqrt (outer t)) in *. set (um := u * m ^ 3) in *.
     assert (um0 : 0 <= um) by (apply Rmult_le_pos; lra).
-    assert (C : L - 27157 / 100 * um <= sqrt (nx c * nx c + ny c * ny c) + sqrt (mx c * mx c + my c * my c)) by (unfold L; unfold um in *; lra).
+    assert (C : L - 27157 / 100 * um <= sqrt (nx c * nx c + ny c * ny c) + sqrt (mx c * mx c + my c * my c))
+      by (unfold L; unfold um in *; lra).
     assert (D : (1 - u) * (L - 27157 / 100 * um) - 2 * tiny <= sqrt (inner c) + sqrt (outer c)).
     { apply Rle_trans with ((1 - u) * (sqrt (nx c * nx c + ny c * ny c) + sqrt (mx c * mx c + my c * my c)) - 2 * tiny); [| lra].
       apply Rplus_le_compat_r. apply Rmult_le_compat_l; lra. }

@@ -199,8 +199,10 @@ Proof.
   rewrite (rep_lt _ _ _ _ _ _ n' (rep_mul _ _ _ _ 500 0 ltac:(lia) R slack_rep)).
   destruct (Rlt_dec DET (- E)) as [L | L]; [rewrite Rlt_bool_true by exact L | rewrite Rlt_bool_false by lra].
   { reflexivity. }
-  clear L. destruct (Rlt_dec E (fmul DET filter_slack)) as [L | L]; [rewrite Rlt_bool_true by exact L | now rewrite Rlt_bool_false by lra].
-  clear L. destruct (Rlt_dec N (fmul ROOTS filter_slack)) as [L | L]; [rewrite Rlt_bool_true by exact L | now rewrite Rlt_bool_false by lra].
+  clear L. destruct (Rlt_dec E (fmul DET filter_slack)) as [L | L];
+    [rewrite Rlt_bool_true by exact L | now rewrite Rlt_bool_false by lra].
+  clear L. destruct (Rlt_dec N (fmul ROOTS filter_slack)) as [L | L];
+    [rewrite Rlt_bool_true by exact L | now rewrite Rlt_bool_false by lra].
   f_equal. f_equal. symmetry. unfold tolerance.
   generalize (rep_sub _ _ _ _ 500 ltac:(lia) D e') (rep_add _ _ _ _ 500 ltac:(lia) R n'). intros Q (Fd & Vd & _).
   assert (B : bpow radix2 (-480) <= fadd ROOTS N).
