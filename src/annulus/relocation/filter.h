@@ -142,11 +142,10 @@ class Filter {
     [[nodiscard]] Time commit_points(const S& suspect, Index id, std::span<Expiry> expiry,
                                      std::span<const Coordinates<d>> x);
     void set_threshold(Index v) { vertex_[at(v)].threshold = squared_threshold_lower(slack(v)); }
-    /// How far v may be from its fixed position: the margins keep a reading that is within below every expiry.
+    /// How far v may be from its fixed position (proofs/coq/float_displacement.v, passes_2_sound).
     [[nodiscard]] double slack(Index v) const {
         const Expiry_list& list = list_[at(v)];
-        const double length = list.earliest().reading() - list.base * (1.0 + 0x1p-50);
-        return (length * (1.0 - 0x1p-50) - prediction_.slack() * (1.0 + 0x1p-50)) * (1.0 - 0x1p-50);
+        return (list.earliest().reading() - sum_upper(list.base, prediction_.slack())) * (1.0 - 0x1p-50);
     }
     void count(std::size_t asked, typename Repair<d>::Outcome outcome, Move_report& report);
 
