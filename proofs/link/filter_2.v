@@ -41,7 +41,7 @@ Record width_terms := { determinant : T; inner : T; outer : T }.
 
 Definition difference (a b : vector) := {| x := x a - x b; y := y a - y b |}.
 Definition largest (v : vector) := greater o (magnitude o (x v)) (magnitude o (y v)).
-Definition squared (a : T) := a * a.
+Definition squared (a : T) := square o a.
 
 Definition orientation_terms (u v w : vector) : width_terms :=
   let det := x u * y v - y u * x v in

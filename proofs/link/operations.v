@@ -16,6 +16,7 @@ Record operations := {
   root : number -> number;
   opposite : number -> number;
   magnitude : number -> number;             (* fabs *)
+  square : number -> number;                (* squared *)
   greater : number -> number -> number;     (* std::max *)
   less : number -> number -> bool;
   less_equal : number -> number -> bool;
@@ -27,6 +28,7 @@ Definition machine : operations := {|
   number := float;
   add a b := (a + b)%float; sub a b := (a - b)%float; mul a b := (a * b)%float; div a b := (a / b)%float;
   root := PrimFloat.sqrt; opposite := PrimFloat.opp; magnitude := PrimFloat.abs;
+  square a := (a * a)%float;
   greater a b := if PrimFloat.ltb a b then b else a;
   less := PrimFloat.ltb; less_equal := PrimFloat.leb;
   constant c := c |}.
@@ -41,6 +43,7 @@ Definition rounded : operations := {|
   number := R;
   add x y := rnd (x + y); sub x y := rnd (x - y); mul x y := rnd (x * y); div x y := rnd (x / y);
   root x := rnd (R_sqrt.sqrt x); opposite := Ropp; magnitude := Rabs;
+  square x := rnd (x * x);
   greater a b := if Rlt_bool a b then b else a;
   less := Rlt_bool; less_equal := Rle_bool;
   constant := value |}.
@@ -56,6 +59,6 @@ Inductive expression :=
 
 Definition recorded : operations := {|
   number := expression;
-  add := Add; sub := Sub; mul := Mul; greater := Max;
+  add := Add; sub := Sub; mul := Mul; square a := Mul a a; greater := Max;
   div _ _ := Unrecorded; root _ := Unrecorded; opposite _ := Unrecorded; magnitude _ := Unrecorded;
   less _ _ := false; less_equal _ _ := false; constant _ := Unrecorded |}.
