@@ -31,7 +31,7 @@ class Row {
         for (const Point& p : x)
             for (const double c : p) number(c);
     }
-    void word(const char* w) { std::printf(" %s", w); }
+    void text(const char* w) { std::printf(" \"%s\"%%string", w); }
     void answer(bool answered, const Verdict& v) {
         if (!answered) {
             std::printf(" refused");

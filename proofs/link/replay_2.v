@@ -54,3 +54,10 @@ Fixpoint differing {A} (agrees : A -> bool) (i : N) (rows : list A) : list N :=
   | [] => []
   | r :: rows => if agrees r then differing agrees (N.succ i) rows else i :: differing agrees (N.succ i) rows
   end.
+
+Lemma none_differs : forall {A} (agrees : A -> bool) (P : A -> Prop), (forall r, agrees r = true -> P r) ->
+  forall rows i, differing agrees i rows = [] -> Forall P rows.
+Proof.
+  intros A agrees P H rows. induction rows as [|r rows IH]; intros i E; [constructor|].
+  simpl in E. destruct (agrees r) eqn:R; [|discriminate]. constructor; [now apply H|]. exact (IH _ E).
+Qed.

@@ -72,7 +72,7 @@ void named_rows(const char* constructor, const Table& table) {
     for (const auto& n : table) {
         const auto x = pointers(n.x);
         Row row(constructor);
-        row.word(n.name);
+        row.text(n.name);
         row.points(n.x);
         Verdict v;
         const bool answered = Certificate::filter(x, true, v);
