@@ -1,150 +1,247 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nanoseconds per half width: each stage, each family of bi-cells, and plain double of the same formula.
+// Nanoseconds per half width: each stage, each family of bi-cells, single calls and batches, and plain double of the same formula.
 #include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/certificate/ladder.h>
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 #include <vector>
 
 using namespace annulus;
 
 namespace {
 
-struct Bicell {
-    std::array<Coordinates<2>, 4> x;
-    [[nodiscard]] Tuple<2, 4> tuple() const { return {&x[0], &x[1], &x[2], &x[3]}; }
-    [[nodiscard]] Tuple<2, 3> triangle() const { return {&x[0], &x[1], &x[3]}; }
+enum Family { uniform, near_cospherical, noisy_grid, cospherical };
+constexpr std::array<const char*, 4> names{"uniform", "near cospherical", "noisy grid", "cospherical"};
+
+/// 1024 bi-cells of a family, both cells positive, the sphere empty (or through all points), and a cell of each.
+template <int d>
+struct Cases {
+    static constexpr std::size_t count = 1024;
+    using Points = std::array<Coordinates<d>, d + 2>;
+    std::vector<Points> points;
+    std::vector<Tuple<d, d + 2>> bicells;
+    std::vector<Tuple<d, d + 1>> cells;
+    std::vector<Verdict> verdicts{count};
+
+    explicit Cases(Family family) {
+        std::mt19937_64 random(1);
+        while (points.size() < count) add(draw(family, random), family, random);
+        for (const Points& x : points) {
+            bicells.push_back(bicell(x));
+            cells.push_back(cell_q(x));
+        }
+    }
+
+  private:
+    static double unit(std::mt19937_64& random) { return std::ldexp(static_cast<double>(random() >> 11), -53); }
+
+    static Points draw(Family family, std::mt19937_64& random) {
+        Points x{};
+        for (std::size_t i = 0; i < x.size(); ++i) switch (family) {
+                case uniform:
+                    for (double& c : x[i]) c = unit(random);
+                    break;
+                case near_cospherical: {  // off the unit sphere by about 1e-11
+                    double square = 0.0;
+                    for (double& c : x[i]) c = 2.0 * unit(random) - 1.0;
+                    for (const double c : x[i]) square += c * c;
+                    for (double& c : x[i]) c *= (1.0 + 1e-11 * unit(random)) / std::sqrt(square);
+                    break;
+                }
+                case noisy_grid:
+                case cospherical:  // corners of a cube
+                    for (double& c : x[i]) c = static_cast<double>(random() % 2);
+                    if (family == noisy_grid)
+                        for (double& c : x[i]) c += std::ldexp(unit(random) - 0.5, -50);
+                    break;
+            }
+        return x;
+    }
+
+    template <std::size_t... i>
+    static Tuple<d, d + 2> bicell(const Points& x, std::index_sequence<i...>) {
+        return {&x[i]...};
+    }
+    static Tuple<d, d + 2> bicell(const Points& x) { return bicell(x, std::make_index_sequence<d + 2>()); }
+    static Tuple<d, d + 1> cell_q(const Points& x) {
+        if constexpr (d == 2) return {&x[0], &x[1], &x[3]};
+        else return {&x[0], &x[1], &x[2], &x[4]};
+    }
+    static Tuple<d, d + 1> cell_p(const Points& x) {
+        if constexpr (d == 2) return {&x[1], &x[0], &x[2]};
+        else return {&x[1], &x[0], &x[2], &x[3]};
+    }
+    void add(Points x, Family family, std::mt19937_64& random) {
+        for (int tries = 0; tries < 200; ++tries) {
+            std::shuffle(x.begin(), x.end(), random);
+            if (orientation_exact(cell_q(x)).sign <= 0 || orientation_exact(cell_p(x)).sign <= 0) continue;
+            if (empty_sphere_exact(bicell(x)).sign <= (family == cospherical ? -1 : 0)) continue;
+            points.push_back(x);
+            return;
+        }
+    }
 };
 
-enum Family { uniform, near_cocircular, noisy_grid, cocircular };
-constexpr std::array<const char*, 4> names{"uniform", "near cocircular", "noisy grid", "cocircular"};
-
-std::vector<Bicell> bicells(Family family) {
-    std::mt19937_64 random(1);
-    const auto unit = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
-    std::vector<Bicell> cells;
-    while (cells.size() < 1024) {
-        Bicell c{};
-        switch (family) {
-            case uniform: c.x = {{{unit(), unit()}, {unit(), unit()}, {unit(), unit()}, {unit(), unit()}}}; break;
-            case near_cocircular: {
-                // Counter-clockwise a, p, b, q, off the circle by about 1e-11.
-                const std::array<double, 4> turn{0.1 * unit(), 0.5 + 0.1 * unit(), 0.25 + 0.1 * unit(),
-                                                 0.75 + 0.1 * unit()};
-                for (std::size_t i = 0; i < 4; ++i) {
-                    const double r = 1.0 + 1e-11 * unit();
-                    c.x[i] = {r * std::cos(6.283185307 * turn[i]), r * std::sin(6.283185307 * turn[i])};
-                }
-                break;
-            }
-            case noisy_grid:
-            case cocircular: {
-                c.x = {{{0, 0}, {1, 1}, {1, 0}, {0, 1}}};
-                if (family == noisy_grid)
-                    for (auto& p : c.x)
-                        for (double& v : p) v += std::ldexp(unit() - 0.5, -50);
-                break;
-            }
-        }
-        if (orientation_exact({&c.x[0], &c.x[1], &c.x[3]}).sign < 0) std::swap(c.x[0], c.x[1]);
-        if (orientation_exact({&c.x[0], &c.x[1], &c.x[3]}).sign <= 0) continue;
-        if (orientation_exact({&c.x[1], &c.x[0], &c.x[2]}).sign <= 0) continue;
-        if (family != cocircular && empty_sphere_exact(c.tuple()).sign <= 0) {
-            c.x = {c.x[2], c.x[3], c.x[1], c.x[0]};
-            if (orientation_exact({&c.x[0], &c.x[1], &c.x[3]}).sign <= 0) continue;
-            if (orientation_exact({&c.x[1], &c.x[0], &c.x[2]}).sign <= 0) continue;
-            if (empty_sphere_exact(c.tuple()).sign <= 0) continue;
-        }
-        cells.push_back(c);
-    }
-    return cells;
-}
-
-void count(benchmark::State& state, std::size_t a_round) {
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(a_round));
+void label(benchmark::State& state) {
+    state.SetItemsProcessed(state.iterations() * 1024);
     state.SetLabel(names[static_cast<std::size_t>(state.range(0))]);
 }
 
-template <class Evaluate>
-void over_all(benchmark::State& state, Evaluate evaluate) {
-    const auto cells = bicells(static_cast<Family>(state.range(0)));
+template <int d, class Evaluate>
+void one_by_one(benchmark::State& state, Evaluate evaluate) {
+    const Cases<d> cases(static_cast<Family>(state.range(0)));
     for (auto _ : state) {
         double sum = 0.0;
-        for (const Bicell& c : cells) sum += evaluate(c);
+        for (const auto& x : cases.bicells) sum += evaluate(x);
         benchmark::DoNotOptimize(sum);
     }
-    count(state, cells.size());
+    label(state);
 }
 
-/// The formula of the filter without error bounds.
-double plain(const Bicell& c) {
-    const auto b = detail::difference(c.x[1], c.x[0]);
-    const auto p = detail::difference(c.x[2], c.x[0]);
-    const auto q = detail::difference(c.x[3], c.x[0]);
-    const auto e = detail::difference(c.x[3], c.x[2]);
-    const auto t = annulus_terms(b, p, q, e);
+/// The formula of the filter without error bounds, in plain double.
+double plain(const Tuple<2, 4>& x) {
+    const auto t = annulus_terms(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]),
+                                 detail::difference(*x[3], *x[0]), detail::difference(*x[3], *x[2]));
     return t.determinant / (std::sqrt(t.inner) + std::sqrt(t.outer));
 }
+double plain(const Tuple<3, 5>& x) {
+    const auto t = annulus_terms(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]),
+                                 detail::difference(*x[3], *x[0]), detail::difference(*x[4], *x[0]));
+    const auto sum = detail::norms(t);
+    return t.determinant / std::max(std::max(sum[0], sum[1]), std::max(sum[2], sum[3]));
+}
 
-void half_width_plain(benchmark::State& state) { over_all(state, plain); }
-BENCHMARK(half_width_plain)->DenseRange(uniform, cocircular);
-
+template <int d>
+void half_width_plain(benchmark::State& state) {
+    one_by_one<d>(state, [](const auto& x) { return plain(x); });
+}
+template <int d>
 void half_width_filter(benchmark::State& state) {
-    over_all(state, [](const Bicell& c) {
+    one_by_one<d>(state, [](const auto& x) {
         Verdict v;
-        return empty_sphere_filter(c.tuple(), true, v) ? v.tolerance : 0.0;
+        return empty_sphere_filter(x, true, v) ? v.tolerance : 0.0;
     });
 }
-BENCHMARK(half_width_filter)->DenseRange(uniform, cocircular);
-
-void half_width_interval_guard_per_batch(benchmark::State& state) {
-    const auto cells = bicells(static_cast<Family>(state.range(0)));
-    for (auto _ : state) {
-        const Rounding_guard guard(FE_UPWARD);
-        for (const Bicell& c : cells) {
-            Verdict v;
-            benchmark::DoNotOptimize(empty_sphere_interval(c.tuple(), v));
-            benchmark::DoNotOptimize(v.tolerance);
-        }
-    }
-    count(state, cells.size());
-}
-BENCHMARK(half_width_interval_guard_per_batch)->DenseRange(uniform, cocircular);
-
+template <int d>
 void half_width_interval_guard_per_call(benchmark::State& state) {
-    over_all(state, [](const Bicell& c) {
+    one_by_one<d>(state, [](const auto& x) {
         const Rounding_guard guard(FE_UPWARD);
         Verdict v;
-        benchmark::DoNotOptimize(empty_sphere_interval(c.tuple(), v));
+        benchmark::DoNotOptimize(empty_sphere_interval(x, v));
         return v.tolerance;
     });
 }
-BENCHMARK(half_width_interval_guard_per_call)->DenseRange(uniform, cocircular);
-
+template <int d>
+void half_width_interval_guard_per_batch(benchmark::State& state) {
+    const Cases<d> cases(static_cast<Family>(state.range(0)));
+    for (auto _ : state) {
+        const Rounding_guard guard(FE_UPWARD);
+        for (const auto& x : cases.bicells) {
+            Verdict v;
+            benchmark::DoNotOptimize(empty_sphere_interval(x, v));
+            benchmark::DoNotOptimize(v.tolerance);
+        }
+    }
+    label(state);
+}
+template <int d>
 void half_width_exact(benchmark::State& state) {
-    over_all(state, [](const Bicell& c) { return empty_sphere_exact(c.tuple()).tolerance; });
+    one_by_one<d>(state, [](const auto& x) { return empty_sphere_exact(x).tolerance; });
 }
-BENCHMARK(half_width_exact)->DenseRange(uniform, cocircular);
-
+template <int d>
 void half_width_ladder(benchmark::State& state) {
-    over_all(state, [](const Bicell& c) { return empty_sphere_verdict(c.tuple()).tolerance; });
+    one_by_one<d>(state, [](const auto& x) { return empty_sphere_verdict(x).tolerance; });
 }
-BENCHMARK(half_width_ladder)->DenseRange(uniform, cocircular);
+#define EVERY_FAMILY(function)                                         \
+    BENCHMARK_TEMPLATE(function, 2)->DenseRange(uniform, cospherical); \
+    BENCHMARK_TEMPLATE(function, 3)->DenseRange(uniform, cospherical)
+EVERY_FAMILY(half_width_plain);
+EVERY_FAMILY(half_width_filter);
+EVERY_FAMILY(half_width_interval_guard_per_call);
+EVERY_FAMILY(half_width_interval_guard_per_batch);
+EVERY_FAMILY(half_width_exact);
+EVERY_FAMILY(half_width_ladder);
 
-void half_altitude_filter(benchmark::State& state) {
-    over_all(state, [](const Bicell& c) {
-        Verdict v;
-        return orientation_filter(c.triangle(), true, v) ? v.tolerance : 0.0;
-    });
+/// range(0): family, range(1): Mode.
+template <int d>
+void half_width_batch(benchmark::State& state) {
+    Cases<d> cases(static_cast<Family>(state.range(0)));
+    const auto mode = static_cast<Mode>(state.range(1));
+    for (auto _ : state) {
+        evaluate(std::span<const Tuple<d, d + 2>>(cases.bicells), mode, cases.verdicts);
+        benchmark::DoNotOptimize(cases.verdicts.data());
+        benchmark::ClobberMemory();
+    }
+    label(state);
 }
-BENCHMARK(half_altitude_filter)->Arg(uniform);
+void family_and_mode(benchmark::internal::Benchmark* b) {
+    for (const Mode mode : {Mode::floating, Mode::fast, Mode::tight})
+        for (int family = uniform; family <= cospherical; ++family) b->Args({family, static_cast<int>(mode)});
+}
+BENCHMARK_TEMPLATE(half_width_batch, 2)->Apply(family_and_mode);
+BENCHMARK_TEMPLATE(half_width_batch, 3)->Apply(family_and_mode);
 
-void half_altitude_exact(benchmark::State& state) {
-    over_all(state, [](const Bicell& c) { return orientation_exact(c.triangle()).tolerance; });
+/// range(1): Cells.
+void half_width_batch_cells(benchmark::State& state) {
+    Cases<3> cases(static_cast<Family>(state.range(0)));
+    const auto cells = static_cast<Cells>(state.range(1));
+    for (auto _ : state) {
+        evaluate(std::span<const Tuple<3, 5>>(cases.bicells), Mode::fast, cases.verdicts, cells);
+        benchmark::DoNotOptimize(cases.verdicts.data());
+        benchmark::ClobberMemory();
+    }
+    label(state);
+    std::int64_t backward = 0;
+    for (const Verdict& v : cases.verdicts) backward += v.backward != 0;
+    state.counters["backward"] = static_cast<double>(backward) / 1024.0;
 }
-BENCHMARK(half_altitude_exact)->Arg(uniform);
+BENCHMARK(half_width_batch_cells)->Args({0, 0})->Args({0, 1})->Args({0, 2});
+
+// ---- Orientation ------------------------------------------------------------------------------------------------
+
+template <int d>
+void cell_width_filter(benchmark::State& state) {
+    const Cases<d> cases(static_cast<Family>(state.range(0)));
+    for (auto _ : state) {
+        double sum = 0.0;
+        for (const auto& x : cases.cells) {
+            Verdict v;
+            sum += orientation_filter(x, true, v) ? v.tolerance : 0.0;
+        }
+        benchmark::DoNotOptimize(sum);
+    }
+    label(state);
+}
+template <int d>
+void cell_width_batch(benchmark::State& state) {
+    Cases<d> cases(static_cast<Family>(state.range(0)));
+    for (auto _ : state) {
+        evaluate(std::span<const Tuple<d, d + 1>>(cases.cells), Mode::fast, cases.verdicts);
+        benchmark::DoNotOptimize(cases.verdicts.data());
+        benchmark::ClobberMemory();
+    }
+    label(state);
+}
+template <int d>
+void cell_width_exact(benchmark::State& state) {
+    const Cases<d> cases(static_cast<Family>(state.range(0)));
+    for (auto _ : state) {
+        double sum = 0.0;
+        for (const auto& x : cases.cells) sum += orientation_exact(x).tolerance;
+        benchmark::DoNotOptimize(sum);
+    }
+    label(state);
+}
+BENCHMARK_TEMPLATE(cell_width_filter, 2)->Arg(uniform);
+BENCHMARK_TEMPLATE(cell_width_filter, 3)->Arg(uniform);
+BENCHMARK_TEMPLATE(cell_width_batch, 2)->Arg(uniform);
+BENCHMARK_TEMPLATE(cell_width_batch, 3)->Arg(uniform);
+BENCHMARK_TEMPLATE(cell_width_exact, 2)->Arg(uniform);
+BENCHMARK_TEMPLATE(cell_width_exact, 3)->Arg(uniform);
 
 }  // namespace

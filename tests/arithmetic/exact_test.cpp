@@ -202,3 +202,29 @@ TEST_CASE("quotients by roots that are known", "[arithmetic]") {
         CHECK(quotient_by_roots_lower(1, 1, 1, -1000000) == 0.0);
     }
 }
+
+TEST_CASE("the quotient is the largest double not above the truth, ties included", "[arithmetic]") {
+    // sqrt(a) + sqrt(b) a whole number: the truth is a fraction, often a double.
+    for (long p = 1; p < 400; ++p)
+        for (const long k : {1L, 2L, 3L, 5L, 8L}) {
+            const double y = quotient_by_roots_lower(p, k * k, 9 * k * k, -7);  // p / 4k / 128
+            const mpq_class truth = mpq_class(p, 512 * k);
+            CHECK(mpq_class(y) <= truth);
+            CHECK(mpq_class(std::nextafter(y, 1e9)) > truth);
+            CHECK(is_at_least(p, k * k, 9 * k * k, -7, y));
+            CHECK(!is_at_least(p, k * k, 9 * k * k, -7, std::nextafter(y, 1e9)));
+        }
+    // One part in 2^200 below and above a tie.
+    const mpz_class large = mpz_class(1) << 200;
+    CHECK(quotient_by_roots_lower(4 * large, 4 * large * large, 4 * large * large, 0) == 1.0);
+    CHECK(quotient_by_roots_lower(4 * large - 1, 4 * large * large, 4 * large * large, 0) == std::nextafter(1.0, 0.0));
+    CHECK(quotient_by_roots_lower(4 * large + 1, 4 * large * large, 4 * large * large, 0) == 1.0);
+    CHECK(quotient_by_roots_lower(4 * large, 4 * large * large + 1, 4 * large * large, 0) == std::nextafter(1.0, 0.0));
+    // The ends of the range of doubles.
+    CHECK(quotient_by_roots_lower(2, 1, 1, -1074) == 0x1p-1074);
+    CHECK(quotient_by_roots_lower(2, 1, 1, -1075) == 0.0);
+    CHECK(quotient_by_roots_lower(3, 1, 1, -1074) == 0x1p-1074);
+    CHECK(quotient_by_roots_lower(2, 1, 1, 1023) == 0x1p1023);
+    CHECK(quotient_by_roots_lower(2, 1, 1, 1024) == std::numeric_limits<double>::max());
+    CHECK(is_at_least(0, 1, 1, 0, 0.0));
+}

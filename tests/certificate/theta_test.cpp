@@ -6,6 +6,7 @@
 
 #include <annulus/certificate/theta.h>
 
+#include <gmpxx.h>
 #include <mpfr.h>
 #include <catch2/catch.hpp>
 
@@ -116,4 +117,42 @@ TEST_CASE("the slab of the paper is the altitude over the first side", "[certifi
             if (v.sign > 0) HOLDS(v.tolerance <= paper_slab(u.tuple()) * (1 + 1e-9), u);
         }
     }));
+}
+
+TEST_CASE("theta in space", "[certificate][space]") {
+    // q - p along the normal, across it, and between.
+    CHECK(theta({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, -1}, {0.2, 0.2, 1}) == half_turn);
+    CHECK(theta({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 2, 1}) == 0.0);
+    CHECK(theta({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {0, 2, 1}) == Approx(std::numbers::pi / 4).epsilon(1e-15));
+    CHECK(theta({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-5, 0, -0x1p-40}, {5, 0, 0x1p-40}) ==
+          Approx(0x1p-39 / 10).epsilon(1e-12));
+    // At both ends of the domain, and where there is no direction.
+    for (const double x : {0x1p-1074, 0x1p-1060, 0x1p-600, 0x1p499}) {
+        INFO("x = " << as_code(x));
+        CHECK(theta({0, 0, 0}, {x, 0, 0}, {0, x, 0}, {0, 0, -x}, {0, 0, x}) == half_turn);
+        CHECK(theta({0, 0, 0}, {x, 0, 0}, {0, x, 0}, {0, 0, 0}, {0, x, x}) ==
+              Approx(std::numbers::pi / 4).epsilon(1e-15));
+    }
+    CHECK(theta({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}, {1, 1, 1}) == 0.0);
+    CHECK(theta({0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {1, 0, 1}, {1, 1, 0}) == 0.0);
+    // sin(theta) = |(p - q).n| / (|p - q| |n|) of random bi-cells, in the order of any corner and from both sides.
+    Random random(24);
+    for (int i = 0; i < 500; ++i) {
+        std::array<Coordinates<3>, 5> x;
+        for (auto& p : x)
+            for (double& c : p) c = between(random, -1, 1);
+        const double angle = theta(x[0], x[1], x[2], x[3], x[4]);
+        std::array<mpq_class, 3> u, v, e;
+        for (std::size_t k = 0; k < 3; ++k) {
+            u[k] = mpq_class(x[1][k]) - mpq_class(x[0][k]);
+            v[k] = mpq_class(x[2][k]) - mpq_class(x[0][k]);
+            e[k] = mpq_class(x[4][k]) - mpq_class(x[3][k]);
+        }
+        const mpq_class n0 = u[1] * v[2] - u[2] * v[1], n1 = u[2] * v[0] - u[0] * v[2], n2 = u[0] * v[1] - u[1] * v[0];
+        const mpq_class along = e[0] * n0 + e[1] * n1 + e[2] * n2;
+        const mpq_class sine_2 =
+            along * along / ((e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) * (n0 * n0 + n1 * n1 + n2 * n2));
+        CHECK(std::sin(angle) == Approx(std::sqrt(sine_2.get_d())).epsilon(1e-11));
+        CHECK(angle == Approx(theta(x[1], x[2], x[0], x[4], x[3])).epsilon(1e-7));
+    }
 }

@@ -94,7 +94,7 @@ class ToolTest(unittest.TestCase):
 class Usage(ToolTest):
     def test_help(self):
         top = self.succeed("--help").stdout
-        for name in ("lloyd", "compare", "audit"):
+        for name in ("lloyd", "compare", "audit", "counterexample"):
             self.assertIn(name, top)
             text = self.succeed(name, "--help").stdout
             self.assertIn("Usage:", text)
@@ -539,6 +539,40 @@ class Audits(ToolTest):
         # Four points on a line and no triangle: that is the Delaunay triangulation, or a file the audit cannot judge;
         # what it must not be is a failed audit.
         self.assertIn(self.run_tool("audit", "out/final.mesh").returncode, (0, 3))
+
+
+class Counterexample(ToolTest):
+    def numbers(self, *words):
+        return json.loads(self.succeed("counterexample", "--json", *words).stdout)
+
+    def test_the_paper_accepts_what_is_not_delaunay(self):
+        for delta in (0.01, 0.1, 1e-3, 1e-6, 1e-9):
+            r = self.numbers("--delta", delta)
+            tolerance = r["tolerance"]
+            # Spheres around the origin, radii 1 - delta and 1: half of delta. p, q are rounded, and so is 1 - delta.
+            self.assertAlmostEqual(tolerance["exact"] / delta, 0.5, delta=1e-15 / delta)
+            self.assertLessEqual(tolerance["certified"], tolerance["exact"])
+            self.assertGreaterEqual(tolerance["certified"], 0.996 * tolerance["exact"])
+            self.assertGreater(tolerance["paper"], 1.4 * tolerance["exact"])
+            self.assertAlmostEqual(r["move"], 0.7 * delta)
+            self.assertEqual(r["accepted"], {"paper": True, "certified": False})
+            self.assertEqual(r["delaunay"], {"three_cells_before": True, "three_cells_after": False,
+                                             "two_cells_after": True})
+        self.assertAlmostEqual(self.numbers()["tolerance"]["paper"], 0.00748, places=5)
+
+    def test_text_and_file(self):
+        done = self.succeed("counterexample", "--output", "out")
+        self.assertIn("paper accepts, certified asks for an evaluation", done.stdout)
+        self.assertIn("three cells around ab: NOT Delaunay; two cells at pqr: Delaunay", done.stdout)
+        self.assertEqual(json.loads((self.here / "out" / "counterexample.json").read_text(encoding="utf-8")),
+                         self.numbers())
+        self.assertEqual(self.succeed("counterexample", "--quiet").stdout, "")
+
+    def test_refusals(self):
+        for delta in ("0", "-0.1", "0.2", "nan", "x"):
+            self.refuse(2, "counterexample", "--delta", delta)
+        self.write("file", "")
+        self.refuse(3, "counterexample", "--output", "file")
 
 
 class Domains(ToolTest):

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
+#include <utility>
 
 namespace annulus {
 
@@ -15,10 +17,9 @@ namespace annulus {
 /// Computing with an Interval outside the scope of a `Rounding_guard(FE_UPWARD)` gives bounds that are not bounds.
 /// Boost's default policy switches the mode in every operation and is twenty times slower.
 using Interval = boost::numeric::interval<
-    double,
-    boost::numeric::interval_lib::policies<
-        boost::numeric::interval_lib::save_state_nothing<boost::numeric::interval_lib::rounded_transc_opp<double>>,
-        boost::numeric::interval_lib::checking_base<double>>>;
+    double, boost::numeric::interval_lib::policies<boost::numeric::interval_lib::save_state_nothing<
+                                                       boost::numeric::interval_lib::rounded_transc_opp<double>>,
+                                                   boost::numeric::interval_lib::checking_base<double>>>;
 
 /// The interval that holds a - b, for doubles, scaled by `scale`, a power of two.
 [[nodiscard]] inline Interval scaled_difference(double a, double b, double scale) {
@@ -27,6 +28,13 @@ using Interval = boost::numeric::interval<
 
 /// x^2 as an interval that is never negative (x*x would forget that both factors are one number).
 [[nodiscard]] inline Interval squared(const Interval& x) { return boost::numeric::square(x); }
-[[nodiscard]] inline double squared(double x) { return x * x; }
+
+/// The same for every other number type.
+template <class T>
+concept Multipliable = std::convertible_to<decltype(std::declval<const T&>() * std::declval<const T&>()), T>;
+template <Multipliable T>
+[[nodiscard]] T squared(const T& x) {
+    return x * x;
+}
 
 }  // namespace annulus

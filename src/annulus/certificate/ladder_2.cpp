@@ -2,51 +2,21 @@
 #include <annulus/certificate/ladder_2.h>
 
 #include <annulus/arithmetic/rounding_guard.h>
+#include <annulus/certificate/interval_stage.h>
 
 namespace annulus {
 
 namespace {
 
-/// A power of two can itself leave the range of doubles (differences of 2^-1074 want 2^1073): two factors do not.
-struct Scale {
-    double first;
-    double second;
-};
-
-Scale split_scale(double m) {
-    const int k = m > 0.0 ? -std::ilogb(m) - 1 : 0;
-    const int half = k / 2;
-    return {std::scalbn(1.0, half), std::scalbn(1.0, k - half)};
-}
-
-Vector_2<Interval> scaled(const Coordinates<2>& a, const Coordinates<2>& b, const Scale& s) {
-    const Interval second(s.second);
-    return {scaled_difference(a[0], b[0], s.first) * second, scaled_difference(a[1], b[1], s.first) * second};
-}
-
-template <std::size_t k>
-double largest_difference(const std::array<const Coordinates<2>*, k>& x) {
-    double m = 0.0;
-    for (std::size_t i = 0; i < k; ++i)
-        for (std::size_t j = 0; j < i; ++j) m = std::max(m, detail::magnitude(detail::difference(*x[i], *x[j])));
-    return m;
-}
-
-bool accept(const Width_terms<Interval>& t, const Scale& s, Verdict& out) {
-    out.stage = Stage::interval;
-    out.tolerance = 0.0;
-    if (t.determinant.upper() < 0.0) {
-        out.sign = -1;
-        return true;
-    }
-    if (!(t.determinant.lower() > 0.0)) return false;
-    out.sign = 1;
-    const Interval half_width = t.determinant / (sqrt(t.inner) + sqrt(t.outer));
-    const double slack = half_width.upper() - half_width.lower();  // rounded up
-    if (!(slack <= bounds::filter_slack * half_width.lower())) return false;
-    // Undo the scale: exact unless the result is subnormal; then the lower end of the product is still below.
-    const Interval back = half_width / Interval(s.first) / Interval(s.second);
-    out.tolerance = std::max(0.0, back.lower());
+/// Terms of a half width as an answer of the interval stage.
+bool accept(const Width_terms<Interval>& t, const detail::Scale& s, Verdict& out) {
+    if (!detail::interval_sign(t.determinant, out)) return false;
+    if (out.sign < 0) return true;
+    double lower = 0.0;
+    if (!detail::quotient_lower_tight(t.determinant, detail::roots_upper(t.inner, t.outer),
+                                      detail::roots_lower_nearly(t.inner, t.outer), lower))
+        return false;
+    out.tolerance = detail::unscaled_lower(lower, s);
     return true;
 }
 
@@ -80,16 +50,21 @@ int orientation_sign(const Coordinates<2>& a, const Coordinates<2>& b, const Coo
 }  // namespace
 
 bool orientation_interval(const Tuple<2, 3>& x, Verdict& out) {
-    const Scale s = split_scale(largest_difference(x));
-    return accept(orientation_terms(scaled(*x[1], *x[0], s), scaled(*x[2], *x[0], s), scaled(*x[2], *x[1], s)), s,
-                  out);
+    return detail::with_scale(x, [&](const auto& difference, const detail::Scale& s) {
+        const auto vector = [&](std::size_t i, std::size_t j) {
+            return Vector_2<Interval>{difference((*x[i])[0], (*x[j])[0]), difference((*x[i])[1], (*x[j])[1])};
+        };
+        return accept(orientation_terms(vector(1, 0), vector(2, 0), vector(2, 1)), s, out);
+    });
 }
 
 bool empty_sphere_interval(const Tuple<2, 4>& x, Verdict& out) {
-    const Scale s = split_scale(largest_difference(x));
-    return accept(annulus_terms(scaled(*x[1], *x[0], s), scaled(*x[2], *x[0], s), scaled(*x[3], *x[0], s),
-                                scaled(*x[3], *x[2], s)),
-                  s, out);
+    return detail::with_scale(x, [&](const auto& difference, const detail::Scale& s) {
+        const auto vector = [&](std::size_t i, std::size_t j) {
+            return Vector_2<Interval>{difference((*x[i])[0], (*x[j])[0]), difference((*x[i])[1], (*x[j])[1])};
+        };
+        return accept(annulus_terms(vector(1, 0), vector(2, 0), vector(3, 0), vector(3, 2)), s, out);
+    });
 }
 
 Verdict orientation_exact(const Tuple<2, 3>& x) {
@@ -99,8 +74,8 @@ Verdict orientation_exact(const Tuple<2, 3>& x) {
 
 Verdict empty_sphere_exact(const Tuple<2, 4>& x) {
     const Scaled_integers z = integers(x);
-    return verdict(
-        annulus_terms(difference(z, 1, 0), difference(z, 2, 0), difference(z, 3, 0), difference(z, 3, 2)), z.exponent);
+    return verdict(annulus_terms(difference(z, 1, 0), difference(z, 2, 0), difference(z, 3, 0), difference(z, 3, 2)),
+                   z.exponent);
 }
 
 Verdict orientation_verdict(const Tuple<2, 3>& x, bool certified) {
@@ -130,8 +105,7 @@ int perturbed_empty_circle_sign(const Tuple<2, 4>& x) {
     const Coordinates<2>& t2 = *x[3];
     const Coordinates<2>& p = *x[2];
     std::array<const Coordinates<2>*, 4> order{&t0, &t1, &t2, &p};
-    std::sort(order.begin(), order.end(),
-              [](const Coordinates<2>* l, const Coordinates<2>* r) { return *l < *r; });
+    std::sort(order.begin(), order.end(), [](const Coordinates<2>* l, const Coordinates<2>* r) { return *l < *r; });
     for (std::size_t i = 3; i > 0; --i) {
         int inside = 0;
         if (order[i] == &p) return 1;

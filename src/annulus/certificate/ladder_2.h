@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/certificate/bounds.h>
+#include <annulus/certificate/decide.h>
 #include <annulus/certificate/verdict.h>
 #include <annulus/certificate/width_terms.h>
 
@@ -15,30 +16,40 @@ namespace detail {
 [[nodiscard]] inline Vector_2<double> difference(const Coordinates<2>& a, const Coordinates<2>& b) {
     return {a[0] - b[0], a[1] - b[1]};
 }
-[[nodiscard]] inline double magnitude(const Vector_2<double>& v) { return std::max(std::fabs(v.x), std::fabs(v.y)); }
-
-/// Accepts the rounded terms of a certificate when the error bounds leave the sign certain and the tolerance tight.
-///
-/// `det_error` bounds |determinant~ - determinant| and `norm_error` what the computed roots may be short by, both
-/// absolute. With certified = false the tolerance is the plain quotient and only the sign is decided here.
+/// Accepts the rounded terms of a certificate: decide() on one of them.
 [[nodiscard]] inline bool accept(const Width_terms<double>& t, double det_error, double norm_error, bool certified,
                                  Verdict& out) {
-    out.stage = Stage::filter;
-    if (t.determinant < -det_error) {
-        out.sign = -1;
-        out.tolerance = 0.0;
-        return true;
-    }
-    if (!(t.determinant * bounds::filter_slack > det_error)) return false;
-    out.sign = 1;
-    const double roots = std::sqrt(t.inner) + std::sqrt(t.outer);
-    if (!certified) {
-        out.tolerance = t.determinant / roots;
-        return true;
-    }
-    if (!(roots * bounds::filter_slack > norm_error)) return false;
-    out.tolerance = (t.determinant - det_error) / (roots + norm_error) * (1.0 - bounds::tail * bounds::u);
-    return true;
+    const auto d = decide(t.determinant, std::sqrt(t.inner) + std::sqrt(t.outer), det_error, norm_error, certified);
+    return answer(d.sign, d.tolerance, out);
+}
+
+/// The filter stage of an orientation, from the rounded differences of its points: u = x1 - x0, v = x2 - x0, w = x2 - x1.
+template <class V>
+[[nodiscard]] Decision<V> decide_orientation(const Vector_2<V>& u, const Vector_2<V>& v, const Vector_2<V>& w,
+                                             bool certified) {
+    using std::max;
+    using std::sqrt;
+    const V m = max(magnitude(u), magnitude(v));
+    const auto t = orientation_terms(u, v, w);
+    // The sides are relative to u each, so the norms carry relative errors only: no absolute norm error.
+    return in_range(m, bounds::filter_range,
+                    decide(t.determinant, V(V(2.0) * sqrt(t.inner)), V(V(bounds::orientation_2 * bounds::u) * (m * m)),
+                           V(0.0), certified));
+}
+
+/// The filter stage of an empty circle, from the rounded differences b, p, q relative to a and e = q - p.
+template <class V>
+[[nodiscard]] Decision<V> decide_annulus(const Vector_2<V>& b, const Vector_2<V>& p, const Vector_2<V>& q,
+                                         const Vector_2<V>& e, bool certified) {
+    using std::max;
+    using std::sqrt;
+    const V m = max(V(max(magnitude(b), magnitude(p))), V(max(magnitude(q), magnitude(e))));
+    const V m2 = m * m;
+    const auto t = annulus_terms(b, p, q, e);
+    return in_range(m, bounds::filter_range,
+                    decide(t.determinant, V(sqrt(t.inner) + sqrt(t.outer)),
+                           V(V(bounds::annulus_2_incircle * bounds::u) * (m2 * m2)),
+                           V(V(bounds::annulus_2_norms * bounds::u) * (m2 * m)), certified));
 }
 
 }  // namespace detail
@@ -46,33 +57,22 @@ namespace detail {
 /// Filter stage of the orientation of a triangle (or of three consecutive hull vertices): positive when x[0], x[1],
 /// x[2] turn left. False when it cannot tell or cannot tell tightly; `out` is then unspecified.
 ///
-/// Rounding mode must be to nearest. About 15 ns. Errors: bounds.h, proofs/gappa/certificates_2.g.
+/// Rounding mode must be to nearest. About 10 ns; batch.h is faster. Errors: bounds.h, proofs/gappa/certificates_2.g.
 [[nodiscard]] inline bool orientation_filter(const Tuple<2, 3>& x, bool certified, Verdict& out) {
-    const auto u = detail::difference(*x[1], *x[0]);
-    const auto v = detail::difference(*x[2], *x[0]);
-    const auto w = detail::difference(*x[2], *x[1]);
-    const double m = std::max(detail::magnitude(u), detail::magnitude(v));
-    if (!(m <= bounds::filter_range && m * bounds::filter_range >= 1.0)) return false;
-    // The sides are relative to u each, so the norms carry relative errors only: no absolute norm error.
-    return detail::accept(orientation_terms(u, v, w), bounds::orientation_2 * bounds::u * (m * m), 0.0, certified, out);
+    const auto d = detail::decide_orientation(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]),
+                                              detail::difference(*x[2], *x[1]), certified);
+    return detail::answer(d.sign, d.tolerance, out);
 }
 
 /// Filter stage of the empty circle of an edge: x = {a, b, p, q}, p right of ab, q left of it. Positive when the
 /// circle through a, b, q leaves p strictly outside. False as for orientation_filter.
 ///
-/// Rounding mode must be to nearest. About 20 ns. Errors: bounds.h, proofs/gappa/certificates_2.g.
+/// Rounding mode must be to nearest. About 15 ns; batch.h is faster. Errors: bounds.h, proofs/gappa/certificates_2.g.
 [[nodiscard]] inline bool empty_sphere_filter(const Tuple<2, 4>& x, bool certified, Verdict& out) {
-    const auto b = detail::difference(*x[1], *x[0]);
-    const auto p = detail::difference(*x[2], *x[0]);
-    const auto q = detail::difference(*x[3], *x[0]);
-    const auto e = detail::difference(*x[3], *x[2]);
-    const double m = std::max(std::max(detail::magnitude(b), detail::magnitude(p)),
-                              std::max(detail::magnitude(q), detail::magnitude(e)));
-    if (!(m <= bounds::filter_range && m * bounds::filter_range >= 1.0)) return false;
-    const double m2 = m * m;
-    const double m3 = m2 * m;
-    return detail::accept(annulus_terms(b, p, q, e), bounds::annulus_2_incircle * bounds::u * (m2 * m2),
-                          bounds::annulus_2_norms * bounds::u * m3, certified, out);
+    const auto d =
+        detail::decide_annulus(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]),
+                               detail::difference(*x[3], *x[0]), detail::difference(*x[3], *x[2]), certified);
+    return detail::answer(d.sign, d.tolerance, out);
 }
 
 /// Interval stage. The rounding mode must be upward (one Rounding_guard around a batch). False when the interval of

@@ -4,6 +4,7 @@
 #include <annulus/arithmetic/coordinates.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace annulus {
@@ -29,6 +30,32 @@ namespace annulus {
     normalise(bx, by);
     normalise(ex, ey);
     return std::atan2(std::fabs(bx * ey - by * ex), std::fabs(bx * ex + by * ey));
+}
+
+/// The same in space: the angle between the axis of the facet a b c and the bisector of p, q. Accurate to a few units in the last
+/// place over the sine of the facet's least angle, because the normal of a thin facet is no better known than that; anywhere in the
+/// coordinate domain. 0 when p = q or a, b, c are collinear.
+[[nodiscard]] inline double theta(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c,
+                                  const Coordinates<3>& p, const Coordinates<3>& q) {
+    using Vector = std::array<double, 3>;
+    const auto normalised = [](Vector v) {
+        const double m = std::max(std::max(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
+        if (!(m > 0.0)) return v;
+        const int k = -std::ilogb(m);
+        for (double& x : v) x = std::scalbn(x, k);
+        return v;
+    };
+    const auto from = [](const Coordinates<3>& x, const Coordinates<3>& y) {
+        return Vector{y[0] - x[0], y[1] - x[1], y[2] - x[2]};
+    };
+    const auto cross = [](const Vector& u, const Vector& v) {
+        return Vector{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    };
+    const Vector e = normalised(from(p, q));
+    const Vector n = normalised(cross(normalised(from(a, b)), normalised(from(a, c))));
+    const Vector sine = cross(e, n);
+    const double along = std::fabs(e[0] * n[0] + e[1] * n[1] + e[2] * n[2]);
+    return std::atan2(along, std::hypot(sine[0], sine[1], sine[2]));
 }
 
 }  // namespace annulus

@@ -21,5 +21,6 @@ struct Invocation {
 Run add_lloyd_command(CLI::App& app, const Invocation& invocation);
 Run add_compare_command(CLI::App& app, const Invocation& invocation);
 Run add_audit_command(CLI::App& app, const Invocation& invocation);
+Run add_counterexample_command(CLI::App& app, const Invocation& invocation);
 
 }  // namespace annulus::cli

@@ -40,6 +40,7 @@ int run(int argc, char** argv) {
     commands["lloyd"] = add_lloyd_command(app, invocation);
     commands["compare"] = add_compare_command(app, invocation);
     commands["audit"] = add_audit_command(app, invocation);
+    commands["counterexample"] = add_counterexample_command(app, invocation);
     try {
         std::reverse(outer.begin(), outer.end());
         app.parse(outer);

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/certificate/batch.h>
+
+#include <annulus/arithmetic/rounding_guard.h>
+#include <annulus/certificate/ladder_2.h>
+#include <annulus/certificate/lanes.h>
+
+namespace annulus {
+
+namespace {
+
+template <class V>
+inline constexpr std::size_t width = 1;
+template <>
+inline constexpr std::size_t width<Lanes> = Lanes::size();
+
+/// Coordinate c of point i of the certificates x[0], x[1], ... side by side.
+template <class V, class T>
+V gather(const T* x, std::size_t i, std::size_t c) {
+    if constexpr (width<V> == 1) return (*x[0][i])[c];
+    else return V([&](auto lane) { return (*x[lane][i])[c]; });
+}
+
+template <class V, class T>
+V difference(const T* x, std::size_t i, std::size_t j, std::size_t c) {
+    return gather<V>(x, i, c) - gather<V>(x, j, c);
+}
+
+template <class V, class T>
+Vector_2<V> vector_2(const T* x, std::size_t i, std::size_t j) {
+    return {difference<V>(x, i, j, 0), difference<V>(x, i, j, 1)};
+}
+template <class V, class T>
+Vector_3<V> vector_3(const T* x, std::size_t i) {
+    return {difference<V>(x, i, 0, 0), difference<V>(x, i, 0, 1), difference<V>(x, i, 0, 2)};
+}
+
+// The filter stage of width<V> certificates from x on.
+template <class V>
+detail::Bicell_decision<V> decide(const Tuple<2, 3>* x, bool certified, Cells) {
+    return {detail::decide_orientation(vector_2<V>(x, 1, 0), vector_2<V>(x, 2, 0), vector_2<V>(x, 2, 1), certified),
+            V(0.0)};
+}
+template <class V>
+detail::Bicell_decision<V> decide(const Tuple<2, 4>* x, bool certified, Cells) {
+    return {detail::decide_annulus(vector_2<V>(x, 1, 0), vector_2<V>(x, 2, 0), vector_2<V>(x, 3, 0),
+                                   vector_2<V>(x, 3, 2), certified),
+            V(0.0)};
+}
+template <class V>
+detail::Bicell_decision<V> decide(const Tuple<3, 4>* x, bool certified, Cells) {
+    return {detail::decide_orientation(vector_3<V>(x, 1), vector_3<V>(x, 2), vector_3<V>(x, 3), certified), V(0.0)};
+}
+template <class V>
+detail::Bicell_decision<V> decide(const Tuple<3, 5>* x, bool certified, Cells cells) {
+    return detail::decide_annulus(vector_3<V>(x, 1), vector_3<V>(x, 2), vector_3<V>(x, 3), vector_3<V>(x, 4), certified,
+                                  cells);
+}
+
+// The later stages, with one signature.
+bool interval(const Tuple<2, 3>& x, Verdict& out, Cells) { return orientation_interval(x, out); }
+bool interval(const Tuple<2, 4>& x, Verdict& out, Cells) { return empty_sphere_interval(x, out); }
+bool interval(const Tuple<3, 4>& x, Verdict& out, Cells) { return orientation_interval(x, out); }
+bool interval(const Tuple<3, 5>& x, Verdict& out, Cells cells) { return empty_sphere_interval(x, out, cells); }
+Verdict exact(const Tuple<2, 3>& x, Cells) { return orientation_exact(x); }
+Verdict exact(const Tuple<2, 4>& x, Cells) { return empty_sphere_exact(x); }
+Verdict exact(const Tuple<3, 4>& x, Cells) { return orientation_exact(x); }
+Verdict exact(const Tuple<3, 5>& x, Cells cells) { return empty_sphere_exact(x, cells); }
+
+/// Writes one lane; what is left to the next stage says so in its `stage`. Returns 1 for an answer.
+std::size_t store(double sign, double tolerance, double backward, Verdict& out) {
+    const bool answered = detail::answer(sign, tolerance, out);
+    out.backward = static_cast<std::uint8_t>(static_cast<int>(backward));
+    out.stage = answered ? Stage::filter : Stage::interval;
+    return answered ? 1 : 0;
+}
+
+/// Flattened: a call between two halves of a formula would spill every register.
+template <class T>
+[[gnu::flatten]] std::size_t filter_stage(std::span<const T> x, bool certified, std::span<Verdict> out, Cells cells) {
+    constexpr std::size_t lanes = width<Lanes>;
+    std::size_t answered = 0;
+    std::size_t i = 0;
+    for (; i + lanes <= x.size(); i += lanes) {
+        const auto d = decide<Lanes>(&x[i], certified, cells);
+        for (std::size_t k = 0; k < lanes; ++k)
+            answered += store(d.decision.sign[k], d.decision.tolerance[k], d.backward[k], out[i + k]);
+    }
+    for (; i < x.size(); ++i) {
+        const auto d = decide<double>(&x[i], certified, cells);
+        answered += store(d.decision.sign, d.decision.tolerance, d.backward, out[i]);
+    }
+    return answered;
+}
+
+template <class T>
+std::size_t interval_stage(std::span<const T> x, std::span<Verdict> out, Cells cells) {
+    const Rounding_guard guard(FE_UPWARD);
+    std::size_t answered = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (out[i].stage != Stage::interval) continue;
+        if (interval(x[i], out[i], cells)) ++answered;
+        else out[i].stage = Stage::exact;
+    }
+    return answered;
+}
+
+template <class T>
+Stage_counts ladder(std::span<const T> x, Mode mode, std::span<Verdict> out, Cells cells) {
+    Stage_counts counts;
+    counts.filter = filter_stage(x, mode != Mode::floating, out, cells);
+    if (counts.filter < x.size()) counts.interval = interval_stage(x, out, cells);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const bool left = out[i].stage == Stage::exact;
+        if (!left && (mode != Mode::tight || out[i].sign <= 0)) continue;
+        if (!left) --(out[i].stage == Stage::filter ? counts.filter : counts.interval);
+        out[i] = exact(x[i], cells);
+        ++counts.exact;
+    }
+    return counts;
+}
+
+}  // namespace
+
+Stage_counts evaluate(std::span<const Tuple<2, 3>> x, Mode mode, std::span<Verdict> out) {
+    return ladder(x, mode, out, Cells::never);
+}
+Stage_counts evaluate(std::span<const Tuple<2, 4>> x, Mode mode, std::span<Verdict> out) {
+    return ladder(x, mode, out, Cells::never);
+}
+Stage_counts evaluate(std::span<const Tuple<3, 4>> x, Mode mode, std::span<Verdict> out) {
+    return ladder(x, mode, out, Cells::never);
+}
+Stage_counts evaluate(std::span<const Tuple<3, 5>> x, Mode mode, std::span<Verdict> out, Cells cells) {
+    return ladder(x, mode, out, cells);
+}
+
+}  // namespace annulus

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/certificate/ladder_3.h>
+
+#include <annulus/arithmetic/exact.h>
+#include <annulus/arithmetic/rounding_guard.h>
+#include <annulus/certificate/interval_stage.h>
+
+namespace annulus {
+
+namespace {
+
+// ---- Interval stage ---------------------------------------------------------------------------------------------
+
+template <std::size_t k, class Difference>
+Vector_3<Interval> vector(const std::array<const Coordinates<3>*, k>& x, std::size_t i, const Difference& difference) {
+    return {difference((*x[i])[0], (*x[0])[0]), difference((*x[i])[1], (*x[0])[1]), difference((*x[i])[2], (*x[0])[2])};
+}
+
+/// Half the width of a tetrahedron, scaled: false where it is not certainly positive or not tight.
+bool width_lower(const Width_terms<Interval>& t, double& lower) {
+    if (!(t.determinant.lower() > 0.0)) return false;
+    return detail::quotient_lower_tight(t.determinant, detail::roots_upper(t.inner, t.outer),
+                                        detail::roots_lower_nearly(t.inner, t.outer), lower);
+}
+
+// ---- Exact stage ------------------------------------------------------------------------------------------------
+
+template <std::size_t k>
+Scaled_integers integers(const std::array<const Coordinates<3>*, k>& x) {
+    std::array<double, 3 * k> flat{};
+    for (std::size_t i = 0; i < k; ++i) std::copy(x[i]->begin(), x[i]->end(), flat.begin() + static_cast<int>(3 * i));
+    return Scaled_integers(flat);
+}
+
+Vector_3<mpz_class> vector(const Scaled_integers& z, std::size_t i) {
+    return {mpz_class(z.integer[3 * i] - z.integer[0]), mpz_class(z.integer[3 * i + 1] - z.integer[1]),
+            mpz_class(z.integer[3 * i + 2] - z.integer[2])};
+}
+
+/// Half a width, the largest double not above it; 0 where the determinant is not positive.
+double half_width(const Width_terms<mpz_class>& t, long exponent) {
+    return sgn(t.determinant) > 0 ? quotient_by_roots_lower(t.determinant, t.inner, t.outer, exponent) : 0.0;
+}
+
+struct Exact_bicell {
+    Bicell_terms_3<mpz_class> terms;
+    long exponent;
+
+    explicit Exact_bicell(const Tuple<3, 5>& x) {
+        const Scaled_integers z = integers(x);
+        terms = annulus_terms(vector(z, 1), vector(z, 2), vector(z, 3), vector(z, 4));
+        exponent = z.exponent;
+    }
+    [[nodiscard]] double half_width_of(std::size_t k) const {
+        return half_width({mpz_class(abs(terms.determinant)), terms.inner[k], terms.outer[k]}, exponent);
+    }
+};
+
+}  // namespace
+
+bool orientation_interval(const Tuple<3, 4>& x, Verdict& out) {
+    return detail::with_scale(x, [&](const auto& difference, const detail::Scale& s) {
+        const auto t = orientation_terms(vector(x, 1, difference), vector(x, 2, difference), vector(x, 3, difference));
+        if (!detail::interval_sign(t.determinant, out)) return false;
+        if (out.sign < 0) return true;
+        double lower = 0.0;
+        if (!width_lower(t, lower)) return false;
+        out.tolerance = detail::unscaled_lower(lower, s);
+        return true;
+    });
+}
+
+bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cells cells) {
+    return detail::with_scale(x, [&](const auto& difference, const detail::Scale& s) {
+        const auto t = annulus_terms(vector(x, 1, difference), vector(x, 2, difference), vector(x, 3, difference),
+                                     vector(x, 4, difference));
+        out.backward = 0;
+        for (std::size_t k = 1; k < partitions_3; ++k)
+            if (!(t.side[k].lower() > 0.0)) out.backward = static_cast<std::uint8_t>(out.backward | (1U << k));
+        if (!detail::interval_sign(t.determinant, out)) return false;
+        if (out.sign < 0) return true;
+        double most = 0.0;
+        double least = 0.0;
+        for (std::size_t k = 0; k < partitions_3; ++k) {
+            most = std::max(most, detail::roots_upper(t.inner[k], t.outer[k]));
+            least = std::max(least, detail::roots_lower_nearly(t.inner[k], t.outer[k]));
+        }
+        double lower = 0.0;
+        if (!detail::quotient_lower_tight(t.determinant, most, least, lower)) return false;
+        if (cells == Cells::always || (cells == Cells::where_needed && out.backward != 0)) {
+            double p = 0.0;
+            double q = 0.0;
+            if (!width_lower(cell_p_terms(t), p) || !width_lower(cell_q_terms(t), q)) return false;
+            lower = std::min(lower, std::min(p, q));
+        }
+        out.tolerance = detail::unscaled_lower(lower, s);
+        return true;
+    });
+}
+
+Verdict orientation_exact(const Tuple<3, 4>& x) {
+    const Scaled_integers z = integers(x);
+    const auto t = orientation_terms(vector(z, 1), vector(z, 2), vector(z, 3));
+    Verdict out;
+    out.stage = Stage::exact;
+    out.sign = static_cast<std::int8_t>(sgn(t.determinant));
+    out.tolerance = half_width(t, z.exponent);
+    return out;
+}
+
+Verdict empty_sphere_exact(const Tuple<3, 5>& x, Cells cells) {
+    const Exact_bicell e(x);
+    Verdict out;
+    out.stage = Stage::exact;
+    out.sign = static_cast<std::int8_t>(sgn(e.terms.determinant));
+    for (std::size_t k = 1; k < partitions_3; ++k)
+        if (sgn(e.terms.side[k]) <= 0) out.backward = static_cast<std::uint8_t>(out.backward | (1U << k));
+    if (out.sign <= 0) return out;
+    out.tolerance = e.half_width_of(0);
+    for (std::size_t k = 1; k < partitions_3; ++k) out.tolerance = std::min(out.tolerance, e.half_width_of(k));
+    if (cells == Cells::always || (cells == Cells::where_needed && out.backward != 0))
+        out.tolerance = std::min({out.tolerance, half_width(cell_p_terms(e.terms), e.exponent),
+                                  half_width(cell_q_terms(e.terms), e.exponent)});
+    return out;
+}
+
+Verdict orientation_verdict(const Tuple<3, 4>& x, bool certified) {
+    Verdict out;
+    if (orientation_filter(x, certified, out)) return out;
+    {
+        const Rounding_guard guard(FE_UPWARD);
+        if (orientation_interval(x, out)) return out;
+    }
+    return orientation_exact(x);
+}
+
+Verdict empty_sphere_verdict(const Tuple<3, 5>& x, bool certified, Cells cells) {
+    Verdict out;
+    if (empty_sphere_filter(x, certified, out, cells)) return out;
+    {
+        const Rounding_guard guard(FE_UPWARD);
+        if (empty_sphere_interval(x, out, cells)) return out;
+    }
+    return empty_sphere_exact(x, cells);
+}
+
+Annuli annuli_exact(const Tuple<3, 5>& x) {
+    const Exact_bicell e(x);
+    Annuli out;
+    out.sign = static_cast<std::int8_t>(sgn(e.terms.determinant));
+    for (std::size_t k = 0; k < partitions_3; ++k) {
+        out.side[k] = static_cast<std::int8_t>(sgn(e.terms.side[k]));
+        out.half_width[k] = e.half_width_of(k);
+    }
+    return out;
+}
+
+int perturbed_empty_sphere_sign(const Tuple<3, 5>& x) {
+    // The cell a b c q is positive; p is the point tested against its sphere. The perturbation of the lexicographically largest
+    // point dominates; its coefficient is an orientation of the other four. Two of them suffice: if the first is 0, its four
+    // points lie on a plane that contains no fifth.
+    const std::array<const Coordinates<3>*, 4> cell{x[0], x[1], x[2], x[4]};
+    const Coordinates<3>* p = x[3];
+    std::array<const Coordinates<3>*, 5> order{x[0], x[1], x[2], x[4], p};
+    std::sort(order.begin(), order.end(), [](const Coordinates<3>* l, const Coordinates<3>* r) { return *l < *r; });
+    for (std::size_t i = 4; i > 2; --i) {
+        if (order[i] == p) return 1;
+        Tuple<3, 4> replaced = cell;
+        *std::find(replaced.begin(), replaced.end(), order[i]) = p;
+        if (const int inside = orientation_verdict(replaced, false).sign; inside != 0) return -inside;
+    }
+    return 1;
+}
+
+}  // namespace annulus

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/certificate/bounds.h>
+#include <annulus/certificate/decide.h>
+#include <annulus/certificate/verdict.h>
+#include <annulus/certificate/width_terms_3.h>
+
+#include <algorithm>
+#include <cmath>
+
+// The ladder in space. Orientations are CGAL's: a, b, c, d is positive when d is on the side of (b - a) x (c - a). A bi-cell is
+// x = {a, b, c, p, q} with positive cells a b c q and b a c p, so seen from q the facet a b c turns left, and p is behind it. In the
+// plane it is {a, b, p, q} with positive triangles a b q and b a p.
+
+namespace annulus {
+
+/// Whether the widths of the two cells enter the tolerance of an empty sphere in space (docs/theory.md 2.2, remark).
+///
+/// The annulus of a partition A | B excludes it wherever its points are when A is the inner side, sum of lambda over B > 0. Else it
+/// does so only along a motion on which both cells stay positive, from the same reference.
+enum class Cells : std::uint8_t {
+    never,         ///< the least of the four annuli; see Verdict::backward
+    where_needed,  ///< with the cells where one of the sums is not certainly positive: safe by itself
+    always,        ///< the sign tolerance of theory 2: of use where a motion is all that is known of the cells
+};
+
+namespace detail {
+
+[[nodiscard]] inline Vector_3<double> difference(const Coordinates<3>& a, const Coordinates<3>& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/// The filter stage of a tetrahedron, from the terms of its orientation and the largest difference m.
+template <class V>
+[[nodiscard]] Decision<V> decide_width(const Width_terms<V>& t, const V& m, bool certified) {
+    using std::sqrt;
+    const V m2 = m * m;
+    return decide(t.determinant, V(V(2.0) * sqrt(t.inner)), V(V(bounds::orientation_3 * bounds::u) * (m2 * m)),
+                  V(V(bounds::orientation_3_norms * bounds::u) * m2), certified);
+}
+
+/// The filter stage of an orientation, from the rounded differences to the first point.
+template <class V>
+[[nodiscard]] Decision<V> decide_orientation(const Vector_3<V>& u, const Vector_3<V>& v, const Vector_3<V>& w,
+                                             bool certified) {
+    using std::max;
+    const V m = max(V(max(magnitude(u), magnitude(v))), magnitude(w));
+    return in_range(m, bounds::filter_range_3, decide_width(orientation_terms(u, v, w), m, certified));
+}
+
+/// The four sums of norms of a bi-cell.
+template <class V>
+[[nodiscard]] std::array<V, partitions_3> norms(const Bicell_terms_3<V>& t) {
+    using std::sqrt;
+    std::array<V, partitions_3> sum;
+    for (std::size_t k = 0; k < partitions_3; ++k) sum[k] = sqrt(t.inner[k]) + sqrt(t.outer[k]);
+    return sum;
+}
+
+/// A Decision, and which partitions are backward: bit k as the number 2^k.
+template <class V>
+struct Bicell_decision {
+    Decision<V> decision;
+    V backward;
+};
+
+/// The filter stage of an empty sphere, from the rounded differences to a.
+template <class V>
+[[nodiscard]] Bicell_decision<V> decide_annulus(const Vector_3<V>& b, const Vector_3<V>& c, const Vector_3<V>& p,
+                                                const Vector_3<V>& q, bool certified, Cells cells) {
+    using std::max;
+    const V m = max(V(max(magnitude(b), magnitude(c))), V(max(magnitude(p), magnitude(q))));
+    const V m2 = m * m;
+    const auto t = annulus_terms(b, c, p, q);
+    const auto sum = norms(t);
+    const V largest = max(V(max(sum[0], sum[1])), V(max(sum[2], sum[3])));
+    Decision<V> d = decide(t.determinant, largest, V(V(bounds::annulus_3_insphere * bounds::u) * (m2 * m2 * m)),
+                           V(V(bounds::annulus_3_norms * bounds::u) * (m2 * m2)), certified);
+    const V side_error = V(bounds::annulus_3_side * bounds::u) * (m2 * m);
+    V backward(0.0);
+    for (std::size_t k = 1; k < partitions_3; ++k)
+        backward = backward + select(t.side[k] > side_error, V(0.0), V(static_cast<double>(1U << k)));
+    if (cells != Cells::never) {
+        const auto needed = cells == Cells::always ? backward >= V(0.0) : backward > V(0.0);
+        d = both(d, decide_width(cell_p_terms(t), m, certified), needed);
+        d = both(d, decide_width(cell_q_terms(t), m, certified), needed);
+    }
+    return {in_range(m, bounds::filter_range_3, d), backward};
+}
+
+[[nodiscard]] inline bool answer(const Bicell_decision<double>& d, Verdict& out) {
+    out.backward = static_cast<std::uint8_t>(d.backward);
+    return answer(d.decision.sign, d.decision.tolerance, out);
+}
+
+}  // namespace detail
+
+/// Filter stage of the orientation of a tetrahedron (a cell, or a hull ridge): positive in CGAL's sense. The tolerance is half
+/// its width. False when it cannot tell or cannot tell tightly; `out` is then unspecified.
+///
+/// Rounding mode must be to nearest. Errors: bounds.h, proofs/gappa/certificates_3.g.
+[[nodiscard]] inline bool orientation_filter(const Tuple<3, 4>& x, bool certified, Verdict& out) {
+    const auto d = detail::decide_orientation(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]),
+                                              detail::difference(*x[3], *x[0]), certified);
+    return detail::answer(d.sign, d.tolerance, out);
+}
+
+/// Filter stage of the empty sphere of the facet a b c, x = {a, b, c, p, q}: positive when the sphere through a, b, c, p leaves q
+/// strictly outside. The tolerance is the least half width of the four annuli, and of the cells as `cells` says. False as for
+/// orientation_filter. Precondition: both cells are positive; where one is not, the sign is right and no tolerance is given that
+/// `cells` makes depend on it.
+///
+/// Rounding mode must be to nearest. Errors: bounds.h, proofs/gappa/certificates_3.g.
+[[nodiscard]] inline bool empty_sphere_filter(const Tuple<3, 5>& x, bool certified, Verdict& out,
+                                              Cells cells = Cells::where_needed) {
+    return detail::answer(
+        detail::decide_annulus(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]),
+                               detail::difference(*x[3], *x[0]), detail::difference(*x[4], *x[0]), certified, cells),
+        out);
+}
+
+/// Interval stage. The rounding mode must be upward (one Rounding_guard around a batch). False when the interval of the
+/// determinant holds 0 or the tolerance is not within the stated slack.
+/// Never inlined: see Rounding_guard.
+[[nodiscard, gnu::noinline]] bool orientation_interval(const Tuple<3, 4>& x, Verdict& out);
+[[nodiscard, gnu::noinline]] bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out,
+                                                        Cells cells = Cells::where_needed);
+
+/// Exact stage: always answers, with the largest double that is not above the truth. Microseconds.
+[[nodiscard]] Verdict orientation_exact(const Tuple<3, 4>& x);
+[[nodiscard]] Verdict empty_sphere_exact(const Tuple<3, 5>& x, Cells cells = Cells::where_needed);
+
+/// The whole ladder for one certificate; the rounding mode must be to nearest and is put back.
+[[nodiscard]] Verdict orientation_verdict(const Tuple<3, 4>& x, bool certified = true);
+[[nodiscard]] Verdict empty_sphere_verdict(const Tuple<3, 5>& x, bool certified = true,
+                                           Cells cells = Cells::where_needed);
+
+/// The four annuli of a bi-cell one by one, in the order of Partition_3.
+struct Annuli {
+    std::array<double, partitions_3> half_width{};  ///< the largest double not above |P| / (sum of norms)
+    std::array<std::int8_t, partitions_3> side{};   ///< exact sign of the sum of lambda over B
+    std::int8_t sign = 0;                           ///< exact sign of the empty sphere
+};
+/// Exact. The first one is the paper's standard annulus; for analysis, not for speed.
+[[nodiscard]] Annuli annuli_exact(const Tuple<3, 5>& x);
+
+/// Half the width of the paper's standard annulus, abc | pq, in plain double; 0 where the sphere is not empty.
+[[nodiscard]] inline double paper_annulus(const Tuple<3, 5>& x) {
+    const auto t = annulus_terms(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]),
+                                 detail::difference(*x[3], *x[0]), detail::difference(*x[4], *x[0]));
+    return std::max(0.0, t.determinant / (std::sqrt(t.inner[abc_pq]) + std::sqrt(t.outer[abc_pq])));
+}
+
+/// Half the width of the paper's slab (its 2.2): half the altitude of x[3] over the plane of x[0], x[1], x[2], in plain double.
+[[nodiscard]] inline double paper_slab(const Tuple<3, 4>& x) {
+    const auto n = cross(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]));
+    return 0.5 * dot(n, detail::difference(*x[3], *x[0])) / std::sqrt(square(n));
+}
+
+/// Sign of the empty sphere of x = {a, b, c, p, q} with CGAL's lexicographic symbolic perturbation where the five points are
+/// cospherical: never 0. Precondition: empty_sphere_verdict(x).sign == 0 and both cells are positive.
+///
+/// As perturbed_empty_circle_sign; the rule is that of CGAL::Delaunay_triangulation_3::side_of_oriented_sphere. Devillers and
+/// Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations, 2011.
+[[nodiscard]] int perturbed_empty_sphere_sign(const Tuple<3, 5>& x);
+
+}  // namespace annulus

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What must not change half widths in space: the order of the points, the side a bi-cell is seen from, powers of two, and
+// translations that are exact. What must: nothing else is looked at.
+
+#include <support/arbitrary.h>
+#include <support/stages_3.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+template <class Map>
+Bicell_3 mapped(const Bicell_3& c, Map map) {
+    return {map(c.a), map(c.b), map(c.c), map(c.p), map(c.q)};
+}
+
+Point_3 scaled(Point_3 p, int exponent) {
+    for (double& c : p) c = std::ldexp(c, exponent);
+    return p;
+}
+
+bool is_of_usual_magnitude(const Bicell_3& c) {
+    for (const Point_3* p : c.tuple())
+        for (const double x : *p)
+            if (x != 0.0 && (std::fabs(x) < 0x1p-60 || std::fabs(x) > 0x1p60)) return false;
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("the half widths of a bi-cell of space do not depend on how it is named", "[certificate][space]") {
+    REQUIRE(rc::check("on bi-cells of every family", [](const Seed& seed) {
+        for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
+            for (const Cells cells : all_cells) {
+                const Verdict v = empty_sphere_exact(c.tuple(), cells);
+                for (const Bicell_3& other : {c.turned(), c.rotated(), c.rotated().rotated(), c.turned().rotated()}) {
+                    const Verdict w = empty_sphere_exact(other.tuple(), cells);
+                    HOLDS(v.sign == w.sign && v.tolerance == w.tolerance, c);
+                    HOLDS((v.backward == 0) == (w.backward == 0), c);
+                    const Verdict l = empty_sphere_verdict(other.tuple(), true, cells);
+                    HOLDS(l.sign == v.sign && l.tolerance <= v.tolerance, c);
+                }
+            }
+            const Annuli a = annuli_exact(c.tuple()), turned = annuli_exact(c.turned().tuple()),
+                         rotated = annuli_exact(c.rotated().tuple());
+            // b, a, c, q, p: ab | c.. stays, ca and bc change places. b, c, a: each takes the place before it.
+            HOLDS(
+                a.half_width[abc_pq] == turned.half_width[abc_pq] && a.half_width[ab_cpq] == turned.half_width[ab_cpq],
+                c);
+            HOLDS(
+                a.half_width[ca_bpq] == turned.half_width[bc_apq] && a.half_width[bc_apq] == turned.half_width[ca_bpq],
+                c);
+            HOLDS(a.half_width[abc_pq] == rotated.half_width[abc_pq] &&
+                      a.half_width[bc_apq] == rotated.half_width[ab_cpq],
+                  c);
+            HOLDS(a.half_width[ab_cpq] == rotated.half_width[ca_bpq] &&
+                      a.half_width[ca_bpq] == rotated.half_width[bc_apq],
+                  c);
+        });
+    }));
+}
+
+TEST_CASE("the width of a tetrahedron does not depend on the order of its vertices", "[certificate][space]") {
+    REQUIRE(rc::check("on tetrahedra of every family", [](const Seed& seed) {
+        for_each_tetrahedron(seed.random(), 1, [](const Tetrahedron& t) {
+            const std::array<const Point_3*, 4> x = t.tuple();
+            std::array<std::size_t, 4> order{0, 1, 2, 3};
+            const Verdict v = orientation_exact(t.tuple());
+            double width = v.tolerance;
+            if (v.sign < 0) width = orientation_exact({x[1], x[0], x[2], x[3]}).tolerance;
+            do {
+                int inversions = 0;
+                for (std::size_t i = 0; i < 4; ++i)
+                    for (std::size_t j = 0; j < i; ++j) inversions += order[j] > order[i];
+                const Verdict w = orientation_exact({x[order[0]], x[order[1]], x[order[2]], x[order[3]]});
+                HOLDS(w.sign == (inversions % 2 == 0 ? v.sign : -v.sign), t);
+                HOLDS(w.tolerance == (w.sign > 0 ? width : 0.0), t);
+            } while (std::next_permutation(order.begin(), order.end()));
+        });
+    }));
+}
+
+TEST_CASE("half widths scale by powers of two and do not see exact translations", "[certificate][space]") {
+    REQUIRE(rc::check("on bi-cells of usual magnitudes", [](const Seed& seed) {
+        Random random = seed.random();
+        for_each_delaunay_bicell_3(seed.random(), 1, [&random](const Bicell_3& c) {
+            if (!is_of_usual_magnitude(c)) return;
+            const int exponent = integer(random, -20, 20);
+            const Bicell_3 s = mapped(c, [exponent](const Point_3& p) { return scaled(p, exponent); });
+            const Answers one = ask(c, Cells::always), other = ask(s, Cells::always);
+            const auto corresponds = [exponent](const Verdict& v, const Verdict& w) {
+                return v.sign == w.sign && std::ldexp(v.tolerance, exponent) == w.tolerance && v.backward == w.backward;
+            };
+            HOLDS(corresponds(one.exact, other.exact), c);
+            HOLDS(!one.filter || !other.filter || corresponds(*one.filter, *other.filter), c);
+            HOLDS(!one.interval || !other.interval || corresponds(*one.interval, *other.interval), c);
+        });
+        for (int i = 0; i < 10; ++i) {
+            const Bicell_3 c = delaunay_bicell(Family_3::grid, random);
+            const Point_3 by{static_cast<double>(integer(random, -999, 999)), 0x1p40, -0x1p30};
+            const Bicell_3 t = mapped(c, [&by](Point_3 p) {
+                for (std::size_t k = 0; k < 3; ++k) p[k] += by[k];
+                return p;
+            });
+            HOLDS(empty_sphere_exact(c.tuple()).tolerance == empty_sphere_exact(t.tuple()).tolerance, c);
+            HOLDS(empty_sphere_verdict(c.tuple()).tolerance == empty_sphere_verdict(t.tuple()).tolerance, c);
+        }
+    }));
+}
