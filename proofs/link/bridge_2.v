@@ -106,66 +106,43 @@ Proof.
   - change (-1074)%Z with (-537 + -537)%Z. rewrite bpow_plus. apply sqrt_square, bpow_ge_0.
 Qed.
 
-Section accept.
-Variables (t : width_terms machine) (t' : width_terms rounded) (e n : float) (e' n' : R).
-Hypothesis Hd : stands 484 (determinant _ t) (determinant _ t').
-Hypothesis Hi : stands 732 (inner _ t) (inner _ t').
-Hypothesis Ho : stands 732 (outer _ t) (outer _ t').
+Section decide.
+Variables (d r e n : float) (d' r' e' n' : R).
+Hypothesis Hd : stands 484 d d'.
+Hypothesis Hr : stands 367 r r'.
 Hypothesis He : stands 440 e e'.
 Hypothesis Hn : stands 320 n n'.
-Hypothesis Pi : 0 <= inner _ t'.
-Hypothesis Po : 0 <= outer _ t'.
+Hypothesis Pr : 0 < r' -> power (-537) <= r'.
 Hypothesis Pn : 0 <= n'.
 
-Lemma stands_roots : stands 367 (roots machine t) (roots rounded t').
-Proof.
-  apply (stands_add 366 366); [lia| |]; apply stands_sqrt; trivial; lia.
-Qed.
-
-Lemma roots_at_least : 0 < roots rounded t' -> power (-537) <= roots rounded t'.
-Proof.
-  change (roots rounded t') with (rnd (rnd (R_sqrt.sqrt (inner _ t')) + rnd (R_sqrt.sqrt (outer _ t')))). intro H. generalize (rnd_positive _ H). intro S.
-  apply rnd_at_least; [lia|].
-  generalize (rnd_nonneg _ (sqrt_pos (inner _ t'))) (rnd_nonneg _ (sqrt_pos (outer _ t'))). intros I O.
-  destruct (Rle_lt_or_eq_dec _ _ Pi) as [L|L].
-  - generalize (root_at_least _ _ _ Hi L). lra.
-  - destruct (Rle_lt_or_eq_dec _ _ Po) as [M|M].
-    + generalize (root_at_least _ _ _ Ho M). lra.
-    + exfalso. rewrite <- L, <- M, sqrt_0, round_0 in S; auto with typeclass_instances. lra.
-Qed.
-
-Lemma accept_stands : stands_answer (accept machine t e n true) (accept rounded t' e' n' true).
+Lemma decide_stands : stands_answer (decide machine d r e n true) (decide rounded d' r' e' n' true).
 Proof.
   assert (slack : stands (-10) filter_slack (value filter_slack)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
   assert (tail : stands 0 one_less_tail (value one_less_tail)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
-  generalize stands_roots roots_at_least. intros R L.
-  unfold accept. change (less machine) with PrimFloat.ltb. change (less rounded) with Rlt_bool.
+  unfold decide. change (less machine) with PrimFloat.ltb. change (less rounded) with Rlt_bool.
   change (opposite machine e) with (- e)%float. change (opposite rounded e') with (- e').
   rewrite (stands_ltb _ _ _ _ _ _ Hd (stands_opp _ _ _ He)).
-  case Rlt_bool. { split; [reflexivity|]. reflexivity. }
-  assert (dm : stands 474 (mul machine (determinant _ t) (constant machine filter_slack))
-                          (mul rounded (determinant _ t') (constant rounded filter_slack)))
+  case Rlt_bool. { split; reflexivity. }
+  assert (dm : stands 474 (mul machine d (constant machine filter_slack)) (mul rounded d' (constant rounded filter_slack)))
     by exact (stands_mul 484 (-10) _ _ _ _ ltac:(lia) Hd slack).
   rewrite (stands_ltb _ _ _ _ _ _ He dm).
   case Rlt_bool; [|exact I]. cbv iota beta delta [negb].
-  assert (rm : stands 357 (mul machine (roots machine t) (constant machine filter_slack))
-                          (mul rounded (roots rounded t') (constant rounded filter_slack)))
-    by exact (stands_mul 367 (-10) _ _ _ _ ltac:(lia) R slack).
+  assert (rm : stands 357 (mul machine r (constant machine filter_slack)) (mul rounded r' (constant rounded filter_slack)))
+    by exact (stands_mul 367 (-10) _ _ _ _ ltac:(lia) Hr slack).
   rewrite (stands_ltb _ _ _ _ _ _ Hn rm).
   case Rlt_bool_spec; [|intros; exact I]. intro K. cbv iota beta delta [negb].
-  assert (P : 0 < roots rounded t').
+  assert (P : 0 < r').
   { apply Rmult_lt_reg_r with (value filter_slack).
     - rewrite (value_power filter_slack (-62) eq_refl). apply bpow_gt_0.
     - rewrite Rmult_0_l. apply rnd_positive. apply Rle_lt_trans with (1 := Pn). exact K. }
-  specialize (L P).
-  assert (num : stands 485 (sub machine (determinant _ t) e) (sub rounded (determinant _ t') e'))
+  assert (L := Pr P).
+  assert (num : stands 485 (sub machine d e) (sub rounded d' e'))
     by exact (stands_sub 484 440 _ _ _ _ ltac:(lia) Hd He).
-  assert (den : stands 368 (add machine (roots machine t) n) (add rounded (roots rounded t') n'))
-    by exact (stands_add 367 320 _ _ _ _ ltac:(lia) R Hn).
-  assert (D : power (-537) <= add rounded (roots rounded t') n').
+  assert (den : stands 368 (add machine r n) (add rounded r' n'))
+    by exact (stands_add 367 320 _ _ _ _ ltac:(lia) Hr Hn).
+  assert (D : power (-537) <= add rounded r' n').
   { apply rnd_at_least; [lia|]. lra. }
-  assert (quo : stands 1022 (div machine (sub machine (determinant _ t) e) (add machine (roots machine t) n))
-                            (div rounded (sub rounded (determinant _ t') e') (add rounded (roots rounded t') n'))).
+  assert (quo : stands 1022 (div machine (sub machine d e) (add machine r n)) (div rounded (sub rounded d' e') (add rounded r' n'))).
   { apply (stands_div 485 368 1022 _ _ _ _ ltac:(lia) num den).
     - generalize (bpow_gt_0 radix2 (-537)). lra.
     - destruct num as (_ & _ & B). unfold Rdiv. rewrite Rabs_mult.
@@ -176,7 +153,38 @@ Proof.
       apply Rinv_le; [apply bpow_gt_0|exact D]. }
   destruct (stands_mul 1022 0 _ _ _ _ ltac:(lia) quo tail) as (F & V & _). split; [exact F|exact V].
 Qed.
-End accept.
+End decide.
+
+(* Sums of roots of two squared norms, and twice one root. *)
+Lemma stands_roots : forall f g r s, stands 732 f r -> stands 732 g s -> 0 <= r -> 0 <= s ->
+  let sum := rnd (rnd (R_sqrt.sqrt r) + rnd (R_sqrt.sqrt s)) in
+  stands 367 (PrimFloat.sqrt f + PrimFloat.sqrt g)%float sum /\ (0 < sum -> power (-537) <= sum).
+Proof.
+  intros f g r s F G Pr Ps sum. split.
+  - apply (stands_add 366 366); [lia| |]; apply stands_sqrt; trivial; lia.
+  - intro H. generalize (rnd_positive _ H). intro S. apply rnd_at_least; [lia|].
+    generalize (rnd_nonneg _ (sqrt_pos r)) (rnd_nonneg _ (sqrt_pos s)). intros I O.
+    destruct (Rle_lt_or_eq_dec _ _ Pr) as [L|L].
+    + generalize (root_at_least _ _ _ F L). lra.
+    + destruct (Rle_lt_or_eq_dec _ _ Ps) as [M|M].
+      * generalize (root_at_least _ _ _ G M). lra.
+      * exfalso. rewrite <- L, <- M, sqrt_0, round_0 in S; auto with typeclass_instances. lra.
+Qed.
+
+Lemma stands_twice_root : forall f r, stands 732 f r -> 0 <= r ->
+  let sum := rnd (value 2%float * rnd (R_sqrt.sqrt r)) in
+  stands 367 (2 * PrimFloat.sqrt f)%float sum /\ (0 < sum -> power (-537) <= sum).
+Proof.
+  intros f r F Pr sum.
+  assert (T : stands 1 2%float (value 2%float)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
+  assert (V : value 2%float = 2) by (rewrite (value_power 2%float (-51) eq_refl); reflexivity).
+  split.
+  - apply (stands_mul 1 366); [lia|exact T|]. apply stands_sqrt; trivial; lia.
+  - intro H. generalize (rnd_positive _ H). rewrite V. intro S. unfold sum. rewrite V. apply rnd_at_least; [lia|].
+    destruct (Rle_lt_or_eq_dec _ _ Pr) as [L|L].
+    + generalize (root_at_least _ _ _ F L) (bpow_gt_0 radix2 (-537)). lra.
+    + exfalso. rewrite <- L, sqrt_0, round_0 in S; auto with typeclass_instances. lra.
+Qed.
 
 Lemma stands_squares : forall a f g r s, (0 <= a < 500)%Z -> stands a f r -> stands a g s ->
   stands (2 * a + 1) (f * f + g * g)%float (rnd (rnd (r * r) + rnd (s * s))) /\ 0 <= rnd (rnd (r * r) + rnd (s * s)).
@@ -187,7 +195,7 @@ Proof.
   - apply rnd_nonneg. generalize (rnd_nonneg _ (Rle_0_sqr r)) (rnd_nonneg _ (Rle_0_sqr s)). unfold Rsqr. intros. lra.
 Qed.
 
-(* The hypotheses of accept_stands for both certificates: exponents of every operation. *)
+(* The hypotheses of decide_stands for both certificates: exponents of every operation. *)
 Section orientation.
 Variables (u v w : vector machine) (u' v' w' : vector rounded).
 Hypothesis Hu : stands_vector 120 u u'.
@@ -310,10 +318,10 @@ Proof.
                  (orientation_magnitude rounded (difference rounded b' a') (difference rounded c' a')))
     by exact (stands_max 120 120 _ _ _ _ (stands_largest _ _ _ U) (stands_largest _ _ _ V)).
   assert (K : stands (-49) orientation_2_u (value orientation_2_u)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
-  apply accept_stands; try assumption.
+  apply (stands_wider _ 732) in I; [|lia].
+  destruct (stands_twice_root _ _ I Pi) as [Rt Pt].
+  apply decide_stands; try assumption.
   - apply stands_wider with (2 := D). lia.
-  - apply stands_wider with (2 := I). lia.
-  - apply stands_wider with (2 := O). lia.
   - apply stands_wider with (-49 + 240)%Z; [lia|].
     exact (stands_mul (-49) 240 _ _ _ _ ltac:(lia) K (stands_mul 120 120 _ _ _ _ ltac:(lia) M' M')).
   - apply stands_zero.
@@ -354,9 +362,9 @@ Proof.
     by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
   assert (Kn : stands (-44) annulus_2_norms_u (value annulus_2_norms_u))
     by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
-  apply accept_stands; try assumption.
-  - apply stands_wider with (2 := I). lia.
-  - apply stands_wider with (2 := O). lia.
+  apply (stands_wider _ 732) in I; [|lia]. apply (stands_wider _ 732) in O; [|lia].
+  destruct (stands_roots _ _ _ _ I O Pi Po) as [Rt Pt].
+  apply decide_stands; try assumption.
   - apply stands_wider with (-45 + 480)%Z; [lia|].
     exact (stands_mul (-45) 480 _ _ _ _ ltac:(lia) Ki (stands_mul 240 240 _ _ _ _ ltac:(lia) M2 M2)).
   - apply stands_wider with (-44 + 360)%Z; [lia|].

@@ -126,4 +126,90 @@ inline std::array<Coordinates<2>, 4> bicell_2(std::size_t i) {
     return x;
 }
 
+/// A point of the unit sphere, stereographic; rounded.
+inline Coordinates<3> on_sphere(double s, double t) {
+    const double q = 1.0 + (s * s + t * t);
+    return {2.0 * s / q, 2.0 * t / q, (s * s + t * t - 1.0) / q};
+}
+
+/// The i-th case in space: a, b, c, p, q. In most families q is in front of the facet a b c and p behind it.
+inline std::array<Coordinates<3>, 5> bicell_3(std::size_t i) {
+    Source s(i + 1000001);
+    std::array<Coordinates<3>, 5> x{};
+    const auto any = [&] { return Coordinates<3>{s.uniform(), s.uniform(), s.uniform()}; };
+    const auto convex = [&] {  // a b c near the plane z = 0, p below, q above
+        std::array<Coordinates<3>, 5> y{Coordinates<3>{0.0, 0.0, 0.0}, Coordinates<3>{1.0, 0.0, 0.0},
+                                        Coordinates<3>{0.0, 1.0, 0.0}, Coordinates<3>{0.4, 0.3, -0.6},
+                                        Coordinates<3>{0.3, 0.4, 0.6}};
+        const double far = 0.25 * (1 + s.integer(0, 3));
+        for (auto& p : y)
+            for (double& c : p) c += 0.2 * s.uniform();
+        y[3][2] -= far;
+        y[4][2] += far;
+        return y;
+    };
+    switch (static_cast<int>(i % families)) {
+        case 0:  // anything
+            for (auto& p : x) p = any();
+            break;
+        case 1:
+            x = convex();
+            break;
+        case 2:
+        case 9: {  // cospherical to the ulp; or almost, with a chosen deficit
+            for (auto& p : x) {
+                const double u = s.uniform();
+                const double v = s.uniform();
+                p = on_sphere(u, v);
+            }
+            if (i % families == 9) {
+                const int exponent = -s.integer(28, 46);
+                const double grow = 1.0 + std::ldexp(s.uniform(), exponent);
+                for (double& c : x[4]) c *= grow;
+            }
+            break;
+        }
+        case 3:  // a small grid
+            for (auto& p : x)
+                for (double& c : p) c = static_cast<double>(s.integer(-1, 1));
+            break;
+        case 4: {  // slivers: p and q near the plane
+            const double flat = std::ldexp(1.0, -s.integer(3, 55));
+            x = convex();
+            for (auto& p : x) p[2] *= flat;
+            break;
+        }
+        case 5: {  // within the range of the filter, at both ends and beyond
+            const double scale = std::ldexp(1.0, s.integer(-104, 102));
+            x = convex();
+            for (auto& p : x)
+                for (double& c : p) c *= scale;
+            break;
+        }
+        case 6: {  // far from the origin
+            const double far = std::ldexp(1.0, s.integer(5, 50));
+            x = convex();
+            for (auto& p : x) p = {p[0] + far, p[1] - far, p[2] + 0.5 * far};
+            break;
+        }
+        case 7: {  // three cells around an edge: p q passes outside the facet, other partitions decide
+            const double pole = 1.0 - std::ldexp(1.0, -s.integer(2, 30));
+            x = {Coordinates<3>{0.0, 0.0, pole}, Coordinates<3>{0.0, 0.0, -pole}, Coordinates<3>{1.0, 0.0, 0.0},
+                 Coordinates<3>{-0.5, 0.875, 0.0}, Coordinates<3>{-0.5, -0.875, 0.0}};
+            for (auto& p : x)
+                for (double& c : p) c += 0x1p-40 * s.uniform();
+            break;
+        }
+        default: {  // every scale by itself
+            for (auto& p : x)
+                for (double& c : p) {
+                    const int exponent = s.integer(0, 3) ? s.integer(-60, 60) : s.integer(-1074, 499);
+                    c = s.integer(0, 5) == 0 ? 0.0 : std::ldexp(s.uniform(), exponent);
+                }
+            break;
+        }
+    }
+    return x;
+}
+
 }  // namespace annulus::link

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The filter stage in the plane, operation by operation: src/annulus/certificate/width_terms.h and ladder_2.h, with the names
-   there. Over any number type of operations.v. *)
+(* The filter stage in the plane, operation by operation: src/annulus/certificate/width_terms.h, decide.h and ladder_2.h, with the
+   names there. Over any number type of operations.v. Where C++ selects without a branch there is one here. *)
 From Coq Require Import List Floats Bool.
 From Annulus_link Require Import operations.
 Import ListNotations.
@@ -70,18 +70,17 @@ Definition annulus_terms (b p q e : vector) : width_terms :=
   let outer := squared mx + squared my in
   {| determinant := incircle; inner := inner; outer := outer |}.
 
-Definition roots (t : width_terms) := root o (inner t) + root o (outer t).
-
-Definition accept (t : width_terms) (det_error norm_error : T) (certified : bool) : answer T :=
-  if less o (determinant t) (opposite o det_error) then negative (constant o 0%float)
-  else if negb (less o det_error (determinant t * constant o filter_slack)) then refused
-  else if negb certified then positive (determinant t / roots t)
-  else if negb (less o norm_error (roots t * constant o filter_slack)) then refused
-  else positive ((determinant t - det_error) / (roots t + norm_error) * constant o one_less_tail).
+Definition decide (determinant roots det_error norm_error : T) (certified : bool) : answer T :=
+  if less o determinant (opposite o det_error) then negative (constant o 0%float)
+  else if negb (less o det_error (determinant * constant o filter_slack)) then refused
+  else if negb certified then positive (determinant / roots)
+  else if negb (less o norm_error (roots * constant o filter_slack)) then refused
+  else positive ((determinant - det_error) / (roots + norm_error) * constant o one_less_tail).
 
 Definition in_range (m : T) :=
   less_equal o m (constant o filter_range) && less_equal o (constant o 1%float) (m * constant o filter_range).
 
+Definition orientation_roots (t : width_terms) := constant o 2%float * root o (inner t).
 Definition orientation_magnitude (u v : vector) := greater o (largest u) (largest v).
 Definition orientation_error (m : T) := constant o orientation_2_u * (m * m).
 
@@ -91,12 +90,14 @@ Definition orientation_filter (a b c : vector) (certified : bool) : answer T :=
   let w := difference c b in
   let m := orientation_magnitude u v in
   if negb (in_range m) then refused
-  else accept (orientation_terms u v w) (orientation_error m) (constant o 0%float) certified.
+  else let t := orientation_terms u v w in
+       decide (determinant t) (orientation_roots t) (orientation_error m) (constant o 0%float) certified.
 
+Definition annulus_roots (t : width_terms) := root o (inner t) + root o (outer t).
 Definition annulus_magnitude (b p q e : vector) :=
   greater o (greater o (largest b) (largest p)) (greater o (largest q) (largest e)).
 Definition annulus_det_error (m : T) := let m2 := m * m in constant o annulus_2_incircle_u * (m2 * m2).
-Definition annulus_norm_error (m : T) := let m2 := m * m in let m3 := m2 * m in constant o annulus_2_norms_u * m3.
+Definition annulus_norm_error (m : T) := let m2 := m * m in constant o annulus_2_norms_u * (m2 * m).
 
 Definition empty_sphere_filter (a b p q : vector) (certified : bool) : answer T :=
   let b' := difference b a in
@@ -105,7 +106,8 @@ Definition empty_sphere_filter (a b p q : vector) (certified : bool) : answer T 
   let e := difference q p in
   let m := annulus_magnitude b' p' q' e in
   if negb (in_range m) then refused
-  else accept (annulus_terms b' p' q' e) (annulus_det_error m) (annulus_norm_error m) certified.
+  else let t := annulus_terms b' p' q' e in
+       decide (determinant t) (annulus_roots t) (annulus_det_error m) (annulus_norm_error m) certified.
 End over.
 
 (* The expressions of the terms, to be compared with those the C++ templates record. *)

@@ -55,10 +55,11 @@ Inductive expression :=
   | Sub (a b : expression)
   | Mul (a b : expression)
   | Max (a b : expression)
+  | Neg (a : expression)
   | Unrecorded.
 
 Definition recorded : operations := {|
   number := expression;
   add := Add; sub := Sub; mul := Mul; square a := Mul a a; greater := Max;
-  div _ _ := Unrecorded; root _ := Unrecorded; opposite _ := Unrecorded; magnitude _ := Unrecorded;
+  div _ _ := Unrecorded; root _ := Unrecorded; opposite := Neg; magnitude _ := Unrecorded;
   less _ _ := false; less_equal _ _ := false; constant _ := Unrecorded |}.

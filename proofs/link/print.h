@@ -5,7 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
-#include <initializer_list>
+#include <vector>
 
 namespace annulus::link {
 
@@ -23,7 +23,7 @@ class Row {
         else if (std::signbit(x)) std::printf(" (%a)", x);
         else std::printf(" %a", x);
     }
-    void numbers(std::initializer_list<double> xs) {
+    void numbers(const std::vector<double>& xs) {
         for (const double x : xs) number(x);
     }
     template <class Point, std::size_t k>

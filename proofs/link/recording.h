@@ -21,7 +21,7 @@ class Recorded {
     friend Recorded operator-(const Recorded& a, const Recorded& b) { return {"Sub", a, b}; }
     friend Recorded operator*(const Recorded& a, const Recorded& b) { return {"Mul", a, b}; }
     friend Recorded max(const Recorded& a, const Recorded& b) { return {"Max", a, b}; }
-    friend Recorded squared(const Recorded& a) { return a * a; }  // as squared(double)
+    friend Recorded operator-(const Recorded& a) { return {"Neg", a}; }
 
     /// Prints `Definition NAME : list expression := let t0 := ... in [...].`
     static void print(const char* name, const std::vector<Recorded>& results) {
@@ -47,6 +47,9 @@ class Recorded {
     Recorded(const char* operation, const Recorded& a, const Recorded& b)
         : node_(std::make_shared<Node>(Node{operation, 0, {a.node_, b.node_}})) {}
 
+    Recorded(const char* operation, const Recorded& a)
+        : node_(std::make_shared<Node>(Node{operation, 0, {a.node_}})) {}
+
     static std::size_t place(const Node* n, const std::vector<const Node*>& done) {
         std::size_t i = 0;
         while (i < done.size() && done[i] != n) ++i;
@@ -58,8 +61,9 @@ class Recorded {
         if (n.operands.empty()) {
             std::printf("  let t%zu := Input %zu in\n", count, n.index);
         } else {
-            std::printf("  let t%zu := %s t%zu t%zu in\n", count, n.operation, place(n.operands[0].get(), done),
-                        place(n.operands[1].get(), done));
+            std::printf("  let t%zu := %s", count, n.operation);
+            for (const auto& o : n.operands) std::printf(" t%zu", place(o.get(), done));
+            std::printf(" in\n");
         }
         done.push_back(&n);
         ++count;

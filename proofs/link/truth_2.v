@@ -115,7 +115,8 @@ Proof.
     unfold Rdiv in H1. rewrite Rmult_assoc, Rinv_l in H1; lra.
 Qed.
 
-(* Judgement of answers: `sound` of a stage that may refuse, `sharp` of one that answers and is off by less than two units. *)
+(* Judgement of answers: `sound` of a stage that may refuse, `sharp` of one that returns the
+   largest double not above the truth. *)
 Definition plain_float (f : float) : bool := match Prim2SF f with S754_zero false | S754_finite false _ _ => true | _ => false end.
 Definition proper (t : width_terms integers) : bool :=
   ((0 <=? inner _ t) && (0 <=? outer _ t) && (0 <? inner _ t + outer _ t))%Z.
@@ -128,12 +129,11 @@ Definition sound (t : width_terms integers) (k : Z) (a : answer float) : bool :=
   | zero y => (determinant _ t =? 0)%Z && is_zero y
   | positive y => (0 <? determinant _ t)%Z && proper t && plain_float y && (k <=? exponent y)%Z && below_half_width t (integer k y)
   end.
-Definition two_above (y : float) := PrimFloat.next_up (PrimFloat.next_up y).
 Definition sharp (t : width_terms integers) (k : Z) (a : answer float) : bool :=
   sound t k a &&
   match a with
   | refused => false
-  | positive y => plain_float (two_above y) && (k <=? exponent (two_above y))%Z && negb (below_half_width t (integer k (two_above y)))
+  | positive y => plain_float (PrimFloat.next_up y) && (k <=? exponent (PrimFloat.next_up y))%Z && negb (below_half_width t (integer k (PrimFloat.next_up y)))
   | _ => true
   end.
 
@@ -146,7 +146,7 @@ Definition soundly (t : width_terms reals) (a : answer float) : Prop :=
   | positive y => 0 < determinant _ t /\ 0 <= value y <= half_width t
   end.
 Definition sharply (t : width_terms reals) (a : answer float) : Prop :=
-  soundly t a /\ match a with refused => False | positive y => half_width t < value (two_above y) | _ => True end.
+  soundly t a /\ match a with refused => False | positive y => half_width t < value (PrimFloat.next_up y) | _ => True end.
 
 Lemma plain_integer : forall k f, plain_float f = true -> (k <= exponent f)%Z -> (0 <= integer k f)%Z.
 Proof.
@@ -201,7 +201,7 @@ Proof. intros k a b A B. split; apply value_integer; assumption. Qed.
 
 (* Tolerances of a row join the exponents, so that they are integers too; of each the next two doubles lie on the same grid. *)
 Definition numbers_of (a : answer float) : list float :=
-  match a with refused => [] | negative y | zero y | positive y => [y; two_above y] end.
+  match a with refused => [] | negative y | zero y | positive y => [y; PrimFloat.next_up y] end.
 
 Definition judge_orientation (ax ay bx by' cx cy : float) (interval exact : answer float) : bool :=
   let k := common ([ax; ay; bx; by'; cx; cy] ++ numbers_of interval ++ numbers_of exact) in

@@ -2,15 +2,19 @@
 // Prints, as Coq, what the compiled certificates compute; proofs/link/check replays it. Usage: vectors KIND COUNT. The inputs
 // are the same on every machine: nothing random but a counter.
 #include "certificates_2.h"
+#include "certificates_3.h"
 #include "named.h"
 #include "print.h"
 #include "recording.h"
 
 #include <annulus/arithmetic/environment.h>
 #include <annulus/arithmetic/rounding_guard.h>
+#include <annulus/certificate/batch.h>
 
 #include <cstdlib>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace annulus::link {
 namespace {
@@ -22,23 +26,35 @@ std::array<const Point*, k> pointers(const std::array<Point, k>& x) {
     return out;
 }
 
-/// One row a case: terms of the filter, and its answers with and without certified tolerances.
+/// One row a case: terms of the filter, and its answers with and without certified tolerances and in a batch.
 template <class Certificate>
 void filter_rows(const char* constructor, std::size_t count) {
+    std::vector<decltype(Certificate::family(0))> points(count);
+    std::vector<decltype(pointers(points[0]))> tuples(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const auto points = Certificate::family(i);
-        const auto x = pointers(points);
-        const auto t = Certificate::terms(x);
-        const double m = Certificate::magnitude(x);
-        const Errors e = Certificate::errors(m);
+        points[i] = Certificate::family(i);
+        tuples[i] = pointers(points[i]);
+    }
+    using Tuple = typename decltype(tuples)::value_type;
+    std::vector<Verdict> batch(count);
+    evaluate(std::span<const Tuple>(tuples), Mode::fast, std::span<Verdict>(batch));
+    for (std::size_t i = 0; i < count; ++i) {
+        const Tuple& x = tuples[i];
         Row row(constructor);
-        row.points(points);
-        row.numbers({t.determinant, t.inner, t.outer, m, e.determinant, e.norms,
-                     std::sqrt(t.inner) + std::sqrt(t.outer)});
+        row.points(points[i]);
+        row.numbers(Certificate::terms(x));
         for (const bool certified : {true, false}) {
             Verdict v;
             const bool answered = Certificate::filter(x, certified, v);
             row.answer(answered, v);
+        }
+        row.answer(batch[i].stage == Stage::filter, batch[i]);
+        if constexpr (Certificate::d == 3 && Certificate::points == 5) {
+            for (const Cells cells : {Cells::always, Cells::never}) {
+                Verdict v;
+                const bool answered = empty_sphere_filter(x, true, v, cells);
+                row.answer(answered, v);
+            }
         }
     }
 }
@@ -90,10 +106,33 @@ void programs_2() {
     print("annulus_2_program", annulus_terms(in(0), in(1), in(2), in(3)));
 }
 
+void programs_3() {
+    const auto in = [](std::size_t i) {
+        return Vector_3<Recorded>{Recorded::input(3 * i), Recorded::input(3 * i + 1), Recorded::input(3 * i + 2)};
+    };
+    const auto list = [](const Width_terms<Recorded>& t) { return std::vector<Recorded>{t.determinant, t.inner, t.outer}; };
+    Recorded::print("orientation_3_program", list(orientation_terms(in(0), in(1), in(2))));
+    const auto t = annulus_terms(in(0), in(1), in(2), in(3));
+    std::vector<Recorded> all{t.determinant};
+    all.insert(all.end(), t.inner.begin(), t.inner.end());
+    all.insert(all.end(), t.outer.begin(), t.outer.end());
+    all.insert(all.end(), t.side.begin(), t.side.end());
+    all.insert(all.end(), {t.cell_p, t.cell_q});
+    Recorded::print("bicell_3_program", all);
+    Recorded::print("cell_p_program", list(cell_p_terms(t)));
+    Recorded::print("cell_q_program", list(cell_q_terms(t)));
+}
+
+void constants_3() {
+    Row row("constants_3");
+    row.numbers({bounds::orientation_3, bounds::orientation_3_norms, bounds::annulus_3_insphere,
+                 bounds::annulus_3_norms, bounds::annulus_3_side, bounds::filter_range_3});
+}
+
 void constants_2() {
     Row row("constants_2");
     row.numbers({bounds::u, bounds::orientation_2, bounds::annulus_2_incircle, bounds::annulus_2_norms, bounds::tail,
-                 bounds::filter_slack, bounds::filter_range});
+                 bounds::filter_slack, bounds::filter_range, bounds::interval_slack});
 }
 
 int run(std::string_view kind, std::size_t count) {
@@ -103,8 +142,15 @@ int run(std::string_view kind, std::size_t count) {
     else if (kind == "orientation_2_later") later_rows<Orientation_2>("Later_orientation_2", count);
     else if (kind == "empty_sphere_2_later") later_rows<Empty_sphere_2>("Later_empty_sphere_2", count);
     else if (kind == "named_2") named_rows<Empty_sphere_2>("Named_2", named_2);
+    else if (kind == "orientation_3") filter_rows<Orientation_3>("Filter_orientation_3", count);
+    else if (kind == "empty_sphere_3") filter_rows<Empty_sphere_3>("Filter_empty_sphere_3", count);
+    else if (kind == "orientation_3_later") later_rows<Orientation_3>("Later_orientation_3", count);
+    else if (kind == "empty_sphere_3_later") later_rows<Empty_sphere_3>("Later_empty_sphere_3", count);
+    else if (kind == "named_3") named_rows<Empty_sphere_3>("Named_3", named_3);
     else if (kind == "programs_2") programs_2();
+    else if (kind == "programs_3") programs_3();
     else if (kind == "constants_2") constants_2();
+    else if (kind == "constants_3") constants_3();
     else return 2;
     return 0;
 }
