@@ -31,13 +31,12 @@ struct Named_3 {
     std::array<Coordinates<3>, 5> x;
 };
 
-/// The five points of docs/theory.md 3 with delta = 0.01: poles n, s = (0, 0, +-0.99) and p, q, r on the unit circle of z = 0; the bi-cell
-/// of the facet n s p, and the one of the facet p q r that moves of 0.007 lead to.
+/// The first is the five points of docs/theory.md 3 with delta = 0.01, as the bi-cell of a facet at the edge of the poles.
 inline constexpr double pole = 0x1.fae147ae147aep-1;
 inline constexpr double half_root_3 = 0x1.bb67ae8584caap-1;
 inline constexpr std::array<Named_3, 3> named_3{{
     {"five_points", {{{0.0, 0.0, pole}, {0.0, 0.0, -pole}, {1.0, 0.0, 0.0}, {-0.5, half_root_3, 0.0}, {-0.5, -half_root_3, 0.0}}}},
-    {"five_points_moved", {{{1.0, 0.0, 0.0}, {-0.5, half_root_3, 0.0}, {-0.5, -half_root_3, 0.0}, {0.0, 0.0, -1.25}, {0.0, 0.0, 1.25}}}},
+    {"two_cells_apart", {{{1.0, 0.0, 0.0}, {-0.5, half_root_3, 0.0}, {-0.5, -half_root_3, 0.0}, {0.0, 0.0, -1.25}, {0.0, 0.0, 1.25}}}},
     {"octahedron_half", {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, 0.0, -0x1.8p-1}, {1.0, 1.0, 1.0}}}},
 }};
 
