@@ -75,7 +75,8 @@ void later(Row& row, const Tuple& x) {
 template <class Certificate>
 void later_rows(const char* constructor, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        const auto points = Certificate::family(i);
+        // Without the family of all exponents in space: integers of 10,000 bits are too much for Coq.
+        const auto points = Certificate::family(Certificate::d == 3 ? i / 8 * 10 + i % 8 : i);
         Row row(constructor);
         row.points(points);
         later<Certificate>(row, pointers(points));
