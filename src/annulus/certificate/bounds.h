@@ -45,9 +45,9 @@ inline constexpr double tail = 16.0;
 /// stage is asked. Tightness, not validity: a lower bound less tight is still a lower bound.
 inline constexpr double filter_slack = 0x1p-10;
 
-/// The same for the interval stage: the upper end of the quotient is at most this share above the lower one. Wider, because the
+/// The same for the interval stage: the upper end of the quotient is at most this share above the lower one. May be wider, because the
 /// exact stage that would be asked next costs a hundred times as much, and nearly degenerate certificates are evaluated often.
-inline constexpr double interval_slack = 0x1p-5;
+inline constexpr double interval_slack = 0x1p-10;
 
 /// The filter works on unscaled differences whose largest magnitude m lies in [1 / filter_range, filter_range]; then
 /// m^6 and u m^8 are normal numbers and the absolute bounds above absorb every underflow. Outside, the interval stage

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Five points of space at which the paper's tolerance is too large (docs/theory.md 3).
+#include <annulus/arithmetic/error.h>
 #include <annulus/certificate/ladder.h>
 #include <annulus/certificate/theta.h>
 #include <annulus/cli/arguments.h>
@@ -146,6 +147,7 @@ Run add_counterexample_command(CLI::App& app, const Invocation&) {
     sub->add_flag("--json", a->json, "Print JSON instead of text");
     sub->add_flag("-q,--quiet", a->quiet, "Print nothing");
     return [a] {
+        if (std::isnan(a->delta)) throw Error(Error_code::usage, "--delta: not a number");
         const Result r = study(a->delta);
         const std::string text = write_json(json(r));
         if (!a->output.empty()) {
