@@ -71,7 +71,7 @@ Definition back (s : option (double * double)) (y : double) : double :=
   | Some (first, second) => over mode_DN (over mode_DN y first) second
   end.
 
-Definition interval_slack := (0x1p-5)%float.
+Definition interval_slack := (0x1p-10)%float.
 Definition sum_of_roots (a b : double) := plus mode_UP (root_of mode_UP a) (root_of mode_UP b).
 
 (* quotient_lower_tight, None where it is not tight; det is positive. *)

@@ -50,7 +50,7 @@ void filter_rows(const char* constructor, std::size_t count) {
         }
         row.answer(batch[i].stage == Stage::filter, batch[i]);
         if constexpr (Certificate::d == 3 && Certificate::points == 5) {
-            for (const Cells cells : {Cells::always, Cells::never}) {
+            for (const Cell_widths cells : {Cell_widths::always, Cell_widths::never}) {
                 Verdict v;
                 const bool answered = empty_sphere_filter(x, true, v, cells);
                 row.answer(answered, v);

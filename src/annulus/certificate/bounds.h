@@ -45,8 +45,8 @@ inline constexpr double tail = 16.0;
 /// stage is asked. Tightness, not validity: a lower bound less tight is still a lower bound.
 inline constexpr double filter_slack = 0x1p-10;
 
-/// The same for the interval stage: the upper end of the quotient is at most this share above the lower one. May be wider, because the
-/// exact stage that would be asked next costs a hundred times as much, and nearly degenerate certificates are evaluated often.
+/// The same for the interval stage: the upper end of the quotient is at most this share above the lower one. Not wider, because settled
+/// tolerances are promised to a fifth of a per cent.
 inline constexpr double interval_slack = 0x1p-10;
 
 /// The filter works on unscaled differences whose largest magnitude m lies in [1 / filter_range, filter_range]; then

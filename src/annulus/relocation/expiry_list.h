@@ -24,6 +24,8 @@ class alignas(64) Expiry_list {  // one cache line
     }
     [[nodiscard]] Expiry earliest() const { return size_ == 0 ? rest_ : expiry_[0]; }
     [[nodiscard]] Expiry rest() const { return rest_; }
+    /// The last of those listed.
+    [[nodiscard]] Expiry latest() const { return size_ == 0 ? rest_ : expiry_[size_ - 1]; }
     [[nodiscard]] bool empty() const { return size_ == 0; }
 
     /// Takes the first entry off; precondition: not empty.

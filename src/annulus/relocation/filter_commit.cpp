@@ -248,7 +248,7 @@ void Filter<d>::commit(std::span<const Coordinates<d>> x) {
     commit_evaluated<false>(x);
     for (const Index v : anchored_) {
         const Expiry_list& list = list_[at(v)];
-        if (list.base > 0x1p8 * (list.earliest().reading() - list.base)) rebase(v);
+        if (list.base > 0x1p8 * (list.latest().reading() - list.base)) rebase(v);
         set_threshold(v);
     }
     failed_.clear();
