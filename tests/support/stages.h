@@ -6,7 +6,7 @@
 #include <support/generators.h>
 
 #include <annulus/arithmetic/rounding_guard.h>
-#include <annulus/certificate/ladder_2.h>
+#include <annulus/certificate/ladder.h>
 
 #include <rapidcheck.h>
 
@@ -29,35 +29,39 @@ struct Answers {
     Verdict exact;
 };
 
-[[nodiscard]] inline Answers ask(const Bicell& c) {
+/// filter(certified, verdict), interval(verdict), exact(): the stages for one certificate.
+template <class Filter, class Interval, class Exact>
+[[nodiscard]] Answers ask_stages(Filter filter, Interval interval, Exact exact) {
     Answers a;
     Verdict v;
-    if (empty_sphere_filter(c.tuple(), true, v)) a.filter = v;
+    if (filter(true, v)) a.filter = v;
     v = {};
-    if (empty_sphere_filter(c.tuple(), false, v)) a.floating = v;
+    if (filter(false, v)) a.floating = v;
     {
         v = {};
         const Rounding_guard guard(FE_UPWARD);
-        if (empty_sphere_interval(c.tuple(), v)) a.interval = v;
+        if (interval(v)) a.interval = v;
     }
-    a.exact = empty_sphere_exact(c.tuple());
+    a.exact = exact();
     return a;
 }
 
-[[nodiscard]] inline Answers ask(const Triangle& t) {
-    Answers a;
-    Verdict v;
-    if (orientation_filter(t.tuple(), true, v)) a.filter = v;
-    v = {};
-    if (orientation_filter(t.tuple(), false, v)) a.floating = v;
-    {
-        v = {};
-        const Rounding_guard guard(FE_UPWARD);
-        if (orientation_interval(t.tuple(), v)) a.interval = v;
-    }
-    a.exact = orientation_exact(t.tuple());
-    return a;
+/// Of an orientation, in the plane or in space.
+template <class Points>
+[[nodiscard]] Answers ask_orientation(const Points& x) {
+    return ask_stages([&](bool certified, Verdict& v) { return orientation_filter(x, certified, v); },
+                      [&](Verdict& v) { return orientation_interval(x, v); }, [&] { return orientation_exact(x); });
 }
+/// Of an empty sphere; in space `cells` says whose widths enter.
+template <class Points, class... Cells>
+[[nodiscard]] Answers ask_empty_sphere(const Points& x, Cells... cells) {
+    return ask_stages([&](bool certified, Verdict& v) { return empty_sphere_filter(x, certified, v, cells...); },
+                      [&](Verdict& v) { return empty_sphere_interval(x, v, cells...); },
+                      [&] { return empty_sphere_exact(x, cells...); });
+}
+
+[[nodiscard]] inline Answers ask(const Bicell& c) { return ask_empty_sphere(c.tuple()); }
+[[nodiscard]] inline Answers ask(const Triangle& t) { return ask_orientation(t.tuple()); }
 
 [[nodiscard]] inline Verdict ladder(const Bicell& c, bool certified = true) {
     return empty_sphere_verdict(c.tuple(), certified);

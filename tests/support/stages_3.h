@@ -6,39 +6,10 @@
 #include <support/generators_3.h>
 #include <support/stages.h>
 
-#include <annulus/certificate/ladder_3.h>
-
 namespace annulus::testing {
 
-[[nodiscard]] inline Answers ask(const Tetrahedron& t) {
-    Answers a;
-    Verdict v;
-    if (orientation_filter(t.tuple(), true, v)) a.filter = v;
-    v = {};
-    if (orientation_filter(t.tuple(), false, v)) a.floating = v;
-    {
-        v = {};
-        const Rounding_guard guard(FE_UPWARD);
-        if (orientation_interval(t.tuple(), v)) a.interval = v;
-    }
-    a.exact = orientation_exact(t.tuple());
-    return a;
-}
-
-[[nodiscard]] inline Answers ask(const Bicell_3& c, Cell_widths cells) {
-    Answers a;
-    Verdict v;
-    if (empty_sphere_filter(c.tuple(), true, v, cells)) a.filter = v;
-    v = {};
-    if (empty_sphere_filter(c.tuple(), false, v, cells)) a.floating = v;
-    {
-        v = {};
-        const Rounding_guard guard(FE_UPWARD);
-        if (empty_sphere_interval(c.tuple(), v, cells)) a.interval = v;
-    }
-    a.exact = empty_sphere_exact(c.tuple(), cells);
-    return a;
-}
+[[nodiscard]] inline Answers ask(const Tetrahedron& t) { return ask_orientation(t.tuple()); }
+[[nodiscard]] inline Answers ask(const Bicell_3& c, Cell_widths cells) { return ask_empty_sphere(c.tuple(), cells); }
 
 inline constexpr std::array all_cells{Cell_widths::never, Cell_widths::where_needed, Cell_widths::always};
 

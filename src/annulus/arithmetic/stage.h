@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace annulus {
 
@@ -11,6 +12,10 @@ enum class Stage : std::uint8_t {
     interval,  ///< interval arithmetic
     exact,     ///< integers, directed only in the last division and square roots
 };
+
+[[nodiscard]] constexpr std::string_view name_of(Stage s) {
+    return s == Stage::filter ? "filter" : s == Stage::interval ? "interval" : "exact";
+}
 
 /// How many answers each stage gave.
 struct Stage_counts {

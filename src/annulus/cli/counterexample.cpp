@@ -91,14 +91,10 @@ Result study(double delta) {
     return r;
 }
 
-std::string_view name_of_stage(Stage s) {
-    return s == Stage::filter ? "filter" : s == Stage::interval ? "interval" : "exact";
-}
-
 nlohmann::ordered_json json(const Result& r) {
     return {{"delta", r.delta},
             {"tolerance", {{"paper", r.paper}, {"certified", r.certified.tolerance}, {"exact", r.exact}}},
-            {"stage", name_of_stage(r.certified.stage)},
+            {"stage", name_of(r.certified.stage)},
             {"theta_min", r.theta},
             {"move", r.move},
             {"largest_displacement_upper", r.displaced},
@@ -117,7 +113,7 @@ void print(const Result& r) {
     std::printf("triangulation  three cells around ab: %s\n", word(r.three_before));
     std::printf("tolerance      paper %.17g (standard annulus)\n", r.paper);
     std::printf("               certified %.17g (%s stage)\n", r.certified.tolerance,
-                std::string(name_of_stage(r.certified.stage)).c_str());
+                std::string(name_of(r.certified.stage)).c_str());
     std::printf("               exact %.17g, the largest double not above it\n", r.exact);
     std::printf("theta          %.17g, the least of the three facets at ab\n", r.theta);
     std::printf("move           a, b outward and p, q, r inward by %.17g\n", r.move);
