@@ -22,6 +22,9 @@ inline constexpr double annulus_2_outer = 123.0;     ///< annulus_terms: each co
 /// squares, roots and sum is relative and is in `tail`.
 inline constexpr double annulus_2_norms = 273.0;
 
+/// circumcircle_2.h, degree 4: proofs/gappa/circumcircle_2.g.
+inline constexpr double circumcircle_2 = 129.0;
+
 // In space: proofs/gappa/certificates_3.g, order of operations of width_terms_3.h.
 
 inline constexpr double orientation_3 = 47.0;       ///< orientation_terms: determinant, degree 3

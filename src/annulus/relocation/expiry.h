@@ -1,33 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <bit>
+#include <annulus/arithmetic/upper_half.h>
+
 #include <compare>
 #include <cstdint>
-#include <limits>
 
 namespace annulus {
 
-/// A reading of an odometer at which a certificate expires, rounded down: the upper half of a double, so that a step has
-/// half as much to fetch. It has the range of a double and 21 significant bits, and an expiry too low by 2^-20 of the
-/// reading costs an evaluation now and then, never an answer. Non-negative.
+/// A reading of an odometer at which a certificate expires, rounded down: too low by 2^-20 of the reading at most, which
+/// costs an evaluation now and then, never an answer. Non-negative.
 class Expiry {
   public:
     constexpr Expiry() = default;  // 0
     /// The largest not above `reading`; 0 unless that is positive.
-    [[nodiscard]] static constexpr Expiry lower(double reading) {
-        // The bits of a positive double grow with it, and dropping the lower ones is rounding towards 0.
-        return Expiry(reading > 0.0 ? static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(reading) >> 32) : 0U);
-    }
-    [[nodiscard]] static constexpr Expiry never() { return lower(std::numeric_limits<double>::infinity()); }
-    [[nodiscard]] constexpr double reading() const {
-        return std::bit_cast<double>(static_cast<std::uint64_t>(upper_half_) << 32);
-    }
-    friend constexpr auto operator<=>(const Expiry&, const Expiry&) = default;
+    [[nodiscard]] static constexpr Expiry lower(double reading) { return Expiry(Upper_half::lower(reading)); }
+    [[nodiscard]] static constexpr Expiry never() { return Expiry(Upper_half::infinity()); }
+    /// What bits() gave.
+    [[nodiscard]] static constexpr Expiry of_bits(std::uint32_t bits) { return Expiry(Upper_half::of_bits(bits)); }
+
+    [[nodiscard]] constexpr double reading() const { return half_.value(); }
+    [[nodiscard]] constexpr std::uint32_t bits() const { return half_.bits(); }
+    /// reading >= this->reading(): as this one's lower half is 0, the upper halves tell. Precondition: reading >= 0.
+    [[nodiscard]] constexpr bool reached(double reading) const { return !(lower(reading) < *this); }
+    friend constexpr bool operator==(const Expiry&, const Expiry&) = default;
+    friend constexpr std::strong_ordering operator<=>(const Expiry& l, const Expiry& r) { return l.bits() <=> r.bits(); }
 
   private:
-    constexpr explicit Expiry(std::uint32_t upper_half) : upper_half_(upper_half) {}
-    std::uint32_t upper_half_ = 0;
+    constexpr explicit Expiry(Upper_half half) : half_(half) {}
+    Upper_half half_;
 };
 
 }  // namespace annulus

@@ -4,6 +4,7 @@
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/relocation/expiry.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -13,74 +14,77 @@ namespace annulus {
 ///
 /// For every certificate of the vertex, either it is listed with an expiry not above its own, or its expiry is at least
 /// `rest`. So nothing expires before `earliest()`, and while readings stay below `rest` only listed certificates have to
-/// be looked at: a full tour of the vertex' certificates is needed only when the list has run dry. Entries are hints;
-/// the record of the certificate is the truth.
+/// be looked at: a full tour of the vertex' certificates is needed only beyond. Entries are hints; the record of the
+/// certificate is the truth.
+///
+/// Entries are kept sorted without branches: where one belongs is as good as random, and a wrong guess costs more than
+/// all of the moves.
 class alignas(64) Expiry_list {  // one cache line
   public:
     /// No certificate at all.
     void clear() {
-        size_ = 0;
         rest_ = Expiry::never();
+        entry_.fill(vacant);
     }
-    [[nodiscard]] Expiry earliest() const { return size_ == 0 ? rest_ : expiry_[0]; }
+    [[nodiscard]] Expiry earliest() const { return std::min(rest_, expiry_of(entry_[0])); }
     [[nodiscard]] Expiry rest() const { return rest_; }
-    /// The last of those listed.
-    [[nodiscard]] Expiry latest() const { return size_ == 0 ? rest_ : expiry_[size_ - 1]; }
-    [[nodiscard]] bool empty() const { return size_ == 0; }
+    /// The last of those listed; `rest` when there is none.
+    [[nodiscard]] Expiry latest() const {
+        for (std::size_t i = capacity; i-- > 0;)
+            if (entry_[i] != vacant) return expiry_of(entry_[i]);
+        return rest_;
+    }
 
-    /// Takes the first entry off; precondition: not empty.
-    Index pop() {
-        const Index id = id_[0];
-        remove(0);
-        return id;
+    /// Takes those off whose expiry `reading` has reached and calls visit(id) for each; visit may put entries.
+    template <class Visit>
+    void take_reached(double reading, Visit visit) {
+        const Entry end = (Entry{Expiry::lower(reading).bits()} + 1) << 32;
+        std::size_t count = 0;
+        for (const Entry e : entry_) count += static_cast<std::size_t>((e < end) & (e < vacant));
+        std::array<Entry, 2 * capacity> queue;
+        std::copy(entry_.begin(), entry_.end(), queue.begin());
+        std::fill(queue.begin() + capacity, queue.end(), vacant);
+        std::copy_n(queue.begin() + static_cast<std::ptrdiff_t>(count), capacity, entry_.begin());
+        for (std::size_t i = 0; i < count; ++i) visit(id_of(queue[i]));
     }
     /// States that certificate `id` now expires at `expiry`.
     void put(Index id, Expiry expiry) {
-        for (std::size_t i = 0; i < size_; ++i)
-            if (id_[i] == id) {
-                remove(i);
-                break;
-            }
+        Entry found = 0;  // all ones from where the entry of `id` is
+        for (std::size_t i = 0; i < capacity; ++i) {
+            const Entry next = i + 1 < capacity ? entry_[i + 1] : vacant;
+            found |= mask(id_of(entry_[i]) == id);
+            entry_[i] = (entry_[i] & ~found) | (next & found);
+        }
         put_new(id, expiry);
     }
     /// The same for a certificate that is not listed.
     void put_new(Index id, Expiry expiry) {
-        if (!(expiry < rest_)) return;
-        if (size_ == capacity) {
-            if (!(expiry < expiry_[capacity - 1])) {
-                rest_ = expiry;
-                return;
-            }
-            rest_ = expiry_[capacity - 1];
-            --size_;
+        Entry moving = (Entry{expiry.bits()} << 32) | static_cast<std::uint32_t>(id);
+        for (Entry& e : entry_) {
+            const Entry exchange = (e ^ moving) & mask(moving < e);
+            e ^= exchange;
+            moving ^= exchange;
         }
-        std::size_t i = size_++;
-        for (; i > 0 && expiry < expiry_[i - 1]; --i) {
-            expiry_[i] = expiry_[i - 1];
-            id_[i] = id_[i - 1];
-        }
-        expiry_[i] = expiry;
-        id_[i] = id;
+        rest_ = std::min(rest_, expiry_of(moving));
     }
 
     /// Upper bound of the length of the path of fixed positions since the odometer was at 0.
     double base = 0.0;
+    /// Of the step in which the vertex was anchored last (Filter::epoch_).
+    std::uint32_t stamp = 0;
 
   private:
+    using Entry = std::uint64_t;  // expiry and id: the order is that of expiries
     static constexpr std::size_t capacity = 6;
+    static constexpr Entry vacant = (Entry{Expiry::never().bits()} << 32) | static_cast<std::uint32_t>(none);
 
-    void remove(std::size_t i) {
-        --size_;
-        for (; i < size_; ++i) {
-            expiry_[i] = expiry_[i + 1];
-            id_[i] = id_[i + 1];
-        }
-    }
+    /// All ones or all zeros; compilers make branches of the conditional operator and of std::min.
+    [[nodiscard]] static Entry mask(bool b) { return Entry{0} - static_cast<Entry>(b); }
+    [[nodiscard]] static Expiry expiry_of(Entry e) { return Expiry::of_bits(static_cast<std::uint32_t>(e >> 32)); }
+    [[nodiscard]] static Index id_of(Entry e) { return static_cast<Index>(static_cast<std::uint32_t>(e)); }
 
     Expiry rest_ = Expiry::never();
-    std::uint32_t size_ = 0;
-    std::array<Expiry, capacity> expiry_{};
-    std::array<Index, capacity> id_{};
+    std::array<Entry, capacity> entry_{vacant, vacant, vacant, vacant, vacant, vacant};
 };
 static_assert(sizeof(Expiry_list) == 64);
 

@@ -5,6 +5,8 @@
 #include <annulus/arithmetic/domain.h>
 
 #include <algorithm>
+#include <experimental/simd>
+#include <type_traits>
 
 namespace annulus {
 
@@ -42,25 +44,46 @@ void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
 /// domain allow (or is none at all).
 template <int d>
 bool Filter<d>::find_failed(std::span<const Coordinates<d>> x) {
+    using Vector = std::experimental::fixed_size_simd<double, d>;
+    constexpr std::experimental::element_aligned_tag elements;
     failed_.clear();
-    const auto n = static_cast<Index>(x.size());
-    const Time now = prediction_.now();
     const double limit = std::min(prediction_.limit(), coordinate_limit);
-    const auto pass = [&](auto expected) {
-        bool near = true;
-        for (Index v = 0; v < n; ++v) {
-            const Vertex_record<d>& r = vertex_[at(v)];
-            const Coordinates<d> f = expected(r);
-            near &= within(x[at(v)], limit);
-            if (squared_distance<d>(x[at(v)], f) < r.threshold) [[likely]]
+    const Vertex_record<d>* const record = vertex_.data();
+    const Time now = prediction_.now();
+    const double speed = prediction_.speed();
+    Vector farthest(0.0);  // by coordinate; may miss what is no number, which fails below
+    bool near = true;
+    const auto pass = [&](auto predicted) {
+        for (std::size_t v = 0; v < x.size(); ++v) {
+            const Vertex_record<d>& r = record[v];
+            const Vector p(x[v].data(), elements);
+            farthest = max(farthest, abs(p));
+            Vector expected(r.fixed.data(), elements);
+            if constexpr (predicted)
+                expected += static_cast<std::int32_t>(now - r.since) * speed *
+                            Vector([&r](auto k) { return static_cast<double>(r.velocity[k]); });
+            const Vector off = (p - expected) * (p - expected);
+            double squares = off[0];
+            for (std::size_t k = 1; k < static_cast<std::size_t>(d); ++k) squares += off[k];
+            if (squares < r.threshold.value()) [[likely]]
                 continue;
-            if ((x[at(v)] == f && r.rests()) || table_.corner_of(v) == none) continue;
-            failed_.push_back(v);
+            near &= within(x[v], limit);
+            if ((r.rests() && x[v] == r.fixed) || table_.corner_of(static_cast<Index>(v)) == none) continue;
+            failed_.push_back(static_cast<Index>(v));
         }
-        return near;
     };
-    return prediction_.active() ? pass([now](const Vertex_record<d>& r) { return r.expected(now); })
-                                : pass([](const Vertex_record<d>& r) { return r.fixed; });
+    if (!tracks_) {
+        for (std::size_t v = 0; v < x.size(); ++v) {
+            near &= within(x[v], limit);
+            if (x[v] != position_[v] && table_.corner_of(static_cast<Index>(v)) != none)
+                failed_.push_back(static_cast<Index>(v));
+        }
+    } else if (prediction_.active()) {
+        pass(std::true_type());
+    } else {
+        pass(std::false_type());
+    }
+    return near && all_of(farthest <= limit);
 }
 
 /// After find_failed saw a coordinate beyond the limits: throws if it is outside the domain, and settles without a
@@ -86,12 +109,7 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
         prediction_.advance(prediction_.ticks_of_step(position_, x, vertex_));
         (void)find_failed(x);
     }
-    const bool tracked = tracks_;
-    const bool everything = most_expired(x);
-    if (!tracks_ && !everything && !failed_.empty()) {
-        settle(position_, report);
-        (void)find_failed(x);
-    }
+    const bool everything = !tracks_ || too_dear();
     const std::size_t asked = embedding_.vertices();
     note_displacements(x);
     if (failed_.empty() && !prediction_.any_due()) {
@@ -105,7 +123,6 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
         } catch (...) {
             prediction_.retreat();
             last_step_.clear();
-            if (!tracked) stop_tracking();
             throw;
         }
     }
@@ -120,17 +137,21 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index
     renewals_.clear();
     repair_.begin(x, movers.empty());
     tours_ = 0;
-    if (!everything) find_expired(x);
     auto outcome = Repair<d>::Outcome::flipped;
-    if (!(everything ? repair_.evaluate_everything() : repair_.evaluate())) outcome = repair_.mend(position_, movers);
+    if (!everything) find_expired(x);
+    try {
+        if (!(everything ? repair_.evaluate_everything() : repair_.evaluate())) outcome = repair_.mend(position_, movers);
+    } catch (...) {
+        if (!everything) undo_anchoring();
+        throw;
+    }
     // From here on nothing throws.
     report += repair_.report();
     if (report_changes_) repair_.list_changes(report);
-    if (!everything) spent_ += failed_.size();
+    if (!everything) note_expenses(repair_.report().evaluated);
     report.renewed += renewals_.size();
     report.tours += tours_;
     count(movers.empty() ? embedding_.vertices() : movers.size(), outcome, report);
-    const bool track = !everything || worth_tracking(x, report);
     if (!everything && outcome != Repair<d>::Outcome::rebuilt) commit(x);
     if (outcome == Repair<d>::Outcome::flipped) {
         if (movers.empty()) {
@@ -140,9 +161,10 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index
         }
     }
     if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
-    if (!track) {
-        stop_tracking();
-    } else if (everything || outcome == Repair<d>::Outcome::rebuilt) {
+    if (everything) {
+        if (tracks_) stop_tracking();
+        ++untracked_;
+    } else if (outcome == Repair<d>::Outcome::rebuilt) {
         settle(position_, report);
     }
 }

@@ -32,8 +32,8 @@ enum class Second_look : std::uint8_t {
 /// their points take their moving positions as fixed ones, and whatever is violated is mended (Repair). Soundness:
 /// docs/theory.md.
 ///
-/// While nearly every certificate expires at every step (the first steps of an optimisation) tolerances are not kept at
-/// all: all certificates are evaluated, once, for their signs (`tracks`).
+/// While so many certificates expire at every step (the first steps of an optimisation) that the signs of all of them cost
+/// less than the tolerances of these, tolerances are not kept at all (`tracks`).
 ///
 /// When a motion goes on as it did the step before, fixed positions move along with it (Prediction): coherent drift
 /// then wears out no tolerance. Predictions are taken up and dropped as they prove themselves (`reconsider`).
@@ -67,7 +67,9 @@ class Filter {
 
     [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
     /// Where D is measured from: the fixed position, moved along with the prediction.
-    [[nodiscard]] Coordinates<d> fixed_position(Index v) const { return vertex_[at(v)].expected(prediction_.now()); }
+    [[nodiscard]] Coordinates<d> fixed_position(Index v) const {
+        return !tracks_ ? position_[at(v)] : vertex_[at(v)].expected(prediction_.now(), prediction_.speed());
+    }
     /// False while the motion is so fast that tolerances would not last a step and are not kept.
     [[nodiscard]] bool tracks() const { return tracks_; }
     /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own.
@@ -85,6 +87,10 @@ class Filter {
     struct Cell_record {
         std::array<Expiry, static_cast<std::size_t>(d + 1)> expiry;  // by slot
     };
+    struct Failed {
+        Vertex_record<d> record;
+        Expiry_list list;
+    };
     struct Renewal {
         Index facet;
         std::array<double, static_cast<std::size_t>(d + 2)> expiry;
@@ -101,7 +107,7 @@ class Filter {
     }
     [[nodiscard]] bool passes(Index v, const Coordinates<d>& p) const {
         const Coordinates<d> f = fixed_position(v);
-        return squared_distance<d>(p, f) < vertex_[at(v)].threshold || (p == f && vertex_[at(v)].rests());
+        return squared_distance<d>(p, f) < vertex_[at(v)].threshold.value() || (p == f && vertex_[at(v)].rests());
     }
     /// Odometer reading of v at x: an upper bound.
     [[nodiscard]] double reading(Index v, const Coordinates<d>& x) const {
@@ -113,19 +119,26 @@ class Filter {
     void require_covered(std::span<const Coordinates<d>> x, Move_report& report);
     /// Decides whether the motion is worth predicting; to be called after each step with the positions before it.
     void reconsider(Move_report& report);
-    [[nodiscard]] bool coherent(const std::vector<Coordinates<d>>& velocity) const;
+    /// Certificates expected to expire at the next step, of one, under each way to keep their tolerances.
+    struct Outlook {
+        double resting = 0.0;
+        double predicted = 0.0;
+    };
+    [[nodiscard]] Outlook outlook(double pace, Move_report& report);
+    [[nodiscard]] bool too_dear() const;
+    void note_expenses(std::uint64_t evaluated);
     void note_displacements(std::span<const Coordinates<d>> x);
     void settle_here(Move_report& report);
     void stop_tracking();
-    [[nodiscard]] bool worth_tracking(std::span<const Coordinates<d>> x, Move_report& report);
     void resize();
     [[nodiscard]] double reach() const;
     void process(std::span<const Coordinates<d>> x, std::span<const Index> movers, bool everything,
                  Move_report& report);
     void find_expired(std::span<const Coordinates<d>> x);
-    [[nodiscard]] bool most_expired(std::span<const Coordinates<d>> x) const;
     void commit(std::span<const Coordinates<d>> x);
     void anchor(Index v, std::span<const Coordinates<d>> x);
+    void begin_anchoring();
+    void undo_anchoring();
     [[nodiscard]] bool second_look(Index f, std::span<const Coordinates<d>> x);
     [[nodiscard]] bool unequal_moves(Index f, std::span<const Coordinates<d>> x);
     [[nodiscard]] bool safe_region(Index f, std::span<const Coordinates<d>> x);
@@ -134,6 +147,8 @@ class Filter {
     void look_at(Index id, Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
     void tour(Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
     void rebase(Index v);
+    template <class Points>
+    void prefetch(const Points& points) const;
     void commit_renewals(std::span<const Coordinates<d>> x);
     /// `fresh`: no certificate in question is on any list.
     template <bool fresh>
@@ -141,7 +156,7 @@ class Filter {
     template <bool fresh, class S>
     [[nodiscard]] Time commit_points(const S& suspect, Index id, std::span<Expiry> expiry,
                                      std::span<const Coordinates<d>> x);
-    void set_threshold(Index v) { vertex_[at(v)].threshold = squared_threshold_lower(slack(v)); }
+    void set_threshold(Index v) { vertex_[at(v)].threshold = Upper_half::lower(squared_threshold_lower(slack(v))); }
     /// How far v may be from its fixed position (proofs/coq/float_displacement.v, passes_2_sound).
     [[nodiscard]] double slack(Index v) const {
         const Expiry_list& list = list_[at(v)];
@@ -158,7 +173,9 @@ class Filter {
     Prediction<d> prediction_;
     std::vector<Coordinates<d>> last_step_;  // displacements of the step before, while a prediction is considered
     std::vector<Coordinates<d>> this_step_;
-    std::uint64_t spent_ = 0;  // failures since the last settling
+    std::uint64_t spent_ = 0;      // failures since the last settling
+    double overdraft_ = 0.0;       // failures, by which tracking cost more than signs alone since the last settling
+    std::uint64_t untracked_ = 0;  // steps since tolerances were given up
     std::vector<Coordinates<d>> position_;
     std::vector<Vertex_record<d>> vertex_;
     std::vector<Expiry_list> list_;  // by vertex
@@ -171,13 +188,13 @@ class Filter {
     std::vector<Delimiter_2> delimiter_;  // by facet, for the second look that needs it
     // Of one step:
     std::vector<Index> failed_;
-    std::vector<Expiry_list> failed_list_;  // of failed_, with base at the new fixed position
+    std::vector<Failed> before_;  // of failed_, what they were before the step
     std::vector<std::pair<Expiry, Index>> certificates_;  // of one vertex: expiry and id
     std::vector<Index> anchored_;
     std::vector<Renewal> renewals_;
     std::vector<std::uint64_t> disturbed_stamp_;
     std::uint64_t step_ = 0;   // of disturbed_stamp_
-    std::uint32_t epoch_ = 0;  // of Vertex_record::stamp
+    std::uint32_t epoch_ = 0;  // of Expiry_list::stamp
     std::uint64_t tours_ = 0;
 };
 

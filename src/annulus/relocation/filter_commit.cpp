@@ -8,6 +8,7 @@ namespace annulus {
 
 namespace {
 constexpr Expiry never = Expiry::never();
+constexpr std::size_t prefetched = 8;  // certificates ahead
 }  // namespace
 
 template <int d>
@@ -56,11 +57,12 @@ double Filter<d>::reach() const {
 template <int d>
 void Filter<d>::settle_here(Move_report& report) {
     spent_ = 0;
+    overdraft_ = 0.0;
     tracks_ = true;
     for (std::size_t v = 0; v < position_.size(); ++v) {
         vertex_[v].fixed = position_[v];
         vertex_[v].since = prediction_.now();
-        vertex_[v].threshold = 0.0;
+        vertex_[v].threshold = {};
     }
     std::fill(list_.begin(), list_.end(), Expiry_list{});
     if (embedding_.dimension() != d) return;
@@ -88,12 +90,9 @@ void Filter<d>::settle_here(Move_report& report) {
 template <int d>
 void Filter<d>::stop_tracking() {
     tracks_ = false;
+    untracked_ = 0;
     prediction_.clear(vertex_);
     last_step_.clear();
-    for (std::size_t v = 0; v < position_.size(); ++v) {
-        vertex_[v].fixed = position_[v];
-        vertex_[v].threshold = 0.0;
-    }
 }
 
 template <int d>
@@ -111,6 +110,7 @@ void Filter<d>::refresh(std::span<const Index> cells, Move_report& report) {
     renewals_.clear();
     failed_.clear();
     if (!tracks_) return;
+    begin_anchoring();
     repair_.begin(position_);
     repair_.suspect_cells(cells);
     (void)repair_.evaluate();
@@ -121,12 +121,13 @@ void Filter<d>::refresh(std::span<const Index> cells, Move_report& report) {
 
 template <int d>
 void Filter<d>::anchor(Index v, std::span<const Coordinates<d>> x) {
-    Vertex_record<d>& r = vertex_[at(v)];
-    if (r.stamp == epoch_) return;
-    r.stamp = epoch_;
+    Expiry_list& list = list_[at(v)];
+    if (list.stamp == epoch_) return;
+    list.stamp = epoch_;
     anchored_.push_back(v);
+    Vertex_record<d>& r = vertex_[at(v)];
     if (r.rests() && x[at(v)] == r.fixed) return;
-    list_[at(v)].base = reading(v, x[at(v)]);
+    list.base = reading(v, x[at(v)]);
     r.fixed = x[at(v)];
     r.since = prediction_.now();
 }
@@ -167,15 +168,26 @@ void Filter<d>::commit_renewals(std::span<const Coordinates<d>> x) {
             }
             r.expiry[k] = Expiry::lower(expiry);
             list_[at(v)].put(id_of_facet(renewal.facet), r.expiry[k]);
-            if (vertex_[at(v)].stamp != epoch_) set_threshold(v);
+            if (list_[at(v)].stamp != epoch_) set_threshold(v);
         }
     }
+}
+
+/// What commit_points() needs of these points first: whether they are anchored. A guess would have to wait for it.
+template <int d>
+template <class Points>
+void Filter<d>::prefetch(const Points& points) const {
+    for (const Index v : points)
+        if (v != none) __builtin_prefetch(&list_[at(v)], 1);
 }
 
 template <int d>
 template <bool fresh>
 void Filter<d>::commit_evaluated(std::span<const Coordinates<d>> x) {
-    for (const auto& s : repair_.facets()) {
+    const auto facets = repair_.facets();
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+        if (!fresh && i + prefetched < facets.size()) prefetch(facets[i + prefetched].point);
+        const auto& s = facets[i];
         if (!repair_.exists(s)) continue;
         Facet_record& r = facet_record_[at(s.id)];
         r.point = s.point;
@@ -228,21 +240,7 @@ void Filter<d>::rebase(Index v) {
 
 template <int d>
 void Filter<d>::commit(std::span<const Coordinates<d>> x) {
-    if (++epoch_ == 0) {
-        for (auto& r : vertex_) r.stamp = 0;
-        epoch_ = 1;
-    }
     resize();
-    anchored_.clear();
-    for (std::size_t i = 0; i < failed_.size(); ++i) {
-        const Index v = failed_[i];
-        Vertex_record<d>& r = vertex_[at(v)];
-        r.stamp = epoch_;
-        r.fixed = x[at(v)];
-        r.since = prediction_.now();
-        anchored_.push_back(v);
-        list_[at(v)] = failed_list_[i];
-    }
     for (const Index v : repair_.reinserted()) list_[at(v)].clear();
     commit_renewals(x);
     commit_evaluated<false>(x);

@@ -7,16 +7,40 @@
 namespace annulus {
 
 namespace {
-constexpr std::size_t settling_price = 3;  // in failures a vertex: 310 and 190 ns when measured, and the terms to come
+// Prices in units of 400 ns, measured.
+constexpr double failure_price = 0.4;
+constexpr double evaluation_price = 0.6;
+constexpr double signs_price = 0.11;    // of all signs, a vertex
+constexpr double settling_price = 0.8;  // a vertex
+// Of a certificate that the outlook lets expire, which is more than do.
+constexpr double resting_price = 0.74;
+constexpr double predicted_price = 0.38;
+constexpr std::size_t patience = 3;     // failures a vertex after which another prediction is considered
+constexpr std::uint64_t check_interval = 8;  // steps without tolerances, between looks whether they would pay
 }  // namespace
 
-/// When as much was spent on failures as a settling with a prediction would cost, the
-/// displacements of two consecutive steps are compared (rent or buy). A prediction promises to be worth it when a step
-/// resembles the one before and neighbours move alike.
+/// Whether tolerances have to be given up: so many failed, in this step and before, that with the signs of all certificates
+/// instead a settling would have been paid for (rent or buy).
+template <int d>
+bool Filter<d>::too_dear() const {
+    if (repair_.kind() == Tolerance_kind::paper) return false;
+    const auto n = static_cast<double>(embedding_.vertices());
+    return overdraft_ + static_cast<double>(failed_.size()) > (settling_price + signs_price) * n;
+}
+
+template <int d>
+void Filter<d>::note_expenses(std::uint64_t evaluated) {
+    spent_ += failed_.size();
+    const double price = failure_price * static_cast<double>(failed_.size()) + evaluation_price * static_cast<double>(evaluated);
+    overdraft_ += std::max(0.0, price - signs_price * static_cast<double>(embedding_.vertices()));
+}
+
+/// Displacements of two consecutive steps are compared once as much was spent on failures as is worth a look (rent or
+/// buy), and from time to time while no tolerances are kept.
 template <int d>
 void Filter<d>::note_displacements(std::span<const Coordinates<d>> x) {
     this_step_.clear();
-    if (spent_ < settling_price * x.size()) return;
+    if (tracks_ ? spent_ < patience * x.size() : untracked_ % check_interval > 1) return;
     this_step_.resize(x.size());
     for (std::size_t v = 0; v < x.size(); ++v)
         if (table_.corner_of(static_cast<Index>(v)) != none)
@@ -24,28 +48,46 @@ void Filter<d>::note_displacements(std::span<const Coordinates<d>> x) {
                 this_step_[v][k] = x[v][k] - position_[v][k];
 }
 
-/// With a prediction a certificate of tolerance s lasts about s / 2 rho steps, without s / max |u|. True when, over a
-/// sample of facets, the first is at least three times as long.
+/// By a sample of facets. At rest a certificate of tolerance s expires after s / max |u| steps. Under a prediction its term
+/// ends after (1 - share) s / rho steps, and deviations, when velocities change by a at every step beyond what the clock
+/// follows, have used share s up after sqrt(2 share s / a) steps.
 template <int d>
-bool Filter<d>::coherent(const std::vector<Coordinates<d>>& velocity) const {
-    const Index bound = table_.facet_bound();
-    const Index stride = 1 + bound / 1024;
-    double relative = 0.0;
-    double absolute = 0.0;
-    for (Index f = 0; f < bound; f += stride) {
-        if (!table_.is_facet(f) || kind_[at(f)] != Facet_kind::empty_sphere) continue;
-        const auto& point = facet_record_[at(f)].point;
+auto Filter<d>::outlook(double pace, Move_report& report) -> Outlook {
+    constexpr double share = Prediction<d>::deviation_share;
+    const Index stride = 1 + table_.facet_bound() / 512;
+    repair_.begin(position_, false);
+    for (Index f = 0; f < table_.facet_bound(); f += stride)
+        if (table_.is_facet(f)) repair_.suspect_facet(f);
+    (void)repair_.evaluate();
+    report.evaluated += repair_.report().evaluated;
+    report.arithmetic += repair_.report().arithmetic;
+    Outlook sum;
+    std::size_t sampled = 0;
+    for (const auto& s : repair_.facets()) {
+        if (s.kind != Facet_kind::empty_sphere) continue;
         double fastest = 0.0;
-        for (const Index v : point) fastest = std::max(fastest, squared_distance<d>(velocity[at(v)], Coordinates<d>{}));
-        absolute += std::sqrt(fastest);
-        relative += Prediction<d>::spread(point, [&](Index v) -> const Coordinates<d>& { return velocity[at(v)]; });
+        double change = 0.0;
+        for (const Index v : s.point) {
+            fastest = std::max(fastest, squared_distance<d>(this_step_[at(v)], Coordinates<d>{}));
+            Coordinates<d> slowed = last_step_[at(v)];
+            for (double& c : slowed) c *= pace;
+            change = std::max(change, squared_distance<d>(this_step_[at(v)], slowed));
+        }
+        const double rho = Prediction<d>::spread(s.point, [this](Index v) { return this_step_[at(v)]; });
+        const double room = s.verdict.tolerance;
+        const auto rate = [](double cost, double budget) { return cost < budget ? cost / budget : cost > 0.0 ? 1.0 : 0.0; };
+        sum.resting += rate(std::sqrt(fastest), room);
+        sum.predicted += std::max(rate(rho, (1.0 - share) * room), std::sqrt(rate(std::sqrt(change), 2.0 * share * room)));
+        ++sampled;
     }
-    return 2.0 * relative < absolute;
+    const double scale = 1.0 / static_cast<double>(std::max<std::size_t>(sampled, 1));
+    return {sum.resting * scale, sum.predicted * scale};
 }
 
+/// With two consecutive displacements at hand: how to go on.
 template <int d>
 void Filter<d>::reconsider(Move_report& report) {
-    if (this_step_.empty() || spent_ < settling_price * this_step_.size()) {  // also when a rebuild has settled meanwhile
+    if (this_step_.empty()) {
         last_step_.clear();
         return;
     }
@@ -53,19 +95,26 @@ void Filter<d>::reconsider(Move_report& report) {
         std::swap(last_step_, this_step_);
         return;
     }
-    double way = 0.0;
-    double change = 0.0;
-    for (std::size_t v = 0; v < this_step_.size(); ++v) {
-        way += squared_distance<d>(this_step_[v], Coordinates<d>{});
-        change += squared_distance<d>(this_step_[v], last_step_[v]);
-    }
+    double along = 0.0;
+    double before = 0.0;
+    for (std::size_t v = 0; v < this_step_.size(); ++v)
+        for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) {
+            along += this_step_[v][k] * last_step_[v][k];
+            before += last_step_[v][k] * last_step_[v][k];
+        }
+    const Outlook o = outlook(before > 0.0 ? along / before : 0.0, report);
     last_step_.clear();
     spent_ = 0;
-    // Deviations a quarter of displacements, in the mean.
-    if (change < 0.0625 * way && coherent(this_step_)) {
+    // Facets and cells a vertex.
+    const double certificates = d == 2 ? 5.0 : 20.0;
+    const double at_rest = resting_price * certificates * o.resting;
+    const double on_course = predicted_price * certificates * o.predicted;
+    if (!tracks_ && std::min(at_rest, on_course) > signs_price) return;
+    const bool predict = on_course < at_rest;
+    if (predict) {
         prediction_.adopt(this_step_, vertex_, reach());
         settle_here(report);
-    } else if (prediction_.active()) {
+    } else if (prediction_.active() || !tracks_) {
         settle(position_, report);
     }
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/arithmetic/upper_half.h>
 #include <annulus/relocation/displacement.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -12,25 +14,25 @@
 
 namespace annulus {
 
-/// What a step reads of every vertex to tell whether it moved too far.
+/// What a step reads of every vertex to tell whether it moved too far: in the plane half a cache line.
 template <int d>
 struct Vertex_record {
     using Time = std::uint32_t;
 
-    Coordinates<d> fixed{};     ///< fixed position, at time `since`
-    Coordinates<d> velocity{};  ///< by which it is expected to move, a tick
-    double threshold = 0.0;     ///< squared, compared with |moving - expected|^2
+    Coordinates<d> fixed{};  ///< fixed position, at time `since`
+    std::array<float, static_cast<std::size_t>(d)> velocity{};  ///< in units of Prediction::speed() a tick
+    Upper_half threshold;    ///< squared, compared with |moving - expected|^2
     Time since = 0;
-    std::uint32_t stamp = 0;  ///< of the step in which it was anchored last (Filter::epoch_)
 
-    /// Where the vertex is expected at time `now`: its fixed position when nothing is predicted.
-    [[nodiscard]] Coordinates<d> expected(Time now) const {
+    /// Where the vertex is expected at time `now`: its fixed position when nothing is predicted. `speed` is that of the
+    /// prediction, a power of two.
+    [[nodiscard]] Coordinates<d> expected(Time now, double speed) const {
         Coordinates<d> e = fixed;
-        const double ticks = static_cast<std::int32_t>(now - since);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) e[k] += ticks * velocity[k];
+        const double way = static_cast<std::int32_t>(now - since) * speed;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) e[k] += way * static_cast<double>(velocity[k]);
         return e;
     }
-    [[nodiscard]] bool rests() const { return velocity == Coordinates<d>{}; }
+    [[nodiscard]] bool rests() const { return velocity == std::array<float, static_cast<std::size_t>(d)>{}; }
 };
 
 /// Prediction of a motion: fixed positions that move along, so that a drift shared by neighbours costs nothing.
@@ -53,6 +55,8 @@ class Prediction {
   public:
     using Time = typename Vertex_record<d>::Time;
     static constexpr Time forever = std::numeric_limits<Time>::max();
+    /// What deviations get of a tolerance; measured to need the fewest evaluations.
+    static constexpr double deviation_share = 0.6875;
     /// Settle when this is reached.
     static constexpr Time latest = Time{1} << 30;
 
@@ -64,6 +68,8 @@ class Prediction {
     [[nodiscard]] bool active() const { return active_; }
     [[nodiscard]] Time now() const { return now_; }
     [[nodiscard]] double slack() const { return slack_; }
+    /// The unit of velocities, a power of two.
+    [[nodiscard]] double speed() const { return speed_; }
 
     /// Everything rests from now on, and nothing is scheduled.
     void clear(std::span<Vertex_record<d>> vertices) {
@@ -74,15 +80,21 @@ class Prediction {
         for (auto& bucket : calendar_) bucket.clear();
         active_ = false;
         slack_ = 0.0;
+        speed_ = 1.0;
         before_ = now_ = 0;
     }
     /// Vertex v moves by displacement[v] in a step of ordinary length. Replaces everything predicted before. `reach`
     /// bounds the coordinates.
     void adopt(std::span<const Coordinates<d>> displacement, std::span<Vertex_record<d>> vertices, double reach) {
         clear(vertices);
+        double most = 0.0;
+        for (const auto& u : displacement)
+            for (const double c : u) most = std::max(most, std::fabs(c));
+        speed_ = most > 0x1p-900 ? std::ldexp(1.0, std::ilogb(most)) : 0x1p-900;
         for (std::size_t v = 0; v < displacement.size(); ++v)
             for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k)
-                vertices[v].velocity[k] = displacement[v][k] / ticks_a_step;
+                vertices[v].velocity[k] = static_cast<float>(displacement[v][k] / speed_);
+        speed_ /= ticks_a_step;
         calendar_.resize(horizon);
         active_ = true;
         limit_ = 2.0 * reach;
@@ -96,16 +108,16 @@ class Prediction {
     [[nodiscard]] Time ticks_of_step(std::span<const Coordinates<d>> from, std::span<const Coordinates<d>> to,
                                      std::span<const Vertex_record<d>> vertices) const {
         if (!active_) return 0;
-        const std::size_t stride = 1 + to.size() / 512;
+        const std::size_t stride = 1 + to.size() / 256;
         double along = 0.0;
         double length = 0.0;
         for (std::size_t v = 0; v < to.size(); v += stride)
             for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) {
-                const double u = vertices[v].velocity[k];
+                const double u = static_cast<double>(vertices[v].velocity[k]);
                 along += (to[v][k] - from[v][k]) * u;
                 length += u * u;
             }
-        const double ticks = along / length;
+        const double ticks = along / (length * speed_);
         return ticks > 0.0 ? static_cast<Time>(std::min(ticks + 0.5, 4.0 * ticks_a_step)) : Time{0};
     }
     void advance(Time ticks) {
@@ -124,7 +136,7 @@ class Prediction {
         high.fill(-std::numeric_limits<double>::infinity());
         for (const Index v : points) {
             if (v == none) continue;
-            const Coordinates<d>& u = velocity(v);
+            const Coordinates<d> u = velocity(v);
             for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) {
                 low[k] = std::min(low[k], u[k]);
                 high[k] = std::max(high[k], u[k]);
@@ -136,10 +148,12 @@ class Prediction {
     template <class Points>
     [[nodiscard]] Term term(const Points& points, double tolerance, std::span<const Vertex_record<d>> vertices) const {
         if (!active_) return {tolerance, forever};
-        const auto velocity = [vertices](Index v) -> const Coordinates<d>& {
-            return vertices[static_cast<std::size_t>(v)].velocity;
-        };
-        const double rho = spread(points, velocity);
+        const double rho = speed_ * spread(points, [vertices](Index v) {
+            Coordinates<d> u;
+            for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k)
+                u[k] = static_cast<double>(vertices[static_cast<std::size_t>(v)].velocity[k]);
+            return u;
+        });
         if (rho == 0.0) return {tolerance, forever};
         const double ticks = (1.0 - deviation_share) * tolerance / rho * (1.0 - 0x1p-40);
         const double most = (horizon - 2) * ticks_a_day;
@@ -177,7 +191,6 @@ class Prediction {
         Index id;
         Time until;
     };
-    static constexpr double deviation_share = 0.6875;  // of a tolerance; measured to need the fewest evaluations
     static constexpr Time ticks_a_step = 1024;  // of ordinary length
     static constexpr Time ticks_a_day = 256;
     static constexpr Time horizon = 4096;  // the longest term in days, about
@@ -187,6 +200,7 @@ class Prediction {
     bool active_ = false;
     double limit_ = 0.0;
     double slack_ = 0.0;
+    double speed_ = 1.0;
     Time before_ = 0;  // before this step
     Time now_ = 0;
 };

@@ -155,6 +155,8 @@ bool Repair<2>::unfold(Index c);
 template <>
 Repair<2>::Progress Repair<2>::run_flips();
 template <>
+bool Repair<2>::evaluate_everything();
+template <>
 bool Repair<2>::border_winds_once() const;
 template <>
 void Repair<2>::undo_flip(Index c, Index n);

@@ -3,6 +3,7 @@
 #include <annulus/relocation/repair.h>
 
 #include <annulus/arithmetic/rounding_guard.h>
+#include <annulus/certificate/circumcircle_2.h>
 
 #include <algorithm>
 #include <limits>
@@ -180,6 +181,48 @@ bool Repair<d>::evaluate_everything() {
         Cell_suspect s = cell_suspect(c);
         if (!clearly_holds(s)) suspect_cell(c);
     }
+    return evaluate();
+}
+
+/// Signs alone, triangle by triangle. Every edge is asked from both sides, because which side is to ask would be a branch
+/// that no processor predicts, dearer than the answer.
+template <>
+bool Repair<2>::evaluate_everything() {
+    const auto& t = embedding_.table();
+    everything_ = true;
+    std::uint64_t held = 0;
+    for (Index c = 0; c < t.cell_bound(); ++c) {
+        if (!t.is_cell(c)) continue;
+        const std::array<Index, 3> v = cell_points(t, c);
+        if (v[0] < 0 || v[1] < 0 || v[2] < 0) {
+            for (int i = 0; i < 3; ++i) {
+                const Index h = t.corner(c, i);
+                if (h < t.twin(h) && t.is_infinite(t.cell_of(t.twin(h)))) suspect_facet(t.facet(h));  // a ridge
+            }
+            continue;
+        }
+        const Circumcircle_2 circle(x_[at(v[0])], x_[at(v[1])], x_[at(v[2])]);
+        const bool positive = circle.positive();
+        const auto opposite = [&](int i) { return t.vertex(t.twin(t.corner(c, i))); };
+        // At infinity a corner stands in, of which nothing can be said.
+        const auto excludes = [&](int i) { return circle.excludes(x_[at(opposite(i) < 0 ? v[0] : opposite(i))]); };
+        if (positive & excludes(0) & excludes(1) & excludes(2)) [[likely]] {
+            held += 5;  // a cell and half of three facets, twice
+            continue;
+        }
+        held += positive ? 2 : 0;
+        if (!positive) suspect_cell(c);
+        for (int i = 0; i < 3; ++i) {
+            if (opposite(i) == infinite) continue;
+            if (positive && excludes(i)) {
+                ++held;
+            } else {
+                suspect_facet(t.facet(t.corner(c, i)));
+            }
+        }
+    }
+    report_.evaluated += held / 2;
+    report_.arithmetic.filter += held / 2;
     return evaluate();
 }
 

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/certificate/bounds.h>
+#include <annulus/certificate/decide.h>
+#include <annulus/certificate/width_terms.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+/// The circle through the corners of a triangle, prepared to be asked on which side of it points are: signs of
+/// certificates and nothing else, for who needs no tolerance. What the triangle contributes is computed once for its
+/// three edges, so all signs of a triangulation cost a third of its tolerances.
+///
+/// With u, v, w the second corner, the third and the point relative to the first, the certificate's determinant is
+///   | u |u|^2 |   = w . n + |w|^2 (u x v),   n = (u.y |v|^2 - v.y |u|^2, v.x |u|^2 - u.x |v|^2),
+///   | v |v|^2 |
+///   | w |w|^2 |   positive when the point is outside and the triangle positive.
+/// Errors: bounds.h, proofs/gappa/circumcircle_2.g. The rounding mode must be to nearest.
+class Circumcircle_2 {
+  public:
+    Circumcircle_2(const Coordinates<2>& a, const Coordinates<2>& b, const Coordinates<2>& c) : origin_(a) {
+        const Vector_2<double> u{b[0] - a[0], b[1] - a[1]};
+        const Vector_2<double> v{c[0] - a[0], c[1] - a[1]};
+        const double uu = u.x * u.x + u.y * u.y;
+        const double vv = v.x * v.x + v.y * v.y;
+        twice_area_ = u.x * v.y - u.y * v.x;
+        normal_ = {u.y * vv - v.y * uu, v.x * uu - u.x * vv};
+        magnitude_ = std::max(detail::magnitude(u), detail::magnitude(v));
+    }
+
+    /// The triangle is certainly positive. False: it is not, or the next stage has to tell.
+    [[nodiscard]] bool positive() const {
+        const double error = bounds::orientation_2 * bounds::u * (magnitude_ * magnitude_);
+        return twice_area_ > error && magnitude_ <= bounds::filter_range && magnitude_ * bounds::filter_range >= 1.0;
+    }
+    /// p is certainly outside. Precondition: positive(). False: it is not, or the next stage has to tell.
+    [[nodiscard]] bool excludes(const Coordinates<2>& p) const {
+        const Vector_2<double> w{p[0] - origin_[0], p[1] - origin_[1]};
+        const double ww = w.x * w.x + w.y * w.y;
+        const double outside = (w.x * normal_.x + w.y * normal_.y) + ww * twice_area_;
+        const double m = std::max(magnitude_, detail::magnitude(w));
+        const double m2 = m * m;
+        return outside > bounds::circumcircle_2 * bounds::u * (m2 * m2) && m <= bounds::filter_range;
+    }
+
+  private:
+    Coordinates<2> origin_;
+    Vector_2<double> normal_;
+    double twice_area_;
+    double magnitude_;  // largest coordinate of u and v
+};
+
+}  // namespace annulus
