@@ -4,7 +4,12 @@
 #include <support/arbitrary.h>
 #include <support/stages.h>
 
+#include <annulus/certificate/circumcircle_2.h>
+
 #include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
 
 using namespace annulus;
 using namespace annulus::testing;
@@ -99,4 +104,33 @@ TEST_CASE("one unit in the last place off a degenerate position is seen", "[cert
     CHECK(ladder(Triangle{{0, 0}, {0x1p500, 0}, {0, tiny}}).sign == 1);
     CHECK(ladder(Triangle{{-0x1p500, -0x1p500}, {0x1p500, 0x1p500}, {0, tiny}}).sign == 1);
     CHECK(ladder(Triangle{{-0x1p500, -0x1p500}, {0x1p500, 0x1p500}, {-0.0, 0.0}}).sign == 0);
+}
+
+TEST_CASE("The circle of a triangle claims nothing that is not so", "[certificate]") {
+    const auto check = [](const Point& a, const Point& b, const Point& c, const Point& p) {
+        const Circumcircle_2 circle(a, b, c);
+        if (!circle.positive()) return false;
+        HOLDS(exact_orientation(a, b, c) > 0, (Triangle{a, b, c}));
+        if (!circle.excludes(p)) return false;
+        HOLDS(exact_empty_circle(a, b, c, p) > 0, (Bicell{a, b, p, c}));
+        return true;
+    };
+    REQUIRE(rc::check("of bi-cells of every family, whichever corner comes first", [&check](const Seed& seed) {
+        Random random = seed.random();
+        for_each_bicell(seed.random(), 4, [&](const Bicell& c) {
+            std::array<Point, 3> x{c.a, c.b, c.q};
+            std::rotate(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(random() % 3), x.end());
+            (void)check(x[0], x[1], x[2], c.p);
+            (void)check(c.p, c.b, c.a, c.q);
+        });
+    }));
+    REQUIRE(rc::check("and it says so of nearly every ordinary one", [&check](const Seed& seed) {
+        Random random = seed.random();
+        int claimed = 0;
+        for (int i = 0; i < 100; ++i) {
+            const Bicell c = delaunay_bicell(Bicell_family::uniform, random);
+            claimed += check(c.a, c.b, c.q, c.p) ? 1 : 0;
+        }
+        RC_ASSERT(claimed > 95);
+    }));
 }

@@ -298,6 +298,64 @@ TEST_CASE("Steady motion that breaks off never leaves a wrong triangulation", "[
     }
 }
 
+TEST_CASE("Tolerances given up and taken up again never leave a wrong triangulation", "[tolerance]") {
+    for (const Setting& setting : {filter, filter_look, filter_region}) {
+        DYNAMIC_SECTION(title(setting)) {
+            REQUIRE(rc::check([setting] {
+                const auto set = *point_set_case(4, 60);
+                RC_PRE(set.family != Family::huge && set.family != Family::mixture);
+                without_fault([&] {
+                    Session session(Program{setting, set.points, {}});
+                    Random random(set.seed + 1);
+                    const std::size_t n = set.points.size();
+                    std::vector<Position> x = set.points;
+                    for (int phase = 0; phase < 4; ++phase) {
+                        // At rest, far within tolerances, about them, far beyond them.
+                        const double pace = std::array<double, 4>{0.0, 0x1p-10, 0.5, 64.0}[random() % 4];
+                        std::vector<double> spacing(n);
+                        for (std::size_t i = 0; i < n; ++i) spacing[i] = session.dt().tolerance(session.dt().vertex(i));
+                        for (int step = 0; step < 12; ++step) {
+                            std::vector<Position> y = x;
+                            for (std::size_t i = 0; i < n; ++i)
+                                for (double& c : y[i]) c += pace * spacing[i] * between(random, -1.0, 1.0);
+                            if (std::set<Position>(y.begin(), y.end()).size() < n) continue;
+                            x = y;
+                            session.apply(move_all(x));
+                            session.check();
+                        }
+                    }
+                });
+            }));
+        }
+    }
+}
+
+TEST_CASE("The filter gives tolerances up while the motion is fast and takes them up when it is slow", "[tolerance]") {
+    Random random(7);
+    std::vector<Position> x(500);
+    for (Position& p : x) p = {between(random, -1.0, 1.0), between(random, -1.0, 1.0)};
+    Moving_delaunay_2 dt(std::span<const Position>(x), {});
+    const std::size_t certificates = 5 * x.size() - 20;  // about
+    const auto step = [&](double pace) {
+        for (Position& p : x)
+            for (double& c : p) c += pace * between(random, -1.0, 1.0);
+        const Move_report report = dt.move_all(std::span<const Position>(x));
+        REQUIRE(dt.audit().delaunay());
+        return report;
+    };
+    for (int i = 0; i < 20; ++i) {
+        const Move_report report = step(0.1);
+        CHECK(report.evaluated >= certificates - 100);
+        CHECK(report.moves.within_tolerance < 5);
+    }
+    for (int i = 0; i < 20; ++i) (void)step(1e-7);
+    const Move_report slow = step(1e-7);
+    CHECK(slow.evaluated < 20);
+    CHECK(slow.moves.within_tolerance > 490);
+    for (int i = 0; i < 3; ++i) (void)step(0.1);
+    CHECK(step(0.1).evaluated >= certificates - 100);
+}
+
 TEST_CASE("Moving one by one and moving all at once end in the same cells", "[relocation]") {
     for (const Setting& setting : certified_settings) {
         DYNAMIC_SECTION(title(setting)) {
