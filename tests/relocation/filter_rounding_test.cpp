@@ -14,7 +14,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 using namespace annulus;
@@ -43,8 +43,8 @@ REVEAL(Passes, &Filter<2>::passes);
 REVEAL(Set_threshold, &Filter<2>::set_threshold);
 REVEAL(Rebase, &Filter<2>::rebase);
 REVEAL(Epsilon, &Filter_each<2>::epsilon_);
+REVEAL(Each_examination, &Filter_each<2>::repair_);
 REVEAL(Each_position, &Filter_each<2>::position_);
-REVEAL(Each_passes, &Filter_each<2>::passes);
 
 using Rational = mpq_class;
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -237,22 +237,13 @@ TEST_CASE("filter-each: no tolerance is above what is left of a certificate's", 
                 RC_ASSERT(left >= 0);
                 RC_ASSERT(left * left >= exact_squared_distance(x[at(v)], s.filter.fixed_position(v)));
             };
-            const auto& t = s.embedding.table();
-            for (const Index c : cells) {
-                std::array<Index, 3> w{};
-                for (int k = 0; k < 3; ++k) w[at(k)] = t.vertex(t.corner(c, k));
-                const Verdict cell = orientation_verdict({&x[at(w[0])], &x[at(w[1])], &x[at(w[2])]});
-                for (const Index v : w) check(v, cell.tolerance);
-                for (int k = 0; k < 3; ++k) {
-                    const Index h = t.corner(c, k), other = t.twin(h);
-                    if (t.is_infinite(t.cell_of(other))) continue;
-                    const std::array<Index, 4> y{w[at((k + 1) % 3)], w[at((k + 2) % 3)], t.vertex(other), w[at(k)]};
-                    const Verdict facet =
-                        empty_sphere_verdict({&x[at(y[0])], &x[at(y[1])], &x[at(y[2])], &x[at(y[3])]});
-                    // The order of the points is the library's choice: the last bits differ.
-                    for (const Index v : y) RC_ASSERT(s.filter.tolerance(v) <= facet.tolerance * (1.0 + 0x1p-40));
-                }
-            }
+            for (const auto& e : s[Each_examination{}].facets())
+                if (e.kind != Facet_kind::border)
+                    for (const Index v : e.point)
+                        if (v != none) check(v, e.verdict.tolerance);
+            for (const auto& e : s[Each_examination{}].cells())
+                if (e.kind != Facet_kind::border)
+                    for (const Index v : e.point) check(v, e.verdict.tolerance);
         }
     }));
 }
