@@ -13,7 +13,9 @@
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -27,9 +29,9 @@ template <class Name, auto pointer>
 struct Reveal {
     friend constexpr auto member(Name) { return pointer; }
 };
-#define REVEAL(Name, ...)            \
-    struct Name {};                  \
-    constexpr auto member(Name);     \
+#define REVEAL(Name, ...)        \
+    struct Name {};              \
+    constexpr auto member(Name); \
     template struct Reveal<Name, __VA_ARGS__>
 REVEAL(List, &Filter<2>::list_);
 REVEAL(Facet_records, &Filter<2>::facet_record_);
@@ -42,6 +44,10 @@ REVEAL(Slack, &Filter<2>::slack);
 REVEAL(Passes, &Filter<2>::passes);
 REVEAL(Set_threshold, &Filter<2>::set_threshold);
 REVEAL(Rebase, &Filter<2>::rebase);
+REVEAL(Renewals, &Filter<2>::renewals_);
+REVEAL(Tolerances, &Filter<2>::tolerance_);
+REVEAL(Unequal_moves, &Filter<2>::unequal_moves);
+REVEAL(Commit_renewals, &Filter<2>::commit_renewals);
 REVEAL(Epsilon, &Filter_each<2>::epsilon_);
 REVEAL(Each_examination, &Filter_each<2>::repair_);
 REVEAL(Each_position, &Filter_each<2>::position_);
@@ -94,12 +100,13 @@ struct Session {
     }
 };
 struct Filter_session : Session<Filter<2>> {
-    explicit Filter_session(Random& random) : Session(random, Second_look::off) {}
+    explicit Filter_session(Random& random, Second_look look = Second_look::off) : Session(random, look) {}
     /// Positions are predicted from now on, slowly, and some time has passed.
     void predict(Random& random) {
         std::vector<Point> moves(points.size());
         for (Point& m : moves) m = {0x1p-30 * between(random, -1, 1), 0x1p-30 * between(random, -1, 1)};
-        (*this)[Prediction_of{}].adopt(moves, (*this)[Vertices{}], std::ldexp(1.0 + unit(random), integer(random, 0, 20)));
+        (*this)[Prediction_of{}].adopt(moves, (*this)[Vertices{}],
+                                       std::ldexp(1.0 + unit(random), integer(random, 0, 20)));
         (*this)[Prediction_of{}].advance(1000);
     }
 };
@@ -127,7 +134,8 @@ TEST_CASE("A reading is at least base, slack and displacement", "[relocation][ro
     }));
 }
 
-TEST_CASE("What a vertex may move, and what passes, is below earliest expiry less base and slack", "[relocation][rounding]") {
+TEST_CASE("What a vertex may move, and what passes, is below earliest expiry less base and slack",
+          "[relocation][rounding]") {
     REQUIRE(rc::check("where the difference rounds up", [](const Seed& seed) {
         Random random = seed.random();
         Filter_session s(random);
@@ -139,8 +147,8 @@ TEST_CASE("What a vertex may move, and what passes, is below earliest expiry les
             list.clear();
             const double span = std::ldexp(1.0 + unit(random), -integer(random, 0, 40));
             list.put_new(0, Expiry::lower(random() % 8 == 0 ? list.base : list.base + span));
-            const Rational room = Rational(list.earliest().reading()) - Rational(list.base) -
-                                  Rational(s[Prediction_of{}].slack());
+            const Rational room =
+                Rational(list.earliest().reading()) - Rational(list.base) - Rational(s[Prediction_of{}].slack());
             const double tolerance = s.call(Slack{}, v);
             RC_ASSERT(Rational(tolerance) <= room || tolerance <= 0.0);
             s.call(Set_threshold{}, v);
@@ -186,7 +194,8 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
             for (const auto& e : s[Examination{}].cells()) {
                 if (e.kind == Facet_kind::border) continue;
                 const auto& record = s[Cell_records{}][at(e.id)];
-                for (std::size_t k = 0; k < e.point.size(); ++k) check(e.point[k], record.expiry[k], e.verdict.tolerance);
+                for (std::size_t k = 0; k < e.point.size(); ++k)
+                    check(e.point[k], record.expiry[k], e.verdict.tolerance);
             }
         }
     }));
@@ -217,6 +226,56 @@ TEST_CASE("Rebasing leaves no certificate more than it had", "[relocation][round
     }));
 }
 
+TEST_CASE("Second looks leave the two sides of a circle no more than its width", "[relocation][rounding]") {
+    REQUIRE(rc::check("where the sums round up", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random, Second_look::unequal_moves);
+        const auto& t = s.embedding.table();
+        for (Index f = 0; f < t.facet_bound(); ++f) {
+            auto& record = s[Facet_records{}][at(f)];
+            if (!t.is_facet(f) || std::count(record.point.begin(), record.point.end(), none) > 0) continue;
+            const double tolerance = std::ldexp(1.0 + unit(random), -integer(random, 0, 20));
+            s[Tolerances{}][at(f)] = tolerance;
+            for (std::size_t k = 0; k < record.point.size(); ++k) {
+                const double base = unit(random);
+                record.expiry[k] = Expiry::lower(base + tolerance);
+                s[List{}][at(record.point[k])].base = base + tolerance * between(random, 0.2, 0.9);
+            }
+            s[Renewals{}].clear();
+            if (!s.call(Unequal_moves{}, f, std::span<const Point>(s.points))) continue;
+            // The expiry was at most the reference plus the tolerance.
+            std::array<Rational, 2> side{0, 0};
+            for (std::size_t k = 0; k < record.point.size(); ++k) {
+                const Rational reference = Rational(record.expiry[k].reading()) - Rational(tolerance);
+                const Rational allowed = Rational(s[Renewals{}][0].expiry[k]) - reference;
+                side[k / 2] = std::max(side[k / 2], allowed);
+            }
+            RC_ASSERT(side[0] + side[1] <= 2 * Rational(tolerance));
+        }
+    }));
+    REQUIRE(rc::check("and room from where a point is now is added to its base, rounded down", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random, Second_look::safe_region);
+        const auto& t = s.embedding.table();
+        for (Index f = 0; f < t.facet_bound(); ++f) {
+            const auto& record = s[Facet_records{}][at(f)];
+            if (!t.is_facet(f) || std::count(record.point.begin(), record.point.end(), none) > 0) continue;
+            auto& renewals = s[Renewals{}];
+            renewals.resize(1);
+            renewals[0].facet = f;
+            for (std::size_t k = 0; k < record.point.size(); ++k) {
+                const double room = 0.4 * unit(random), sum = 1.0 + std::ldexp(integer(random, 1, 9), -20);
+                renewals[0].expiry[k] = room;
+                s[List{}][at(record.point[k])].base = rounded_down(Rational(sum) - Rational(room));
+            }
+            s.call(Commit_renewals{}, std::span<const Point>(s.points));
+            for (std::size_t k = 0; k < record.point.size(); ++k)
+                RC_ASSERT(Rational(record.expiry[k].reading()) <=
+                          Rational(s[List{}][at(record.point[k])].base) + Rational(renewals[0].expiry[k]));
+        }
+    }));
+}
+
 TEST_CASE("filter-each: no tolerance is above what is left of a certificate's", "[relocation][rounding]") {
     REQUIRE(rc::check("where the difference rounds up", [](const Seed& seed) {
         Random random = seed.random();
@@ -225,7 +284,8 @@ TEST_CASE("filter-each: no tolerance is above what is left of a certificate's", 
         for (int i = 0; i < 20; ++i) {
             std::vector<Point> x = s.points;
             for (std::size_t v = 0; v < x.size(); ++v) {
-                const double way = s.filter.tolerance(static_cast<Index>(v)) * std::ldexp(0.1, -integer(random, 20, 45));
+                const double way =
+                    s.filter.tolerance(static_cast<Index>(v)) * std::ldexp(0.1, -integer(random, 20, 45));
                 x[v][0] += way * between(random, -1, 1);
                 x[v][1] += way * between(random, -1, 1);
             }
@@ -248,7 +308,8 @@ TEST_CASE("filter-each: no tolerance is above what is left of a certificate's", 
     }));
 }
 
-TEST_CASE("A vertex without a tolerance that moves so little that the square is 0 does not pass", "[relocation][rounding]") {
+TEST_CASE("A vertex without a tolerance that moves so little that the square is 0 does not pass",
+          "[relocation][rounding]") {
     // A square: every tolerance is 0.
     const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     const Point moved{0x1p-600, 0};

@@ -39,7 +39,8 @@ Rational exact_squared_distance(const Coordinates<d>& a, const Coordinates<d>& b
 double root_below(const Rational& x) {
     // Scaled by 4^k to about 1, or the square of a small number would be 0.
     const long k = (static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2)) -
-                    static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 2))) / 2;
+                    static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 2))) /
+                   2;
     Rational scaled;
     if (k >= 0) mpq_mul_2exp(scaled.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(2 * k));
     else mpq_div_2exp(scaled.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-2 * k));
@@ -95,7 +96,8 @@ void check_distances(const Seed& seed, int low, int high) {
         if (squared_distance<d>(a, b) < squared_threshold_lower(radius))
             RC_FAIL("not less than " + as_code(radius) + ": " + text<d>(a, b));
         if (radius < 0x1p-400) continue;
-        if (Rational(upper) > Rational(radius) * Rational(1.0 + 0x1p-48)) RC_FAIL("distance_upper is wide: " + text<d>(a, b));
+        if (Rational(upper) > Rational(radius) * Rational(1.0 + 0x1p-48))
+            RC_FAIL("distance_upper is wide: " + text<d>(a, b));
         const double wider = radius * (1.0 + 0x1p-48);
         if (!(squared_distance<d>(a, b) < squared_threshold_lower(wider)))
             RC_FAIL("less than " + as_code(wider) + ", and not seen: " + text<d>(a, b));
@@ -130,8 +132,10 @@ TEST_CASE("Sums are rounded outward, by less than two units in the last place", 
 TEST_CASE("Displacements are never taken for shorter than they are", "[relocation][rounding]") {
     REQUIRE(rc::check("plane", [](const Seed& seed) { check_distances<2>(seed, -30, 30); }));
     REQUIRE(rc::check("space", [](const Seed& seed) { check_distances<3>(seed, -30, 30); }));
-    REQUIRE(rc::check("plane, where squares underflow", [](const Seed& seed) { check_distances<2>(seed, -1060, -440); }));
-    REQUIRE(rc::check("space, where squares underflow", [](const Seed& seed) { check_distances<3>(seed, -1060, -440); }));
+    REQUIRE(
+        rc::check("plane, where squares underflow", [](const Seed& seed) { check_distances<2>(seed, -1060, -440); }));
+    REQUIRE(
+        rc::check("space, where squares underflow", [](const Seed& seed) { check_distances<3>(seed, -1060, -440); }));
     REQUIRE(rc::check("plane, at the end of the domain", [](const Seed& seed) { check_distances<2>(seed, 490, 500); }));
     REQUIRE(rc::check("space, at the end of the domain", [](const Seed& seed) { check_distances<3>(seed, 490, 500); }));
     CHECK(distance_upper<2>({3, 0}, {0, 4}) == 5.0 * (1.0 + 0x1p-49));
@@ -209,8 +213,8 @@ TEST_CASE("A term ends before deviation and drift together use up the tolerance"
             const double rho = 0.5 * std::sqrt(twice_rho_squared.get_d());
             double tolerance = 3.2 * ticks * rho;
             tolerance *= 1.0 + std::ldexp(integer(random, -8, 8), -45 - integer(random, 0, 7));
-            const auto term = prediction.term(std::array<Index, 3>{0, 1, 2}, tolerance,
-                                              std::span<const Vertex_record<2>>(vertices));
+            const auto term =
+                prediction.term(std::array<Index, 3>{0, 1, 2}, tolerance, std::span<const Vertex_record<2>>(vertices));
             const Rational left = Rational(tolerance) - Rational(term.tolerance);
             const Rational drift = Rational(static_cast<unsigned long>(term.until - prediction.now()));
             if (left < 0 || 4 * left * left < drift * drift * twice_rho_squared)
@@ -233,15 +237,16 @@ TEST_CASE("The slack of a prediction is above the rounding of predicted position
             const auto computed = vertices[0].expected(prediction.now());
             Rational error = 0;
             for (std::size_t k = 0; k < 2; ++k) {
-                const Rational truth = Rational(vertices[0].fixed[k]) +
-                                       Rational(static_cast<unsigned long>(prediction.now())) *
-                                           Rational(vertices[0].velocity[k]);
+                const Rational truth =
+                    Rational(vertices[0].fixed[k]) +
+                    Rational(static_cast<unsigned long>(prediction.now())) * Rational(vertices[0].velocity[k]);
                 const Rational off = truth - Rational(computed[k]);
                 error += off * off;
                 if (std::fabs(computed[k]) > prediction.limit()) error = -1;
             }
             if (error < 0) continue;
-            if (error > Rational(prediction.slack()) * Rational(prediction.slack())) RC_FAIL("seed " + std::to_string(seed.value));
+            if (error > Rational(prediction.slack()) * Rational(prediction.slack()))
+                RC_FAIL("seed " + std::to_string(seed.value));
         }
     }));
 }
