@@ -9,7 +9,7 @@
 
    The proof is the visibility walk: across a facet towards a site z the power of z strictly decreases, so a cell in which it is least
    contains z. No topology enters beyond the two hypotheses. Whether signs alone, with what further checks, imply the embedding is
-   another matter: docs/theory.md, 1.2, answers it for the plane and nothing here does for space. Facets with cospherical cells
+   another matter, which docs/theory.md 1.2 answers with pen and paper. Facets with cospherical cells
    on both sides (a certificate that is 0) are not covered. *)
 Require Import Reals Lra Psatz List.
 From Annulus Require Import vectors tetrahedron bicell.

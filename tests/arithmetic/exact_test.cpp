@@ -236,3 +236,25 @@ TEST_CASE("the quotient is the largest double not above the truth, ties included
     CHECK(quotient_by_roots_lower(2, 1, 1, 1024) == std::numeric_limits<double>::max());
     CHECK(is_at_least(0, 1, 1, 0, 0.0));
 }
+
+TEST_CASE("a quotient that is a double is found, however long the roots are", "[arithmetic]") {
+    // Longer than MPFR's working precision: every operation loses something, and only the tie test sees the double.
+    REQUIRE(rc::check("of roots up to 240 bits", [](const Seed& seed) {
+        Random random = seed.random();
+        const auto bits = [&](int count) {
+            mpz_class z = 1;
+            for (int i = 1; i < count; ++i) z = 2 * z + static_cast<unsigned long>(random() & 1U);
+            return z;
+        };
+        for (int i = 0; i < 100; ++i) {
+            const mpz_class a = bits(integer(random, 100, 240)), b = bits(integer(random, 100, 240)), y = bits(53);
+            const int exponent = integer(random, -200, 200);
+            const mpz_class numerator = y * (a + b);
+            const double expected = std::ldexp(y.get_d(), exponent);
+            if (quotient_by_roots_lower(numerator, a * a, b * b, exponent) != expected)
+                RC_FAIL("less than the quotient: " + numerator.get_str());
+            if (quotient_by_roots_lower(numerator - 1, a * a, b * b, exponent) >= expected)
+                RC_FAIL("more than the quotient: " + numerator.get_str() + " - 1");
+        }
+    }));
+}

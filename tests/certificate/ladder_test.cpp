@@ -52,7 +52,7 @@ struct Leavers {
     }
     void print(std::string_view name) const {
         const auto share = [this](int n) { return 100.0 * n / asked; };
-        std::printf("  %-22s %9.3f %9.3f %9.3f\n", std::string(name).c_str(), share(floating), share(filter),
+        std::printf("| %s | %.2f | %.2f | %.2f |\n", std::string(name).c_str(), share(floating), share(filter),
                     share(interval));
     }
 };
@@ -134,17 +134,21 @@ TEST_CASE("the filter answers in its whole range and nowhere else", "[certificat
     }
 }
 
-TEST_CASE("how often each stage passes the question on", "[certificate]") {
+// Shown in bench/README.md: annulus-tests '[failure-rates]' prints the tables.
+TEST_CASE("how often each stage passes the question on", "[certificate][failure-rates]") {
     Random random(22);
     constexpr int each = 2000;
-    std::printf("answers left to the next stage, %%    sign   filter  interval\n triangles\n");
+    const auto head = [](const char* what) {
+        std::printf("\n| %s: left to the next stage, %% | sign only, by filter | filter | interval |\n|---|---|---|---|\n", what);
+    };
+    head("triangles");
     for (const Triangle_family family : all_triangle_families) {
         Leavers leavers;
         for (int i = 0; i < each; ++i) leavers.count(ask(triangle(family, random)));
         leavers.print(name_of(family));
         if (family == Triangle_family::uniform) CHECK(leavers.filter < each / 1000);
     }
-    std::printf(" bi-cells\n");
+    head("bi-cells in the plane");
     for (const Bicell_family family : all_bicell_families) {
         Leavers leavers;
         for (int i = 0; i < each; ++i) leavers.count(ask(bicell(family, random)));

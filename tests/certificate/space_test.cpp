@@ -81,7 +81,7 @@ struct Leavers {
     }
     void print(std::string_view name) const {
         const auto share = [this](int n) { return 100.0 * n / asked; };
-        std::printf("  %-22s %9.3f %9.3f %9.3f %9.1f\n", std::string(name).c_str(), share(floating), share(filter),
+        std::printf("| %s | %.2f | %.2f | %.2f | %.0f |\n", std::string(name).c_str(), share(floating), share(filter),
                     share(interval), share(backward));
     }
 };
@@ -235,17 +235,22 @@ TEST_CASE("half widths of space known in closed form", "[certificate][space]") {
     }
 }
 
-TEST_CASE("how often each stage in space passes the question on", "[certificate][space]") {
+// Shown in bench/README.md: annulus-tests '[failure-rates]' prints the tables.
+TEST_CASE("how often each stage in space passes the question on", "[certificate][space][failure-rates]") {
     Random random(22);
-    constexpr int each = 400;
-    std::printf("answers left to the next stage, %%    sign   filter  interval  backward\n tetrahedra\n");
+    constexpr int each = 2000;
+    const auto head = [](const char* what) {
+        std::printf("\n| %s: left to the next stage, %% | sign only, by filter | filter | interval | backward |\n|---|---|---|---|---|\n",
+                    what);
+    };
+    head("tetrahedra");
     for (const Family_3 family : all_families_3) {
         Leavers leavers;
         for (int i = 0; i < each; ++i) leavers.count(ask(tetrahedron(family, random)));
         leavers.print(name_of(family));
         if (family == Family_3::uniform) CHECK(leavers.filter < each / 100);
     }
-    std::printf(" bi-cells\n");
+    head("bi-cells in space");
     for (const Family_3 family : all_families_3) {
         Leavers leavers;
         for (int i = 0; i < each; ++i) leavers.count(ask(bicell(family, random), Cell_widths::never));

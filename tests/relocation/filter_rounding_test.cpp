@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the filters write down is rounded in the safe direction, to the last bit: readings up, expiries and tolerances down. Moves
+// cannot show this, because an expiry is cut to 21 bits and hides the last ones unless it happens to have no others. So these tests put
+// numbers into the filters' books for which rounding to nearest goes the wrong way, and compare with rational numbers.
+
+#include <support/arbitrary.h>
+
+#include <annulus/relocation/filter.h>
+#include <annulus/relocation/filter_each.h>
+#include <annulus/triangulation/cgal_embedding_2.h>
+
+#include <gmpxx.h>
+#include <rapidcheck.h>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+// Private members, by name: access is not checked where a template is instantiated explicitly.
+template <class Name, auto pointer>
+struct Reveal {
+    friend constexpr auto member(Name) { return pointer; }
+};
+#define REVEAL(Name, ...)        \
+    struct Name {};              \
+    constexpr auto member(Name); \
+    template struct Reveal<Name, __VA_ARGS__>
+REVEAL(List, &Filter<2>::list_);
+REVEAL(Facet_records, &Filter<2>::facet_record_);
+REVEAL(Cell_records, &Filter<2>::cell_record_);
+REVEAL(Prediction_of, &Filter<2>::prediction_);
+REVEAL(Vertices, &Filter<2>::vertex_);
+REVEAL(Examination, &Filter<2>::repair_);
+REVEAL(Reading, &Filter<2>::reading);
+REVEAL(Slack, &Filter<2>::slack);
+REVEAL(Passes, &Filter<2>::passes);
+REVEAL(Set_threshold, &Filter<2>::set_threshold);
+REVEAL(Rebase, &Filter<2>::rebase);
+REVEAL(Renewals, &Filter<2>::renewals_);
+REVEAL(Tolerances, &Filter<2>::tolerance_);
+REVEAL(Unequal_moves, &Filter<2>::unequal_moves);
+REVEAL(Commit_renewals, &Filter<2>::commit_renewals);
+REVEAL(Epsilon, &Filter_each<2>::epsilon_);
+REVEAL(Each_examination, &Filter_each<2>::repair_);
+REVEAL(Each_position, &Filter_each<2>::position_);
+
+using Rational = mpq_class;
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+Rational exact_squared_distance(const Point& a, const Point& b) {
+    const Rational x = Rational(a[0]) - Rational(b[0]), y = Rational(a[1]) - Rational(b[1]);
+    return x * x + y * y;
+}
+
+/// The largest double not above x > 0.
+double rounded_down(const Rational& x) {
+    double r = std::nextafter(x.get_d(), HUGE_VAL);
+    while (Rational(r) > x) r = std::nextafter(r, 0.0);
+    return r;
+}
+
+/// A triangulation of a few points with a filter on it. Point 0 is the origin.
+template <class Strategy>
+struct Session {
+    std::vector<Point> points;
+    Cgal_embedding_2<int> embedding;
+    Strategy filter;
+    Move_report report;
+
+    template <class... Arguments>
+    explicit Session(Random& random, Arguments... arguments)
+        : points(point_set(Family::uniform, 7, random)), filter(embedding, Tolerance_kind::certified, arguments...) {
+        points[0] = {0.0, 0.0};
+        embedding.build(points);
+        embedding.mirror();
+        filter.settle(points, report);
+    }
+    template <class Name>
+    auto& operator[](Name) {
+        return filter.*member(Name{});
+    }
+    template <class Name, class... Arguments>
+    auto call(Name, Arguments&&... arguments) {
+        return (filter.*member(Name{}))(std::forward<Arguments>(arguments)...);
+    }
+    [[nodiscard]] std::vector<Index> finite_cells() {
+        std::vector<Index> cells;
+        const auto& t = embedding.table();
+        for (Index c = 0; c < t.cell_bound(); ++c)
+            if (t.is_cell(c) && !t.is_infinite(c)) cells.push_back(c);
+        return cells;
+    }
+};
+struct Filter_session : Session<Filter<2>> {
+    explicit Filter_session(Random& random, Second_look look = Second_look::off) : Session(random, look) {}
+    /// Positions are predicted from now on, slowly, and some time has passed.
+    void predict(Random& random) {
+        std::vector<Point> moves(points.size());
+        for (Point& m : moves) m = {0x1p-30 * between(random, -1, 1), 0x1p-30 * between(random, -1, 1)};
+        (*this)[Prediction_of{}].adopt(moves, (*this)[Vertices{}],
+                                       std::ldexp(1.0 + unit(random), integer(random, 0, 20)));
+        (*this)[Prediction_of{}].advance(1000);
+    }
+};
+
+double odd(Random& random, int exponent) { return std::ldexp(1.0 + unit(random), exponent); }
+
+}  // namespace
+
+TEST_CASE("A reading is at least base, slack and displacement", "[relocation][rounding]") {
+    REQUIRE(rc::check("of every magnitude", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random);
+        if (random() % 2 == 0) s.predict(random);
+        for (int i = 0; i < 200; ++i) {
+            const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
+            const Point f = s.filter.fixed_position(v);
+            const double way = std::ldexp(1.0, -integer(random, 0, 80));
+            const Point x{f[0] + way * between(random, -1, 1), f[1] + way * between(random, -1, 1)};
+            s[List{}][at(v)].base = random() % 4 == 0 ? 0.0 : odd(random, integer(random, -40, 3));
+            const double slack = s[Prediction_of{}].slack();
+            const Rational left = Rational(s.call(Reading{}, v, x)) - Rational(s[List{}][at(v)].base) - Rational(slack);
+            RC_ASSERT(left >= 0);
+            RC_ASSERT(left * left >= exact_squared_distance(x, f));
+        }
+    }));
+}
+
+TEST_CASE("What a vertex may move, and what passes, is below earliest expiry less base and slack",
+          "[relocation][rounding]") {
+    REQUIRE(rc::check("where the difference rounds up", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random);
+        if (random() % 2 == 0) s.predict(random);
+        for (int i = 0; i < 200; ++i) {
+            const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
+            auto& list = s[List{}][at(v)];
+            list.base = odd(random, -integer(random, 0, 70));
+            list.clear();
+            const double span = std::ldexp(1.0 + unit(random), -integer(random, 0, 40));
+            list.put_new(0, Expiry::lower(random() % 8 == 0 ? list.base : list.base + span));
+            const Rational room =
+                Rational(list.earliest().reading()) - Rational(list.base) - Rational(s[Prediction_of{}].slack());
+            const double tolerance = s.call(Slack{}, v);
+            RC_ASSERT(Rational(tolerance) <= room || tolerance <= 0.0);
+            s.call(Set_threshold{}, v);
+            // Just as far as there is room, and so little that its square is 0.
+            const Point f = s.filter.fixed_position(v);
+            const double reach = room > 0 ? rounded_down(room) : 0x1p-600;
+            const double angle = between(random, 0.0, 6.3);
+            for (const Point& p : {Point{f[0] + reach * std::cos(angle), f[1] + reach * std::sin(angle)},
+                                   Point{f[0] + reach, f[1]}, Point{f[0] + 0x1p-600, f[1]}}) {
+                if (p == f || !s.call(Passes{}, v, p)) continue;
+                RC_ASSERT(room > 0);
+                RC_ASSERT(exact_squared_distance(p, f) < room * room);
+            }
+        }
+    }));
+}
+
+TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]") {
+    REQUIRE(rc::check("where their sum is just below a number of 21 bits", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random);
+        const auto cells = s.finite_cells();
+        s.filter.refresh(cells, s.report);
+        std::vector<double> tolerances;
+        for (const auto& e : s[Examination{}].facets())
+            if (e.kind != Facet_kind::border) tolerances.push_back(e.verdict.tolerance);
+        for (int i = 0; i < 20; ++i) {
+            for (auto& list : s[List{}]) {
+                const double tolerance = tolerances[random() % tolerances.size()];
+                const double sum = 1.0 + std::ldexp(integer(random, 1, 9), -20);
+                if (tolerance < 0.5) list.base = rounded_down(Rational(sum) - Rational(tolerance));
+            }
+            s.filter.refresh(cells, s.report);
+            const auto check = [&](Index v, Expiry e, double tolerance) {
+                RC_ASSERT(Rational(e.reading()) <= Rational(s[List{}][at(v)].base) + Rational(tolerance));
+            };
+            for (const auto& e : s[Examination{}].facets()) {
+                if (e.kind == Facet_kind::border) continue;
+                const auto& record = s[Facet_records{}][at(e.id)];
+                for (std::size_t k = 0; k < record.point.size(); ++k)
+                    if (record.point[k] != none) check(record.point[k], record.expiry[k], e.verdict.tolerance);
+            }
+            for (const auto& e : s[Examination{}].cells()) {
+                if (e.kind == Facet_kind::border) continue;
+                const auto& record = s[Cell_records{}][at(e.id)];
+                for (std::size_t k = 0; k < e.point.size(); ++k)
+                    check(e.point[k], record.expiry[k], e.verdict.tolerance);
+            }
+        }
+    }));
+}
+
+TEST_CASE("Rebasing leaves no certificate more than it had", "[relocation][rounding]") {
+    REQUIRE(rc::check("where the rest is just below a number of 21 bits", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random);
+        for (int i = 0; i < 50; ++i) {
+            const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
+            const double base = random() % 2 == 0 ? odd(random, -integer(random, 55, 70)) : unit(random);
+            std::vector<Expiry*> of_v;
+            for (auto& record : s[Facet_records{}])
+                for (std::size_t k = 0; k < record.point.size(); ++k)
+                    if (record.point[k] == v) of_v.push_back(&record.expiry[k]);
+            std::vector<Rational> before;
+            for (Expiry* e : of_v) {
+                *e = Expiry::lower(1.0 + std::ldexp(integer(random, 0, 9), -20));
+                before.push_back(Rational(e->reading()) - Rational(base));
+            }
+            s[List{}][at(v)].base = base;
+            s.call(Rebase{}, v);
+            RC_ASSERT(s[List{}][at(v)].base == 0.0);
+            for (std::size_t k = 0; k < of_v.size(); ++k)
+                if (*of_v[k] != Expiry::never()) RC_ASSERT(Rational(of_v[k]->reading()) <= before[k]);
+        }
+    }));
+}
+
+TEST_CASE("Second looks leave the two sides of a circle no more than its width", "[relocation][rounding]") {
+    REQUIRE(rc::check("where the sums round up", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random, Second_look::unequal_moves);
+        const auto& t = s.embedding.table();
+        for (Index f = 0; f < t.facet_bound(); ++f) {
+            auto& record = s[Facet_records{}][at(f)];
+            if (!t.is_facet(f) || std::count(record.point.begin(), record.point.end(), none) > 0) continue;
+            const double tolerance = std::ldexp(1.0 + unit(random), -integer(random, 0, 20));
+            s[Tolerances{}][at(f)] = tolerance;
+            for (std::size_t k = 0; k < record.point.size(); ++k) {
+                const double base = unit(random);
+                record.expiry[k] = Expiry::lower(base + tolerance);
+                s[List{}][at(record.point[k])].base = base + tolerance * between(random, 0.2, 0.9);
+            }
+            s[Renewals{}].clear();
+            if (!s.call(Unequal_moves{}, f, std::span<const Point>(s.points))) continue;
+            // The expiry was at most the reference plus the tolerance.
+            std::array<Rational, 2> side{0, 0};
+            for (std::size_t k = 0; k < record.point.size(); ++k) {
+                const Rational reference = Rational(record.expiry[k].reading()) - Rational(tolerance);
+                const Rational allowed = Rational(s[Renewals{}][0].expiry[k]) - reference;
+                side[k / 2] = std::max(side[k / 2], allowed);
+            }
+            RC_ASSERT(side[0] + side[1] <= 2 * Rational(tolerance));
+        }
+    }));
+    REQUIRE(rc::check("and room from where a point is now is added to its base, rounded down", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random, Second_look::safe_region);
+        const auto& t = s.embedding.table();
+        for (Index f = 0; f < t.facet_bound(); ++f) {
+            const auto& record = s[Facet_records{}][at(f)];
+            if (!t.is_facet(f) || std::count(record.point.begin(), record.point.end(), none) > 0) continue;
+            auto& renewals = s[Renewals{}];
+            renewals.resize(1);
+            renewals[0].facet = f;
+            for (std::size_t k = 0; k < record.point.size(); ++k) {
+                const double room = 0.4 * unit(random), sum = 1.0 + std::ldexp(integer(random, 1, 9), -20);
+                renewals[0].expiry[k] = room;
+                s[List{}][at(record.point[k])].base = rounded_down(Rational(sum) - Rational(room));
+            }
+            s.call(Commit_renewals{}, std::span<const Point>(s.points));
+            for (std::size_t k = 0; k < record.point.size(); ++k)
+                RC_ASSERT(Rational(record.expiry[k].reading()) <=
+                          Rational(s[List{}][at(record.point[k])].base) + Rational(renewals[0].expiry[k]));
+        }
+    }));
+}
+
+TEST_CASE("filter-each: no tolerance is above what is left of a certificate's", "[relocation][rounding]") {
+    REQUIRE(rc::check("where the difference rounds up", [](const Seed& seed) {
+        Random random = seed.random();
+        Session<Filter_each<2>> s(random);
+        const auto cells = s.finite_cells();
+        for (int i = 0; i < 20; ++i) {
+            std::vector<Point> x = s.points;
+            for (std::size_t v = 0; v < x.size(); ++v) {
+                const double way =
+                    s.filter.tolerance(static_cast<Index>(v)) * std::ldexp(0.1, -integer(random, 20, 45));
+                x[v][0] += way * between(random, -1, 1);
+                x[v][1] += way * between(random, -1, 1);
+            }
+            s[Each_position{}] = x;
+            s[Epsilon{}].assign(x.size(), HUGE_VAL);
+            s.filter.refresh(cells, s.report);
+            const auto check = [&](Index v, double tolerance) {
+                const Rational left = Rational(tolerance) - Rational(s[Epsilon{}][at(v)]);
+                RC_ASSERT(left >= 0);
+                RC_ASSERT(left * left >= exact_squared_distance(x[at(v)], s.filter.fixed_position(v)));
+            };
+            for (const auto& e : s[Each_examination{}].facets())
+                if (e.kind != Facet_kind::border)
+                    for (const Index v : e.point)
+                        if (v != none) check(v, e.verdict.tolerance);
+            for (const auto& e : s[Each_examination{}].cells())
+                if (e.kind != Facet_kind::border)
+                    for (const Index v : e.point) check(v, e.verdict.tolerance);
+        }
+    }));
+}
+
+TEST_CASE("A vertex without a tolerance that moves so little that the square is 0 does not pass",
+          "[relocation][rounding]") {
+    // A square: every tolerance is 0.
+    const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    const Point moved{0x1p-600, 0};
+    SECTION("filter") {
+        Cgal_embedding_2<int> embedding;
+        Filter<2> filter(embedding, Tolerance_kind::certified, Second_look::off);
+        Move_report report;
+        embedding.build(square);
+        embedding.mirror();
+        filter.settle(square, report);
+        auto x = square;
+        x[0] = moved;
+        filter.move_all(x, report);
+        CHECK(report.moves.within_tolerance == 3U);
+    }
+    SECTION("filter-each") {
+        Cgal_embedding_2<int> embedding;
+        Filter_each<2> filter(embedding, Tolerance_kind::certified);
+        Move_report report;
+        embedding.build(square);
+        embedding.mirror();
+        filter.settle(square, report);
+        filter.move(0, moved, report);
+        CHECK(report.moves.within_tolerance == 0U);
+    }
+}
