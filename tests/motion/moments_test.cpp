@@ -29,7 +29,7 @@ double worst_error(Density density, double radius, double distance, int tries, s
         const double r = distance * about(random), a = angle(random);
         const Coordinates<2> c{r * std::cos(a), r * std::sin(a)};
         const auto polygon = oracle::random_polygon(random, radius);
-        const auto exact = oracle::polygon(density, c, polygon, density == Density::sin2 ? 0.17L : 1e9L);
+        const auto exact = oracle::polygon(density, c, polygon, density == Density::sin2 ? 0.12L : 1e9L);
         const Moments_2 got = moments(density, c, oracle::straight(polygon));
         const auto mass_error = std::abs(got.mass - exact.mass) / exact.mass;
         const auto first_error = std::hypot(got.first[0] - exact.x, got.first[1] - exact.y) / (exact.mass * radius);
