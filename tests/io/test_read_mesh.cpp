@@ -40,12 +40,34 @@ TEST_CASE("triangles and tetrahedra are read in their order and orientation") {
     CHECK(solid.points[3] == Coordinates<3>{0, 0, 1});
 }
 
+TEST_CASE("edges are the cells of points on a line, written and read") {
+    const Temporary_directory directory;
+    const std::vector<Coordinates<2>> points{{0, 0}, {2, 2}, {1, 1}};
+    const std::vector<std::array<Index, 3>> edges{{0, 2, none}, {1, 2, none}};
+    const std::string text = write_mesh<2>(points, edges);
+    CHECK(text ==
+          "MeshVersionFormatted 2\nDimension 2\n\nVertices\n3\n0 0 0\n2 2 0\n1 1 0\n\n"
+          "Edges\n2\n1 3 0\n2 3 0\n\nTriangles\n0\n\nEnd\n");
+    const auto mesh = std::get<Mesh_file<2>>(read_mesh(directory.file("a.mesh", text)));
+    CHECK(mesh.cells == edges);
+    CHECK(mesh.cell_lines == std::vector<std::uint64_t>{12, 13});
+    // Beside triangles they are what other programs mark the border with.
+    const auto solid = std::get<Mesh_file<2>>(
+        read_mesh(directory.file("b.mesh",
+                                 "MeshVersionFormatted 2\nDimension 2\nVertices\n3\n0 0 0\n1 0 0\n0 1 0\n"
+                                 "Edges\n1\n1 2 9\nTriangles\n1\n1 2 3 0\n")));
+    CHECK(solid.cells == std::vector<std::array<Index, 3>>{{0, 1, 2}});
+    const std::vector<std::array<Index, 3>> half{{0, none, none}};
+    CHECK_THROWS_AS(write_mesh<2>(points, half), Error);
+}
+
 TEST_CASE("faults of cells name their line") {
     const std::string head = "MeshVersionFormatted 2\nDimension 2\nVertices\n3\n0 0 0\n1 0 0\n1 1 0\n";
     refuse(head + "Triangles\n1\n1 2 3 0.0\nEnd\n", 10, "the reference");
     refuse(head + "End\n", 8, "has no triangles");
     refuse(head + "Triangles\n0\nEnd\n", 10, "has no triangles");
     refuse(head + "Triangles\n1\n1 2 4 0\nEnd\n", 10, "names vertex 4 of 3");
+    refuse(head + "Edges\n1\n1 4 0\nTriangles\n1\n1 2 3 0\nEnd\n", 10, "names vertex 4 of 3");
     refuse(head + "Triangles\n1\n0 1 2 0\nEnd\n", 10, "names vertex 0");
     refuse(head + "Triangles\n1\n1 2 -1 0\nEnd\n", 10, "not an integer of 0 or more");
     refuse(head + "Triangles\n1\n1 2 4294967297 0\nEnd\n", 10, "names vertex 4294967297");

@@ -196,8 +196,9 @@ TEST_CASE("counts beyond the size of the file are refused before memory is asked
     const std::string mesh = "MeshVersionFormatted 2\nDimension 2\nVertices\n";
     refuse<2>("a.mesh", mesh + "2000000000\n1 2 0\n", 5, "ends after 1 of 2000000000 Vertices");
     refuse<2>("a.mesh", mesh + "4000000000\n1 2 0\n", 4, "says 4000000000 vertices");
-    refuse<2>("a.mesh", mesh + "1\n1 2 0\nEdges\n9000000000000000000\n1 2 0\n", 8,
+    refuse<2>("a.mesh", mesh + "1\n1 2 0\nQuadrilaterals\n9000000000000000000\n1 2 0\n", 8,
               "ends after 1 of 9000000000000000000");
+    refuse<2>("a.mesh", mesh + "1\n1 2 0\nEdges\n9000000000000000000\n1 2 0\n", 7, "says 9000000000000000000 Edges");
     const auto ply = [](const std::string& count) {
         return "ply\nformat ascii 1.0\nelement vertex " + count +
                "\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n";

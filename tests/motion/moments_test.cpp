@@ -168,8 +168,8 @@ TEST_CASE("the regimes of sin2 agree with their neighbours on cells with arcs", 
             const double allowed = 1e-13 + 1e-14 * radius / (radius * span);
             CHECK(std::abs((left.mass + right.mass) / whole.mass - 1) < allowed);
             // Polar form: the cap plus the triangle (0, 0), a, b is a sector.
-            const auto triangle = oracle::polygon(Density::sin2, {0, 0}, {{0, 0}, a, inner}, 0.12L);
-            const auto triangle2 = oracle::polygon(Density::sin2, {0, 0}, {{0, 0}, inner, b}, 0.12L);
+            const auto triangle = oracle::polygon(Density::sin2, {0, 0}, {{0, 0}, a, inner}, 0.25L);
+            const auto triangle2 = oracle::polygon(Density::sin2, {0, 0}, {{0, 0}, inner, b}, 0.25L);
             const double g = radius * radius * sin2_means(radius).g;
             const double parts = static_cast<double>(triangle.mass + triangle2.mass) + whole.mass;
             CHECK(std::abs(parts - g * span) < 1e-12 * g * span);

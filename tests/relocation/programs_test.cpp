@@ -292,7 +292,8 @@ TEST_CASE("Equal input points are refused, or merged on request", "[relocation]"
     }));
 }
 
-TEST_CASE("A null handle and the vertex at infinity name no vertex", "[relocation]") {
+TEST_CASE("A null handle, the vertex at infinity and a stranger name no vertex", "[relocation]") {
+    const Moving_delaunay_2 other(std::vector<Position>{{0, 0}, {1, 0}, {0, 1}, {5, 5}});
     for (const Setting& setting : certified_settings) {
         CAPTURE(title(setting));
         Options options;
@@ -306,10 +307,18 @@ TEST_CASE("A null handle and the vertex at infinity name no vertex", "[relocatio
             }
             return Error_code::usage;
         };
-        const auto infinity = dt.triangulation().infinite_vertex();
-        CHECK(code_of([&] { dt.move(infinity, {2, 2}); }) == Error_code::unknown_vertex);
-        CHECK(code_of([&] { dt.remove(infinity); }) == Error_code::unknown_vertex);
-        CHECK(code_of([&] { dt.remove(Moving_delaunay_2::Vertex_handle()); }) == Error_code::unknown_vertex);
+        // Of the strangers one has an index that this triangulation has too.
+        for (const auto v : {Moving_delaunay_2::Vertex_handle(), dt.triangulation().infinite_vertex(), other.vertex(1),
+                             other.vertex(3)}) {
+            CHECK(code_of([&] { dt.move(v, {2, 2}); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { dt.remove(v); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { (void)dt.index(v); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { (void)dt.position(v); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { (void)dt.fixed_position(v); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { (void)dt.displacement(v); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { (void)dt.tolerance(v); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { (void)dt.theta(v); }) == Error_code::unknown_vertex);
+        }
         CHECK(code_of([&] { (void)dt.vertex(3); }) == Error_code::unknown_vertex);
         CHECK(dt.audit().delaunay());
     }

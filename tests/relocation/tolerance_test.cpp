@@ -94,6 +94,31 @@ std::vector<Position> worst_targets(const Moving_delaunay_2& dt) {
     return target;
 }
 
+[[nodiscard]] bool distinct(const std::vector<Position>& x) {
+    return std::set<Position>(x.begin(), x.end()).size() == x.size();
+}
+
+/// One timestamp, applied and checked: vertex i goes from x[i] to step(i, its worst target). False, with nothing changed,
+/// when two would meet.
+template <class Step>
+bool drift(Session& session, std::vector<Position>& x, Step step) {
+    const auto target = worst_targets(session.dt());
+    std::vector<Position> y = x;
+    for (std::size_t i = 0; i < x.size(); ++i) y[i] = step(i, target[i]);
+    if (!distinct(y)) return false;
+    x = y;
+    session.apply(move_all(x));
+    session.check();
+    return true;
+}
+
+/// `share` of its tolerance from its fixed position.
+Position from_fixed(Session& session, std::size_t i, double share, const Position& target, int kind, Random& random) {
+    const auto v = session.dt().vertex(i);
+    const auto f = session.dt().fixed_position(v);
+    return shifted({f.x(), f.y()}, session.dt().tolerance(v), share, target, kind, random);
+}
+
 constexpr Setting filter{Strategy::filter};
 constexpr Setting filter_each{Strategy::filter_each};
 constexpr Setting filter_look{Strategy::filter, Second_look::unequal_moves};
@@ -134,20 +159,12 @@ TEST_CASE("A tolerance after a drift is never above what is left of the exact on
                 without_fault([&] {
                     Session session(Program{setting, set.points, {}});
                     Random random(set.seed + 1);
-                    const std::size_t n = set.points.size();
-                    for (int step = 0; step < 8; ++step) {
-                        std::vector<Position> x(n);
-                        const auto target = worst_targets(session.dt());
-                        for (std::size_t i = 0; i < n; ++i) {
-                            const auto v = session.dt().vertex(i);
-                            const auto f = session.dt().fixed_position(v);
-                            x[i] = shifted({f.x(), f.y()}, session.dt().tolerance(v), between(random, 0.3, 3.0),
-                                           target[i], static_cast<int>(random() % 3), random);
-                        }
-                        if (std::set<Position>(x.begin(), x.end()).size() < n) continue;
-                        session.apply(move_all(x));
-                        session.check();
-                    }
+                    std::vector<Position> x = set.points;
+                    for (int step = 0; step < 8; ++step)
+                        (void)drift(session, x, [&](std::size_t i, const Position& target) {
+                            return from_fixed(session, i, between(random, 0.3, 3.0), target,
+                                              static_cast<int>(random() % 3), random);
+                        });
                 });
             }));
         }
@@ -170,21 +187,15 @@ TEST_CASE("The most harmful moves, just inside and just outside the tolerances, 
                     without_fault([&] {
                         Session session(Program{setting, x, {}});
                         for (int step = 0; step < 5; ++step) {
-                            const auto target = worst_targets(session.dt());
                             const std::size_t all = random() % 2;
                             const double share =
                                 std::array{0.9999, 1.002, 1.03, 1.12, between(random, 0.3, 1.9)}[random() % 5];
                             const int away = random() % 3 == 0 ? 1 : 0;  // so far that the way back is longer
-                            for (std::size_t i = 0; i < n; ++i) {
-                                if (all == 0 && random() % 2 == 0) continue;
-                                const auto v = session.dt().vertex(i);
-                                const auto f = session.dt().fixed_position(v);
-                                x[i] =
-                                    shifted({f.x(), f.y()}, session.dt().tolerance(v), share, target[i], away, random);
-                            }
-                            if (std::set<Position>(x.begin(), x.end()).size() < n) break;
-                            session.apply(move_all(x));
-                            session.check();
+                            const bool apart = drift(session, x, [&](std::size_t i, const Position& target) {
+                                if (all == 0 && random() % 2 == 0) return x[i];
+                                return from_fixed(session, i, share, target, away, random);
+                            });
+                            if (!apart) break;
                         }
                     });
                 }
@@ -209,7 +220,7 @@ TEST_CASE("Moves of 0.9999 tolerances, all at once, evaluate nothing and keep th
                         for (std::size_t i = 0; i < x.size(); ++i)
                             x[i] = shifted(x[i], session.dt().tolerance(session.dt().vertex(i)), 0.9999, target[i],
                                            kind < 3 ? kind : static_cast<int>(random() % 2), random);
-                        if (std::set<Position>(x.begin(), x.end()).size() < x.size()) continue;
+                        if (!distinct(x)) continue;
                         session.apply(move_all(x));
                         session.check();
                         if (session.dt().triangulation().dimension() < 2) continue;
@@ -236,17 +247,11 @@ TEST_CASE("Whenever a drifting call reports all within tolerance the audit passe
                         spacing[i] = session.dt().tolerance(session.dt().vertex(i));
                     std::vector<Position> x = set.points;
                     const bool steady = random() % 2 == 0;
-                    for (int step = 0; step < 20; ++step) {
-                        const std::vector<Position> target = worst_targets(session.dt());
-                        std::vector<Position> y = x;
-                        for (std::size_t i = 0; i < x.size(); ++i)
-                            y[i] = shifted(x[i], spacing[i], between(random, 0.01, 0.4), target[i], steady ? 0 : 2,
+                    for (int step = 0; step < 20; ++step)
+                        (void)drift(session, x, [&](std::size_t i, const Position& target) {
+                            return shifted(x[i], spacing[i], between(random, 0.01, 0.4), target, steady ? 0 : 2,
                                            random);
-                        if (std::set<Position>(y.begin(), y.end()).size() < y.size()) continue;
-                        x = y;
-                        session.apply(move_all(x));
-                        session.check();
-                    }
+                        });
                 });
             }));
         }
@@ -282,7 +287,7 @@ TEST_CASE("Steady motion that breaks off never leaves a wrong triangulation", "[
                         if (random() % 8 == 0) velocity[random() % n] = {0, 0};
                         if (random() % 8 == 0)
                             for (double& c : velocity[random() % n]) c = -c;
-                        if (std::set<Position>(y.begin(), y.end()).size() < n) continue;
+                        if (!distinct(y)) continue;
                         x = y;
                         session.apply(move_all(x));
                         session.check();
@@ -404,7 +409,7 @@ TEST_CASE("Scaling by a power of two scales the tolerances and changes nothing e
                         goal.assign(one.positions().begin(), one.positions().end());
                         for (Position& p : goal)
                             for (double& c : p) c += c * between(random, -0x1p-12, 0x1p-12);
-                        if (std::set<Position>(goal.begin(), goal.end()).size() < goal.size()) continue;
+                        if (!distinct(goal)) continue;
                     }
                     const Move_report a = one.move_all(goal);
                     const Move_report b = other.move_all(scaled(goal));

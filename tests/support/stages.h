@@ -70,25 +70,30 @@ template <class Points, class... Cells>
     return orientation_verdict(t.tuple(), certified);
 }
 
+/// check(generate(family, random)), `each` times for every family.
+template <class Families, class Generate, class Check>
+void for_each_case(const Families& families, Random random, int each, Generate generate, Check check) {
+    for (const auto family : families)
+        for (int i = 0; i < each; ++i) check(generate(family, random));
+}
+
 /// check(c) for `each` bi-cells of every family, with both signs.
 template <class Check>
-void for_each_bicell(Random random, int each, Check check) {
-    for (const Bicell_family family : all_bicell_families)
-        for (int i = 0; i < each; ++i) check(bicell(family, random));
+void for_each_bicell(const Random& random, int each, Check check) {
+    for_each_case(all_bicell_families, random, each, [](auto family, Random& r) { return bicell(family, r); }, check);
 }
 
 /// check(c) for `each` bi-cells of every family, none with a point inside its circle.
 template <class Check>
-void for_each_delaunay_bicell(Random random, int each, Check check) {
-    for (const Bicell_family family : all_bicell_families)
-        for (int i = 0; i < each; ++i) check(delaunay_bicell(family, random));
+void for_each_delaunay_bicell(const Random& random, int each, Check check) {
+    for_each_case(
+        all_bicell_families, random, each, [](auto family, Random& r) { return delaunay_bicell(family, r); }, check);
 }
 
 /// check(t) for `each` triangles of every family, of both orientations.
 template <class Check>
-void for_each_triangle(Random random, int each, Check check) {
-    for (const Triangle_family family : all_triangle_families)
-        for (int i = 0; i < each; ++i) check(triangle(family, random));
+void for_each_triangle(const Random& random, int each, Check check) {
+    for_each_case(all_triangle_families, random, each, [](auto family, Random& r) { return triangle(family, r); }, check);
 }
 
 }  // namespace annulus::testing

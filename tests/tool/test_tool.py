@@ -11,10 +11,12 @@ import json
 import math
 import os
 import re
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree
 from pathlib import Path
@@ -102,6 +104,23 @@ class Usage(ToolTest):
                        "--tolerance", "--audit", "--output", "--seed", "--threads", "--quiet"):
             self.assertIn(option, self.succeed("lloyd", "--help").stdout)
         self.assertIn("--strategies", self.succeed("compare", "--help").stdout)
+        self.assertIn("--points", self.succeed("compare", "--", "lloyd", "--help").stdout)
+
+    def test_every_subcommand_takes_the_common_options(self):
+        for name in ("lloyd", "compare", "audit", "counterexample"):
+            text = self.succeed(name, "--help").stdout
+            for option in ("--seed", "--output", "--threads", "--quiet"):
+                self.assertIn(option, text, name)
+        common = ["--seed", "3", "--threads", "2", "--quiet", "--output"]
+        self.succeed("lloyd", "--points", "20", "--iterations", "1", *common, "lloyd")
+        self.succeed("compare", *common, "compare", "--", "lloyd", "--points", "20", "--iterations", "1")
+        self.succeed("counterexample", *common, "example")
+        done = self.succeed("audit", "lloyd/final.mesh", *common, "audit")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+        audit = json.loads((self.here / "audit" / "audit.json").read_text(encoding="utf-8"))
+        self.assertIs(audit["delaunay"], True)
+        self.assertEqual((audit["dimension"], audit["vertices"], audit["first_fault"]), (2, 20, ""))
+        self.assertEqual(set(audit["faults"].values()), {0})
 
     def test_help_names_every_strategy(self):
         text = self.succeed("lloyd", "--help").stdout
@@ -132,7 +151,11 @@ class Usage(ToolTest):
             ["lloyd", "--points", "10", "--radius", "-1"],
             ["lloyd", "--points", "10", "--iterations", "1.5"],
             ["lloyd", "--points", "10", "surplus"],
+            ["lloyd", "--points", "10", "--output", ""],
             ["audit"],
+            ["audit", "x.mesh", "--output", ""],
+            ["counterexample", "--output", ""],
+            ["compare", "--output", "", "--", "lloyd", "--points", "10"],
             ["compare"],
             ["compare", "--"],
             ["compare", "--", "audit", "x.mesh"],
@@ -385,6 +408,8 @@ class Outputs(ToolTest):
         self.assertEqual(root.get("type"), "UnstructuredGrid")
         report = (self.here / "out" / "report.html").read_text(encoding="utf-8")
         self.assertTrue(report.rstrip().endswith("</html>"))
+        self.assertIn("<h1>60 vertices, 3 Lloyd iterations: filter</h1>", report)
+        self.assertEqual(report.count("annulus lloyd --points 60"), 1)
         self.assertNotRegex(report, r"(?i)src=[\"']https?:|<link[^>]+https?:", "the report fetches something")
 
     def test_no_iterations(self):
@@ -449,6 +474,43 @@ class Outputs(ToolTest):
         self.assertIn("/proc/annulus", self.refuse(3, "lloyd", "--points", "30", "--iterations", "2",
                                                    "--output", "/proc/annulus"))
         self.refuse(3, "compare", "--output", "/proc/annulus", "--", "lloyd", "--points", "30", "--iterations", "2")
+
+    def test_an_unwritable_directory_is_known_before_the_run(self):
+        self.write("taken", "here already")
+        motion = ["lloyd", "--points", "3000", "--iterations", "1000000"]
+        self.refuse(3, *motion, "--output", "taken", timeout=10)
+        self.refuse(3, "compare", "--output", "taken", "--", *motion, timeout=10)
+
+    def test_an_interruption_leaves_all_or_nothing(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            for directory in ("new/deep", "."):
+                with self.subTest(number=number, directory=directory):
+                    self.interrupt(number, directory)
+
+    def interrupt(self, number, directory):
+        """Sends the signal when the first file of the results has begun to appear."""
+        before = self.listing()
+        def default_action():  # whoever runs the tests may ignore the signal, as nohup and shells do for their children
+            signal.signal(number, signal.SIG_DFL)
+
+        tool = subprocess.Popen([TOOL, "lloyd", "--points", "20000", "--iterations", "1", "--quiet", "--output", directory],
+                                cwd=self.here, stdin=subprocess.DEVNULL, preexec_fn=default_action)
+        out = self.here / directory
+        begun = False
+        while tool.poll() is None and not begun:
+            # Later than the trial at the beginning, which is gone at once.
+            begun = out.is_dir() and any(p.name.startswith(".") and "probe" not in p.name for p in out.iterdir())
+            time.sleep(0.0005)
+        tool.send_signal(number)
+        status = tool.wait(timeout=60)
+        self.assertTrue(begun, "nothing was seen of the files")
+        self.assertEqual(status, -number)
+        left = {p.name for p in out.iterdir()} if out.is_dir() else set()
+        if RUN_FILES <= left:  # all were in place already
+            for name in RUN_FILES:
+                (out / name).unlink()
+            return
+        self.assertEqual(self.listing(), before)
 
     def test_directory_without_permission(self):
         locked = self.here / "locked"
@@ -536,9 +598,28 @@ class Audits(ToolTest):
         self.xyz("line.xyz", [(i, 0) for i in range(4)])
         self.succeed("lloyd", "--input", "line.xyz", "--iterations", "2", "--output", "out", "--quiet")
         self.assertEqual(self.mesh("out")[1], [])
-        # Four points on a line and no triangle: that is the Delaunay triangulation, or a file the audit cannot judge;
-        # what it must not be is a failed audit.
-        self.assertIn(self.run_tool("audit", "out/final.mesh").returncode, (0, 3))
+        done = self.succeed("audit", "out/final.mesh")
+        self.assertIn("4 points, 3 edges: Delaunay", done.stdout)
+
+    def test_points_on_a_line(self):
+        def flat(points, edges):
+            self.write("test.mesh", self.HEAD + f"Vertices\n{len(points)}\n" + "".join(f"{x!r} {y!r} 0\n" for x, y in points)
+                       + f"Edges\n{len(edges)}\n" + "".join(f"{a} {b} 0\n" for a, b in edges) + "Triangles\n0\nEnd\n")
+            return self.run_tool("audit", "test.mesh")
+        line = [(0.0, 0.0), (2.0, 4.0), (1.0, 2.0)]
+        self.assertEqual(flat(line, [(1, 3), (2, 3)]).returncode, 0)
+        for points, edges in ((line, [(1, 2), (2, 3)]), (line, [(1, 3)]), (line, [(1, 3), (2, 3), (1, 2)]),
+                              (line[:2] + [(1.0, 2.5)], [(1, 3), (2, 3)]), (line[:2] + line[:1], [(1, 2), (2, 3)])):
+            done = flat(points, edges)
+            self.assertEqual((done.returncode, "NOT Delaunay" in done.stdout), (1, True), (points, edges))
+        flat(line, [])
+        self.assertIn("Edges where all points are collinear", self.refuse(3, "audit", "test.mesh"))
+
+    def test_a_fault_names_vertices_as_the_file_does(self):
+        name = self.mesh_file(self.SQUARE, [(1, 3, 2), (1, 3, 4)])
+        self.assertIn("cell not positively oriented: 1 3 2", self.run_tool("audit", name).stdout)
+        name = self.mesh_file(self.SQUARE, [(1, 2, 3)])
+        self.assertIn("vertex in no cell: 4", self.run_tool("audit", name).stdout)
 
 
 class Counterexample(ToolTest):

@@ -55,6 +55,13 @@ TEST_CASE("The audit passes collinear vertices on the border", "[audit]") {
     accepts({{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {1, 2}}, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}}});
 }
 
+TEST_CASE("The audit counts vertices from where it is told", "[audit]") {
+    auto input = kite();
+    std::swap(input.cells[1][0], input.cells[1][1]);
+    CHECK(audit(input).first_fault == "cell not positively oriented: 2 1 3");
+    CHECK(audit(input, 1).first_fault == "cell not positively oriented: 3 2 4");
+}
+
 TEST_CASE("The audit refuses an inverted cell", "[audit]") {
     auto input = kite();
     std::swap(input.cells[1][0], input.cells[1][1]);

@@ -5,16 +5,18 @@
 
 namespace annulus::cli {
 
-void add_common(CLI::App& app, Common_arguments& a) {
-    app.add_option("-o,--output", a.output, "Write summary.json, report.html and the other files to this directory")
-        ->type_name("DIR");
-    app.add_option("--seed", a.seed, "Seed of everything random")
+void add_common(CLI::App& app, Common_arguments& a, const std::string& files, bool motion) {
+    app.add_option("-o,--output", a.output, "Write " + files + " to this directory")
+        ->type_name("DIR")
+        ->check([](const std::string& word) { return word.empty() ? std::string("the name of a directory is empty") : ""; });
+    app.add_option("--seed", a.seed, motion ? "Seed of everything random" : "Taken everywhere; nothing is random here")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
-    app.add_option("--threads", a.threads, "Threads for the motion; results do not depend on it")
+    app.add_option("--threads", a.threads, motion ? "Threads for the motion; results do not depend on it"
+                                                : "Taken everywhere; one thread is used here")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
-    app.add_flag("-q,--quiet", a.quiet, "No progress and no summary, only errors");
+    app.add_flag("-q,--quiet", a.quiet, "No progress and no summary, only errors and the exit status");
 }
 
 void add_tracking(CLI::App& app, Tracking_arguments& a) {

@@ -30,7 +30,9 @@ struct Tracking_arguments {
     std::uint64_t audit = 100;
 };
 
-void add_common(CLI::App& app, Common_arguments& arguments);
+/// `files` is what --output writes. Where there is no motion, --seed and --threads are taken and have no effect, so that
+/// a script may give every subcommand the same options.
+void add_common(CLI::App& app, Common_arguments& arguments, const std::string& files, bool motion = true);
 void add_tracking(CLI::App& app, Tracking_arguments& arguments);
 
 /// Library options from words. Throws Error(usage).

@@ -3,10 +3,10 @@
 #include <annulus/cli/files.h>
 #include <annulus/cli/lloyd_scene.h>
 #include <annulus/cli/progress.h>
+#include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker_2.h>
 #include <annulus/io/input_error.h>
-#include <annulus/io/output_directory.h>
 #include <annulus/io/summary.h>
 #include <annulus/io/write_csv.h>
 #include <annulus/io/write_json.h>
@@ -20,7 +20,7 @@ namespace annulus::cli {
 
 namespace {
 
-struct Arguments {
+struct Compare_call {
     Common_arguments common;
     std::vector<std::string> strategies{"rebuild", "relocate", "filter"};
 };
@@ -64,13 +64,15 @@ void write_comparison(const std::string& directory, const std::deque<Tracker_2>&
                       const Comparison_record& comparison, std::optional<Picture> before) {
     Report report;
     const Tracker_2& shown = trackers.back();
-    report.title = shown.record().command;
+    std::string names;
+    for (const Run_record& run : comparison.runs) names += (names.empty() ? "" : ", ") + run.strategy;
+    report.title = title_of(shown.record(), names);
     report.run = shown.record();
     report.before = std::move(before);
-    report.after = picture_of(shown.triangulation(), "after " + std::to_string(shown.record().iterations) + " iterations");
+    report.after = picture_of(shown.triangulation(), "After " + counted(shown.record().iterations, "iteration"));
     report.annulus_widths = shown.widths();
     report.comparison = comparison;
-    Output_directory out(directory);
+    Result_files out(directory);
     out.write("compare.json", write_json(compare_json(comparison)));
     for (const Run_record& run : comparison.runs) {
         std::string name = run.strategy;
@@ -86,7 +88,8 @@ void print(const Comparison_record& c) {
     for (const Run_record& r : c.runs) {
         const auto asked = static_cast<double>(r.moves.asked > 0 ? r.moves.asked : 1);
         std::printf("%-24s %12.3f s %12.1f %10.2f %% %6llu/%llu\n", r.strategy.c_str(), r.seconds.triangulation,
-                    r.seconds.triangulation / asked * 1e9, 100.0 * static_cast<double>(r.moves.within_tolerance) / asked,
+                    r.seconds.triangulation / asked * 1e9,
+                    100.0 * static_cast<double>(r.moves.within_tolerance) / asked,
                     static_cast<unsigned long long>(r.audit.checked - r.audit.failed),
                     static_cast<unsigned long long>(r.audit.checked));
     }
@@ -99,19 +102,23 @@ void print(const Comparison_record& c) {
     for (const std::string& line : c.disagreements) std::printf("DISAGREE: %s\n", line.c_str());
 }
 
-int run(const Arguments& a, const Invocation& invocation) {
+int run(const Compare_call& a, const Invocation& invocation) {
     // The inner command is parsed by the same rules as when it stands alone.
     CLI::App inner("the motion to compare on", "annulus compare --");
-    auto* sub = inner.add_subcommand("lloyd");
+    auto* sub = inner.add_subcommand("lloyd", "Lloyd iterations in the plane");
     Common_arguments common;
     Tracking_arguments tracking;
     Lloyd_arguments lloyd_arguments;
     add_lloyd(*sub, lloyd_arguments);
     add_tracking(*sub, tracking);
-    add_common(*sub, common);
+    add_common(*sub, common, run_files);
     inner.require_subcommand(1);
     std::vector<std::string> reversed(invocation.inner.rbegin(), invocation.inner.rend());
-    inner.parse(reversed);
+    try {
+        inner.parse(reversed);
+    } catch (const CLI::Success& e) {  // --help
+        return inner.exit(e);
+    }
     if (!common.output.empty())
         throw CLI::ValidationError("--output", "belongs before --: compare writes one report for all strategies");
 
@@ -124,6 +131,7 @@ int run(const Arguments& a, const Invocation& invocation) {
                      counted(scene.merged, "duplicate point").c_str());
     const std::uint64_t iterations = lloyd_arguments.iterations;
     const std::size_t n = scene.points.size();
+    if (!a.common.output.empty()) require_writable(a.common.output);
     std::deque<Tracker_2> trackers;
     for (const std::string& name : a.strategies) {
         const Options options = options_of(variant(tracking, name), common);
@@ -131,7 +139,7 @@ int run(const Arguments& a, const Invocation& invocation) {
         trackers.emplace_back(name, scene.points, options, scene.spacing(), iterations, tracking.audit, measure);
     }
     std::optional<Picture> before;
-    if (!a.common.output.empty()) before = picture_of(trackers[0].triangulation(), "before");
+    if (!a.common.output.empty()) before = picture_of(trackers[0].triangulation(), "Before");
 
     // The motion needs a triangulation of its own, kept by certified tolerances, timed for nobody.
     Moving_delaunay_2 guide(scene.points);
@@ -182,13 +190,13 @@ int run(const Arguments& a, const Invocation& invocation) {
 Run add_compare_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand(
         "compare", "The same motion under several strategies: annulus compare --strategies a,b -- lloyd ...");
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<Compare_call>();
     sub->add_option("--strategies", a->strategies,
                     "Strategies, separated by commas; NAME:KIND changes the tolerance (filter:floating) or the second "
                     "look (filter:unequal) of one")
         ->delimiter(',')
         ->capture_default_str();
-    add_common(*sub, a->common);
+    add_common(*sub, a->common, "compare.json, report.html and a table for each strategy");
     return [a, &invocation] {
         if (invocation.inner.empty())
             throw CLI::ValidationError("compare", "say what to compare on: annulus compare ... -- lloyd --points 1000");

@@ -5,7 +5,7 @@
 #include <annulus/certificate/theta.h>
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
-#include <annulus/io/output_directory.h>
+#include <annulus/cli/result_files.h>
 #include <annulus/io/write_json.h>
 #include <annulus/relocation/displacement.h>
 
@@ -127,10 +127,9 @@ void print(const Result& r) {
 
 Run add_counterexample_command(CLI::App& app, const Invocation&) {
     struct Arguments {
+        Common_arguments common;
         double delta = 0.01;
-        std::string output;
         bool json = false;
-        bool quiet = false;
     };
     auto* sub = app.add_subcommand(
         "counterexample",
@@ -139,19 +138,18 @@ Run add_counterexample_command(CLI::App& app, const Invocation&) {
     sub->add_option("--delta", a->delta, "How far a and b are inside the unit sphere, 2^-40 to 0.1")
         ->check(CLI::Range(0x1p-40, 0.1))
         ->capture_default_str();
-    sub->add_option("-o,--output", a->output, "Write counterexample.json to this directory");
     sub->add_flag("--json", a->json, "Print JSON instead of text");
-    sub->add_flag("-q,--quiet", a->quiet, "Print nothing");
+    add_common(*sub, a->common, "counterexample.json", false);
     return [a] {
         if (std::isnan(a->delta)) throw Error(Error_code::usage, "--delta: not a number");
         const Result r = study(a->delta);
         const std::string text = write_json(json(r));
-        if (!a->output.empty()) {
-            Output_directory out(a->output);
+        if (!a->common.output.empty()) {
+            Result_files out(a->common.output);
             out.write("counterexample.json", text);
             out.commit();
         }
-        if (a->quiet) return done;
+        if (a->common.quiet) return done;
         if (a->json) std::printf("%s", text.c_str());
         else print(r);
         return done;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/files.h>
+#include <annulus/cli/result_files.h>
 
-#include <annulus/io/output_directory.h>
+#include <annulus/io/axis_ticks.h>
+#include <annulus/io/input_error.h>
 #include <annulus/io/summary.h>
 #include <annulus/io/write_csv.h>
 #include <annulus/io/write_json.h>
@@ -25,6 +27,11 @@ std::vector<std::array<Index, 3>> triangles(const Audit_input<2>& in) {
 
 }  // namespace
 
+std::string title_of(const Run_record& run, const std::string& names) {
+    return grouped(run.vertices) + " vertices, " + grouped(run.iterations) + " Lloyd " +
+           (run.iterations == 1 ? "iteration: " : "iterations: ") + names;
+}
+
 void write_run(const std::string& directory, const Tracker_2& tracker, std::optional<Picture> before,
                std::vector<std::string> notes) {
     const Run_record& run = tracker.record();
@@ -42,17 +49,17 @@ void write_run(const std::string& directory, const Tracker_2& tracker, std::opti
     const std::vector<Vtu_field> fields{{"tolerance", tolerance}, {"theta", theta}};
 
     Report report;
-    report.title = run.command;
+    report.title = title_of(run, run.strategy);
     report.run = run;
     report.before = std::move(before);
-    report.after = picture_of(tracker.triangulation(), "after " + std::to_string(run.iterations) + " iterations");
+    report.after = picture_of(tracker.triangulation(), "After " + counted(run.iterations, "iteration"));
     report.annulus_widths = tracker.widths();
     report.notes = std::move(notes);
 
-    Output_directory out(directory);
+    Result_files out(directory);
     out.write("summary.json", write_json(summary_json(run)));
     out.write("iterations.csv", write_csv(iterations_table(run)));
-    out.write("final.mesh", write_mesh<2>(in.points, cells));
+    out.write("final.mesh", write_mesh<2>(in.points, in.cells));
     out.write("final.vtu", write_vtu<2>(in.points, cells, fields));
     out.write("report.html", report_html(report));
     out.commit();

@@ -3,6 +3,7 @@
 #include <annulus/cli/files.h>
 #include <annulus/cli/lloyd_scene.h>
 #include <annulus/cli/progress.h>
+#include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker_2.h>
 #include <annulus/io/input_error.h>
@@ -14,23 +15,24 @@ namespace annulus::cli {
 
 namespace {
 
-struct Arguments {
+struct Lloyd_call {
     Common_arguments common;
     Tracking_arguments tracking;
     Lloyd_arguments lloyd;
 };
 
-int run(const Arguments& a, const std::string& command) {
+int run(const Lloyd_call& a, const std::string& command) {
     const auto begin = Clock::now();
     const Options options = options_of(a.tracking, a.common);
     const Lloyd_scene scene = make_scene(a.lloyd, a.common.seed);
     if (scene.merged > 0 && !a.common.quiet)
         std::fprintf(stderr, "annulus: %s: merged %s\n", a.lloyd.input.c_str(),
                      counted(scene.merged, "duplicate point").c_str());
-    Tracker_2 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.lloyd.iterations,
-                      a.tracking.audit, !a.common.output.empty());
+    if (!a.common.output.empty()) require_writable(a.common.output);
+    Tracker_2 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.lloyd.iterations, a.tracking.audit,
+                      !a.common.output.empty());
     std::optional<Picture> before;
-    if (!a.common.output.empty()) before = picture_of(tracker.triangulation(), "before");
+    if (!a.common.output.empty()) before = picture_of(tracker.triangulation(), "Before");
 
     const Lloyd_2 lloyd(scene.domain, scene.density, a.common.threads);
     Neighbours_2 neighbours;
@@ -65,10 +67,10 @@ int run(const Arguments& a, const std::string& command) {
 
 Run add_lloyd_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand("lloyd", "Lloyd iterations in the plane, the triangulation kept right throughout");
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<Lloyd_call>();
     add_lloyd(*sub, a->lloyd);
     add_tracking(*sub, a->tracking);
-    add_common(*sub, a->common);
+    add_common(*sub, a->common, run_files);
     return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }
 

@@ -97,8 +97,7 @@ void check_cells(const std::string& name, const Medit_cells<corners>& cells, std
 
 /// Sections that have one record a line and that are stepped over by their count, with all they need to be checked.
 bool is_counted_by_lines(std::string_view keyword) {
-    return keyword == "Edges" || keyword == "Quadrilaterals" || keyword == "Hexahedra" || keyword == "Prisms" ||
-           keyword == "Pyramids";
+    return keyword == "Quadrilaterals" || keyword == "Hexahedra" || keyword == "Prisms" || keyword == "Pyramids";
 }
 
 void skip_lines(Line_reader& reader, const std::string& keyword) {
@@ -148,6 +147,7 @@ Medit_content parse_medit(const Source& source) {
         }
         if (content.dimension == 0) reader.fail(shown(keyword) + " before Dimension", "Dimension 2 or 3");
         if (keyword == "Vertices") read_vertices(reader, content);
+        else if (keyword == "Edges") read_cells(reader, keyword, content.edges);
         else if (keyword == "Triangles") read_cells(reader, keyword, content.triangles);
         else if (keyword == "Tetrahedra") read_cells(reader, keyword, content.tetrahedra);
         else if (is_counted_by_lines(keyword)) skip_lines(reader, keyword);
@@ -155,6 +155,7 @@ Medit_content parse_medit(const Source& source) {
     }
     content.last_line = std::max<std::uint64_t>(reader.number(), 1);
     if (content.dimension == 0) reader.fail("the file ends without Dimension", "Dimension 2 or 3");
+    check_cells(source.name, content.edges, content.points.size());
     check_cells(source.name, content.triangles, content.points.size());
     check_cells(source.name, content.tetrahedra, content.points.size());
     return content;

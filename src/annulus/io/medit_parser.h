@@ -22,12 +22,13 @@ struct Medit_content {
     int dimension = 0;
     std::vector<Coordinates<3>> points;  ///< z is 0 in two dimensions
     std::vector<std::uint64_t> lines;
+    Medit_cells<2> edges;
     Medit_cells<3> triangles;
     Medit_cells<4> tetrahedra;
     std::uint64_t last_line = 1;
 };
 
-/// Reads one record a line; sections other than vertices, triangles and tetrahedra are stepped over. A missing End is
+/// Reads one record a line; sections other than vertices, edges, triangles and tetrahedra are stepped over. A missing End is
 /// accepted, since every section says how long it is. Throws Input_error.
 [[nodiscard]] Medit_content parse_medit(const Source& source);
 

@@ -26,7 +26,9 @@ namespace annulus {
 /// Vertices have an index in input order and a CGAL handle; no move, whatever the strategy, invalidates either.
 /// Removing a vertex leaves its index vacant; the next insertion takes the index vacated last.
 ///
-/// Errors are annulus::Error; the object is as it was before the call that threw.
+/// Errors are annulus::Error; the object is as it was before the call that threw. Every function that takes a handle throws
+/// unknown_vertex for a null one, the vertex at infinity, and a vertex of another triangulation. The handle of a vertex that
+/// was removed dangles and must not be used.
 template <class Cgal>
 class Moving_delaunay {
   public:
@@ -53,7 +55,7 @@ class Moving_delaunay {
     /// Moves one vertex. Expected O(degree) for a short way. Throws not_finite, out_of_domain, collision,
     /// unknown_vertex.
     Move_report move(Vertex_handle v, const Point& p) {
-        return move(v == Vertex_handle() ? none : index(v), Cgal::coordinates(p));
+        return move(index(v), Cgal::coordinates(p));
     }
     Move_report move(Index i, const Coordinates<d>& p);
 
@@ -82,7 +84,12 @@ class Moving_delaunay {
     [[nodiscard]] std::size_t index_bound() const { return position_count(); }
     /// Null for a vacant index. Throws unknown_vertex beyond index_bound().
     [[nodiscard]] Vertex_handle vertex(std::size_t i) const;
-    [[nodiscard]] Index index(Vertex_handle v) const { return v->index(); }
+    /// O(1). Throws unknown_vertex.
+    [[nodiscard]] Index index(Vertex_handle v) const {
+        const Index i = v == Vertex_handle() ? none : v->index();
+        if (i < 0 || at(i) >= index_bound() || embedding_.handle(i) != v) refuse_handle();
+        return i;
+    }
     /// Vertex index of every input point; differs from 0, 1, 2 ... only where duplicates were merged.
     [[nodiscard]] std::span<const Index> index_of_input() const { return index_of_input_; }
 
@@ -97,7 +104,8 @@ class Moving_delaunay {
     [[nodiscard]] double tolerance(Vertex_handle v) const;
     /// Upper bound of |position - fixed position|.
     [[nodiscard]] double displacement(Vertex_handle v) const {
-        return distance_upper<d>(positions()[at(index(v))], fixed_coordinates(index(v)));
+        const Index i = index(v);
+        return distance_upper<d>(positions()[at(i)], fixed_coordinates(i));
     }
     /// Least theta of the finite bi-cells of v in radians (theory 4); pi/2 when it has none.
     [[nodiscard]] double theta(Vertex_handle v) const { return embedding_.theta(index(v)); }
@@ -131,6 +139,7 @@ class Moving_delaunay {
                : filters_each() ? filter_each_.fixed_position(v)
                                 : plain_[at(v)];
     }
+    [[noreturn]] static void refuse_handle();
     void require_vertex(Index i) const;
     void settle_into(Move_report& report);
     void rebuild_all(std::span<const Coordinates<d>> x, Move_report& report);

@@ -15,6 +15,11 @@ void Moving_delaunay<Cgal>::require_vertex(Index i) const {
 }
 
 template <class Cgal>
+void Moving_delaunay<Cgal>::refuse_handle() {
+    throw Error(Error_code::unknown_vertex, "the handle names no vertex of this triangulation");
+}
+
+template <class Cgal>
 Moving_delaunay<Cgal>::Moving_delaunay(std::span<const Coordinates<d>> points, const Options& options)
     : options_(options),
       strategy_(options.strategy),
@@ -252,8 +257,10 @@ double Moving_delaunay<Cgal>::star_tolerance(Index i) const {
 
 template <class Cgal>
 double Moving_delaunay<Cgal>::tolerance(Vertex_handle v) const {
+    const Index i = index(v);
     if (embedding_.dimension() != d) return 0.0;
-    return filters() && filter_.tracks() ? filter_.tolerance(index(v)) : filters_each() ? filter_each_.tolerance(index(v)) : star_tolerance(index(v));
+    if (filters() && filter_.tracks()) return filter_.tolerance(i);
+    return filters_each() ? filter_each_.tolerance(i) : star_tolerance(i);
 }
 
 template <class Cgal>
@@ -291,12 +298,9 @@ typename Moving_delaunay<Cgal>::Vertex_handle Moving_delaunay<Cgal>::insert(cons
 
 template <class Cgal>
 void Moving_delaunay<Cgal>::remove(Vertex_handle v, Move_report* out) {
-    if (v == Vertex_handle() || triangulation().is_infinite(v))
-        throw Error(Error_code::unknown_vertex, "no such vertex");
+    const Index i = index(v);
     Move_report report;
     make_trusted(report);
-    const Index i = index(v);
-    require_vertex(i);
     std::vector<Index> changed;
     embedding_.remove(i, changed);
     vacant_.push_back(i);

@@ -2,6 +2,7 @@
 #include <annulus/relocation/repair.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/relocation/displacement.h>
 
 #include <algorithm>
 #include <bit>
@@ -26,6 +27,7 @@ void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
     disturbed_.clear();
     detached_.clear();
     changed_.clear();
+    rebuilt_ = false;
     log_.clear();
     report_ = {};
 }
@@ -142,9 +144,15 @@ void Repair<d>::suspect_around(std::span<const Index> cells) {
 template <int d>
 void Repair<d>::list_changes(Move_report& report) const {
     const auto& t = embedding_.table();
-    for (const Index c : changed_)
-        if (t.is_cell(c))
-            for (int i = 0; i <= d; ++i) report.changed.push_back(t.vertex(t.corner(c, i)));
+    const auto list = [&](Index c) {
+        if (!t.is_cell(c)) return;
+        for (int i = 0; i <= d; ++i) report.changed.push_back(t.vertex(t.corner(c, i)));
+    };
+    if (rebuilt_) {
+        for (Index c = 0; c < t.cell_bound(); ++c) list(c);
+    } else {
+        for (const Index c : changed_) list(c);
+    }
 }
 
 template <int d>
@@ -185,8 +193,7 @@ typename Repair<d>::Outcome Repair<d>::mend(std::span<const Coordinates<d>> old,
     forget();
     detached_.clear();
     embedding_.rebuild(x_);
-    changed_.clear();
-    for (Index c = 0; c < embedding_.table().cell_bound(); ++c) changed_.push_back(c);
+    rebuilt_ = true;
     return Outcome::rebuilt;
 }
 
@@ -236,8 +243,7 @@ Index Repair<d>::vertex_to_detach(Index c, std::span<const Coordinates<d>> old,
     double farthest = -1.0;
     for (const Index v : cell_points(t, c)) {
         if (v == infinite) continue;
-        double moved = 0.0;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) moved += squared(x_[at(v)][k] - old[at(v)][k]);
+        const double moved = squared_distance<d>(x_[at(v)], old[at(v)]);
         if (moved > farthest) {
             farthest = moved;
             best = v;

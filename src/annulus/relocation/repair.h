@@ -80,9 +80,8 @@ class Repair {
     /// Vertices of certificates that were found violated, and those taken out and put back, of this examination.
     [[nodiscard]] std::span<const Index> disturbed() const { return disturbed_; }
     [[nodiscard]] std::span<const Index> reinserted() const { return detached_; }
-    /// Cells that flips, removal or insertion created or changed, some perhaps gone again; everything after a rebuild.
-    [[nodiscard]] std::span<const Index> changed_cells() const { return changed_; }
-    /// Appends the vertices of those that there still are to report.changed.
+    /// Appends the vertices of the cells that flips, removal or insertion created or changed, and that there still are, to
+    /// report.changed; of every cell after a rebuild.
     void list_changes(Move_report& report) const;
     /// Counters of this examination.
     [[nodiscard]] const Move_report& report() const { return report_; }
@@ -139,7 +138,8 @@ class Repair {
     std::vector<Index> place_of_cell_;
     std::vector<Index> disturbed_;
     std::vector<Index> detached_;
-    std::vector<Index> changed_;
+    std::vector<Index> changed_;  // cells, some perhaps gone again; not kept up once all are rebuilt
+    bool rebuilt_ = false;
     std::vector<Index> queue_;     // facets to look at
     std::vector<Index> inverted_;  // cells to unfold
     std::vector<std::pair<Index, Index>> log_;  // cells of each flip, in order

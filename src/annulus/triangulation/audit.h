@@ -39,6 +39,7 @@ struct Audit_result {
 /// once, every vertex used, no two at one place. Integer arithmetic throughout; shares no code with the certificates
 /// it audits, nor with CGAL's predicates. O(n) big-integer determinants, a few hundred nanoseconds each.
 /// Precondition: finite coordinates. Theory 1 has why these conditions suffice; docs/theory.md the turning number.
-[[nodiscard]] Audit_result audit(const Audit_input<2>& input);
+/// The first fault names vertices by their index, counted from `first`.
+[[nodiscard]] Audit_result audit(const Audit_input<2>& input, Index first = 0);
 
 }  // namespace annulus

@@ -123,14 +123,18 @@ void fault(Audit_result& r, std::uint64_t& counter, const std::string& words) {
     if (r.first_fault.empty()) r.first_fault = words;
 }
 
-std::string named(const char* what, std::initializer_list<Index> v) {
-    std::string s = what;
-    for (const Index i : v) {
-        s += ' ';
-        s += std::to_string(i);
+/// Words and vertices, counted from `first`.
+struct Namer {
+    Index first;
+    std::string operator()(const char* what, std::initializer_list<Index> v) const {
+        std::string s = what;
+        for (const Index i : v) {
+            s += ' ';
+            s += std::to_string(static_cast<long long>(i) + first);
+        }
+        return s;
     }
-    return s;
-}
+};
 
 std::vector<Index> lexicographic(const std::vector<Coordinates<2>>& p) {
     std::vector<Index> order(p.size());
@@ -140,7 +144,7 @@ std::vector<Index> lexicographic(const std::vector<Coordinates<2>>& p) {
 }
 
 /// Points that span no area: all collinear, and the edges join neighbours on the line.
-Audit_result audit_flat(const Audit_input<2>& in) {
+Audit_result audit_flat(const Audit_input<2>& in, const Namer& named) {
     Audit_result r;
     const auto sites = integer_sites(in.points);
     Judge judge(sites);
@@ -164,7 +168,8 @@ Audit_result audit_flat(const Audit_input<2>& in) {
 
 }  // namespace
 
-Audit_result audit(const Audit_input<2>& in) {
+Audit_result audit(const Audit_input<2>& in, Index first_index) {
+    const Namer named{first_index};
     Audit_result r;
     const std::vector<Index> order = lexicographic(in.points);
     for (std::size_t i = 1; i < order.size(); ++i)
@@ -172,7 +177,7 @@ Audit_result audit(const Audit_input<2>& in) {
             fault(r, r.topological_faults, named("two vertices at one place:", {order[i - 1], order[i]}));
     const bool solid = std::any_of(in.cells.begin(), in.cells.end(), [](const auto& c) { return c[2] != none; });
     if (!solid) {
-        Audit_result flat = audit_flat(in);
+        Audit_result flat = audit_flat(in, named);
         flat.topological_faults += r.topological_faults;
         if (!r.first_fault.empty()) flat.first_fault = r.first_fault;
         return flat;
