@@ -41,4 +41,9 @@ struct Audit_result {
 /// Precondition: finite coordinates. Theory 1 has why these conditions suffice; docs/theory.md the turning number.
 [[nodiscard]] Audit_result audit(const Audit_input<2>& input);
 
+/// The same in space. That the boundary is one convex surface that winds once is decided from the middle of a cell: every
+/// boundary triangle shows it its inner side, a ray from it leaves through one of them, and every ridge is convex. Triangles that
+/// are coplanar are judged in their plane. Also checks Euler's relation, which follows.
+[[nodiscard]] Audit_result audit(const Audit_input<3>& input);
+
 }  // namespace annulus
