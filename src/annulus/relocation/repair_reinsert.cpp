@@ -119,9 +119,7 @@ bool Repair<d>::reinsert(std::span<const Coordinates<d>> old, std::span<const In
     return evaluate();
 }
 
-template void Repair<2>::require_distinct(std::span<const Index>) const;
-template bool Repair<2>::reinsert(std::span<const Coordinates<2>>, std::span<const Index>);
-template void Repair<3>::require_distinct(std::span<const Index>) const;
-template bool Repair<3>::reinsert(std::span<const Coordinates<3>>, std::span<const Index>);
+template class Repair<2>;
+template class Repair<3>;
 
 }  // namespace annulus
