@@ -16,8 +16,8 @@ using Kind = Operation_3::Kind;
 
 namespace {
 
-constexpr std::array strategies{Strategy::rebuild,  Strategy::relocate, Strategy::relocate_flips, Strategy::in_place,
-                                Strategy::filter,   Strategy::filter_each, Strategy::hybrid};
+constexpr std::array strategies{Strategy::rebuild, Strategy::relocate,    Strategy::relocate_flips, Strategy::in_place,
+                                Strategy::filter,  Strategy::filter_each, Strategy::hybrid};
 
 /// Moves between the places of a pool that is used again and again, so that vertices return and meet.
 Program_3 program_of(Strategy strategy, Set_3 set, std::uint64_t seed, int most, int calls) {

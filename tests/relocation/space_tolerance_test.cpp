@@ -44,11 +44,13 @@ std::vector<double> true_tolerances(const Moving_delaunay_3& dt) {
     std::vector<double> least(dt.index_bound(), std::numeric_limits<double>::infinity());
     const auto x = [&](auto v) { return dt.positions()[static_cast<std::size_t>(v->index())]; };
     const auto lower = [&](auto v, double s) {
-        if (!tr.is_infinite(v)) least[static_cast<std::size_t>(v->index())] = std::min(least[static_cast<std::size_t>(v->index())], s);
+        if (!tr.is_infinite(v))
+            least[static_cast<std::size_t>(v->index())] = std::min(least[static_cast<std::size_t>(v->index())], s);
     };
     const auto upper_end = [](const Truth_3& truth) { return truth.sign() > 0 ? truth.enclosure().upper() : 0.0; };
     for (auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c) {
-        const double s = upper_end(Tetrahedron_truth({x(c->vertex(0)), x(c->vertex(1)), x(c->vertex(2)), x(c->vertex(3))}));
+        const double s =
+            upper_end(Tetrahedron_truth({x(c->vertex(0)), x(c->vertex(1)), x(c->vertex(2)), x(c->vertex(3))}));
         for (int i = 0; i < 4; ++i) lower(c->vertex(i), s);
     }
     for (auto f = tr.all_facets_begin(); f != tr.all_facets_end(); ++f) {
@@ -56,7 +58,8 @@ std::vector<double> true_tolerances(const Moving_delaunay_3& dt) {
         const auto other = c->neighbor(i);
         const auto p = tr.tds().mirror_vertex(c, i);
         if (tr.is_infinite(c) != tr.is_infinite(other)) continue;
-        std::vector<Moving_delaunay_3::Vertex_handle> v{c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3)};
+        std::vector<Moving_delaunay_3::Vertex_handle> v{c->vertex((i + 1) & 3), c->vertex((i + 2) & 3),
+                                                        c->vertex((i + 3) & 3)};
         if (!tr.is_infinite(c)) {
             Bicell_3 b{x(v[0]), x(v[1]), x(v[2]), x(p), x(c->vertex(i))};
             if (exact_orientation(b.a, b.b, b.c, b.q) < 0) std::swap(b.a, b.b);
@@ -97,7 +100,8 @@ Points_3 centres(const Moving_delaunay_3& dt) {
     for (auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f) {
         const auto [c, i] = *f;
         if (tr.is_infinite(c) || tr.is_infinite(c->neighbor(i))) continue;
-        const auto o = CGAL::circumcenter(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(), c->vertex(3)->point());
+        const auto o = CGAL::circumcenter(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
+                                          c->vertex(3)->point());
         const auto p = tr.tds().mirror_vertex(c, i);
         const double room = std::sqrt(CGAL::to_double(CGAL::squared_distance(o, p->point()))) -
                             std::sqrt(CGAL::to_double(CGAL::squared_distance(o, c->vertex(0)->point())));
@@ -115,11 +119,13 @@ Points_3 centres(const Moving_delaunay_3& dt) {
 
 }  // namespace
 
-TEST_CASE("The tolerances of a regular tetrahedron and of the spindle are those computed by hand", "[tolerance][space]") {
+TEST_CASE("The tolerances of a regular tetrahedron and of the spindle are those computed by hand",
+          "[tolerance][space]") {
     for (const Strategy strategy : filters) {
         CAPTURE(name_of(strategy));
         // Edge 2 sqrt 2: the distance of opposite edges is 2, the height 2.309; half the width is 1. A ridge is the same four points.
-        Moving_delaunay_3 one(Points_3{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, options_of(strategy, Tolerance_kind::certified));
+        Moving_delaunay_3 one(Points_3{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
+                              options_of(strategy, Tolerance_kind::certified));
         for (std::size_t i = 0; i < 4; ++i) {
             CHECK(one.tolerance(one.vertex(i)) <= 1.0);
             CHECK(one.tolerance(one.vertex(i)) > 0.998);
@@ -157,7 +163,9 @@ TEST_CASE("Inside the paper's tolerances the spindle ends in a triangulation tha
         try {
             for (int k = 0; k < 20; ++k)
                 for (Index v = 0; v < 5; ++v) {
-                    session.apply({Kind::move, v, {(k % 2 == 0 ? spindle_grown(0.007) : spindle(0.01))[static_cast<std::size_t>(v)]}});
+                    session.apply({Kind::move,
+                                   v,
+                                   {(k % 2 == 0 ? spindle_grown(0.007) : spindle(0.01))[static_cast<std::size_t>(v)]}});
                     session.check();
                 }
         } catch (const Session_3::Fault& fault) {
@@ -173,7 +181,8 @@ TEST_CASE("A settled tolerance in space is never above what its certificates all
             REQUIRE(rc::check([=] {
                 const Set_3 set = all_sets_3[*rc::gen::inRange<std::size_t>(0, all_sets_3.size())];
                 Random random(*seeds());
-                const Moving_delaunay_3 dt(point_set(set, 4 + random() % 20, random), options_of(strategy, Tolerance_kind::certified));
+                const Moving_delaunay_3 dt(point_set(set, 4 + random() % 20, random),
+                                           options_of(strategy, Tolerance_kind::certified));
                 if (dt.triangulation().dimension() < 3) return;
                 const std::vector<double> truth = true_tolerances(dt);
                 for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -208,7 +217,8 @@ TEST_CASE("The most harmful moves in space, just inside and just outside the tol
                             if (random() % 4 == 0) continue;
                             const auto v = session.dt().vertex(i);
                             const auto f = session.dt().fixed_position(v);
-                            y[i] = shifted({f.x(), f.y(), f.z()}, session.dt().tolerance(v), share, target[i], away, random);
+                            y[i] = shifted({f.x(), f.y(), f.z()}, session.dt().tolerance(v), share, target[i], away,
+                                           random);
                         }
                         Points_3 sorted = y;
                         std::sort(sorted.begin(), sorted.end());

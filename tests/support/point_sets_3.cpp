@@ -58,7 +58,8 @@ Place point_of(Set_3 set, const Points_3& have, Random& random) {
         }
         case Set_3::sphere: {
             static const Points_3 points = of_norm(65);
-            if (have.size() >= points.size()) return {integer(random, -9, 9) / 16.0, integer(random, -9, 9) / 16.0, 0.5};
+            if (have.size() >= points.size())
+                return {integer(random, -9, 9) / 16.0, integer(random, -9, 9) / 16.0, 0.5};
             return points[random() % points.size()];
         }
         case Set_3::near_sphere: {
@@ -67,7 +68,8 @@ Place point_of(Set_3 set, const Points_3& have, Random& random) {
             for (double& c : p) c *= off;
             return p;
         }
-        case Set_3::plane: return {static_cast<double>(integer(random, 0, 30)), static_cast<double>(integer(random, 0, 30)), 3.0};
+        case Set_3::plane:
+            return {static_cast<double>(integer(random, 0, 30)), static_cast<double>(integer(random, 0, 30)), 3.0};
         case Set_3::near_plane: {
             Place p = uniform(random);
             p[2] = std::ldexp(p[2], -integer(random, 10, 50));
@@ -86,7 +88,8 @@ Place point_of(Set_3 set, const Points_3& have, Random& random) {
         case Set_3::slivers: {
             const double turn = between(random, 0.0, 6.283185307179586);
             const int floor = integer(random, 0, 3);
-            return {std::cos(turn), std::sin(turn), floor + std::ldexp(between(random, -1.0, 1.0), -integer(random, 10, 40))};
+            return {std::cos(turn), std::sin(turn),
+                    floor + std::ldexp(between(random, -1.0, 1.0), -integer(random, 10, 40))};
         }
         case Set_3::scaled: break;
     }

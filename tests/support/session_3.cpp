@@ -122,7 +122,8 @@ void Session_3::check_mirror() const {
     if (cells != tr.number_of_cells()) throw Fault{"the mirror has another number of cells"};
     std::set<Index> facets;
     for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c) {
-        if (!t.is_cell(c->cell()) || dt_.embedding().cell(c->cell()) != Moving_delaunay_3::Triangulation::Cell_handle(c))
+        if (!t.is_cell(c->cell()) ||
+            dt_.embedding().cell(c->cell()) != Moving_delaunay_3::Triangulation::Cell_handle(c))
             throw Fault{"a cell has no mirror"};
         for (int i = 0; i <= 3; ++i) {
             const Index h = t.corner(c->cell(), i);
@@ -130,7 +131,8 @@ void Session_3::check_mirror() const {
             if (t.vertex(h) != v) throw Fault{"a corner of the mirror has another vertex"};
             if (t.twin(h) != t.corner(c->neighbor(i)->cell(), tr.tds().mirror_index(c, i)))
                 throw Fault{"a corner of the mirror has another neighbour"};
-            if (t.facet(h) != t.facet(t.twin(h)) || !t.is_facet(t.facet(h))) throw Fault{"a facet of the mirror is wrong"};
+            if (t.facet(h) != t.facet(t.twin(h)) || !t.is_facet(t.facet(h)))
+                throw Fault{"a facet of the mirror is wrong"};
             if (t.half(t.facet(h)) != h && t.half(t.facet(h)) != t.twin(h)) throw Fault{"a facet has a foreign half"};
             facets.insert(t.facet(h));
             if (v != infinite && t.vertex(t.corner_of(v)) != v) throw Fault{"a vertex has a foreign corner"};

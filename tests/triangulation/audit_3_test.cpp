@@ -35,7 +35,9 @@ void accepts(const Input& input) {
 }
 
 /// Two cells on the facet 0 1 2, one vertex far above and one far below, so that their edge would cross it.
-Input tent() { return {{{1, 0, 0}, {-0.5, 0.75, 0}, {-0.5, -0.75, 0}, {0, 0, 2}, {0, 0, -2}}, {{0, 1, 2, 3}, {1, 0, 2, 4}}}; }
+Input tent() {
+    return {{{1, 0, 0}, {-0.5, 0.75, 0}, {-0.5, -0.75, 0}, {0, 0, 2}, {0, 0, -2}}, {{0, 1, 2, 3}, {1, 0, 2, 4}}};
+}
 
 /// The five points of docs/theory.md 3, as their three cells around the edge 0 1.
 Input spindle(double delta) {
@@ -54,13 +56,14 @@ Input spindle_flipped(double delta) {
 Input triangulated(const Points_3& points) {
     Delaunay_3<No_info> tr;
     for (std::size_t i = 0; i < points.size(); ++i)
-        tr.insert(Delaunay_3<No_info>::Point(points[i][0], points[i][1], points[i][2]))->set_index(static_cast<Index>(i));
+        tr.insert(Delaunay_3<No_info>::Point(points[i][0], points[i][1], points[i][2]))
+            ->set_index(static_cast<Index>(i));
     Input input{points, {}};
     if (tr.dimension() == 3)
         for (auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
-            input.cells.push_back({c->vertex(0)->index(), c->vertex(1)->index(), c->vertex(2)->index(), c->vertex(3)->index()});
-    else
-        input.cells = cells_of(tr);
+            input.cells.push_back(
+                {c->vertex(0)->index(), c->vertex(1)->index(), c->vertex(2)->index(), c->vertex(3)->index()});
+    else input.cells = cells_of(tr);
     return input;
 }
 
@@ -75,7 +78,8 @@ TEST_CASE("The audit of space passes Delaunay triangulations", "[audit][space]")
 
 TEST_CASE("The audit of space passes what CGAL builds, of every family", "[audit][space]") {
     for (const Set_3 set : all_sets_3) {
-        if (set == Set_3::plane || set == Set_3::line || set == Set_3::scaled) continue;  // flat ones have a test of their own
+        if (set == Set_3::plane || set == Set_3::line || set == Set_3::scaled)
+            continue;  // flat ones have a test of their own
         CAPTURE(name_of(set));
         Random random(11);
         for (const int n : {4, 5, 8, 30, 100}) {

@@ -92,7 +92,8 @@ TEST_CASE("The spindle flips from three cells to two, the long one from two to t
     }
 }
 
-TEST_CASE("Every flip that is offered is simplicial, keeps mirror and CGAL the same and can be taken back", "[flips][space]") {
+TEST_CASE("Every flip that is offered is simplicial, keeps mirror and CGAL the same and can be taken back",
+          "[flips][space]") {
     std::array<int, 3> made{};
     for (const Set_3 set : {Set_3::uniform, Set_3::lattice, Set_3::sphere}) {
         Random random(17);

@@ -40,8 +40,9 @@ template <>
 bool Repair<3>::border_winds_once() const {
     const auto& t = embedding_.table();
     const auto x = [this](Index v) -> const Coordinates<3>& { return x_[static_cast<std::size_t>(v)]; };
-    std::vector<Index> outer;                                            // half-facets at infinity
-    std::vector<char> faces(static_cast<std::size_t>(t.cell_bound()), 0);  // by infinite cell: its facet faces the viewer
+    std::vector<Index> outer;  // half-facets at infinity
+    std::vector<char> faces(static_cast<std::size_t>(t.cell_bound()),
+                            0);  // by infinite cell: its facet faces the viewer
     t.for_each_corner(infinite, [&](Index h) {
         const auto f = facet_and_vertex(t, h);  // seen from outside it turns left
         outer.push_back(h);

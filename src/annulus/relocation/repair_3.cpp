@@ -108,7 +108,8 @@ bool Repair<3>::mend_facet(Index h) {
         Cell_points<3> x = cell_points(t, c);
         x[static_cast<std::size_t>(i)] = p;
         if (std::find(x.begin(), x.end(), infinite) != x.end()) continue;
-        if (orientation_verdict({&x_[at(x[0])], &x_[at(x[1])], &x_[at(x[2])], &x_[at(x[3])]}, false).sign != 0) continue;
+        if (orientation_verdict({&x_[at(x[0])], &x_[at(x[1])], &x_[at(x[2])], &x_[at(x[3])]}, false).sign != 0)
+            continue;
         if (make(flip_4_4(t, h, t.corner(c, i)))) return true;
     }
     return false;

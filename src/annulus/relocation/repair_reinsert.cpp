@@ -34,7 +34,7 @@ void Repair<d>::require_distinct(std::span<const Index> movers) const {
 
 template <int d>
 Index Repair<d>::vertex_to_detach(std::span<const Index> points, std::span<const Coordinates<d>> old,
-                                 std::span<const Index> movers) const {
+                                  std::span<const Index> movers) const {
     const auto& t = embedding_.table();
     if (movers.size() == 1) return t.corner_of(movers[0]) == none ? none : movers[0];
     // The vertex that moved farthest is the likeliest to have left its place.

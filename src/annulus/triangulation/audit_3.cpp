@@ -4,7 +4,7 @@
 // one ray meets. One sheet: no branching, the boundary is star-shaped and embedded, and being convex at its edges it is convex.
 // Positive cells whose boundary it is cover every point inside once and none outside, because the number of cells at a point
 // that is on no facet is how often the boundary winds around it.
-#include <annulus/triangulation/audit_sites.h>
+#include <annulus/triangulation/audit_judge_3.h>
 
 #include <unordered_map>
 
@@ -13,132 +13,6 @@ namespace annulus {
 namespace {
 
 using namespace auditing;
-using Cell = std::array<Index, 4>;
-using Triple = std::array<Index, 3>;
-
-/// Exact predicates with their own temporaries.
-class Judge {
-  public:
-    explicit Judge(const std::vector<Site<3>>& s) : s_(s) {}
-
-    /// Sign of ((b - a) x (c - a)) . (e - a).
-    int orientation(Index a, Index b, Index c, Index e) { return orientation(s_[at(a)], s_[at(b)], s_[at(c)], s_[at(e)]); }
-
-    /// Positive when e is strictly inside the sphere of the positive cell a b c d: the lifted 4 x 4 determinant, by its last
-    /// column.
-    int inside(const Cell& v, Index e) {
-        for (std::size_t i = 0; i < 4; ++i) {
-            mpz_set_ui(lift_[i], 0);
-            for (std::size_t k = 0; k < 3; ++k) {
-                mpz_sub(row_[i][k], s_[at(v[i])][k], s_[at(e)][k]);
-                mpz_addmul(lift_[i], row_[i][k], row_[i][k]);
-            }
-        }
-        mpz_set_ui(sum_, 0);
-        for (std::size_t i = 0; i < 4; ++i) {
-            determinant(row_[(i + 1) % 4], row_[(i + 2) % 4], row_[(i + 3) % 4]);
-            mpz_mul(t_[0], det_, lift_[i]);
-            if (i % 2 == 0) mpz_sub(sum_, sum_, t_[0]);
-            else mpz_add(sum_, sum_, t_[0]);
-        }
-        // Negative inside: with all lifts 1, as for e in the middle of a regular cell, it is minus the orientation.
-        return -sign(sum_);
-    }
-
-    /// o becomes the sum of the corners of a cell: four times its middle.
-    void take_middle(const Cell& c) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            mpz_set_ui(o_[k], 0);
-            for (const Index v : c) mpz_add(o_[k], o_[k], s_[at(v)][k]);
-        }
-    }
-    /// Sign of the cell a b c o.
-    int orientation_of_middle(const Triple& f) {
-        for (std::size_t i = 0; i < 3; ++i) from_middle(f[i], row_[i]);
-        determinant(row_[0], row_[1], row_[2]);
-        return -sign(det_);
-    }
-    /// The ray from o through the middle of triangle g meets the closed triangle f, which shows its inner side to o.
-    bool meets(const Triple& f, const Triple& g) {
-        for (std::size_t k = 0; k < 3; ++k) mpz_set_ui(row_[3][k], 0);
-        for (const Index v : g) {
-            from_middle(v, row_[0]);
-            for (std::size_t k = 0; k < 3; ++k) mpz_add(row_[3][k], row_[3][k], row_[0][k]);
-        }
-        for (std::size_t i = 0; i < 3; ++i) from_middle(f[i], row_[i]);
-        // The direction is a combination of the corners of f without negative coefficients (Cramer's rule).
-        determinant(row_[0], row_[1], row_[2]);
-        const int whole = sign(det_);
-        for (std::size_t i = 0; i < 3; ++i) {
-            determinant(row_[3], row_[(i + 1) % 3], row_[(i + 2) % 3]);
-            if (sign(det_) * whole < 0) return false;
-        }
-        return true;
-    }
-
-    /// c and e are on different sides of the line a b, all in one plane.
-    bool opposite(Index a, Index b, Index c, Index e) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int one = turn(a, b, c, k);
-            if (one != 0) return turn(a, b, e, k) == -one;
-        }
-        return false;
-    }
-    /// Component k of (b - a) x (c - a), its sign.
-    int turn(Index a, Index b, Index c, std::size_t k) {
-        const std::size_t i = (k + 1) % 3;
-        const std::size_t j = (k + 2) % 3;
-        const Site<3>& A = s_[at(a)];
-        mpz_sub(t_[0], s_[at(b)][i], A[i]);
-        mpz_sub(t_[1], s_[at(c)][j], A[j]);
-        mpz_sub(t_[2], s_[at(b)][j], A[j]);
-        mpz_sub(t_[3], s_[at(c)][i], A[i]);
-        mpz_mul(t_[4], t_[0], t_[1]);
-        mpz_submul(t_[4], t_[2], t_[3]);
-        return sign(t_[4]);
-    }
-    bool collinear(Index a, Index b, Index c) {
-        return turn(a, b, c, 0) == 0 && turn(a, b, c, 1) == 0 && turn(a, b, c, 2) == 0;
-    }
-
-  private:
-    using Row = std::array<Integer, 3>;
-    int orientation(const Site<3>& a, const Site<3>& b, const Site<3>& c, const Site<3>& e) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            mpz_sub(row_[0][k], b[k], a[k]);
-            mpz_sub(row_[1][k], c[k], a[k]);
-            mpz_sub(row_[2][k], e[k], a[k]);
-        }
-        determinant(row_[0], row_[1], row_[2]);
-        return sign(det_);
-    }
-    /// Four times the vector from the middle to v.
-    void from_middle(Index v, Row& row) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            mpz_mul_2exp(row[k], s_[at(v)][k], 2);
-            mpz_sub(row[k], row[k], o_[k]);
-        }
-    }
-    /// det_ = (u x v) . w.
-    void determinant(const Row& u, const Row& v, const Row& w) {
-        mpz_set_ui(det_, 0);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t i = (k + 1) % 3;
-            const std::size_t j = (k + 2) % 3;
-            mpz_mul(t_[5], u[i], v[j]);
-            mpz_submul(t_[5], u[j], v[i]);
-            mpz_addmul(det_, t_[5], w[k]);
-        }
-    }
-
-    const std::vector<Site<3>>& s_;
-    Site<3> o_;
-    std::array<Row, 4> row_;
-    std::array<Integer, 4> lift_;
-    std::array<Integer, 6> t_;
-    Integer det_;
-    Integer sum_;
-};
 
 struct Triple_hash {
     std::size_t operator()(const Triple& t) const {
@@ -155,10 +29,11 @@ Triple canonical(Triple t) {
 }
 
 /// The facets of a positive cell as seen from outside, with the vertex behind.
-constexpr std::array<std::array<std::size_t, 4>, 4> outer_facets{{{1, 2, 3, 0}, {0, 3, 2, 1}, {0, 1, 3, 2}, {0, 2, 1, 3}}};
+constexpr std::array<std::array<std::size_t, 4>, 4> outer_facets{
+    {{1, 2, 3, 0}, {0, 3, 2, 1}, {0, 1, 3, 2}, {0, 2, 1, 3}}};
 
 /// A boundary that is one convex surface, traversed once. `border` has triangles that turn left as seen from outside.
-void audit_border(Judge& judge, const Cell& any, const std::vector<Triple>& border, Audit_result& r) {
+void audit_border(Judge_3& judge, const Cell& any, const std::vector<Triple>& border, Audit_result& r) {
     if (border.empty()) {
         fault(r, r.topological_faults, "no boundary");
         return;
@@ -191,30 +66,34 @@ void audit_border(Judge& judge, const Cell& any, const std::vector<Triple>& bord
     bool star_shaped = true;
     for (const Triple& f : border)
         if (judge.orientation_of_middle(f) >= 0) {
-            if (star_shaped) fault(r, r.concave_ridges, named("a cell is not behind the boundary triangle", {f[0], f[1], f[2]}));
+            if (star_shaped)
+                fault(r, r.concave_ridges, named("a cell is not behind the boundary triangle", {f[0], f[1], f[2]}));
             star_shaped = false;
         }
     if (!star_shaped) return;
     std::size_t sheets = 0;
-    for (const Triple& f : border) if (judge.meets(f, border.front())) ++sheets;
+    for (const Triple& f : border)
+        if (judge.meets(f, border.front())) ++sheets;
     if (sheets != 1) fault(r, r.topological_faults, "the boundary does not wind once");
 }
 
 /// Points that span no volume.
 Audit_result audit_flat(const Audit_input<3>& in, const std::vector<Index>& order, Audit_result r) {
     const auto sites = integer_sites<3>(in.points);
-    Judge judge(sites);
+    Judge_3 judge(sites);
     const bool triangles = std::any_of(in.cells.begin(), in.cells.end(), [](const Cell& c) { return c[2] != none; });
     if (!triangles) {
         for (std::size_t i = 2; i < order.size(); ++i)
             if (!judge.collinear(order[0], order[1], order[i]))
-                fault(r, r.topological_faults, named("no triangle, but not collinear with the rest: vertex", {order[i]}));
+                fault(r, r.topological_faults,
+                      named("no triangle, but not collinear with the rest: vertex", {order[i]}));
         expect_chain(in.cells, order, r);
         return r;
     }
     std::vector<Triple> cells;
     for (const Cell& c : in.cells) {
-        if (*std::min_element(c.begin(), c.begin() + 3) < 0 || at(*std::max_element(c.begin(), c.end())) >= sites.size()) {
+        if (*std::min_element(c.begin(), c.begin() + 3) < 0 ||
+            at(*std::max_element(c.begin(), c.end())) >= sites.size()) {
             fault(r, r.topological_faults, named("a cell names a vertex that is not there:", {c[0], c[1], c[2]}));
             return r;
         }
@@ -251,7 +130,7 @@ Audit_result audit(const Audit_input<3>& in) {
 
     const std::size_t n = in.points.size();
     const auto sites = integer_sites<3>(in.points);
-    Judge judge(sites);
+    Judge_3 judge(sites);
     std::vector<char> used(n, 0);
     // Facet as seen from outside its cell, with the vertex behind.
     std::unordered_map<Triple, Index, Triple_hash> behind;
@@ -267,7 +146,8 @@ Audit_result audit(const Audit_input<3>& in) {
             fault(r, r.inverted_cells, named("cell not positively oriented:", {c[0], c[1], c[2], c[3]}));
         for (const auto& f : outer_facets)
             if (!behind.emplace(canonical({c[f[0]], c[f[1]], c[f[2]]}), c[f[3]]).second)
-                fault(r, r.topological_faults, named("two cells on one side of the facet", {c[f[0]], c[f[1]], c[f[2]]}));
+                fault(r, r.topological_faults,
+                      named("two cells on one side of the facet", {c[f[0]], c[f[1]], c[f[2]]}));
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t j = 0; j < i; ++j)
                 edges.push_back((static_cast<std::uint64_t>(std::min(c[i], c[j])) << 32) |
@@ -288,7 +168,8 @@ Audit_result audit(const Audit_input<3>& in) {
         const int side = judge.inside({f[0], f[2], f[1], q}, other->second);
         if (side == 0) ++r.degenerate_facets;
         if (side > 0)
-            fault(r, r.violated_facets, named("not locally Delaunay: facet, opposites", {f[0], f[1], f[2], q, other->second}));
+            fault(r, r.violated_facets,
+                  named("not locally Delaunay: facet, opposites", {f[0], f[1], f[2], q, other->second}));
     }
     std::sort(edges.begin(), edges.end());
     const auto e = static_cast<std::size_t>(std::unique(edges.begin(), edges.end()) - edges.begin());

@@ -94,7 +94,9 @@ class Cgal_embedding_3 final : public Embedding<3> {
     [[nodiscard]] static Index index_of(const T& tr, typename T::Vertex_handle v) {
         return tr.is_infinite(v) ? infinite : v->index();
     }
-    [[nodiscard]] Vertex_handle vertex_of(Index v) const { return v == infinite ? tr_.infinite_vertex() : handle_[at(v)]; }
+    [[nodiscard]] Vertex_handle vertex_of(Index v) const {
+        return v == infinite ? tr_.infinite_vertex() : handle_[at(v)];
+    }
     [[nodiscard]] std::vector<Cell_handle> star(Vertex_handle v) const;
     void substitute(Vertex_handle old, Vertex_handle replacement);
     void adopt(const std::vector<Cell_handle>& cells, std::vector<Index>& changed);
@@ -113,8 +115,8 @@ class Cgal_embedding_3 final : public Embedding<3> {
 
     Triangulation tr_;
     Cell_table<3> table_;
-    std::vector<Cell_handle> cell_;      // by cell
-    std::vector<Vertex_handle> handle_;  // by vertex; default for a vacant index
+    std::vector<Cell_handle> cell_;                  // by cell
+    std::vector<Vertex_handle> handle_;              // by vertex; default for a vacant index
     std::vector<std::pair<Index, Index>> detached_;  // vertex and a neighbour it had
     std::vector<char> mark_;                         // by cell, while cells are replaced
     bool mirrored_ = false;

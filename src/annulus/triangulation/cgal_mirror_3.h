@@ -154,7 +154,8 @@ void Cgal_embedding_3<Info>::replace(std::span<const Index> old, std::span<const
             c->vertex(i)->set_cell(c);
             const Triple key = triple(v, i);
             const Index h = table_.corner(n, i);
-            const auto side = std::find_if(sides.begin(), sides.end(), [&](const Side& s) { return s.vertices == key; });
+            const auto side =
+                std::find_if(sides.begin(), sides.end(), [&](const Side& s) { return s.vertices == key; });
             if (side == sides.end()) {
                 sides.push_back({key, h, none});
                 continue;

@@ -14,7 +14,8 @@ template <class Info>
 auto Cgal_embedding_3<Info>::bicell(const Facet& f) const -> std::array<Vertex_handle, 5> {
     const auto [c, i] = f;
     const auto& facing = facing_corners[static_cast<std::size_t>(i)];
-    return {c->vertex(facing[0]), c->vertex(facing[1]), c->vertex(facing[2]), tr_.tds().mirror_vertex(c, i), c->vertex(i)};
+    return {c->vertex(facing[0]), c->vertex(facing[1]), c->vertex(facing[2]), tr_.tds().mirror_vertex(c, i),
+            c->vertex(i)};
 }
 
 /// The verdict of a facet, with the perturbation deciding cospherical points; positive where it has no certificate of its own.

@@ -8,9 +8,8 @@ namespace {
 bool is_edge(const Cell_table<3>& t, Index p, Index q) {
     if (p == q) return true;
     bool found = false;
-    t.for_each_corner(p == infinite ? q : p, [&](Index h) {
-        found = found || t.slot(t.cell_of(h), p == infinite ? p : q) >= 0;
-    });
+    t.for_each_corner(p == infinite ? q : p,
+                      [&](Index h) { found = found || t.slot(t.cell_of(h), p == infinite ? p : q) >= 0; });
     return found;
 }
 
