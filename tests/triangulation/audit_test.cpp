@@ -47,7 +47,7 @@ TEST_CASE("The audit passes either diagonal of a square and counts it as degener
     const std::vector<annulus::Coordinates<2>> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     for (const auto& cells : {std::vector<Cell>{{0, 1, 2}, {0, 2, 3}}, std::vector<Cell>{{0, 1, 3}, {1, 2, 3}}}) {
         accepts({square, cells});
-        CHECK(audit({square, cells}).degenerate_facets == 1);
+        CHECK(audit(Audit_input<2>{square, cells}).degenerate_facets == 1);
     }
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("The audit refuses an inverted cell", "[audit]") {
 
 TEST_CASE("The audit refuses a flat cell and one that names a vertex twice", "[audit]") {
     refuses({{{0, 0}, {1, 0}, {2, 0}, {1, 2}}, {{0, 1, 2}, {0, 2, 3}}});
-    CHECK(audit({{{0, 0}, {1, 0}, {2, 0}, {1, 2}}, {{0, 1, 2}, {0, 2, 3}}}).inverted_cells == 1);
+    CHECK(audit(Audit_input<2>{{{0, 0}, {1, 0}, {2, 0}, {1, 2}}, {{0, 1, 2}, {0, 2, 3}}}).inverted_cells == 1);
     refuses({{{0, 0}, {1, 0}, {0, 1}}, {{0, 0, 1}}});
     refuses({{{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}, {1, 1, 1}}});
 }
@@ -122,7 +122,7 @@ TEST_CASE("The audit refuses a border that is not convex", "[audit]") {
     refuses(input);
     // A hull triangle left out.
     refuses({{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 1}}, {{1, 2, 4}, {2, 3, 4}, {3, 0, 4}}});
-    CHECK(audit({{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 1}}, {{1, 2, 4}, {2, 3, 4}, {3, 0, 4}}}).concave_ridges == 1);
+    CHECK(audit(Audit_input<2>{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 1}}, {{1, 2, 4}, {2, 3, 4}, {3, 0, 4}}}).concave_ridges == 1);
 }
 
 TEST_CASE("The audit refuses two vertices at one place", "[audit]") {

@@ -96,6 +96,9 @@ template <class V>
     return 0.5 * (u.x * v.y - u.y * v.x) / std::sqrt(u.x * u.x + u.y * u.y);
 }
 
+/// Half the width of the paper's slab of a hull vertex x[2] with neighbours x[0], x[1]: the same.
+[[nodiscard]] inline double paper_ridge(const Tuple<2, 3>& x) { return paper_slab(x); }
+
 /// Sign of the empty circle of x = {a, b, p, q} with CGAL's lexicographic symbolic perturbation where the four points
 /// are cocircular: never 0. Precondition: empty_sphere_verdict(x).sign == 0 and both triangles are positive.
 ///

@@ -160,6 +160,12 @@ struct Annuli {
     return 0.5 * dot(n, detail::difference(*x[3], *x[0])) / std::sqrt(square(n));
 }
 
+/// Half the width of the paper's slab of a hull ridge x[0] x[1], in plain double: of the planes parallel to it and to x[2] x[3].
+[[nodiscard]] inline double paper_ridge(const Tuple<3, 4>& x) {
+    const auto n = cross(detail::difference(*x[1], *x[0]), detail::difference(*x[3], *x[2]));
+    return 0.5 * std::fabs(dot(n, detail::difference(*x[2], *x[0]))) / std::sqrt(square(n));
+}
+
 /// Sign of the empty sphere of x = {a, b, c, p, q} with CGAL's lexicographic symbolic perturbation where the five points are
 /// cospherical: never 0. Precondition: empty_sphere_verdict(x).sign == 0 and both cells are positive.
 ///

@@ -201,5 +201,6 @@ void Filter<d>::count(std::size_t asked, typename Repair<d>::Outcome outcome, Mo
 }
 
 template class Filter<2>;
+template class Filter<3>;
 
 }  // namespace annulus

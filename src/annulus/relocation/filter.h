@@ -13,7 +13,7 @@
 
 namespace annulus {
 
-/// A cheap test for a certificate whose tolerance failed, before it is evaluated again.
+/// A cheap test for a certificate whose tolerance failed, before it is evaluated again. In the plane only: in space all are off.
 enum class Second_look : std::uint8_t {
     off,
     unequal_moves,  ///< max D over the facet + max D over the opposite vertices < width (theory 2)
@@ -42,7 +42,7 @@ class Filter {
   public:
     Filter(Embedding<d>& embedding, Tolerance_kind kind, Second_look look)
         : embedding_(embedding), table_(embedding.table()), repair_(embedding, kind, kind == Tolerance_kind::certified),
-          look_(look) {}
+          look_(d == 2 ? look : Second_look::off) {}
 
     /// Whether reports list the cells that changed.
     void report_changes(bool on) { report_changes_ = on; }
@@ -140,9 +140,12 @@ class Filter {
     void begin_anchoring();
     void undo_anchoring();
     [[nodiscard]] bool second_look(Index f, std::span<const Coordinates<d>> x);
-    [[nodiscard]] bool unequal_moves(Index f, std::span<const Coordinates<d>> x);
-    [[nodiscard]] bool safe_region(Index f, std::span<const Coordinates<d>> x);
-    void keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x);
+    [[nodiscard]] bool unequal_moves(Index f, std::span<const Coordinates<d>> x)
+        requires(d == 2);
+    [[nodiscard]] bool safe_region(Index f, std::span<const Coordinates<d>> x)
+        requires(d == 2);
+    void keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x)
+        requires(d == 2);
     /// Looks at one certificate of v: expired at this reading, or else back on the list.
     void look_at(Index id, Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
     void tour(Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
@@ -199,5 +202,6 @@ class Filter {
 };
 
 extern template class Filter<2>;
+extern template class Filter<3>;
 
 }  // namespace annulus

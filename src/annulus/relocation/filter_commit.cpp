@@ -194,7 +194,8 @@ void Filter<d>::commit_evaluated(std::span<const Coordinates<d>> x) {
         r.expiry.fill(never);
         kind_[at(s.id)] = s.kind;
         if (look_ != Second_look::off) tolerance_[at(s.id)] = s.verdict.tolerance;
-        if (look_ == Second_look::safe_region && s.kind == Facet_kind::empty_sphere) keep_delimiter(s.id, s.point, x);
+        if constexpr (d == 2)
+            if (look_ == Second_look::safe_region && s.kind == Facet_kind::empty_sphere) keep_delimiter(s.id, s.point, x);
         facet_until_[at(s.id)] = s.kind == Facet_kind::border
                                      ? Prediction<d>::forever
                                      : commit_points<fresh>(s, id_of_facet(s.id), r.expiry, x);
@@ -223,10 +224,13 @@ void Filter<d>::rebase(Index v) {
         e = Expiry::lower(left - left * 0x1p-52);
         list.put(id, e);
     };
-    table_.for_each_corner(v, [&](Index h) {
-        const Index c = table_.cell_of(h);
-        shift(cell_record_[at(c)].expiry[static_cast<std::size_t>(table_.slot_of(h))], id_of_cell(c));
-        for (const Index f : {table_.facet(h), table_.facet(table_.ccw(h))}) {
+    for_each_certificate(
+        table_, v,
+        [&](Index h) {
+            const Index c = table_.cell_of(h);
+            shift(cell_record_[at(c)].expiry[static_cast<std::size_t>(table_.slot_of(h))], id_of_cell(c));
+        },
+        [&](Index f) {
             Facet_record& r = facet_record_[at(f)];
             for (std::size_t k = 0; k < r.point.size(); ++k) {
                 if (r.point[k] != v) continue;
@@ -234,8 +238,7 @@ void Filter<d>::rebase(Index v) {
                 if (look_ != Second_look::off && r.expiry[k].reading() < base) tolerance_[at(f)] = 0.0;
                 shift(r.expiry[k], id_of_facet(f));
             }
-        }
-    });
+        });
 }
 
 template <int d>
@@ -254,5 +257,6 @@ void Filter<d>::commit(std::span<const Coordinates<d>> x) {
 }
 
 template class Filter<2>;
+template class Filter<3>;
 
 }  // namespace annulus

@@ -163,5 +163,6 @@ void Filter_each<d>::move(Index v, const Coordinates<d>& p, Move_report& report)
 }
 
 template class Filter_each<2>;
+template class Filter_each<3>;
 
 }  // namespace annulus

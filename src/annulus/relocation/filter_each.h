@@ -77,5 +77,6 @@ class Filter_each {
 };
 
 extern template class Filter_each<2>;
+extern template class Filter_each<3>;
 
 }  // namespace annulus

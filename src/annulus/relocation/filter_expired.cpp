@@ -52,16 +52,17 @@ void Filter<d>::tour(Index v, double reading, Expiry_list& list, std::span<const
     ++tours_;
     list.clear();
     certificates_.clear();
-    table_.for_each_corner(v, [&](Index h) {
-        const Index c = table_.cell_of(h);
-        const Index link = table_.facet(h);
-        const Index spoke = table_.facet(table_.ccw(h));
-        const Facet_record& l = facet_record_[at(link)];
-        const Facet_record& s = facet_record_[at(spoke)];
-        certificates_.push_back({cell_record_[at(c)].expiry[static_cast<std::size_t>(table_.slot_of(h))], id_of_cell(c)});
-        certificates_.push_back({expiry_of(v, l.point, l.expiry), id_of_facet(link)});
-        certificates_.push_back({expiry_of(v, s.point, s.expiry), id_of_facet(spoke)});
-    });
+    for_each_certificate(
+        table_, v,
+        [&](Index h) {
+            const Index c = table_.cell_of(h);
+            certificates_.push_back(
+                {cell_record_[at(c)].expiry[static_cast<std::size_t>(table_.slot_of(h))], id_of_cell(c)});
+        },
+        [&](Index f) {
+            const Facet_record& r = facet_record_[at(f)];
+            certificates_.push_back({expiry_of(v, r.point, r.expiry), id_of_facet(f)});
+        });
     for (const auto& [expiry, id] : certificates_) {
         if (expiry.reached(reading)) {
             look_at(id, v, reading, list, x);
@@ -111,5 +112,6 @@ void Filter<d>::undo_anchoring() {
 }
 
 template class Filter<2>;
+template class Filter<3>;
 
 }  // namespace annulus

@@ -120,5 +120,6 @@ void Filter<d>::reconsider(Move_report& report) {
 }
 
 template class Filter<2>;
+template class Filter<3>;
 
 }  // namespace annulus

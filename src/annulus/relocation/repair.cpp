@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/relocation/repair.h>
 
-#include <annulus/arithmetic/error.h>
-#include <annulus/relocation/displacement.h>
-
 #include <algorithm>
-#include <bit>
 
 namespace annulus {
 
@@ -105,11 +101,8 @@ void Repair<d>::suspect_everything() {
 template <int d>
 void Repair<d>::suspect_star(Index v) {
     const auto& t = embedding_.table();
-    t.for_each_corner(v, [&](Index h) {
-        suspect_cell(t.cell_of(h));
-        suspect_facet(t.facet(h));
-        suspect_facet(t.facet(t.ccw(h)));
-    });
+    for_each_certificate(
+        t, v, [&](Index h) { suspect_cell(t.cell_of(h)); }, [&](Index f) { suspect_facet(f); });
 }
 
 template <int d>
@@ -174,14 +167,6 @@ void Repair<d>::collect_violated() {
 }
 
 template <int d>
-void Repair<d>::flip(Index h) {
-    auto& t = embedding_.table();
-    log_.emplace_back(t.cell_of(h), t.cell_of(t.twin(h)));
-    embedding_.flip(h);
-    ++report_.flips;
-}
-
-template <int d>
 typename Repair<d>::Outcome Repair<d>::mend(std::span<const Coordinates<d>> old, std::span<const Index> movers) {
     collect_violated();
     if (run_flips() == Progress::done) return Outcome::flipped;
@@ -198,113 +183,18 @@ typename Repair<d>::Outcome Repair<d>::mend(std::span<const Coordinates<d>> old,
 }
 
 template <int d>
-void Repair<d>::require_distinct(std::span<const Index> movers) const {
-    const auto& t = embedding_.table();
-    const auto collide = [] { throw Error(Error_code::collision, "two vertices would share a position"); };
-    if (movers.size() == 1) {
-        const Coordinates<d>& p = x_[at(movers[0])];
-        for (Index v = 0; v < t.vertex_bound(); ++v)
-            if (v != movers[0] && t.corner_of(v) != none && x_[at(v)] == p) collide();
-        return;
-    }
-    // Those that share a bit of a hash with another vertex, a few in a hundred, are sorted.
-    const std::size_t bits = std::bit_ceil(32 * at(t.vertex_bound()) + 1);
-    std::vector<bool> met(bits);
-    std::vector<bool> met_again(bits);
-    const auto bit_of = [&](Index v) {
-        std::uint64_t hash = 0;
-        for (const double c : x_[at(v)]) {
-            const auto word = std::bit_cast<std::uint64_t>(c + 0.0);  // -0 and 0 are one place
-            hash = (hash ^ word ^ (word >> 32)) * 0x9E3779B97F4A7C15;
-            hash ^= hash >> 32;
-        }
-        return static_cast<std::size_t>(hash) & (bits - 1);
-    };
-    for (Index v = 0; v < t.vertex_bound(); ++v) {
-        if (t.corner_of(v) == none) continue;
-        const std::size_t bit = bit_of(v);
-        (met[bit] ? met_again : met)[bit] = true;
-    }
-    std::vector<Index> order;
-    for (Index v = 0; v < t.vertex_bound(); ++v)
-        if (t.corner_of(v) != none && met_again[bit_of(v)]) order.push_back(v);
-    std::sort(order.begin(), order.end(), [this](Index l, Index r) { return x_[at(l)] < x_[at(r)]; });
-    for (std::size_t i = 1; i < order.size(); ++i)
-        if (x_[at(order[i - 1])] == x_[at(order[i])]) collide();
-}
-
-template <int d>
-Index Repair<d>::vertex_to_detach(Index c, std::span<const Coordinates<d>> old,
-                                 std::span<const Index> movers) const {
-    const auto& t = embedding_.table();
-    if (movers.size() == 1) return t.corner_of(movers[0]) == none ? none : movers[0];
-    // The vertex that moved farthest is the likeliest to have left its place.
-    Index best = none;
-    double farthest = -1.0;
-    for (const Index v : cell_points(t, c)) {
-        if (v == infinite) continue;
-        const double moved = squared_distance<d>(x_[at(v)], old[at(v)]);
-        if (moved > farthest) {
-            farthest = moved;
-            best = v;
-        }
-    }
-    return best;
-}
-
-template <int d>
-bool Repair<d>::reinsert(std::span<const Coordinates<d>> old, std::span<const Index> movers) {
-    auto& t = embedding_.table();
-    const std::size_t most = 16 + at(t.vertex_bound()) / 16;  // beyond that a rebuild is cheaper
-    std::vector<Index> changed;
-    // Take out, at the old positions where CGAL's object is Delaunay, until no remaining cell is inverted at x.
-    for (std::size_t i = 0; i < inverted_.size(); ++i) {
-        const Index c = inverted_[i];
-        if (!t.is_cell(c) || !violated(examine_cell(c))) continue;
-        if (detached_.size() >= most) return false;
-        const Index v = vertex_to_detach(c, old, movers);
-        changed.clear();
-        if (v == none || !embedding_.detach(v, changed)) return false;
-        detached_.push_back(v);
-        suspect_around(changed);
-        for (const Index n : changed)
-            if (!t.is_infinite(n)) inverted_.push_back(n);
-    }
-    inverted_.clear();
-    if (!evaluate()) {
-        for (const auto& s : facets_)
-            if (exists(s) && s.verdict.sign <= 0) queue_.push_back(s.id);
-        if (run_flips() == Progress::stuck) return false;
-    }
-    if (movers.empty()) {
-        embedding_.set_points(x_);
-    } else {
-        for (const Index v : movers)
-            if (t.corner_of(v) != none) embedding_.set_point(v, x_[at(v)]);
-    }
-    for (const Index v : detached_) {
-        changed.clear();
-        if (!embedding_.attach(v, x_[at(v)], changed)) return false;
-        suspect_around(changed);
-    }
-    queue_.clear();
-    return evaluate();
-}
-
-template <int d>
 void Repair<d>::undo_flips() {
     report_.undone_flips += log_.size();
     report_.flips -= log_.size();
-    for (; !log_.empty(); log_.pop_back()) {
-        const auto [c, n] = log_.back();
-        undo_flip(c, n);
-    }
+    take_back_flips();
     // What is under examination has other points again.
     std::vector<Index> again;
-    for (const auto& s : cells_) again.push_back(s.id);
+    for (const auto& s : cells_)
+        if (exists(s)) again.push_back(s.id);
     for (const Index c : again) suspect_cell(c);
     again.clear();
-    for (const auto& s : facets_) again.push_back(s.id);
+    for (const auto& s : facets_)
+        if (exists(s)) again.push_back(s.id);
     for (const Index f : again) suspect_facet(f);
     (void)evaluate();
     const std::size_t known = disturbed_.size();
@@ -313,5 +203,6 @@ void Repair<d>::undo_flips() {
 }
 
 template class Repair<2>;
+template class Repair<3>;
 
 }  // namespace annulus

@@ -4,11 +4,25 @@
 #include <annulus/relocation/move_report.h>
 #include <annulus/triangulation/certificates.h>
 #include <annulus/triangulation/embedding.h>
+#include <annulus/triangulation/flips_3.h>
 
 #include <span>
 #include <vector>
 
 namespace annulus {
+
+/// A flip, as far as it takes to undo it: in the plane the two cells, which it keeps; in space the vertices of the cells that
+/// went and of those that came.
+template <int d>
+struct Flip_record;
+template <>
+struct Flip_record<2> {
+    Index one, other;
+};
+template <>
+struct Flip_record<3> {
+    std::vector<Cell_points<3>> gone, came;
+};
 
 /// Makes every suspected certificate hold at given positions: evaluates, flips what is violated, takes out and puts
 /// back what flips cannot reach, rebuilds as the last resort.
@@ -56,7 +70,7 @@ class Repair {
     /// everywhere). With all cells positive and the border locally convex, everything is embedded if and only if the
     /// border turns once (docs/theory.md 1.2). Cells and ridges proved by tolerances keep it turning once, and so does
     /// a single vertex that leaves its cells positive; so the border is walked, O(hull), only when many moved and a
-    /// cell or ridge had to be evaluated, or when inverted cells were unfolded.
+    /// cell or ridge had to be evaluated, or when inverted cells were unfolded. In space a ridge, whatever the cells.
     [[nodiscard]] bool evaluate();
 
     /// The same for every certificate of the triangulation, none of which need be named: those that clearly hold are
@@ -117,13 +131,28 @@ class Repair {
     Progress run_flips();
     bool unfold(Index c);
     [[nodiscard]] bool border_winds_once() const;
-    bool flip_is_simplicial(Index h) const;
-    void flip(Index h);
+    bool flip_is_simplicial(Index h) const
+        requires(d == 2);
+    void flip(Index h)
+        requires(d == 2);
+    /// In space: makes the flip; `created` receives its new cells. The new cells may be inverted.
+    void flip(const Flip_3& flip, std::vector<Index>& created)
+        requires(d == 3);
+    /// Makes a flip that mends the violated facet at half-facet h, if there is one that leaves all its cells positive.
+    [[nodiscard]] bool mend_facet(Index h)
+        requires(d == 3);
+    /// The number of these cells that are not positive; infinite ones are.
+    [[nodiscard]] std::size_t inverted_among(std::span<const Cell_points<d>> cells) const
+        requires(d == 3);
+    /// Takes all flips of the log back, the last one first.
+    void take_back_flips();
     void undo_flips();
-    void undo_flip(Index c, Index n);
     [[nodiscard]] bool reinsert(std::span<const Coordinates<d>> old, std::span<const Index> movers);
-    [[nodiscard]] Index vertex_to_detach(Index c, std::span<const Coordinates<d>> old,
+    [[nodiscard]] Index vertex_to_detach(std::span<const Index> points, std::span<const Coordinates<d>> old,
                                          std::span<const Index> movers) const;
+    [[nodiscard]] bool take_out(Index v, std::size_t most);
+    [[nodiscard]] bool take_out_stuck(std::span<const Coordinates<d>> old, std::span<const Index> movers,
+                                      std::size_t most);
     void require_distinct(std::span<const Index> movers) const;
 
     Embedding<d>& embedding_;
@@ -142,12 +171,12 @@ class Repair {
     bool rebuilt_ = false;
     std::vector<Index> queue_;     // facets to look at
     std::vector<Index> inverted_;  // cells to unfold
-    std::vector<std::pair<Index, Index>> log_;  // cells of each flip, in order
+    std::vector<Flip_record<d>> log_;  // every flip, in order
     std::vector<Index> unresolved_;
     Move_report report_;
 };
 
-// Flips are what the dimensions do not share: repair_2.cpp.
+// Flips are what the dimensions do not share: repair_2.cpp, repair_3.cpp.
 template <>
 bool Repair<2>::flip_is_simplicial(Index h) const;
 template <>
@@ -159,8 +188,26 @@ bool Repair<2>::evaluate_everything();
 template <>
 bool Repair<2>::border_winds_once() const;
 template <>
-void Repair<2>::undo_flip(Index c, Index n);
+void Repair<2>::flip(Index h);
+template <>
+void Repair<2>::take_back_flips();
+
+template <>
+bool Repair<3>::unfold(Index c);
+template <>
+void Repair<3>::flip(const Flip_3& flip, std::vector<Index>& created);
+template <>
+bool Repair<3>::mend_facet(Index h);
+template <>
+std::size_t Repair<3>::inverted_among(std::span<const Cell_points<3>> cells) const;
+template <>
+Repair<3>::Progress Repair<3>::run_flips();
+template <>
+bool Repair<3>::border_winds_once() const;
+template <>
+void Repair<3>::take_back_flips();
 
 extern template class Repair<2>;
+extern template class Repair<3>;
 
 }  // namespace annulus

@@ -80,13 +80,24 @@ bool Repair<2>::border_winds_once() const {
 /// Four flips of a quadrilateral's diagonal give the same two triangles with their corners turned by one place, twelve
 /// are the identity; so eleven undo one, and records kept by corner stay valid.
 template <>
-void Repair<2>::undo_flip(Index c, Index n) {
+void Repair<2>::take_back_flips() {
     const auto& t = embedding_.table();
-    for (int turn = 0; turn < 11; ++turn) {
-        Index h = t.corner(c, 0);
-        while (t.cell_of(t.twin(h)) != n) h = t.ccw(h);
-        embedding_.flip(h);
+    for (; !log_.empty(); log_.pop_back()) {
+        const auto [c, n] = log_.back();
+        for (int turn = 0; turn < 11; ++turn) {
+            Index h = t.corner(c, 0);
+            while (t.cell_of(t.twin(h)) != n) h = t.ccw(h);
+            embedding_.flip(h);
+        }
     }
+}
+
+template <>
+void Repair<2>::flip(Index h) {
+    const auto& t = embedding_.table();
+    log_.push_back({t.cell_of(h), t.cell_of(t.twin(h))});
+    embedding_.flip(h);
+    ++report_.flips;
 }
 
 template <>

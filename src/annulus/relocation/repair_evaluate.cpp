@@ -4,6 +4,7 @@
 
 #include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/certificate/circumcircle_2.h>
+#include <annulus/triangulation/degenerate.h>
 
 #include <algorithm>
 #include <limits>
@@ -28,12 +29,18 @@ Tuple<d, static_cast<int>(k)> tuple(const std::array<Index, n>& point, std::span
 
 template <int d>
 bool Repair<d>::filter(Facet_suspect& s) const {
-    if (s.kind == Facet_kind::empty_sphere)
-        return empty_sphere_filter(tuple<d, d + 2>(s.point, x_), certified(), s.verdict);
+    if (s.kind == Facet_kind::empty_sphere) {
+        if (!empty_sphere_filter(tuple<d, d + 2>(s.point, x_), certified(), s.verdict)) return false;
+        if constexpr (d == 3)  // in the plane it is the only annulus
+            if (kind_ == Tolerance_kind::paper && s.verdict.sign > 0)
+                s.verdict.tolerance = paper_annulus(tuple<d, d + 2>(s.point, x_));
+        return true;
+    }
     if (s.kind != Facet_kind::border) {
-        if (!orientation_filter(tuple<d, d + 1>(s.point, x_), certified(), s.verdict)) return false;
+        const auto x = tuple<d, d + 1>(s.point, x_);
+        if (!orientation_filter(x, certified(), s.verdict)) return false;
         if (kind_ == Tolerance_kind::paper && s.verdict.sign > 0)
-            s.verdict.tolerance = paper_slab(tuple<d, d + 1>(s.point, x_));
+            s.verdict.tolerance = s.kind == Facet_kind::ridge ? paper_ridge(x) : paper_slab(x);
         return true;
     }
     s.verdict = {no_limit, 1, Stage::filter};
@@ -137,12 +144,10 @@ bool Repair<d>::violated(const Facet_suspect& s) const {
     if (s.kind == Facet_kind::slab) return s.verdict.sign <= 0;
     if (s.kind == Facet_kind::ridge) {
         if (s.verdict.sign != 0) return s.verdict.sign < 0;
-        // Collinear hull vertices are convex enough unless the border folds back: the ridge lies between its neighbours.
-        const auto x = tuple<d, d + 1>(s.point, x_);
-        return !((*x[0] < *x[2] && *x[2] < *x[1]) || (*x[1] < *x[2] && *x[2] < *x[0]));
+        return !flat_ridge_holds(tuple<d, d + 1>(s.point, x_));
     }
     if (s.verdict.sign != 0) return s.verdict.sign < 0;
-    return perturbed_empty_circle_sign(tuple<d, d + 2>(s.point, x_)) < 0;
+    return perturbed_sign(tuple<d, d + 2>(s.point, x_)) < 0;
 }
 
 template <int d>
@@ -154,7 +159,7 @@ bool Repair<d>::evaluate() {
     if (std::any_of(cells_.begin(), cells_.end(), fails) || std::any_of(facets_.begin(), facets_.end(), fails))
         return false;
     if (!many_) return true;
-    const bool in_doubt = everything_ || !cells_.empty() || std::any_of(facets_.begin(), facets_.end(), [](const auto& s) {
+    const bool in_doubt = everything_ || (d == 2 && !cells_.empty()) || std::any_of(facets_.begin(), facets_.end(), [](const auto& s) {
         return s.kind == Facet_kind::ridge;
     });
     return !in_doubt || border_winds_once();
@@ -227,5 +232,6 @@ bool Repair<2>::evaluate_everything() {
 }
 
 template class Repair<2>;
+template class Repair<3>;
 
 }  // namespace annulus

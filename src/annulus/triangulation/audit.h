@@ -28,6 +28,7 @@ struct Audit_result {
     std::uint64_t topological_faults = 0;  ///< facet shared by more than two cells, open boundary, missing vertex ...
     std::uint64_t degenerate_facets = 0;   ///< cospherical bi-cells: no fault, the triangulation is not unique there
     std::string first_fault;               ///< in words; empty when there is none
+    Index first = 0;                       ///< where the numbers of vertices in first_fault start
 
     /// The cells are a Delaunay triangulation of the points.
     [[nodiscard]] bool delaunay() const {
@@ -41,5 +42,10 @@ struct Audit_result {
 /// Precondition: finite coordinates. Theory 1 has why these conditions suffice; docs/theory.md the turning number.
 /// The first fault names vertices by their index, counted from `first`.
 [[nodiscard]] Audit_result audit(const Audit_input<2>& input, Index first = 0);
+
+/// The same in space. That the boundary is one convex surface that winds once is decided from the middle of a cell: every
+/// boundary triangle shows it its inner side, a ray from it leaves through one of them, and every ridge is convex. Triangles that
+/// are coplanar are judged in their plane. Also checks Euler's relation, which follows.
+[[nodiscard]] Audit_result audit(const Audit_input<3>& input, Index first = 0);
 
 }  // namespace annulus

@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/coordinates.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -60,7 +61,33 @@ class Cell_table {
         return -1;
     }
 
-    /// Calls visit(h) for each corner h whose vertex is v. 2D: counter-clockwise, O(degree).
+    /// Calls visit(h) for each corner h whose vertex is v, which may be `infinite`. O(degree); counter-clockwise in 2D, in
+    /// no particular order in 3D. The table must not change meanwhile.
+    template <class Visit>
+    void for_each_corner(Index v, Visit visit) const
+        requires(d == 3)
+    {
+        std::vector<Index> star = std::move(star_);  // visits may nest: each has a vector of its own
+        star.clear();
+        const auto enter = [&](Index h) {
+            char& mark = alive_[at(cell_of(h))];
+            if (mark == seen) return;
+            mark = seen;
+            star.push_back(h);
+        };
+        enter(v == infinite ? corner_of_infinity() : corner_of(v));
+        for (std::size_t k = 0; k < star.size(); ++k) {
+            const Index c = cell_of(star[k]);
+            for (int i = 0; i <= d; ++i) {
+                if (corner(c, i) == star[k]) continue;
+                const Index n = cell_of(twin(corner(c, i)));
+                enter(corner(n, slot(n, v)));
+            }
+        }
+        for (const Index h : star) alive_[at(cell_of(h))] = 1;
+        for (const Index h : star) visit(h);
+        star_ = std::move(star);
+    }
     template <class Visit>
     void for_each_corner(Index v, Visit visit) const
         requires(d == 2)
@@ -106,6 +133,18 @@ class Cell_table {
     void flip(Index h)
         requires(d == 2);
 
+    /// 3D: the next cell around an edge. h and k are the two corners of one cell whose vertices are not on the edge; on
+    /// return they are those of the cell across the facet opposite to k, and k is again the one to go on with.
+    void turn(Index& h, Index& k) const
+        requires(d == 3)
+    {
+        const Index t = twin(k);
+        const Index c = cell_of(t);
+        const int i = slot(c, vertex(h));
+        h = t;
+        k = corner(c, i);
+    }
+
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     void note_corner(Index v, Index h) { (v == infinite ? corner_of_infinity_ : corner_of_vertex_[at(v)]) = h; }
@@ -114,7 +153,9 @@ class Cell_table {
     std::vector<Index> vertex_;            // by corner
     std::vector<Index> twin_;              // by corner
     std::vector<Index> facet_;             // by corner
-    std::vector<char> alive_;              // by cell
+    static constexpr char seen = 2;        // mark of a tour, while it lasts
+    mutable std::vector<char> alive_;      // by cell
+    mutable std::vector<Index> star_;      // of a tour
     std::vector<Index> half_of_facet_;     // by facet
     std::vector<Index> corner_of_vertex_;  // by vertex
     std::vector<Index> free_cells_;

@@ -4,6 +4,7 @@
 #include <annulus/certificate/ladder.h>
 #include <annulus/triangulation/cell_table.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace annulus {
@@ -56,6 +57,21 @@ template <int d>
     return {t.vertex(t.ccw(h)), t.vertex(t.cw(h)), t.vertex(h)};
 }
 
+/// The corners that face corner `slot` of a tetrahedron: with that corner last the four are in positive order.
+inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}}};
+
+/// The facet of half-facet h, its vertices turning left as seen from its own vertex vertex(h), which comes last.
+[[nodiscard]] inline Cell_points<3> facet_and_vertex(const Cell_table<3>& t, Index h) {
+    Cell_points<3> x{};
+    for (std::size_t k = 0; k < 3; ++k)
+        x[k] = t.vertex(t.corner(t.cell_of(h), facing_corners[static_cast<std::size_t>(t.slot_of(h))][k]));
+    x[3] = t.vertex(h);
+    return x;
+}
+[[nodiscard]] inline Cell_points<3> slab_points(const Cell_table<3>& t, Index h) {
+    return facet_and_vertex(t, t.is_infinite(t.cell_of(h)) ? t.twin(h) : h);
+}
+
 /// Turns the points of a ridge so that its own finite vertex comes last.
 [[nodiscard]] inline Cell_points<2> ridge_vertex_last(const Cell_table<2>& t, Index h, Cell_points<2> x) {
     const Index v = t.vertex(t.ccw(h)) == infinite ? t.vertex(t.cw(h)) : t.vertex(t.ccw(h));
@@ -63,9 +79,52 @@ template <int d>
     return x;
 }
 
+/// In space: the two vertices of the ridge first, the opposite vertices last.
+[[nodiscard]] inline Cell_points<3> ridge_vertex_last(const Cell_table<3>& t, Index h, Cell_points<3> x) {
+    // Three places turned at a time: an even permutation.
+    const auto bring = [&x](Index v, std::size_t to) {
+        const auto from = static_cast<std::size_t>(std::find(x.begin(), x.end(), v) - x.begin());
+        if (from == to) return;
+        const std::size_t third = from == 0 || to == 0 ? (from == 1 || to == 1 ? 2U : 1U) : 0U;
+        std::swap(x[from], x[to]);
+        std::swap(x[from], x[third]);
+    };
+    bring(t.vertex(t.twin(h)), 3);
+    bring(t.vertex(h), 2);
+    return x;
+}
+
 /// The points {a, b, p, q} of the bi-cell at half-facet h: q = vertex(h) is left of ab, p right of it.
 [[nodiscard]] inline Facet_points<2> bicell_points(const Cell_table<2>& t, Index h) {
     return {t.vertex(t.ccw(h)), t.vertex(t.cw(h)), t.vertex(t.twin(h)), t.vertex(h)};
+}
+
+/// The points {a, b, c, p, q} of the bi-cell at half-facet h, as the ladder takes them: q = vertex(h).
+[[nodiscard]] inline Facet_points<3> bicell_points(const Cell_table<3>& t, Index h) {
+    const Cell_points<3> x = facet_and_vertex(t, h);
+    return {x[0], x[1], x[2], t.vertex(t.twin(h)), x[3]};
+}
+
+/// Visits every certificate that contains v: on_cell(h) with the corner of v in each of its cells, on_facet(f) for each facet
+/// whose bi-cell contains it, once. O(degree).
+template <class On_cell, class On_facet>
+void for_each_certificate(const Cell_table<2>& t, Index v, On_cell on_cell, On_facet on_facet) {
+    t.for_each_corner(v, [&](Index h) {
+        on_cell(h);
+        on_facet(t.facet(h));
+        on_facet(t.facet(t.ccw(h)));
+    });
+}
+template <class On_cell, class On_facet>
+void for_each_certificate(const Cell_table<3>& t, Index v, On_cell on_cell, On_facet on_facet) {
+    t.for_each_corner(v, [&](Index h) {
+        on_cell(h);
+        on_facet(t.facet(h));
+        for (int i = 0; i <= 3; ++i) {  // the other three contain v and are seen from two of its cells
+            const Index k = t.corner(t.cell_of(h), i);
+            if (k != h && k < t.twin(k)) on_facet(t.facet(k));
+        }
+    });
 }
 
 }  // namespace annulus

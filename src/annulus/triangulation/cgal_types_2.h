@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
+#include <annulus/triangulation/no_info.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -12,9 +13,6 @@
 namespace annulus {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-/// The vertex info of a triangulation whose caller wants none.
-struct No_info {};
 
 /// CGAL's vertex with the caller's info and the index in input order.
 template <class Info, class Gt, class Vb = CGAL::Triangulation_vertex_base_with_info_2<Info, Gt>>

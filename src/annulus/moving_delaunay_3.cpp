@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one translation unit of the library that compiles CGAL's 3D triangulation for callers without vertex info.
+#include <annulus/moving_delaunay_3.h>
+
+namespace annulus {
+
+template class Cgal_embedding_3<No_info>;
+template class Moving_delaunay<Cgal_embedding_3<No_info>>;
+
+}  // namespace annulus

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/relocation/moving_delaunay.h>
+#include <annulus/triangulation/cgal_embedding_3.h>
+
+namespace annulus {
+
+/// A moving Delaunay triangulation of space whose vertices carry the caller's Info: `dt.vertex(i)->info()`.
+template <class Info>
+using Moving_delaunay_with_info_3 = Moving_delaunay<Cgal_embedding_3<Info>>;
+
+/// A moving Delaunay triangulation of space.
+using Moving_delaunay_3 = Moving_delaunay_with_info_3<No_info>;
+
+extern template class Cgal_embedding_3<No_info>;
+extern template class Moving_delaunay<Cgal_embedding_3<No_info>>;
+
+}  // namespace annulus

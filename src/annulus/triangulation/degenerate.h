@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/certificate/ladder.h>
+
+// What decides a certificate whose determinant is 0 (docs/theory.md 6), for every dimension by overloads on the tuple.
+namespace annulus {
+
+/// Sign of an empty sphere whose points are cospherical, by CGAL's perturbation. Precondition: both cells are positive.
+[[nodiscard]] inline int perturbed_sign(const Tuple<2, 4>& x) { return perturbed_empty_circle_sign(x); }
+[[nodiscard]] inline int perturbed_sign(const Tuple<3, 5>& x) { return perturbed_empty_sphere_sign(x); }
+
+/// A ridge of determinant 0 is convex enough unless the hull folds back there. In the plane x is {u, w, v}, v the vertex of
+/// the ridge: it lies between its neighbours.
+[[nodiscard]] inline bool flat_ridge_holds(const Tuple<2, 3>& x) {
+    return (*x[0] < *x[2] && *x[2] < *x[1]) || (*x[1] < *x[2] && *x[2] < *x[0]);
+}
+/// In space x is {u, w, c, d}, u w the ridge: c and d lie on different sides of it, in the plane that they share.
+[[nodiscard]] inline bool flat_ridge_holds(const Tuple<3, 4>& x) {
+    for (std::size_t i = 0; i < 3; ++i) {  // seen along an axis along which the plane has an area
+        std::array<Coordinates<2>, 4> y{};
+        for (std::size_t k = 0; k < 4; ++k) y[k] = {(*x[k])[(i + 1) % 3], (*x[k])[(i + 2) % 3]};
+        const int c = orientation_verdict({&y[0], &y[1], &y[2]}, false).sign;
+        if (c != 0) return orientation_verdict({&y[0], &y[1], &y[3]}, false).sign == -c;
+    }
+    return false;
+}
+
+}  // namespace annulus

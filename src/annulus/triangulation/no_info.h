@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace annulus {
+
+/// The vertex info of a triangulation whose caller wants none.
+struct No_info {};
+
+}  // namespace annulus
