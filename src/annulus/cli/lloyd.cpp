@@ -4,7 +4,7 @@
 #include <annulus/cli/lloyd_scene.h>
 #include <annulus/cli/progress.h>
 #include <annulus/cli/stopwatch.h>
-#include <annulus/cli/tracker_2.h>
+#include <annulus/cli/tracker.h>
 #include <annulus/io/input_error.h>
 
 #include <cstdio>
