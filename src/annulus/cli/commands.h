@@ -19,6 +19,8 @@ struct Invocation {
 };
 
 Run add_lloyd_command(CLI::App& app, const Invocation& invocation);
+Run add_nodt_command(CLI::App& app, const Invocation& invocation);
+Run add_replay_command(CLI::App& app, const Invocation& invocation);
 Run add_compare_command(CLI::App& app, const Invocation& invocation);
 Run add_audit_command(CLI::App& app, const Invocation& invocation);
 Run add_counterexample_command(CLI::App& app, const Invocation& invocation);

@@ -5,7 +5,7 @@
 #include <annulus/cli/progress.h>
 #include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
-#include <annulus/cli/tracker_2.h>
+#include <annulus/cli/tracker.h>
 #include <annulus/io/input_error.h>
 #include <annulus/io/summary.h>
 #include <annulus/io/write_csv.h>

@@ -9,9 +9,12 @@
 #include <annulus/io/write_json.h>
 #include <annulus/io/write_mesh.h>
 #include <annulus/io/write_vtu.h>
+#include <annulus/motion/dihedral.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 namespace annulus::cli {
 
@@ -65,7 +68,54 @@ void write_run(const std::string& directory, const Tracker_2& tracker, std::opti
     out.commit();
 }
 
-void print_summary(const Tracker_2& tracker) {
+void write_run(const std::string& directory, const Tracker_3& tracker, const Cells_3& cells, std::span<const char> domain,
+               std::optional<Picture> before, std::optional<Picture> after, std::vector<std::string> notes) {
+    const Run_record& run = tracker.record();
+    const auto points = tracker.triangulation().positions();
+    std::vector<std::array<Index, 4>> inside;
+    std::vector<std::int64_t> flag;
+    std::vector<double> least_angle;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        flag.push_back(domain[c] != 0 ? 1 : 0);
+        if (domain[c] != 0) inside.push_back(cells.vertex[c]);
+        double most = -1;  // the largest cosine
+        const auto x = [&](std::size_t i) { return points[static_cast<std::size_t>(cells.vertex[c][i])]; };
+        for (const double cosine : dihedral_cosines(x(0), x(1), x(2), x(3))) most = std::max(most, std::min(cosine, 1.0));
+        least_angle.push_back(std::acos(most) * 180 / std::numbers::pi);
+    }
+    std::vector<Vtu_field> point_fields;
+    std::vector<double> tolerance = tracker.triangulation().measure().tolerance;
+    if (tolerance.size() == points.size()) {
+        for (double& t : tolerance) t = std::isfinite(t) ? t : 0.0;
+        point_fields.push_back({"tolerance", std::move(tolerance)});
+    }
+    std::vector<std::int64_t> boundary(points.size(), 0);
+    for (const auto& facet : surface_facets(cells, domain))
+        for (const Index v : facet) boundary[static_cast<std::size_t>(v)] = 1;
+    point_fields.push_back({"boundary", std::move(boundary)});
+    const std::vector<Vtu_field> cell_fields{{"domain", flag}, {"dihedral_min", least_angle}};
+
+    Report report;
+    report.title = run.command;
+    report.run = run;
+    report.before = std::move(before);
+    report.after = std::move(after);
+    report.annulus_widths = tracker.widths();
+    report.notes = std::move(notes);
+
+    Output_directory out(directory);
+    out.write("summary.json", write_json(summary_json(run)));
+    out.write("iterations.csv", write_csv(iterations_table(run)));
+    out.write("dihedral.csv", write_csv(dihedral_table(run)));
+    out.write("final.mesh", write_mesh<3>(points, cells.vertex));
+    out.write("domain.mesh", write_mesh<3>(points, inside));
+    out.write("final.vtu", write_vtu<3>(points, cells.vertex, point_fields, cell_fields));
+    out.write("report.html", report_html(report));
+    out.commit();
+}
+
+template <class Moving>
+void print_summary(const Tracker<Moving>& tracker) {
     const Run_record& r = tracker.record();
     const auto asked = static_cast<double>(r.moves.asked > 0 ? r.moves.asked : 1);
     const auto percent = [&](std::uint64_t n) { return 100.0 * static_cast<double>(n) / asked; };
@@ -79,6 +129,13 @@ void print_summary(const Tracker_2& tracker) {
                 "rebuilt %.3f %%\n",
                 percent(r.moves.within_tolerance), percent(r.moves.kept_in_place), percent(r.moves.flipped),
                 percent(r.moves.reinserted), percent(r.moves.rebuilt));
+    if (r.mesh_before && !r.steps.empty() && r.steps.back().mesh) {
+        const Mesh_step &a = *r.mesh_before, &b = *r.steps.back().mesh;
+        std::printf("mesh           cells %llu -> %llu, slivers %llu -> %llu, least dihedral angle %.2f -> %.2f degrees, "
+                    "%.1f %% locked\n",
+                    count(a.cells), count(b.cells), count(a.slivers), count(b.slivers), a.dihedral_min, b.dihedral_min,
+                    100.0 * static_cast<double>(b.locked) / static_cast<double>(std::max<std::uint64_t>(b.vertices, 1)));
+    }
     std::printf("certificates   %llu decided: filter %llu, interval %llu, exact %llu\n", count(r.arithmetic.total()),
                 count(r.arithmetic.filter), count(r.arithmetic.interval), count(r.arithmetic.exact));
     std::printf("memory         %.1f MB at the peak\n", static_cast<double>(r.memory_peak_bytes) / 1e6);
@@ -91,5 +148,8 @@ void print_summary(const Tracker_2& tracker) {
                     tracker.first_fault().c_str());
     }
 }
+
+template void print_summary(const Tracker_2&);
+template void print_summary(const Tracker_3&);
 
 }  // namespace annulus::cli

@@ -38,6 +38,8 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(34);
     std::map<std::string, Run> commands;
     commands["lloyd"] = add_lloyd_command(app, invocation);
+    commands["nodt"] = add_nodt_command(app, invocation);
+    commands["replay"] = add_replay_command(app, invocation);
     commands["compare"] = add_compare_command(app, invocation);
     commands["audit"] = add_audit_command(app, invocation);
     commands["counterexample"] = add_counterexample_command(app, invocation);

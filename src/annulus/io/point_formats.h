@@ -9,6 +9,8 @@
 
 namespace annulus {
 
+struct Raw_faces;
+
 /// What one file says before anybody asks for a dimension. Coordinates are finite; z is 0 where there is none.
 struct Raw_points {
     std::vector<Coordinates<3>> points;
@@ -23,11 +25,12 @@ struct Raw_points {
 /// the first two or three.
 [[nodiscard]] Raw_points read_csv(const Source& source);
 
-/// Vertices of an OFF surface, colours, normals and texture coordinates of its variants ignored.
-[[nodiscard]] Raw_points read_off(const Source& source);
+/// Vertices of an OFF surface, colours, normals and texture coordinates of its variants ignored; its faces when asked.
+[[nodiscard]] Raw_points read_off(const Source& source, Raw_faces* faces = nullptr);
 
-/// Vertices of a PLY file, ASCII or binary of either byte order; all other elements are stepped over.
-[[nodiscard]] Raw_points read_ply(const Source& source);
+/// Vertices of a PLY file, ASCII or binary of either byte order, and when asked the lists vertex_indices (or
+/// vertex_index) of its element face; all other elements are stepped over.
+[[nodiscard]] Raw_points read_ply(const Source& source, Raw_faces* faces = nullptr);
 
 /// Vertices of a Medit mesh.
 [[nodiscard]] Raw_points read_medit_points(const Source& source);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/io/point_formats.h>
+#include <annulus/io/surface_formats.h>
 
 namespace annulus {
 
@@ -15,7 +16,7 @@ bool is_keyword(std::string_view word) {
 
 }  // namespace
 
-Raw_points read_off(const Source& source) {
+Raw_points read_off(const Source& source, Raw_faces* wanted) {
     Raw_points raw;
     raw.has_z = true;
     Line_reader reader(source);
@@ -45,7 +46,7 @@ Raw_points read_off(const Source& source) {
         raw.points.push_back({reader.real(fields[0], "x"), reader.real(fields[1], "y"), reader.real(fields[2], "z")});
         raw.lines.push_back(reader.number());
     }
-    // Faces are not kept; a wrong count of vertices shows here.
+    // Looked at even when not wanted: a wrong count of vertices shows here.
     for (std::uint64_t i = 0; i < faces; ++i) {
         reader.require_record(i, faces, "faces");
         const auto& fields = reader.fields();
@@ -54,6 +55,10 @@ Raw_points read_off(const Source& source) {
             reader.fail(
                 "has " + std::to_string(fields.size() - 1) + " indices for a face of " + std::to_string(corners),
                 "a count and as many indices");
+        if (wanted == nullptr) continue;
+        for (std::uint64_t k = 1; k <= corners; ++k)
+            wanted->corners.push_back(reader.whole(fields[k], "the index of a vertex"));
+        wanted->close(reader.number());
     }
     if (reader.next_record())
         reader.fail("there is more after the " + std::to_string(faces) + " faces that the file announces",

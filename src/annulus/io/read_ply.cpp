@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/io/ply_header.h>
 #include <annulus/io/point_formats.h>
+#include <annulus/io/surface_formats.h>
 
 #include <cmath>
 #include <cstring>
@@ -8,6 +9,11 @@
 namespace annulus {
 
 namespace {
+
+bool is_face_list(const Ply_element& element, const Ply_property& property) {
+    return element.name == "face" && property.is_list &&
+           (property.name == "vertex_indices" || property.name == "vertex_index");
+}
 
 /// Adds one vertex, given the values of all its properties.
 void append_vertex(const Ply_vertex_columns& columns, const std::vector<double>& values, std::uint64_t line,
@@ -17,7 +23,8 @@ void append_vertex(const Ply_vertex_columns& columns, const std::vector<double>&
 }
 
 /// Every record of an ASCII file is one line.
-void read_ascii(Line_reader& reader, const Ply_header& header, const Ply_vertex_columns& columns, Raw_points& raw) {
+void read_ascii(Line_reader& reader, const Ply_header& header, const Ply_vertex_columns& columns, Raw_points& raw,
+                Raw_faces* faces) {
     std::vector<double> values;
     for (const Ply_element& element : header.elements) {
         if (element.properties.empty()) continue;
@@ -25,7 +32,8 @@ void read_ascii(Line_reader& reader, const Ply_header& header, const Ply_vertex_
         if (is_vertex) raw.points.reserve(reader.room_for(element.count, 4, "vertices"));
         for (std::uint64_t i = 0; i < element.count; ++i) {
             reader.require_record(i, element.count, element.name + " records");
-            if (!is_vertex) continue;
+            const bool is_face = faces != nullptr && element.name == "face";
+            if (!is_vertex && !is_face) continue;
             const auto& fields = reader.fields();
             values.clear();
             std::size_t next = 0;
@@ -38,16 +46,21 @@ void read_ascii(Line_reader& reader, const Ply_header& header, const Ply_vertex_
             for (const Ply_property& property : element.properties) {
                 const std::string_view field = take(property.name);
                 if (!property.is_list) {
-                    values.push_back(columns.uses(values.size()) ? reader.real(field, property.name) : 0.);
+                    values.push_back(is_vertex && columns.uses(values.size()) ? reader.real(field, property.name) : 0.);
                     continue;
                 }
                 const std::uint64_t length = reader.whole(field, "the length of " + property.name);
-                for (std::uint64_t k = 0; k < length; ++k) take(property.name);
+                const bool wanted = is_face && is_face_list(element, property);
+                for (std::uint64_t k = 0; k < length; ++k) {
+                    const std::string_view index = take(property.name);
+                    if (wanted) faces->corners.push_back(reader.whole(index, "the index of a vertex"));
+                }
+                if (wanted) faces->close(reader.number());
                 values.push_back(0.);
             }
             if (next != fields.size())
                 reader.fail("has " + counted(fields.size(), "column"), std::to_string(next) + " from the header");
-            append_vertex(columns, values, reader.number(), raw);
+            if (is_vertex) append_vertex(columns, values, reader.number(), raw);
         }
     }
     if (reader.next_record()) reader.fail("there is more after the last record", "the end of the file");
@@ -90,13 +103,27 @@ class Binary_reader {
     }
 
     void skip_list(const Ply_property& property) {
-        const double length = scalar(property.length_type);
-        if (!(length >= 0)) fail("the length of " + property.name + " is negative", "a length of 0 or more");
         // At most 2^32, as the header accepts integer types only, so the product is exact.
-        skip(static_cast<std::uint64_t>(length) * ply_size(property.type));
+        skip(length_of(property) * ply_size(property.type));
+    }
+
+    /// The corners of a face.
+    void read_list(const Ply_property& property, std::vector<std::uint64_t>& corners) {
+        for (std::uint64_t left = length_of(property); left > 0; --left) {
+            const double index = scalar(property.type);
+            if (!(index >= 0 && index < 0x1p32 && index == std::floor(index)))
+                fail("the index of a vertex is not an integer of 0 or more", "an integer of 0 or more");
+            corners.push_back(static_cast<std::uint64_t>(index));
+        }
     }
 
   private:
+    std::uint64_t length_of(const Ply_property& property) {
+        const double length = scalar(property.length_type);
+        if (!(length >= 0)) fail("the length of " + property.name + " is negative", "a length of 0 or more");
+        return static_cast<std::uint64_t>(length);
+    }
+
     const std::string& name_;
     std::string_view bytes_;
     bool big_endian_;
@@ -105,7 +132,7 @@ class Binary_reader {
 };
 
 void read_binary(const Source& source, std::string_view bytes, const Ply_header& header,
-                 const Ply_vertex_columns& columns, Raw_points& raw) {
+                 const Ply_vertex_columns& columns, Raw_points& raw, Raw_faces* faces) {
     Binary_reader reader(source.name, bytes, header.format == Ply_format::binary_big_endian);
     std::vector<double> values;
     for (const Ply_element& element : header.elements) {
@@ -123,7 +150,12 @@ void read_binary(const Source& source, std::string_view bytes, const Ply_header&
             values.clear();
             for (const Ply_property& property : element.properties) {
                 if (property.is_list) {
-                    reader.skip_list(property);
+                    if (faces != nullptr && is_face_list(element, property)) {
+                        reader.read_list(property, faces->corners);
+                        faces->close(i);
+                    } else {
+                        reader.skip_list(property);
+                    }
                     values.push_back(0.);
                     continue;
                 }
@@ -142,14 +174,14 @@ void read_binary(const Source& source, std::string_view bytes, const Ply_header&
 
 }  // namespace
 
-Raw_points read_ply(const Source& source) {
+Raw_points read_ply(const Source& source, Raw_faces* faces) {
     Raw_points raw;
     Line_reader reader(source);
     const Ply_header header = read_ply_header(reader);
     const Ply_vertex_columns columns = ply_vertex_columns(header, reader);
     raw.has_z = columns.z.has_value();
-    if (header.format == Ply_format::ascii) read_ascii(reader, header, columns, raw);
-    else read_binary(source, reader.rest(), header, columns, raw);
+    if (header.format == Ply_format::ascii) read_ascii(reader, header, columns, raw, faces);
+    else read_binary(source, reader.rest(), header, columns, raw, faces);
     return raw;
 }
 

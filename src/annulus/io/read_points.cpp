@@ -16,8 +16,8 @@ Reader reader_of(const std::filesystem::path& file) {
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     if (extension == ".xyz") return read_xyz;
     if (extension == ".csv") return read_csv;
-    if (extension == ".off") return read_off;
-    if (extension == ".ply") return read_ply;
+    if (extension == ".off") return [](const Source& source) { return read_off(source); };
+    if (extension == ".ply") return [](const Source& source) { return read_ply(source); };
     if (extension == ".mesh") return read_medit_points;
     throw Input_error(Error_code::bad_input, file.string(), 0,
                       extension.empty() ? "has no extension" : "has the unknown extension " + shown(extension),

@@ -99,6 +99,43 @@ std::vector<Plot> cost_plots(const Run_record& run) {
     return plots;
 }
 
+std::vector<Plot> mesh_plots(const Run_record& run) {
+    if (!run.mesh_before) return {};
+    const auto angles = [](std::string name, const Mesh_step& mesh) {
+        Series series{std::move(name), {0}, {}, true};
+        double sum = 0;
+        for (const std::uint64_t n : mesh.dihedral) sum += static_cast<double>(n);
+        for (const std::uint64_t n : mesh.dihedral) {
+            series.x.push_back(5 * static_cast<double>(series.x.size()));
+            series.y.push_back(sum > 0 ? 100 * static_cast<double>(n) / sum : 0);
+        }
+        return series;
+    };
+    Plot dihedral{"Dihedral angles",
+                  {"dihedral angle (degrees)", Scale::linear, 0., 180., true},
+                  {"angles in a bin of 5 degrees (%)", Scale::linear, 0., {}, false},
+                  {angles("before", *run.mesh_before)}};
+    if (!run.steps.empty() && run.steps.back().mesh) dihedral.series.push_back(angles("after", *run.steps.back().mesh));
+    std::vector<Plot> plots{dihedral};
+    Plot slivers{"Slivers", iteration_axis(Scale::log10), {"cells that are slivers (%)", Scale::linear, 0., {}, false}, {}};
+    Plot locked{"Locked vertices", iteration_axis(Scale::log10), {"vertices (%)", Scale::linear, 0., {}, false}, {}};
+    const auto share = [](std::uint64_t part, std::uint64_t all) {
+        return all > 0 ? 100 * static_cast<double>(part) / static_cast<double>(all) : 0;
+    };
+    add_measured(slivers.series, "", run.steps, [&](const Iteration_record& s) {
+        return s.mesh ? std::optional(share(s.mesh->slivers, s.mesh->cells)) : std::nullopt;
+    });
+    bool any = false;
+    for (const Iteration_record& s : run.steps) any = any || (s.mesh && s.mesh->locked > 0);
+    if (any)
+        add_measured(locked.series, "", run.steps, [&](const Iteration_record& s) {
+            return s.mesh ? std::optional(share(s.mesh->locked, s.mesh->vertices)) : std::nullopt;
+        });
+    for (Plot* plot : {&slivers, &locked})
+        if (!plot->series.empty()) plots.push_back(std::move(*plot));
+    return plots;
+}
+
 std::vector<Plot> comparison_plots(const Comparison_record& comparison) {
     std::vector<Series> curves;
     for (const Run_record& run : comparison.runs)

@@ -14,6 +14,9 @@ namespace annulus {
 /// Percentage of moves beyond the tolerance, and time a step, over the iterations.
 [[nodiscard]] std::vector<Plot> cost_plots(const Run_record& run);
 
+/// Dihedral angles before and after, slivers and share of locked vertices over the iterations. Empty without meshes.
+[[nodiscard]] std::vector<Plot> mesh_plots(const Run_record& run);
+
 /// Cumulative seconds of every strategy (figure 7 of the paper), linear and logarithmic.
 [[nodiscard]] std::vector<Plot> comparison_plots(const Comparison_record& comparison);
 

@@ -36,6 +36,19 @@ struct Audit_record {
     std::uint64_t failed = 0;
 };
 
+/// The mesh after one step of an optimisation in space: cells of the domain and what their vertices did.
+struct Mesh_step {
+    std::uint64_t vertices = 0;  ///< of cells of the domain
+    std::uint64_t boundary = 0;  ///< of these, on its surface
+    std::uint64_t locked = 0;    ///< of these, at rest in this step because their cells were good
+    std::uint64_t kept = 0;      ///< of these, at rest in this step because their target was refused
+    std::uint64_t cells = 0;
+    std::uint64_t slivers = 0;
+    double dihedral_min = 0;  ///< degrees
+    double dihedral_max = 0;
+    std::vector<std::uint64_t> dihedral;  ///< counts of angles, 5 degrees a bin from 0 to 180
+};
+
 /// One step. Lengths are in mean spacings; an absent value was not measured in this step.
 struct Iteration_record {
     std::uint64_t iteration = 0;  ///< from 1
@@ -51,6 +64,7 @@ struct Iteration_record {
     Stage_counts arithmetic;
     std::uint64_t certificates_evaluated = 0;
     std::uint64_t flips = 0;
+    std::optional<Mesh_step> mesh;
 };
 
 /// One run of one strategy, as the files that it writes tell it.
@@ -70,6 +84,7 @@ struct Run_record {
     std::uint64_t memory_peak_bytes = 0;  ///< 0 when unknown
     double mean_spacing = 0;              ///< the unit of length, in the caller's unit
     std::vector<Iteration_record> steps;
+    std::optional<Mesh_step> mesh_before;  ///< before the first step
 };
 
 /// The same motion under several strategies, the first of which is not special.

@@ -16,7 +16,12 @@ namespace annulus {
 /// two runs have the same strategy.
 [[nodiscard]] nlohmann::ordered_json compare_json(const Comparison_record& comparison);
 
-/// The content of iterations.csv: one row for each step.
+/// The content of iterations.csv: one row for each step. Where meshes were measured, failures (moves beyond tolerance),
+/// updates for each (certificates evaluated) and what Mesh_step has follow.
 [[nodiscard]] Csv_table iterations_table(const Run_record& run);
+
+/// The content of dihedral.csv: counts of dihedral angles, 5 degrees a column, before the first step (iteration 0) and
+/// after each that was measured.
+[[nodiscard]] Csv_table dihedral_table(const Run_record& run);
 
 }  // namespace annulus

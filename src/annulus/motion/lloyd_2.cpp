@@ -3,11 +3,8 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/motion/moments_2.h>
+#include <annulus/motion/parallel_runs.h>
 #include <annulus/motion/voronoi_cell_2.h>
-
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -76,10 +73,10 @@ Lloyd_step Lloyd_2::step(const Neighbours_2& neighbours, std::span<const Coordin
         throw Error(Error_code::wrong_size, "Lloyd needs a position and a target for every vertex");
     std::vector<Partial> partial((n + run_length - 1) / run_length);
 
-    const auto run = [&](std::size_t r) {
+    for_each_run(n, run_length, threads_, [&](std::size_t first, std::size_t last) {
         Voronoi_cell_2 cell_of(domain_);
         Partial sums;
-        for (std::size_t v = r * run_length; v < std::min(n, (r + 1) * run_length); ++v) {
+        for (std::size_t v = first; v < last; ++v) {
             target[v] = position[v];
             const auto around = neighbours.of(v);
             if (around.empty() && n > 1) continue;
@@ -100,15 +97,8 @@ Lloyd_step Lloyd_2::step(const Neighbours_2& neighbours, std::span<const Coordin
             sums.sum += moved;
             sums.max = std::max(sums.max, moved);
         }
-        partial[r] = sums;
-    };
-    if (threads_ == 1 || partial.size() == 1) {
-        for (std::size_t r = 0; r < partial.size(); ++r) run(r);
-    } else {
-        // Asking for more than the machine has gains nothing, and oneTBB warns about it on stderr.
-        oneapi::tbb::task_arena arena(std::min(threads_, oneapi::tbb::info::default_concurrency()));
-        arena.execute([&] { oneapi::tbb::parallel_for(std::size_t{0}, partial.size(), run); });
-    }
+        partial[first / run_length] = sums;
+    });
 
     Partial total;
     for (const Partial& p : partial) {

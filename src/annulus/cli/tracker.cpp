@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/stopwatch.h>
-#include <annulus/cli/tracker_2.h>
+#include <annulus/cli/tracker.h>
 
 #include <annulus/statistics/memory.h>
 
@@ -16,7 +16,8 @@ Moves_record moves_of(const Move_counts& c) {
     return {c.asked, c.within_tolerance, c.kept_in_place, c.flipped, c.reinserted, c.rebuilt};
 }
 
-double mean_of_finite(const std::vector<double>& values, double unit) {
+std::optional<double> mean_of_finite(const std::vector<double>& values, double unit) {
+    if (values.empty()) return std::nullopt;
     double sum = 0;
     std::size_t count = 0;
     for (const double v : values) {
@@ -29,9 +30,11 @@ double mean_of_finite(const std::vector<double>& values, double unit) {
 
 }  // namespace
 
-Tracker_2::Tracker_2(std::string name, std::span<const Coordinates<2>> points, const Options& options, double spacing,
+template <class Moving>
+Tracker<Moving>::Tracker(std::string name, std::span<const Coordinates<d>> points, const Options& options, double spacing,
                      std::uint64_t iterations, std::uint64_t audit_every, bool measure)
     : dt_(points, options), spacing_(spacing), iterations_(iterations), audit_every_(audit_every), measure_(measure) {
+    record_.dimension = d;
     record_.strategy = std::move(name);
     record_.tolerance = std::string(name_of(options.tolerance));
     record_.threads = static_cast<unsigned>(options.threads);
@@ -44,19 +47,53 @@ Tracker_2::Tracker_2(std::string name, std::span<const Coordinates<2>> points, c
     totals_ += report;
 }
 
-bool Tracker_2::measured_at(std::uint64_t i) const {
+template <class Moving>
+bool Tracker<Moving>::measured_at(std::uint64_t i) const {
     if (!measure_) return false;
     if (i <= 20 || i == iterations_ || i == 100 || i == 1000) return true;
     const auto mark = [](std::uint64_t k) { return std::floor(25 * std::log10(static_cast<double>(k))); };
     return mark(i) != mark(i - 1);
 }
 
-void Tracker_2::step(std::span<const Coordinates<2>> x, double motion_seconds, double displacement_mean,
+template <class Moving>
+void Tracker<Moving>::step(std::span<const Coordinates<d>> x, double motion_seconds, double displacement_mean,
                      double displacement_max) {
     const auto start = Clock::now();
     const Move_report report = dt_.move_all(x);
     // What a rebuild spends to keep our handles valid is not part of CGAL's rebuild: it would flatter the others.
-    const double seconds = since(start) - report.handle_seconds;
+    record_step(report, since(start) - report.handle_seconds, motion_seconds, displacement_mean, displacement_max);
+}
+
+template <class Moving>
+std::vector<Index> Tracker<Moving>::follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,
+                                           std::span<const Coordinates<d>> arrive, double displacement_mean,
+                                           double displacement_max)
+    requires requires(Moving& dt) { dt.remove(dt.vertex(0)); }
+{
+    const auto start = Clock::now();
+    Move_report report;
+    for (const Index i : leave) {
+        Move_report one;
+        dt_.remove(dt_.vertex(static_cast<std::size_t>(i)), &one);
+        one.moves = {};  // what happened to the moves asked for is counted, no more
+        report += one;
+    }
+    report += dt_.move_all(x);
+    std::vector<Index> indices;
+    for (const auto& p : arrive) {
+        Move_report one;
+        indices.push_back(dt_.index(dt_.insert(typename Moving::Point(p[0], p[1]), &one)));
+        one.moves = {};
+        report += one;
+    }
+    record_step(report, since(start) - report.handle_seconds, 0, displacement_mean, displacement_max);
+    cells_changed_ = cells_changed_ || !leave.empty() || !arrive.empty();
+    return indices;
+}
+
+template <class Moving>
+void Tracker<Moving>::record_step(const Move_report& report, double seconds, double motion_seconds,
+                                  double displacement_mean, double displacement_max) {
     totals_ += report;
     cells_changed_ = report.flips + report.moves.reinserted + report.moves.rebuilt + report.moves.flipped > 0;
     record_.seconds.triangulation += seconds;
@@ -76,12 +113,14 @@ void Tracker_2::step(std::span<const Coordinates<2>> x, double motion_seconds, d
         const Measures m = dt_.measure();
         it.tolerance_mean = mean_of_finite(m.tolerance, spacing_);
         it.annulus_width_mean = mean_of_finite(m.annulus_width, spacing_);
-        it.theta_min = m.theta_min;
-        const std::uint64_t i = it.iteration;
-        if (i == 1 || i == 10 || i == 100 || i == 1000) {
-            Histogram h = Histogram::linear(0.0, 1.5, 75);
-            for (const double w : m.annulus_width) h.add(w / spacing_);
-            widths_.push_back({i, std::move(h)});
+        if (!m.annulus_width.empty()) {
+            it.theta_min = m.theta_min;
+            const std::uint64_t i = it.iteration;
+            if (i == 1 || i == 10 || i == 100 || i == 1000) {
+                Histogram h = Histogram::linear(0.0, 1.5, 75);
+                for (const double w : m.annulus_width) h.add(w / spacing_);
+                widths_.push_back({i, std::move(h)});
+            }
         }
     }
     record_.steps.push_back(it);
@@ -89,7 +128,8 @@ void Tracker_2::step(std::span<const Coordinates<2>> x, double motion_seconds, d
     if (audit_every_ > 0 && (last || record_.iterations % audit_every_ == 0)) audit();
 }
 
-void Tracker_2::audit() {
+template <class Moving>
+void Tracker<Moving>::audit() {
     const Audit_result result = dt_.audit();
     ++record_.audit.checked;
     if (result.delaunay()) return;
@@ -98,7 +138,8 @@ void Tracker_2::audit() {
         first_fault_ = "step " + std::to_string(record_.iterations) + ": " + result.first_fault;
 }
 
-void Tracker_2::finish(const std::string& command, std::uint64_t seed, double total_seconds) {
+template <class Moving>
+void Tracker<Moving>::finish(const std::string& command, std::uint64_t seed, double total_seconds) {
     if (record_.iterations == 0 && audit_every_ > 0) audit();
     record_.command = command;
     record_.seed = seed;
@@ -108,16 +149,20 @@ void Tracker_2::finish(const std::string& command, std::uint64_t seed, double to
     record_.memory_peak_bytes = resident_memory().peak;
 }
 
-double Tracker_2::share_within() const {
+template <class Moving>
+double Tracker<Moving>::share_within() const {
     return totals_.moves.asked == 0
                ? 0.0
                : static_cast<double>(totals_.moves.within_tolerance) / static_cast<double>(totals_.moves.asked);
 }
 
-std::vector<std::array<Index, 3>> Tracker_2::canonical_cells() const {
-    std::vector<std::array<Index, 3>> cells = dt_.audit_input().cells;
+template <class Moving>
+std::vector<std::array<Index, static_cast<std::size_t>(Tracker<Moving>::d) + 1>> Tracker<Moving>::canonical_cells() const {
+    auto cells = dt_.audit_input().cells;
     for (auto& c : cells)
-        if (c[2] == none) {
+        if constexpr (d == 3) {
+            std::sort(c.begin(), c.end());  // the audit has seen to the orientation
+        } else if (c[2] == none) {
             if (c[0] > c[1]) std::swap(c[0], c[1]);
         } else {
             std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
@@ -125,6 +170,15 @@ std::vector<std::array<Index, 3>> Tracker_2::canonical_cells() const {
     std::sort(cells.begin(), cells.end());
     return cells;
 }
+
+template <class Moving>
+void Tracker<Moving>::add_motion(double seconds) {
+    record_.seconds.motion += seconds;
+    record_.steps.back().seconds_motion += seconds;
+}
+
+template class Tracker<Moving_delaunay_2>;
+template class Tracker<Moving_3>;
 
 Picture picture_of(const Moving_delaunay_2& dt, std::string caption) {
     Audit_input<2> in = dt.audit_input();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/cli/moving_3.h>
 #include <annulus/io/report.h>
 #include <annulus/io/run_record.h>
 #include <annulus/moving_delaunay_2.h>
@@ -11,20 +12,34 @@
 namespace annulus::cli {
 
 /// One strategy following a motion: its triangulation, what it did, and what was measured on the way.
-class Tracker_2 {
+///
+/// Moving is a Moving_delaunay, or what has those of its members that are used here.
+template <class Moving>
+class Tracker {
   public:
+    static constexpr int d = Moving::dimension_of_space;
     /// Lengths are recorded in units of `spacing`. `iterations` decides where measurements are taken: at the first 20,
     /// then about 25 a decade, and the last. The precomputation of tolerances is timed as part of `triangulation`.
-    Tracker_2(std::string name, std::span<const Coordinates<2>> points, const Options& options, double spacing,
+    Tracker(std::string name, std::span<const Coordinates<d>> points, const Options& options, double spacing,
               std::uint64_t iterations, std::uint64_t audit_every, bool measure);
 
     /// Follows one timestamp. Motion seconds and displacement are what the motion says of itself.
-    void step(std::span<const Coordinates<2>> x, double motion_seconds, double displacement_mean,
+    void step(std::span<const Coordinates<d>> x, double motion_seconds, double displacement_mean,
               double displacement_max);
+    /// Follows one timestamp in which some vertices leave, the others move to x (by index), and then some arrive: removals,
+    /// one move_all, insertions. Returns the indices of those that arrived. Throws what the triangulation throws.
+    std::vector<Index> follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,
+                              std::span<const Coordinates<d>> arrive, double displacement_mean, double displacement_max)
+        requires requires(Moving& dt) { dt.remove(dt.vertex(0)); };
+    /// What the mesh was before the first step, and is after the last one.
+    void mesh_before(Mesh_step mesh) { record_.mesh_before = std::move(mesh); }
+    void mesh_after(Mesh_step mesh) { record_.steps.back().mesh = std::move(mesh); }
+    /// Adds to the motion's time of the last step.
+    void add_motion(double seconds);
     /// Fills in what is known only at the end.
     void finish(const std::string& command, std::uint64_t seed, double total_seconds);
 
-    [[nodiscard]] const Moving_delaunay_2& triangulation() const { return dt_; }
+    [[nodiscard]] const Moving& triangulation() const { return dt_; }
     [[nodiscard]] const Run_record& record() const { return record_; }
     [[nodiscard]] const std::vector<Width_distribution>& widths() const { return widths_; }
     [[nodiscard]] const std::string& first_fault() const { return first_fault_; }
@@ -33,14 +48,16 @@ class Tracker_2 {
     [[nodiscard]] double share_within() const;
     /// Did the last step change cells?
     [[nodiscard]] bool cells_changed() const { return cells_changed_; }
-    /// Cells with the least index first, sorted: equal for equal triangulations.
-    [[nodiscard]] std::vector<std::array<Index, 3>> canonical_cells() const;
+    /// Cells in one order of their vertices, sorted: equal for equal triangulations.
+    [[nodiscard]] std::vector<std::array<Index, static_cast<std::size_t>(d) + 1>> canonical_cells() const;
 
   private:
     [[nodiscard]] bool measured_at(std::uint64_t iteration) const;
     void audit();
+    void record_step(const Move_report& report, double seconds, double motion_seconds, double displacement_mean,
+                     double displacement_max);
 
-    Moving_delaunay_2 dt_;
+    Moving dt_;
     Run_record record_;
     Move_report totals_;
     std::vector<Width_distribution> widths_;
@@ -51,6 +68,12 @@ class Tracker_2 {
     bool measure_;
     bool cells_changed_ = true;
 };
+
+extern template class Tracker<Moving_delaunay_2>;
+extern template class Tracker<Moving_3>;
+
+using Tracker_2 = Tracker<Moving_delaunay_2>;
+using Tracker_3 = Tracker<Moving_3>;
 
 /// The triangulation as a picture for the report.
 [[nodiscard]] Picture picture_of(const Moving_delaunay_2& dt, std::string caption);

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/cli/commands.h>
+#include <annulus/cli/files.h>
+#include <annulus/cli/nodt_scene.h>
+#include <annulus/cli/progress.h>
+#include <annulus/cli/stopwatch.h>
+#include <annulus/cli/tracker.h>
+#include <annulus/io/cut_picture.h>
+#include <annulus/motion/nodt_3.h>
+#include <annulus/statistics/mesh_quality.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace annulus::cli {
+
+namespace {
+
+struct Nodt_call {
+    Common_arguments common;
+    Tracking_arguments tracking;
+    Nodt_arguments nodt;
+};
+
+/// The cells of the triangulation and which of them are of the domain.
+struct Mesh {
+    Cells_3 cells;
+    std::vector<char> inside;
+
+    void read(const Tracker_3& tracker, const Domain_3& domain, int threads) {
+        const auto& dt = tracker.triangulation();
+        if (tracker.cells_changed()) cells = linked(dt.audit_input().cells, dt.number_of_vertices());
+        inside = cells_inside(domain, cells, dt.positions(), threads);
+    }
+};
+
+Mesh_step measured(const Mesh& mesh, std::span<const Coordinates<3>> x, const Nodt_step& step) {
+    const Mesh_quality q = mesh_quality(mesh.cells, mesh.inside, x);
+    const auto counts = q.dihedral.counts();
+    return {.vertices = q.vertices,
+            .boundary = q.boundary,
+            .locked = step.locked,
+            .kept = step.kept,
+            .cells = q.cells,
+            .slivers = q.slivers,
+            .dihedral_min = q.cells > 0 ? q.dihedral.min() : 0,
+            .dihedral_max = q.cells > 0 ? q.dihedral.max() : 0,
+            .dihedral = {counts.begin(), counts.end()}};
+}
+
+/// Across the shortest side of the box, through its middle: the widest view.
+Picture cut_through(const Mesh& mesh, const Domain_3& domain, std::span<const Coordinates<3>> x, std::string caption) {
+    const auto box = domain.bounding_box();
+    std::size_t axis = 2;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (box.upper[k] - box.lower[k] < box.upper[axis] - box.lower[axis]) axis = k;
+    const double at = 0.5 * (box.lower[axis] + box.upper[axis]);
+    const std::string name(1, "xyz"[axis]);
+    return cut_picture(mesh.cells, mesh.inside, x, axis, at, std::move(caption) + ", cut across " + name);
+}
+
+int run(const Nodt_call& a, const std::string& command) {
+    const auto begin = Clock::now();
+    const Options options = options_of(a.tracking, a.common);
+    const bool files = !a.common.output.empty();
+    const Nodt_scene scene = make_scene(a.nodt, a.common.seed);
+    const Domain_3& domain = *scene.domain;
+    Tracker_3 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.nodt.iterations, a.tracking.audit,
+                      files);
+    Mesh mesh;
+    mesh.read(tracker, domain, a.common.threads);
+    tracker.mesh_before(measured(mesh, tracker.triangulation().positions(), {}));
+    std::optional<Picture> before;
+    if (files) before = cut_through(mesh, domain, tracker.triangulation().positions(), "before");
+
+    const Nodt_3 nodt(domain, scene.sizing, a.nodt.lock, a.common.threads);
+    std::vector<Coordinates<3>> target(scene.points.size());
+    {
+        Progress progress("nodt", a.nodt.iterations, a.common.quiet);
+        for (std::uint64_t i = 1; i <= a.nodt.iterations; ++i) {
+            auto start = Clock::now();
+            const Nodt_step step = nodt.step(mesh.cells, mesh.inside, tracker.triangulation().positions(), target);
+            tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
+            // What the next step needs to know is the motion's time, what is measured is nobody's.
+            start = Clock::now();
+            mesh.read(tracker, domain, a.common.threads);
+            tracker.add_motion(since(start));
+            tracker.mesh_after(measured(mesh, tracker.triangulation().positions(), step));
+            char news[60];
+            std::snprintf(news, sizeof news, "%.2f %% within tolerance, %llu slivers", 100 * tracker.share_within(),
+                          static_cast<unsigned long long>(tracker.record().steps.back().mesh->slivers));
+            progress.show(i, news);
+        }
+    }
+    tracker.finish(command, a.common.seed, since(begin));
+    if (files)
+        write_run(a.common.output, tracker, mesh.cells, mesh.inside, std::move(before),
+                  cut_through(mesh, domain, tracker.triangulation().positions(),
+                              "after " + std::to_string(a.nodt.iterations) + " iterations"),
+                  scene.notes);
+    if (!a.common.quiet) {
+        print_summary(tracker);
+        if (files) std::printf("written to     %s\n", a.common.output.c_str());
+    }
+    return tracker.record().audit.failed == 0 ? done : audit_failed;
+}
+
+}  // namespace
+
+Run add_nodt_command(CLI::App& app, const Invocation& invocation) {
+    auto* sub = app.add_subcommand("nodt", "Natural-ODT optimisation of a tetrahedral mesh of a closed surface");
+    const auto a = std::make_shared<Nodt_call>();
+    a->tracking.strategy = "rebuild";
+    add_nodt(*sub, a->nodt);
+    add_tracking(*sub, a->tracking);
+    add_common(*sub, a->common);
+    return [a, command = command_line(invocation.words)] { return run(*a, command); };
+}
+
+}  // namespace annulus::cli

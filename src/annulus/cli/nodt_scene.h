@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/cli/arguments.h>
+#include <annulus/motion/domain_3.h>
+#include <annulus/motion/sizing_3.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace annulus::cli {
+
+/// The arguments that say which mesh to optimise.
+struct Nodt_arguments {
+    std::string surface;
+    bool sphere = false;
+    std::uint64_t vertices = 0;
+    std::uint64_t iterations = 100;
+    std::string sizing = "constant";
+    double gradation = 2;
+    std::optional<double> lock;
+};
+
+void add_nodt(CLI::App& app, Nodt_arguments& arguments);
+
+/// Domain, sizing and first vertices of an optimisation, checked.
+struct Nodt_scene {
+    std::unique_ptr<const Domain_3> domain;
+    Sizing_3 sizing;
+    std::vector<Coordinates<3>> points;
+    std::vector<std::string> notes;  ///< what a reader of the results should know about the input
+    /// Mean spacing: the cube root of volume per vertex, the unit of length of the paper's figures.
+    [[nodiscard]] double spacing() const;
+};
+
+/// Throws Input_error or Error.
+[[nodiscard]] Nodt_scene make_scene(const Nodt_arguments& arguments, std::uint64_t seed);
+
+}  // namespace annulus::cli

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+#include <annulus/motion/domain_3.h>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// The finite cells of a triangulation of space, as plain arrays.
+struct Cells_3 {
+    std::vector<std::array<Index, 4>> vertex;    ///< positively oriented
+    std::vector<std::array<Index, 4>> adjacent;  ///< [c][i]: the cell beyond the facet opposite to vertex[c][i]; none
+                                                 ///< where that is infinite
+
+    [[nodiscard]] std::size_t size() const { return vertex.size(); }
+};
+
+/// The corners of the facet opposite to corner i of a positive cell, counter-clockwise seen from outside of the cell.
+inline constexpr std::array<std::array<std::size_t, 3>, 4> facet_corners{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+/// Cells with their adjacency. Throws Error(unknown_vertex) for an index outside [0, n), Error(bad_input) when three
+/// cells share a facet. O(n), by sorting facets on their least vertex.
+[[nodiscard]] Cells_3 linked(std::vector<std::array<Index, 4>> cells, std::size_t n);
+
+/// The volume of a cell times the vector from its corner 0 to its circumcentre; `volume` becomes the signed volume.
+/// Without a division, so that flat cells, whose circumcentre is anywhere, have a value that is small like they are.
+[[nodiscard]] Coordinates<3> weighted_circumcentre(const Coordinates<3>& a, const Coordinates<3>& b,
+                                                   const Coordinates<3>& c, const Coordinates<3>& d, double& volume);
+
+/// Which cells are of the domain: those whose circumcentre it contains (the restricted Delaunay triangulation, as in the
+/// meshes of Mesh_3). A flat cell, whose circumcentre is no finite point in doubles, is not. The same for any number of
+/// threads.
+[[nodiscard]] std::vector<char> cells_inside(const Domain_3& domain, const Cells_3& cells,
+                                             std::span<const Coordinates<3>> position, int threads = 1);
+
+/// The facets between a cell with a flag and one without or infinity, counter-clockwise from outside.
+[[nodiscard]] std::vector<std::array<Index, 3>> surface_facets(const Cells_3& cells, std::span<const char> inside);
+
+}  // namespace annulus

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/motion/cells_3.h>
+#include <annulus/motion/domain_3.h>
+#include <annulus/motion/sizing_3.h>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// What one step of natural ODT asks for. Displacements in the caller's unit of length, over all vertices of cells of
+/// the domain.
+struct Nodt_step {
+    double mean_displacement = 0;
+    double max_displacement = 0;
+    std::size_t vertices = 0;  ///< of cells of the domain; the others rest
+    std::size_t boundary = 0;  ///< of these, on a surface facet
+    std::size_t locked = 0;    ///< of these, at rest because their cells are good
+    std::size_t kept = 0;      ///< of these, at rest because their target was outside of the domain or another's place
+};
+
+/// Natural optimal Delaunay triangulation (section 4.2 of the paper; Tournois, Wormser, Alliez, Desbrun 2009).
+///
+/// A cell is of the domain when its circumcentre is (`cells_inside`). A surface facet is a facet of exactly one cell of
+/// the domain, a boundary vertex one on a surface facet; which these are is decided anew in every step. An interior vertex
+/// wants to go to the mean of the circumcentres of its cells of the domain, weighted with volume / mu³; a boundary vertex
+/// to the mean of the circumcentres of its surface facets, weighted with area / mu², and from there to the nearest point
+/// of the surface. mu is the sizing (its mean over the corners of a cell or facet). An interior target outside of the
+/// domain is refused: the vertex rests in this step.
+///
+/// Locks: given an angle, a vertex rests while every dihedral angle of its cells of the domain is between it and 180
+/// degrees less it. This is judged in every step from the cells as they are, so a vertex is free again as soon as a move
+/// nearby has spoilt one of them.
+class Nodt_3 {
+  public:
+    /// `domain` must outlive this. `threads` >= 1, 0 < lock_degrees < 70.5 (the regular tetrahedron), else Error(usage).
+    Nodt_3(const Domain_3& domain, Sizing_3 sizing, std::optional<double> lock_degrees = {}, int threads = 1);
+
+    /// Sets target[v] for every vertex. Targets differ if positions do. `inside` has a flag for every cell.
+    ///
+    /// Preconditions: positions are finite and differ; cells are positive. The result is the same bit for bit whatever the
+    /// number of threads. Expected O(n). Throws Error(wrong_size). `target` must not overlap `position`.
+    Nodt_step step(const Cells_3& cells, std::span<const char> inside, std::span<const Coordinates<3>> position,
+                   std::span<Coordinates<3>> target) const;
+
+  private:
+    const Domain_3& domain_;
+    Sizing_3 sizing_;
+    std::optional<double> lock_cosine_;
+    int threads_;
+};
+
+}  // namespace annulus

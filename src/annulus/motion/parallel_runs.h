@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace annulus {
+
+/// Calls run(first, last) for the indices below n in runs of `length`, by at most `threads` threads at once. Which
+/// thread does which run is open: sums are to be kept by run and added in order.
+template <class Run>
+void for_each_run(std::size_t n, std::size_t length, int threads, const Run& run) {
+    const std::size_t runs = (n + length - 1) / length;
+    const auto one = [&](std::size_t r) { run(r * length, std::min(n, (r + 1) * length)); };
+    if (threads == 1 || runs <= 1) {
+        for (std::size_t r = 0; r < runs; ++r) one(r);
+        return;
+    }
+    // Asking for more than the machine has gains nothing, and oneTBB warns about it on stderr.
+    oneapi::tbb::task_arena arena(std::min(threads, oneapi::tbb::info::default_concurrency()));
+    arena.execute([&] { oneapi::tbb::parallel_for(std::size_t{0}, runs, one); });
+}
+
+}  // namespace annulus

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace annulus {
+
+/// Where the points of one timestamp are. Ids differ; coordinates are finite.
+struct Frame {
+    std::vector<std::uint64_t> id;  ///< ascending
+    std::vector<Coordinates<3>> position;
+    std::vector<std::uint64_t> line;  ///< of each point in the file, from 1
+};
+
+/// A motion from a file: points with an id that may appear and disappear.
+struct Recorded_motion {
+    std::string name;
+    bool has_z = false;
+    std::vector<Frame> frames;
+};
+
+}  // namespace annulus

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/motion/surface_3.h>
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/motion/voxel_marks.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+namespace annulus {
+
+namespace {
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<K::Point_3>;
+using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
+using Aabb_tree = CGAL::AABB_tree<CGAL::AABB_traits<K, Primitive>>;
+using Side = CGAL::Side_of_triangle_mesh<Mesh, K, CGAL::Default, Aabb_tree>;
+
+K::Point_3 cgal(const Coordinates<3>& p) { return {p[0], p[1], p[2]}; }
+Coordinates<3> ours(const K::Point_3& p) { return {p.x(), p.y(), p.z()}; }
+
+/// Every triangle has corners of its own where three or more meet in a way that a halfedge structure cannot hold: the
+/// parity of crossings does not care, and closedness is checked before.
+Mesh mesh_of(const Triangle_surface& s) {
+    std::set<std::array<Index, 2>> edges;
+    for (const auto& t : s.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Index a = t[i], b = t[(i + 1) % 3];
+            if (a < 0 || b < 0 || static_cast<std::size_t>(std::max(a, b)) >= s.points.size() || a == b ||
+                !edges.insert({a, b}).second)
+                throw Error(Error_code::bad_input, "Surface_3: an edge is in more than two triangles");
+        }
+    for (const auto& e : edges)
+        if (!edges.contains({e[1], e[0]})) throw Error(Error_code::bad_input, "Surface_3: the surface is not closed");
+    for (const auto& p : s.points)
+        for (const double x : p)
+            if (!std::isfinite(x)) throw Error(Error_code::not_finite, "Surface_3: a coordinate is not finite");
+    Mesh mesh;
+    std::vector<Mesh::Vertex_index> v;
+    for (const auto& p : s.points) v.push_back(mesh.add_vertex(cgal(p)));
+    const auto at = [&](Index i) { return v[static_cast<std::size_t>(i)]; };
+    for (const auto& t : s.triangles)
+        if (mesh.add_face(at(t[0]), at(t[1]), at(t[2])) == Mesh::null_face()) {
+            // Two sheets touch at a vertex.
+            mesh.add_face(mesh.add_vertex(mesh.point(at(t[0]))), mesh.add_vertex(mesh.point(at(t[1]))),
+                          mesh.add_vertex(mesh.point(at(t[2]))));
+        }
+    return mesh;
+}
+
+}  // namespace
+
+struct Surface_3::Tree {
+    explicit Tree(const Triangle_surface& s)
+        : surface(s), mesh(mesh_of(s)), tree(faces(mesh).first, faces(mesh).second, mesh), box(box_of(s)),
+          marks(box, std::clamp<std::size_t>(20 * s.triangles.size(), 32'768, 2'097'152)) {
+        tree.build();
+        tree.accelerate_distance_queries();
+        side.emplace(tree);
+        mark();
+        double sum = 0;
+        for (const auto& t : surface.triangles) {
+            const K::Point_3 p[3] = {corner(t, 0), corner(t, 1), corner(t, 2)};
+            area_up_to.push_back(sum += std::sqrt(CGAL::squared_area(p[0], p[1], p[2])));
+        }
+    }
+
+    static Box box_of(const Triangle_surface& s) {
+        if (s.triangles.empty()) throw Error(Error_code::bad_input, "Surface_3: there are no triangles");
+        Box b{s.points[0], s.points[0]};
+        for (const auto& p : s.points)
+            for (std::size_t k = 0; k < 3; ++k) {
+                b.lower[k] = std::min(b.lower[k], p[k]);
+                b.upper[k] = std::max(b.upper[k], p[k]);
+            }
+        return b;
+    }
+    [[nodiscard]] K::Point_3 corner(const std::array<Index, 3>& t, std::size_t i) const {
+        return cgal(surface.points[static_cast<std::size_t>(t[i])]);
+    }
+    void mark() {
+        for (const auto& t : surface.triangles) {
+            const K::Triangle_3 triangle(corner(t, 0), corner(t, 1), corner(t, 2));
+            const CGAL::Bbox_3 b = triangle.bbox();
+            const auto r = marks.range({{b.xmin(), b.ymin(), b.zmin()}, {b.xmax(), b.ymax(), b.zmax()}});
+            const bool one = r[0][0] == r[0][1] && r[1][0] == r[1][1] && r[2][0] == r[2][1];
+            for (std::size_t z = r[2][0]; z <= r[2][1]; ++z)
+                for (std::size_t y = r[1][0]; y <= r[1][1]; ++y)
+                    for (std::size_t x = r[0][0]; x <= r[0][1]; ++x) {
+                        const Box v = marks.box({x, y, z});
+                        if (one || CGAL::do_intersect(triangle, K::Iso_cuboid_3(cgal(v.lower), cgal(v.upper))))
+                            marks.set_near({x, y, z});
+                    }
+        }
+        marks.fill([this](const Coordinates<3>& p) { return (*side)(cgal(p)) == CGAL::ON_BOUNDED_SIDE; });
+    }
+
+    Triangle_surface surface;
+    Mesh mesh;
+    Aabb_tree tree;
+    Box box;
+    Voxel_marks marks;
+    std::optional<Side> side;
+    std::vector<double> area_up_to;
+};
+
+Surface_3::Surface_3(const Triangle_surface& surface) : tree_(std::make_unique<const Tree>(surface)) {}
+Surface_3::~Surface_3() = default;
+
+bool Surface_3::contains(const Coordinates<3>& p) const {
+    switch (tree_->marks.of(p)) {
+        case Voxel_marks::Mark::inside: return true;
+        case Voxel_marks::Mark::outside: return false;
+        default: return contains_by_ray(p);
+    }
+}
+
+bool Surface_3::contains_by_ray(const Coordinates<3>& p) const {
+    for (std::size_t k = 0; k < 3; ++k)  // NaN and infinity, too
+        if (!(p[k] >= tree_->box.lower[k] && p[k] <= tree_->box.upper[k])) return false;
+    return (*tree_->side)(cgal(p)) == CGAL::ON_BOUNDED_SIDE;
+}
+
+Coordinates<3> Surface_3::project(const Coordinates<3>& p) const { return ours(tree_->tree.closest_point(cgal(p))); }
+
+std::optional<Coordinates<3>> Surface_3::crossing(const Coordinates<3>& a, const Coordinates<3>& b) const {
+    const auto hit = tree_->tree.any_intersection(K::Segment_3(cgal(a), cgal(b)));
+    if (!hit) return std::nullopt;
+    if (const K::Point_3* p = boost::get<K::Point_3>(&hit->first)) return ours(*p);
+    if (const K::Segment_3* s = boost::get<K::Segment_3>(&hit->first)) return ours(CGAL::midpoint(s->source(), s->target()));
+    return std::nullopt;
+}
+
+std::vector<Coordinates<3>> Surface_3::surface_sample(std::size_t n, std::uint64_t seed) const {
+    std::mt19937_64 bits(seed);
+    const auto unit = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53; };
+    const auto& areas = tree_->area_up_to;
+    std::vector<Coordinates<3>> points;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto found = std::upper_bound(areas.begin(), areas.end(), unit() * areas.back());
+        const auto& t = tree_->surface.triangles[std::min(static_cast<std::size_t>(found - areas.begin()), areas.size() - 1)];
+        double s = unit(), u = unit();
+        if (s + u > 1) s = 1 - s, u = 1 - u;  // fold the parallelogram onto the triangle
+        const K::Point_3 p = tree_->corner(t, 0);
+        points.push_back(ours(p + s * (tree_->corner(t, 1) - p) + u * (tree_->corner(t, 2) - p)));
+    }
+    return points;
+}
+
+Domain_3::Box Surface_3::bounding_box() const { return tree_->box; }
+double Surface_3::volume() const { return enclosed_volume(tree_->surface); }
+
+}  // namespace annulus

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/motion/domain_3.h>
+#include <annulus/motion/triangle_surface.h>
+
+#include <memory>
+
+namespace annulus {
+
+/// What a closed triangle surface encloses: the points from which a ray crosses it an odd number of times.
+///
+/// CGAL's AABB tree answers everything. `contains` is decided by exact predicates, and at once for points in a voxel of a
+/// grid that the surface does not enter: such a voxel is inside or outside as a whole.
+class Surface_3 final : public Domain_3 {
+  public:
+    /// Throws Error(bad_input) unless every edge is in two triangles that run through it in opposite directions, and
+    /// Error(not_finite). O(n log n).
+    explicit Surface_3(const Triangle_surface& surface);
+    ~Surface_3() override;
+
+    /// O(1) away from the surface, O(log n) expected near it. A point of the surface is not contained.
+    [[nodiscard]] bool contains(const Coordinates<3>& p) const override;
+    [[nodiscard]] Coordinates<3> project(const Coordinates<3>& p) const override;
+    [[nodiscard]] std::optional<Coordinates<3>> crossing(const Coordinates<3>& a,
+                                                         const Coordinates<3>& b) const override;
+    [[nodiscard]] std::vector<Coordinates<3>> surface_sample(std::size_t n, std::uint64_t seed) const override;
+    [[nodiscard]] Box bounding_box() const override;
+    [[nodiscard]] double volume() const override;
+
+    /// `contains` without the grid.
+    [[nodiscard]] bool contains_by_ray(const Coordinates<3>& p) const;
+
+  private:
+    struct Tree;
+    std::unique_ptr<const Tree> tree_;
+};
+
+}  // namespace annulus

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/motion/domain_3.h>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace annulus {
+
+/// A grid over a box in which every voxel is inside of a closed surface, outside, or may meet it.
+///
+/// Voxels that do not meet the surface and share a side are on the same side of it, so one test decides for all that
+/// are connected.
+class Voxel_marks {
+  public:
+    enum class Mark : std::uint8_t { unknown, near, inside, outside };
+
+    /// About `voxels` cubes over `box`, which the surface does not leave.
+    Voxel_marks(const Domain_3::Box& box, std::size_t voxels);
+
+    [[nodiscard]] const std::array<std::size_t, 3>& size() const { return size_; }
+    /// The closed voxel with these indices, widened by more than `of` rounds.
+    [[nodiscard]] Domain_3::Box box(const std::array<std::size_t, 3>& at) const;
+    /// The voxels that a box may meet, as the first and the last index of every axis.
+    [[nodiscard]] std::array<std::array<std::size_t, 2>, 3> range(const Domain_3::Box& box) const;
+    void set_near(const std::array<std::size_t, 3>& at) { mark_[index(at)] = Mark::near; }
+    /// Decides all others, given an exact test of a point.
+    void fill(const std::function<bool(const Coordinates<3>&)>& contains);
+
+    /// Points beyond the box are outside. Never `unknown` after `fill`.
+    [[nodiscard]] Mark of(const Coordinates<3>& p) const;
+
+  private:
+    [[nodiscard]] std::size_t index(const std::array<std::size_t, 3>& at) const {
+        return (at[2] * size_[1] + at[1]) * size_[0] + at[0];
+    }
+    [[nodiscard]] std::size_t along(double x, std::size_t k) const;
+
+    Domain_3::Box box_;
+    std::array<std::size_t, 3> size_{};
+    double edge_ = 1;
+    std::vector<Mark> mark_;
+};
+
+}  // namespace annulus

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapes.h"
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/motion/ball_3.h>
+#include <annulus/motion/cells_3.h>
+#include <annulus/motion/dihedral.h>
+#include <annulus/motion/rebuilt_delaunay_3.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+using namespace annulus;
+using namespace annulus_test;
+
+namespace {
+
+Rebuilt_delaunay_3 delaunay(const std::vector<Coordinates<3>>& points) {
+    Options options;
+    options.strategy = Strategy::rebuild;
+    return Rebuilt_delaunay_3(points, options);
+}
+
+}  // namespace
+
+TEST_CASE("adjacency is what shares three vertices", "[motion][cells]") {
+    const auto points = random_points(60, 3);
+    const Cells_3 cells = linked(delaunay(points).audit_input().cells, points.size());
+    std::size_t open = 0;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        for (std::size_t i = 0; i < 4; ++i) {
+            std::set<Index> facet(cells.vertex[c].begin(), cells.vertex[c].end());
+            facet.erase(cells.vertex[c][i]);
+            std::vector<Index> others;
+            for (std::size_t e = 0; e < cells.size(); ++e) {
+                const std::set<Index> all(cells.vertex[e].begin(), cells.vertex[e].end());
+                if (e != c && std::includes(all.begin(), all.end(), facet.begin(), facet.end()))
+                    others.push_back(static_cast<Index>(e));
+            }
+            REQUIRE(others.size() <= 1);
+            open += others.empty();
+            CHECK(cells.adjacent[c][i] == (others.empty() ? none : others[0]));
+        }
+    // Facets of the hull: those of all cells are a closed surface, counter-clockwise from outside.
+    const auto hull = surface_facets(cells, std::vector<char>(cells.size(), 1));
+    CHECK(hull.size() == open);
+    const Triangle_surface surface{points, hull};
+    CHECK(closed(surface));
+    double volume = 0;
+    for (const auto& c : cells.vertex) {
+        double v = 0;
+        (void)weighted_circumcentre(points[static_cast<std::size_t>(c[0])], points[static_cast<std::size_t>(c[1])],
+                                    points[static_cast<std::size_t>(c[2])], points[static_cast<std::size_t>(c[3])], v);
+        CHECK(v > 0);
+        volume += v;
+    }
+    CHECK(enclosed_volume(surface) == Approx(volume).epsilon(1e-12));
+}
+
+TEST_CASE("cells that name no vertex or share a facet three times are refused", "[motion][cells]") {
+    CHECK_THROWS_AS(linked({{0, 1, 2, 4}}, 4), Error);
+    CHECK_THROWS_AS(linked({{0, 1, -1, 3}}, 4), Error);
+    CHECK_THROWS_AS(linked({{7, 8, 9, 10}}, 4), Error);
+    CHECK_THROWS_AS(linked({{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 1, 2, 5}}, 6), Error);
+}
+
+TEST_CASE("the circumcentre of a tetrahedron is as far from all corners", "[motion][cells]") {
+    const auto points = random_points(400, 4);
+    for (std::size_t i = 0; i + 3 < points.size(); i += 4) {
+        double volume = 0;
+        const auto w = weighted_circumcentre(points[i], points[i + 1], points[i + 2], points[i + 3], volume);
+        Coordinates<3> c;
+        for (std::size_t k = 0; k < 3; ++k) c[k] = points[i][k] + w[k] / volume;
+        const auto r = [&](std::size_t j) {
+            return std::hypot(points[j][0] - c[0], points[j][1] - c[1], points[j][2] - c[2]);
+        };
+        for (std::size_t j = i + 1; j < i + 4; ++j) CHECK(r(j) == Approx(r(i)).epsilon(1e-6 / std::min(1.0, std::abs(volume))));
+    }
+}
+
+TEST_CASE("dihedral angles of known tetrahedra", "[motion][cells]") {
+    const auto degrees = [](const std::array<double, 6>& cosines) {
+        std::vector<double> d;
+        for (const double c : cosines) d.push_back(std::acos(c) * 180 / std::numbers::pi);
+        std::sort(d.begin(), d.end());
+        return d;
+    };
+    const auto regular = degrees(dihedral_cosines({1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}));
+    for (const double d : regular) CHECK(d == Approx(70.528779365509308));
+    const auto corner = degrees(dihedral_cosines({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}));
+    for (std::size_t i = 0; i < 3; ++i) CHECK(corner[i] == Approx(54.735610317245346));
+    for (std::size_t i = 3; i < 6; ++i) CHECK(corner[i] == Approx(90.0));
+    // The other way round: the same.
+    CHECK(degrees(dihedral_cosines({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1})) == corner);
+}
+
+TEST_CASE("the stand-in is Delaunay after a move, and its audit notices when it is not", "[motion][cells]") {
+    auto points = random_points(300, 5);
+    Rebuilt_delaunay_3 dt = delaunay(points);
+    for (auto& p : points)
+        for (double& x : p) x = std::sin(2 * x);
+    const Move_report report = dt.move_all(points);
+    CHECK(report.moves.asked == 300);
+    CHECK(report.moves.rebuilt == 300);
+    CHECK(dt.audit().delaunay());
+    // The brute force: no vertex in the sphere of a cell.
+    for (const auto& c : dt.audit_input().cells) {
+        double volume = 0;
+        const auto at = [&](std::size_t i) { return points[static_cast<std::size_t>(c[i])]; };
+        const auto w = weighted_circumcentre(at(0), at(1), at(2), at(3), volume);
+        const double r = std::hypot(w[0], w[1], w[2]) / volume;
+        for (const auto& p : points)
+            CHECK(std::hypot(p[0] - at(0)[0] - w[0] / volume, p[1] - at(0)[1] - w[1] / volume, p[2] - at(0)[2] - w[2] / volume) >
+                  r * (1 - 1e-6));
+    }
+    const auto before = std::vector(dt.positions().begin(), dt.positions().end());
+    points[1] = points[0];
+    CHECK_THROWS_AS(dt.move_all(points), Error);
+    CHECK(std::equal(before.begin(), before.end(), dt.positions().begin()));
+    CHECK(dt.audit().delaunay());
+}

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapes.h"
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/motion/ball_3.h>
+#include <annulus/motion/dihedral.h>
+#include <annulus/motion/nodt_3.h>
+#include <annulus/motion/rebuilt_delaunay_3.h>
+#include <annulus/motion/surface_3.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+using namespace annulus;
+using namespace annulus_test;
+
+namespace {
+
+using Points = std::vector<Coordinates<3>>;
+using Real = long double;
+using Vector = std::array<Real, 3>;
+
+double distance(const Coordinates<3>& a, const Coordinates<3>& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+
+Cells_3 cells_of(const Points& points) {
+    Options options;
+    options.strategy = Strategy::rebuild;
+    return linked(Rebuilt_delaunay_3(points, options).audit_input().cells, points.size());
+}
+
+/// The body-centred cubic lattice with edge 1, scaled, inside a cube. No five of it that share a sphere are adjacent.
+Points body_centred(int n, double scale) {
+    Points points;
+    for (int i = -n; i <= n; ++i)
+        for (int j = -n; j <= n; ++j)
+            for (int k = -n; k <= n; ++k)
+                for (const double half : {0.0, 0.5}) points.push_back({scale * (i + half), scale * (j + half), scale * (k + half)});
+    return points;
+}
+
+Vector minus(const Coordinates<3>& a, const Coordinates<3>& b) {
+    return {Real{a[0]} - b[0], Real{a[1]} - b[1], Real{a[2]} - b[2]};
+}
+Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// Solves for the point whose products with three rows are given (Cramer).
+Vector solve(const Vector& r0, const Vector& r1, const Vector& r2, const Vector& b) {
+    const Real det = dot(r0, cross(r1, r2));
+    const Vector c0 = cross(r1, r2), c1 = cross(r2, r0), c2 = cross(r0, r1);
+    Vector x;
+    for (std::size_t k = 0; k < 3; ++k) x[k] = (b[0] * c0[k] + b[1] * c1[k] + b[2] * c2[k]) / det;
+    return x;
+}
+
+/// Circumcentre from equal distances, relative to the first point; a triangle's is in its plane.
+Vector centre(const std::vector<Coordinates<3>>& p) {
+    const Vector u = minus(p[1], p[0]), v = minus(p[2], p[0]);
+    const Vector w = p.size() == 4 ? minus(p[3], p[0]) : cross(u, v);
+    return solve(u, v, w, {dot(u, u) / 2, dot(v, v) / 2, p.size() == 4 ? dot(w, w) / 2 : 0});
+}
+
+/// The definition, word by word, in long double and with maps.
+Points targets_by_definition(const Domain_3& domain, const Points& x, const std::vector<std::array<Index, 4>>& cells) {
+    const auto p = [&](Index i) { return x[static_cast<std::size_t>(i)]; };
+    std::map<std::set<Index>, int> facets;
+    std::vector<std::array<Index, 4>> inside;
+    for (const auto& c : cells) {
+        const Vector o = centre({p(c[0]), p(c[1]), p(c[2]), p(c[3])});
+        Coordinates<3> at;
+        for (std::size_t k = 0; k < 3; ++k) at[k] = static_cast<double>(p(c[0])[k] + o[k]);
+        if (!domain.contains(at)) continue;
+        inside.push_back(c);
+        for (const Index leave : c) {
+            std::set<Index> f(c.begin(), c.end());
+            f.erase(leave);
+            ++facets[f];
+        }
+    }
+    std::vector<Vector> sum(x.size()), flat(x.size());
+    std::vector<Real> weight(x.size(), 0), area(x.size(), 0);
+    for (const auto& c : inside) {
+        const Real volume = dot(minus(p(c[1]), p(c[0])), cross(minus(p(c[2]), p(c[0])), minus(p(c[3]), p(c[0])))) / 6;
+        const Vector o = centre({p(c[0]), p(c[1]), p(c[2]), p(c[3])});
+        for (const Index v : c) {
+            weight[static_cast<std::size_t>(v)] += volume;
+            for (std::size_t k = 0; k < 3; ++k) sum[static_cast<std::size_t>(v)][k] += volume * (o[k] + p(c[0])[k]);
+        }
+    }
+    for (const auto& [f, count] : facets) {
+        if (count != 1) continue;
+        const std::vector<Index> t(f.begin(), f.end());
+        const Vector n = cross(minus(p(t[1]), p(t[0])), minus(p(t[2]), p(t[0]))), o = centre({p(t[0]), p(t[1]), p(t[2])});
+        const Real a = std::sqrt(dot(n, n)) / 2;
+        for (const Index v : t) {
+            area[static_cast<std::size_t>(v)] += a;
+            for (std::size_t k = 0; k < 3; ++k) flat[static_cast<std::size_t>(v)][k] += a * (o[k] + p(t[0])[k]);
+        }
+    }
+    Points target = x;
+    for (std::size_t v = 0; v < x.size(); ++v) {
+        if (weight[v] == 0) continue;
+        Coordinates<3> at;
+        for (std::size_t k = 0; k < 3; ++k)
+            at[k] = static_cast<double>(area[v] > 0 ? flat[v][k] / area[v] : sum[v][k] / weight[v]);
+        if (area[v] > 0) target[v] = domain.project(at);
+        else if (domain.contains(at)) target[v] = at;
+    }
+    return target;
+}
+
+}  // namespace
+
+TEST_CASE("targets are those of the definition", "[motion][nodt]") {
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        const Ball_3 ball(1);
+        const Surface_3 box_surface(box({1, 0.8, 0.6}));
+        const Domain_3& domain = seed % 2 == 0 ? static_cast<const Domain_3&>(ball) : box_surface;
+        Points points;
+        for (auto p : random_points(900, seed)) {
+            if (!domain.contains(p)) p = domain.project(p);
+            points.push_back(p);
+        }
+        const Cells_3 cells = cells_of(points);
+        Points target(points.size());
+        const Nodt_step step = Nodt_3(domain, Sizing_3(domain)).step(cells, cells_inside(domain, cells, points), points, target);
+        const Points expected = targets_by_definition(domain, points, cells.vertex);
+        for (std::size_t v = 0; v < points.size(); ++v) CHECK(distance(target[v], expected[v]) < 1e-9);
+        CHECK(step.vertices <= points.size());
+        CHECK(step.boundary > 50);
+        CHECK(step.vertices > step.boundary + 100);
+        CHECK(step.max_displacement > step.mean_displacement);
+    }
+}
+
+TEST_CASE("the body-centred lattice is a fixed point, and locks where its angles say", "[motion][nodt]") {
+    const Points points = body_centred(5, 0.18);
+    const Ball_3 ball(0.9);
+    const Cells_3 cells = cells_of(points);
+    const auto inside = cells_inside(ball, cells, points);
+    Points target(points.size());
+    (void)Nodt_3(ball, Sizing_3(ball)).step(cells, inside, points, target);
+    std::size_t interior = 0;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+        if (distance(points[v], {}) > 0.65) continue;
+        ++interior;
+        CHECK(distance(points[v], target[v]) < 1e-14);
+    }
+    CHECK(interior > 200);
+
+    // Its dihedral angles are 60 and 90 degrees.
+    Points moved = points;
+    const std::size_t spoilt = static_cast<std::size_t>(std::find(points.begin(), points.end(), Coordinates<3>{}) - points.begin());
+    REQUIRE(spoilt < points.size());
+    moved[spoilt] = {0.006, 0.004, 0.002};
+    const Cells_3 after = cells_of(moved);
+    const auto inside_after = cells_inside(ball, after, moved);
+    const Nodt_step all = Nodt_3(ball, Sizing_3(ball), 59.9).step(after, inside_after, moved, target);
+    std::set<Index> near;
+    for (const auto& c : after.vertex)
+        if (std::find(c.begin(), c.end(), static_cast<Index>(spoilt)) != c.end()) near.insert(c.begin(), c.end());
+    std::size_t locked = 0;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+        if (distance(points[v], {}) > 0.65) continue;
+        locked += target[v] == moved[v];
+        // A neighbour that has a spoilt cell is free and goes; all others rest.
+        CHECK((target[v] == moved[v]) == !near.contains(static_cast<Index>(v)));
+    }
+    CHECK(locked + near.size() == interior);
+    CHECK(all.locked >= locked);
+    // 30 degrees leave room for the move.
+    const Nodt_step loose = Nodt_3(ball, Sizing_3(ball), 30).step(after, inside_after, moved, target);
+    CHECK(loose.locked > all.locked);
+    CHECK(target[spoilt] == moved[spoilt]);
+}
+
+TEST_CASE("a free vertex goes where the energy of its star is least", "[motion][nodt]") {
+    // The energy of natural ODT is the integral of the interpolation of |x|² on the mesh; of a fixed domain and connectivity.
+    const Ball_3 ball(1);
+    for (unsigned seed = 20; seed < 24; ++seed) {
+        Points points;
+        for (const auto& p : random_points(700, seed)) points.push_back(ball.contains(p) ? p : ball.project(p));
+        const Cells_3 cells = cells_of(points);
+        const auto inside = cells_inside(ball, cells, points);
+        Points target(points.size());
+        (void)Nodt_3(ball, Sizing_3(ball)).step(cells, inside, points, target);
+        std::set<Index> boundary;
+        for (const auto& facet : surface_facets(cells, inside)) boundary.insert(facet.begin(), facet.end());
+        std::size_t checked = 0;
+        for (std::size_t v = 0; v < points.size(); ++v) {
+            std::vector<std::array<Index, 4>> star;
+            bool interior = !boundary.contains(static_cast<Index>(v));
+            for (std::size_t c = 0; c < cells.size(); ++c)
+                if (std::find(cells.vertex[c].begin(), cells.vertex[c].end(), static_cast<Index>(v)) != cells.vertex[c].end()) {
+                    star.push_back(cells.vertex[c]);
+                    interior = interior && inside[c] != 0;
+                }
+            if (!interior || target[v] == points[v]) continue;
+            const auto energy = [&](const Coordinates<3>& x) {
+                Real sum = 0;
+                for (const auto& cell : star) {
+                    std::array<Coordinates<3>, 4> q;
+                    Real height = 0;
+                    for (std::size_t i = 0; i < 4; ++i) {
+                        q[i] = cell[i] == static_cast<Index>(v) ? x : points[static_cast<std::size_t>(cell[i])];
+                        height += dot(minus(q[i], {}), minus(q[i], {}));
+                    }
+                    sum += height / 4 * dot(minus(q[1], q[0]), cross(minus(q[2], q[0]), minus(q[3], q[0]))) / 6;
+                }
+                return sum;
+            };
+            // A quadratic function of x: equal on both sides of its least value, and larger there.
+            const Real least = energy(target[v]);
+            for (std::size_t k = 0; k < 3; ++k) {
+                Coordinates<3> a = target[v], b = target[v];
+                a[k] += 0.01;
+                b[k] -= 0.01;
+                CHECK(energy(a) > least);
+                CHECK(std::abs(static_cast<double>((energy(a) - energy(b)) / (energy(a) - least))) < 1e-8);
+            }
+            ++checked;
+        }
+        CHECK(checked > 100);
+    }
+}
+
+TEST_CASE("boundary vertices stay on the surface, symmetric ones where they are", "[motion][nodt]") {
+    Points points = round_octahedron(0).points;
+    points.push_back({0, 0, 0});
+    const Ball_3 ball(1);
+    const Cells_3 cells = cells_of(points);
+    Points target(points.size());
+    const auto inside = cells_inside(ball, cells, points);
+    const Nodt_step step = Nodt_3(ball, Sizing_3(ball)).step(cells, inside, points, target);
+    CHECK(step.boundary == 6);
+    CHECK(step.vertices == 7);
+    for (std::size_t v = 0; v < points.size(); ++v) CHECK(distance(target[v], points[v]) < 1e-15);
+}
+
+TEST_CASE("graded sizing pulls vertices towards where edges are to be short", "[motion][nodt]") {
+    const Points points = body_centred(5, 0.18);
+    const Ball_3 ball(0.9);
+    const Cells_3 cells = cells_of(points);
+    Points target(points.size());
+    (void)Nodt_3(ball, Sizing_3(ball, 3)).step(cells, cells_inside(ball, cells, points), points, target);
+    std::size_t counted = 0;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+        const double r = distance(points[v], {});
+        if (r > 0.6 || r < 0.2) continue;
+        ++counted;
+        CHECK(distance(target[v], {}) > r + 1e-4);
+    }
+    CHECK(counted > 100);
+}
+
+TEST_CASE("natural ODT does not depend on threads", "[motion][nodt]") {
+    const Surface_3 surface(box({1, 0.8, 0.6}));
+    Points points;
+    for (const auto& p : random_points(3000, 7)) points.push_back(surface.contains(p) ? p : surface.project(p));
+    const Cells_3 cells = cells_of(points);
+    Points one(points.size()), three(points.size());
+    const auto a = cells_inside(surface, cells, points, 1), b = cells_inside(surface, cells, points, 3);
+    CHECK(a == b);
+    const Nodt_step s = Nodt_3(surface, Sizing_3(surface, 1), 20.0, 1).step(cells, a, points, one);
+    const Nodt_step t = Nodt_3(surface, Sizing_3(surface, 1), 20.0, 3).step(cells, b, points, three);
+    CHECK(one == three);
+    CHECK(s.mean_displacement == t.mean_displacement);
+    CHECK(s.locked == t.locked);
+}
+
+TEST_CASE("targets never coincide, even when they all want to be at one place", "[motion][nodt]") {
+    struct Trap final : Domain_3 {  // every projection ends in one point
+        [[nodiscard]] bool contains(const Coordinates<3>& p) const override { return distance(p, {}) < 5; }
+        [[nodiscard]] Coordinates<3> project(const Coordinates<3>&) const override { return {1, 0, 0}; }
+        [[nodiscard]] std::optional<Coordinates<3>> crossing(const Coordinates<3>&, const Coordinates<3>&) const override {
+            return std::nullopt;
+        }
+        [[nodiscard]] std::vector<Coordinates<3>> surface_sample(std::size_t, std::uint64_t) const override { return {}; }
+        [[nodiscard]] Box bounding_box() const override { return {}; }
+        [[nodiscard]] double volume() const override { return 1; }
+    };
+    const Trap trap;
+    Points points = round_octahedron(1).points;
+    points.push_back({0.1, 0, 0});
+    const Cells_3 cells = cells_of(points);
+    Points target(points.size());
+    const Nodt_step step = Nodt_3(trap, Sizing_3(trap)).step(cells, cells_inside(trap, cells, points), points, target);
+    CHECK(std::set<Coordinates<3>>(target.begin(), target.end()).size() == points.size());
+    CHECK(step.kept >= step.boundary - 1);
+}
+
+TEST_CASE("natural ODT refuses arrays that do not fit and angles that lock everything", "[motion][nodt]") {
+    const Ball_3 ball(1);
+    const Points points = round_octahedron(0).points;
+    const Cells_3 cells = cells_of(points);
+    Points target(points.size()), small(2);
+    const auto inside = cells_inside(ball, cells, points);
+    const Nodt_3 nodt(ball, Sizing_3(ball));
+    CHECK_THROWS_AS(nodt.step(cells, inside, points, small), Error);
+    CHECK_THROWS_AS(nodt.step(cells, std::vector<char>(1), points, target), Error);
+    CHECK_THROWS_AS(Nodt_3(ball, Sizing_3(ball), 71.0), Error);
+    CHECK_THROWS_AS(Nodt_3(ball, Sizing_3(ball), 0.0), Error);
+    CHECK_THROWS_AS(Nodt_3(ball, Sizing_3(ball), {}, 0), Error);
+}

@@ -1,0 +1,235 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs `annulus nodt` and looks at what comes out. usage: test_nodt.py --tool=PATH --meshes=DIR [CLASS[.METHOD]...]"""
+
+import csv
+import math
+import os
+import sys
+import unittest
+import xml.etree.ElementTree
+from collections import Counter
+from itertools import combinations
+from pathlib import Path
+
+import test_tool
+
+MESHES = None
+FILES = {"summary.json", "iterations.csv", "dihedral.csv", "final.mesh", "domain.mesh", "final.vtu", "report.html"}
+
+CUBE = "OFF\n8 6 0\n" + "".join(f"{x} {y} {z}\n" for x in (0, 2) for y in (0, 1) for z in (0, 1)) + \
+    "4 0 1 3 2\n4 4 6 7 5\n4 0 4 5 1\n4 2 3 7 6\n4 0 2 6 4\n4 1 5 7 3\n"
+
+
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def volume(a, b, c, d):
+    return dot(minus(b, a), cross(minus(c, a), minus(d, a))) / 6
+
+
+class Nodt(test_tool.ToolTest):
+    def nodt(self, *words, out="out"):
+        done = self.succeed("nodt", *words, "--output", out)
+        self.assertEqual({p.name for p in (self.here / out).iterdir()}, FILES)
+        return done
+
+    def tetrahedra(self, name, out="out"):
+        words = (self.here / out / name).read_text(encoding="utf-8").split()
+        at = words.index("Vertices")
+        count = int(words[at + 1])
+        points = [tuple(map(float, words[at + 2 + 4 * i:at + 5 + 4 * i])) for i in range(count)]
+        at = words.index("Tetrahedra")
+        cells = [tuple(int(w) - 1 for w in words[at + 2 + 5 * i:at + 6 + 5 * i]) for i in range(int(words[at + 1]))]
+        return points, cells
+
+    def rows(self, name="iterations.csv"):
+        with open(self.here / "out" / name, encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def check_mesh(self, exact_volume, relative):
+        """The domain's cells fill the domain, meet facet to facet, and are a triangulation in the whole's."""
+        points, cells = self.tetrahedra("domain.mesh")
+        everything = self.tetrahedra("final.mesh")
+        self.assertEqual(points, everything[0])
+        self.assertLessEqual(set(cells), set(everything[1]))
+        for c in everything[1]:
+            self.assertGreater(volume(*(points[i] for i in c)), 0)
+        self.assertLess(abs(sum(volume(*(points[i] for i in c)) for c in cells) / exact_volume - 1), relative)
+        facets = Counter(tuple(sorted(f)) for c in cells for f in combinations(c, 3))
+        self.assertEqual(set(facets.values()) - {1, 2}, set())
+        edges = Counter(e for f, n in facets.items() if n == 1 for e in combinations(f, 2))
+        self.assertTrue(all(n % 2 == 0 for n in edges.values()), "the surface of the mesh is not closed")
+
+    def test_sphere(self):
+        self.nodt("--sphere", "--vertices", "500", "--iterations", "12", "--audit", "4")
+        summary = self.summary("out")
+        self.assertEqual(summary["dimension"], 3)
+        self.assertLess(abs(summary["vertices"] - 500), 40)
+        self.assertEqual(summary["iterations"], 12)
+        self.assertEqual(summary["audit"], {"checked": 3, "failed": 0})
+        self.assertEqual(summary["moves"]["asked"], 12 * summary["vertices"])
+        self.assertAlmostEqual(summary["mean_spacing"], (4 * math.pi / 3 / summary["vertices"]) ** (1 / 3), places=12)
+        before, after = summary["mesh"]["before"], summary["mesh"]["after"]
+        self.assertLess(after["slivers"] / after["cells"], before["slivers"] / before["cells"])
+        self.assertEqual(sum(after["dihedral_degrees_5"]), 6 * after["cells"])
+        self.check_mesh(4 * math.pi / 3, 0.08)
+        points, cells = self.tetrahedra("domain.mesh")
+        self.assertLess(max(math.hypot(*p) for p in points), 1 + 1e-12)
+        self.assertEqual(len(cells), after["cells"])
+        on_surface = sum(math.hypot(*p) > 1 - 1e-12 for p in points)
+        self.assertGreater(on_surface, 0.9 * after["boundary"])  # one that has just got there is not projected yet
+        rows = self.rows()
+        self.assertEqual([int(r["iteration"]) for r in rows], list(range(1, 13)))
+        self.assertLess(float(rows[-1]["displacement_mean"]), float(rows[0]["displacement_mean"]))
+        self.assertEqual(int(rows[-1]["slivers"]), after["slivers"])
+        self.assertTrue(all(int(r["failures"]) == int(r["asked"]) - int(r["within_tolerance"]) for r in rows))
+        histogram = self.rows("dihedral.csv")
+        self.assertEqual([int(r["iteration"]) for r in histogram], list(range(13)))
+        self.assertEqual([int(v) for v in list(histogram[-1].values())[1:]], after["dihedral_degrees_5"])
+
+    def test_delaunay_by_force(self):
+        self.nodt("--sphere", "--vertices", "60", "--iterations", "5")
+        points, cells = self.tetrahedra("final.mesh")
+        for c in cells:
+            o, *rest = (points[i] for i in c)
+            e = [minus(p, o) for p in rest]
+            moment = [sum(dot(e[i], e[i]) * cross(e[(i + 1) % 3], e[(i + 2) % 3])[k] for i in range(3)) for k in range(3)]
+            centre = [x / (12 * volume(o, *rest)) for x in moment]
+            radius = math.hypot(*centre)
+            for p in points:
+                self.assertGreater(math.dist(minus(p, o), centre), radius * (1 - 1e-9))
+
+    def test_angles_are_what_the_mesh_has(self):
+        self.nodt("--sphere", "--vertices", "150", "--iterations", "3")
+        points, cells = self.tetrahedra("domain.mesh")
+        bins = [0] * 36
+        slivers = 0
+        for c in cells:
+            worst = 90.0
+            for i, j in combinations(range(4), 2):
+                k, l = (m for m in range(4) if m not in (i, j))
+                a, b, p, q = (points[c[m]] for m in (i, j, k, l))
+                axis = minus(b, a)
+                u, v = (minus(w, [dot(w, axis) / dot(axis, axis) * x for x in axis]) for w in (minus(p, a), minus(q, a)))
+                angle = math.degrees(math.acos(max(-1, min(1, dot(u, v) / math.hypot(*u) / math.hypot(*v)))))
+                bins[min(35, int(angle / 5))] += 1
+                worst = min(worst, angle, 180 - angle)
+            slivers += worst < 10
+        after = self.summary("out")["mesh"]["after"]
+        self.assertEqual(slivers, after["slivers"])
+        self.assertLess(sum(abs(x - y) for x, y in zip(bins, after["dihedral_degrees_5"])), 3)
+
+    def test_surface_formats_and_sharp_edges(self):
+        self.write("cube.off", CUBE)
+        self.nodt("--surface", "cube.off", "--vertices", "400", "--iterations", "8")
+        self.check_mesh(2, 0.1)
+        for p in self.tetrahedra("domain.mesh")[0]:
+            for x, top in zip(p, (2, 1, 1)):
+                self.assertTrue(-1e-12 <= x <= top + 1e-12, p)
+
+    def test_lock(self):
+        self.nodt("--sphere", "--vertices", "500", "--iterations", "25", "--lock", "20")
+        rows = self.rows()
+        self.assertGreater(int(rows[-1]["locked"]), int(rows[0]["locked"]))
+        self.assertGreater(int(rows[-1]["locked"]), 0.3 * int(rows[-1]["mesh_vertices"]))
+        self.assertIn("% locked", self.succeed("nodt", "--sphere", "--vertices", "100", "--lock", "20", "-i", "2").stdout)
+
+    def test_graded(self):
+        self.nodt("--sphere", "--vertices", "500", "--iterations", "3", "--sizing", "graded")
+        deep = sum(math.hypot(*p) < 0.6 for p in self.tetrahedra("domain.mesh")[0])
+        self.nodt("--sphere", "--vertices", "500", "--iterations", "3", out="constant")
+        self.assertLess(deep, 0.7 * sum(math.hypot(*p) < 0.6 for p in self.tetrahedra("domain.mesh", "constant")[0]))
+
+    def test_same_seed_same_result(self):
+        texts = []
+        for words in (["--threads", "1"], ["--threads", "3"], ["--seed", "2"]):
+            self.nodt("--sphere", "--vertices", "300", "--iterations", "4", *words)
+            texts.append((self.here / "out" / "final.mesh").read_bytes())
+        self.assertEqual(texts[0], texts[1])
+        self.assertNotEqual(texts[0], texts[2])
+
+    def test_vtu(self):
+        self.nodt("--sphere", "--vertices", "100", "--iterations", "2")
+        root = xml.etree.ElementTree.parse(self.here / "out" / "final.vtu").getroot()
+        piece = root.find("./UnstructuredGrid/Piece")
+        self.assertEqual(int(piece.get("NumberOfPoints")), self.summary("out")["vertices"])
+        fields = {kind: {a.get("Name") for a in piece.find(kind)} for kind in ("PointData", "CellData")}
+        self.assertLessEqual({"boundary"}, fields["PointData"])
+        self.assertEqual(fields["CellData"], {"domain", "dihedral_min"})
+        html = (self.here / "out" / "report.html").read_text(encoding="utf-8")
+        for text in ("before, cut across", "after 2 iterations, cut across", "Dihedral angles", "Slivers"):
+            self.assertIn(text, html)
+
+    def test_no_iterations(self):
+        self.nodt("--sphere", "--vertices", "60", "--iterations", "0")
+        mesh = self.summary("out")["mesh"]
+        self.assertEqual(mesh["before"], mesh["after"])
+        self.assertEqual(self.rows(), [])
+
+    def test_wrong_usage(self):
+        self.write("cube.off", CUBE)
+        for words in ([], ["--sphere"], ["--surface", "cube.off"], ["--vertices", "100"],
+                      ["--sphere", "--surface", "cube.off", "--vertices", "100"], ["--sphere", "--vertices", "3"],
+                      ["--sphere", "--vertices", "100", "--lock", "0"], ["--sphere", "--vertices", "100", "--lock", "71"],
+                      ["--sphere", "--vertices", "100", "--sizing", "odd"],
+                      ["--sphere", "--vertices", "100", "--strategy", "odd"]):
+            self.refuse(2, "nodt", *words)
+
+    def test_bad_input(self):
+        for name, content, message in (
+            ("open.off", CUBE.replace("8 6 0", "8 5 0").replace("4 1 5 7 3\n", ""), "open.off:11: .*a hole"),
+            ("face.off", CUBE.replace("4 1 5 7 3", "4 1 5 9 3"), "face.off:16: .*vertex 9"),
+            ("none.obj", "v 0 0 0\n", "none.obj:1: has no faces"),
+            ("short.stl", "solid\nfacet\n", "short.stl:2: the file ends within a facet"),
+            ("far.off", CUBE.replace("\n2 ", "\n2e200 "), "far.off: a coordinate is too large"),
+            ("a.inr", "P5\n", "a.inr:1: begins with"),
+            ("a.inr.gz", "P5\n", "a.inr.gz: .*gzip"),
+        ):
+            self.write(name, content)
+            self.assertRegex(self.refuse(3, "nodt", "--surface", name, "--vertices", "100"), message)
+        self.refuse(3, "nodt", "--surface", "missing.off", "--vertices", "100")
+
+    def surface_of_paper(self, name, vertices, exact_volume, relative):
+        self.nodt("--surface", MESHES / name, "--vertices", vertices, "--iterations", "2")
+        summary = self.summary("out")
+        self.assertLess(abs(summary["vertices"] - vertices), 0.1 * vertices)
+        self.assertEqual(summary["audit"]["failed"], 0)
+        self.check_mesh(exact_volume, relative)
+
+    def test_bunny(self):
+        self.surface_of_paper("bunny00.off", 1500, 0.1992055537376969, 0.05)
+
+    def test_man(self):
+        self.surface_of_paper("man.off", 2000, 0.01253750606826663, 0.1)
+
+    def test_liver(self):
+        labelled = 22019024  # voxels of label 0, of 438 * 353 * 165 with edges 0.617188, 0.617188, 1.33333
+        exact = (438 * 353 * 165 - labelled) * 0.617188 ** 2 * 1.33333
+        self.surface_of_paper("liver.inr.gz", 1500, exact, 0.08)
+        self.assertIn("labelled in the image", (self.here / "out" / "report.html").read_text(encoding="utf-8"))
+
+
+def main():
+    global MESHES
+    values = dict(a[2:].split("=", 1) for a in sys.argv[1:] if a.startswith(("--tool=", "--meshes=")))
+    if set(values) != {"tool", "meshes"}:
+        print(__doc__, file=sys.stderr)
+        return 2
+    test_tool.TOOL = os.path.abspath(values["tool"])
+    MESHES = Path(values["meshes"]).resolve()
+    unittest.main(argv=[sys.argv[0]] + [a for a in sys.argv[1:] if not a.startswith(("--tool=", "--meshes="))])
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs `annulus replay` and looks at what comes out. usage: test_replay.py --tool=PATH [CLASS[.METHOD]...]"""
+
+import os
+import random
+import sys
+import unittest
+
+import test_tool
+
+
+def wander(frames, points, seed, step):
+    """Frames as {id: (x, y)}: points wander, and now and then one leaves or arrives."""
+    dice = random.Random(seed)
+    now = {i: (dice.random(), dice.random()) for i in range(points)}
+    fresh = points
+    result = []
+    for _ in range(frames):
+        result.append(dict(now))
+        now = {i: (x + step * dice.gauss(0, 1), y + step * dice.gauss(0, 1)) for i, (x, y) in now.items()}
+        for _ in range(dice.randrange(3)):
+            del now[dice.choice(sorted(now))]
+        for _ in range(dice.randrange(3)):
+            now[fresh] = (dice.random(), dice.random())
+            fresh += 1
+    return result
+
+
+def as_csv(frames, seed=0):
+    rows = []
+    for f, frame in enumerate(frames):
+        lines = [f"{10 * f},{i},{x!r},{y!r}" for i, (x, y) in frame.items()]
+        random.Random(seed + f).shuffle(lines)  # points of a frame may come in any order
+        rows += lines
+    return "frame,id,x,y\n" + "\n".join(rows) + "\n"
+
+
+class Replay(test_tool.ToolTest):
+    def check(self, name, last, *words):
+        self.succeed("replay", name, "--audit", "1", "--output", "out", "--quiet", *words)
+        self.assertEqual({p.name for p in (self.here / "out").iterdir()}, test_tool.RUN_FILES)
+        self.assertEqual(sorted(self.mesh("out")[0]), sorted(last))
+        if len(last) > 2:
+            self.succeed("audit", "out/final.mesh")
+        summary = self.summary("out")
+        self.assertEqual(summary["audit"]["failed"], 0)
+        return summary
+
+    def test_every_strategy_with_points_that_come_and_go(self):
+        frames = wander(25, 60, 1, 0.01)
+        self.assertTrue(any(set(a) - set(b) for a, b in zip(frames, frames[1:])))
+        self.write("walk.csv", as_csv(frames))
+        asked = sum(len(set(a) & set(b)) for a, b in zip(frames, frames[1:]))
+        for strategy in test_tool.STRATEGIES:
+            with self.subTest(strategy=strategy):
+                summary = self.check("walk.csv", frames[-1].values(), "--strategy", strategy)
+                self.assertEqual(summary["iterations"], 24)
+                self.assertEqual(summary["moves"]["asked"], asked)
+                self.assertEqual(summary["audit"]["checked"], 24)
+
+    def test_what_came_and_went_is_said(self):
+        frames = [{0: (0, 0), 1: (1, 0), 2: (0, 1), 3: (1, 1.5)}, {1: (1, 0), 2: (0, 1), 3: (1, 1.5), 7: (3, 3), 9: (0, 0)}]
+        self.write("a.csv", as_csv(frames))
+        self.assertIn("2 points appeared, 1 disappeared", self.succeed("replay", "a.csv").stdout)
+
+    def test_a_point_may_take_the_place_that_another_leaves(self):
+        frames = [{0: (0, 0), 1: (1, 0), 2: (0, 1)}, {0: (1, 0), 1: (0, 0), 2: (0, 1)}, {1: (1, 0), 2: (0, 1), 5: (0, 0)}]
+        self.write("a.csv", as_csv(frames))
+        self.check("a.csv", frames[-1].values())
+
+    def test_everything_leaves_and_other_points_come(self):
+        frames = [{i: (i % 3, i // 3 + 0.1 * i) for i in range(6)}, {i: (i % 2 + 0.01 * i, i) for i in range(10, 18)}]
+        self.write("a.csv", as_csv(frames))
+        for strategy in test_tool.STRATEGIES:
+            with self.subTest(strategy=strategy):
+                self.check("a.csv", frames[1].values(), "--strategy", strategy)
+
+    def test_xyz(self):
+        frames = [{i: (random.Random(i).random() + 0.01 * f, random.Random(-i).random()) for i in range(9)} for f in range(4)]
+        plain = "".join("9\n\n" + "".join(f"{x!r} {y!r}\n" for x, y in f.values()) for f in frames)
+        atoms = "".join("9\nstep\n" + "".join(f"H {x!r} {y!r} 0.5\n" for x, y in f.values()) for f in frames)
+        extended = "".join("9\nTime=1 Properties=mass:R:1:species:S:1:pos:R:3:q:I:2 pbc=F\n" +
+                           "".join(f"1.5 H {x!r} {y!r} 7 1 2\n" for x, y in f.values()) for f in frames)
+        for text in (plain, atoms, extended):
+            self.write("a.xyz", text)
+            self.check("a.xyz", frames[-1].values())
+
+    def test_one_frame(self):
+        self.write("a.csv", "id,frame,y,x,other\n5,3,0,0,a\n6,3,0,1,b\n7,3,1,0,c\n")
+        summary = self.check("a.csv", [(0, 0), (1, 0), (0, 1)])
+        self.assertEqual(summary["iterations"], 0)
+
+    def test_bad_input(self):
+        for name, text, message in (
+            ("a.csv", "frame,id,x\n", "a.csv:1: .*no column y"),
+            ("b.csv", "frame,id,x,y\n0,1,2,3\n0,1,3,4\n", "b.csv:3: .*id 1 twice"),
+            ("c.csv", "frame,id,x,y\n1,1,2,3\n0,1,3,4\n", "c.csv:3: frame 0 after frame 1"),
+            ("d.csv", "frame,id,x,y\n1,1,2,3\n1,2,3\n", "d.csv:3: has 3 columns"),
+            ("e.csv", "frame,id,x,y\n1,1,2,3\n1,2,nan,3\n", "e.csv:3: x is nan"),
+            ("f.csv", "frame,id,x,y\n0,1,2,3\n0,2,2.0,3\n0,3,9,9\n", "f.csv:3: .*line 2"),
+            ("g.csv", "frame,id,x,y\n0,1,2,3\n0,2,5,3\n0,3,9,1e200\n", "g.csv:4: .*out of domain"),
+            ("h.csv", "frame,id,x,y\n", "h.csv:1: has no frames"),
+            ("a.xyz", "2\n\n0 0\n", "a.xyz:3: the file ends after 1 of 2"),
+            ("b.xyz", "0\n\n", "b.xyz:1: a frame has no points"),
+            ("c.xyz", "1\n\n0 0\n1\n\n0 0 0\n", "c.xyz:6: a frame has a z"),
+            ("d.xyz", "1\nProperties=species:S:1\nH\n", "d.xyz:2: Properties have no pos"),
+            ("a.txt", "0 0\n", "a.txt: has an unknown extension"),
+        ):
+            self.write(name, text)
+            self.assertRegex(self.refuse(3, "replay", name), message)
+        self.refuse(3, "replay", "missing.csv")
+        self.refuse(2, "replay")
+        self.refuse(2, "replay", "a.xyz", "--dim", "4")
+
+
+def main():
+    tools = [a.split("=", 1)[1] for a in sys.argv[1:] if a.startswith("--tool=")]
+    if not tools:
+        print(__doc__, file=sys.stderr)
+        return 2
+    test_tool.TOOL = os.path.abspath(tools[0])
+    unittest.main(argv=[sys.argv[0]] + [a for a in sys.argv[1:] if not a.startswith("--tool=")])
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
