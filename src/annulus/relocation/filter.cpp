@@ -33,6 +33,7 @@ void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
         process(position_, movers, false, report);
     } catch (...) {
         position_[at(v)] = old;
+        renew_restored();
         if (!tracked) stop_tracking();
         throw;
     }
@@ -105,6 +106,7 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
         } catch (...) {
             prediction_.retreat();
             last_step_.clear();
+            renew_restored();
             if (!tracked) stop_tracking();
             throw;
         }
@@ -144,6 +146,19 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index
         stop_tracking();
     } else if (everything || outcome == Repair<d>::Outcome::rebuilt) {
         settle(position_, report);
+    }
+}
+
+/// After a call that failed. Flips of space that were taken back leave the cells that they began with, under other numbers:
+/// their certificates are evaluated where the vertices are.
+template <int d>
+void Filter<d>::renew_restored() {
+    if constexpr (d == 3) {
+        std::vector<Index> cells;
+        for (const Index c : repair_.changed_cells())
+            if (table_.is_cell(c)) cells.push_back(c);
+        Move_report nobody_asked;
+        if (!cells.empty()) refresh(cells, nobody_asked);
     }
 }
 
