@@ -174,7 +174,7 @@ TEST_CASE("A lattice, a prism and a sphere that move and return many times are s
     const Points_3 sphere = point_set(Set_3::sphere, 60, random);
     for (const Strategy strategy : {Strategy::in_place, Strategy::filter, Strategy::filter_each, Strategy::relocate}) {
         CAPTURE(name_of(strategy));
-        for (const auto& [home, steps] : {std::pair{grid(4), 60}, {prism, 60}, {sphere, 60}}) {
+        for (const auto& [home, steps] : {std::pair{grid(3), 20}, {prism, 20}, {sphere, 20}}) {
             try {
                 wanders_and_returns(strategy, home, steps, 7);
             } catch (const Session_3::Fault& fault) {
