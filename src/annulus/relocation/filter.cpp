@@ -35,6 +35,7 @@ void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
         process(position_, movers, false, report);
     } catch (...) {
         position_[at(v)] = old;
+        renew_restored();
         if (!tracked) stop_tracking();
         throw;
     }
@@ -123,6 +124,7 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
         } catch (...) {
             prediction_.retreat();
             last_step_.clear();
+            renew_restored();
             throw;
         }
     }
@@ -166,6 +168,19 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index
         ++untracked_;
     } else if (outcome == Repair<d>::Outcome::rebuilt) {
         settle(position_, report);
+    }
+}
+
+/// After a call that failed. Flips of space that were taken back leave the cells that they began with, under other numbers:
+/// their certificates are evaluated where the vertices are.
+template <int d>
+void Filter<d>::renew_restored() {
+    if constexpr (d == 3) {
+        std::vector<Index> cells;
+        for (const Index c : repair_.changed_cells())
+            if (table_.is_cell(c)) cells.push_back(c);
+        Move_report nobody_asked;
+        if (!cells.empty()) refresh(cells, nobody_asked);
     }
 }
 

@@ -165,6 +165,7 @@ class Filter {
         const Expiry_list& list = list_[at(v)];
         return (list.earliest().reading() - sum_upper(list.base, prediction_.slack())) * (1.0 - 0x1p-50);
     }
+    void renew_restored();
     void count(std::size_t asked, typename Repair<d>::Outcome outcome, Move_report& report);
 
     Embedding<d>& embedding_;
