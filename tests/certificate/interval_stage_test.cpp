@@ -15,7 +15,9 @@ namespace {
 [[gnu::noinline]] void tight(const Interval& d, double& lower, bool& is) {
     is = detail::quotient_lower_tight(d, 4.0, 4.0, lower);
 }
-[[gnu::noinline]] void unscaled(const double& x, const detail::Scale& s, double& r) { r = detail::unscaled_lower(x, s); }
+[[gnu::noinline]] void unscaled(const double& x, const detail::Scale& s, double& r) {
+    r = detail::unscaled_lower(x, s);
+}
 
 }  // namespace
 
