@@ -94,6 +94,8 @@ class Repair {
     /// Vertices of certificates that were found violated, and those taken out and put back, of this examination.
     [[nodiscard]] std::span<const Index> disturbed() const { return disturbed_; }
     [[nodiscard]] std::span<const Index> reinserted() const { return detached_; }
+    /// Cells that flips, removal or insertion created or changed, some perhaps gone again; void after a rebuild.
+    [[nodiscard]] std::span<const Index> changed_cells() const { return changed_; }
     /// Appends the vertices of the cells that flips, removal or insertion created or changed, and that there still are, to
     /// report.changed; of every cell after a rebuild.
     void list_changes(Move_report& report) const;
