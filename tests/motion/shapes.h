@@ -64,11 +64,11 @@ inline Triangle_surface round_octahedron(int times) {
     return s;
 }
 
-/// Two pyramids on one base whose tips dent inwards and outwards: not convex. Reaches from -1 to 1.
-inline Triangle_surface dented() {
+/// A ball with two bulges and two dents: not convex. Crosses itself for a depth above 0.36.
+inline Triangle_surface dented(double depth = 0.25) {
     Triangle_surface s = round_octahedron(2);
     for (auto& p : s.points) {
-        const double shape = 0.55 + 0.4 * p[0] * p[1] * 3 * (1 - p[2] * p[2]) + 0.05 * p[2];
+        const double shape = 0.55 + 3 * depth * p[0] * p[1] * (1 - p[2] * p[2]) + 0.05 * p[2];
         for (double& x : p) x *= shape;
     }
     return s;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/arithmetic/domain.h>
+#include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
 #include <annulus/cli/files.h>
 #include <annulus/cli/progress.h>

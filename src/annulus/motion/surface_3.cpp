@@ -136,7 +136,8 @@ Coordinates<3> Surface_3::project(const Coordinates<3>& p) const { return ours(t
 std::optional<Coordinates<3>> Surface_3::crossing(const Coordinates<3>& a, const Coordinates<3>& b) const {
     const auto hit = tree_->tree.any_intersection(K::Segment_3(cgal(a), cgal(b)));
     if (!hit) return std::nullopt;
-    if (const K::Point_3* p = boost::get<K::Point_3>(&hit->first)) return ours(*p);
+    // On a segment that is long compared with the surface the rounding of a crossing is, too: back onto the surface.
+    if (const K::Point_3* p = boost::get<K::Point_3>(&hit->first)) return project(ours(*p));
     if (const K::Segment_3* s = boost::get<K::Segment_3>(&hit->first)) return ours(CGAL::midpoint(s->source(), s->target()));
     return std::nullopt;
 }
