@@ -197,6 +197,11 @@ TEST_CASE("Half the diagonal of the box of some velocities is rounded up", "[rel
     }));
 }
 
+/// A tick's way; the unit is a power of two.
+static Coordinates<2> velocity(const Vertex_record<2>& r, const Prediction<2>& prediction) {
+    return {prediction.speed() * static_cast<double>(r.velocity[0]), prediction.speed() * static_cast<double>(r.velocity[1])};
+}
+
 TEST_CASE("A term ends before deviation and drift together use up the tolerance", "[relocation][rounding]") {
     REQUIRE(rc::check("where the last tick just fits or just does not", [](const Seed& seed) {
         Random random = seed.random();
@@ -206,7 +211,7 @@ TEST_CASE("A term ends before deviation and drift together use up the tolerance"
             const double step = std::ldexp(positive(random, 0, 0), -8);
             const std::vector<Coordinates<2>> moves{{0, 0}, {step, 0}, {step, random() % 2 == 0 ? 0.0 : step}};
             prediction.adopt(moves, vertices, 1.0);
-            Coordinates<2> low{0, 0}, high = vertices[2].velocity;
+            Coordinates<2> low{0, 0}, high = velocity(vertices[2], prediction);
             const Rational twice_rho_squared = exact_squared_distance<2>(low, high);  // (2 rho)^2
             // deviation + ticks rho = tolerance at about a whole number of ticks.
             const int ticks = integer(random, 1, 250);
@@ -234,12 +239,12 @@ TEST_CASE("The slack of a prediction is above the rounding of predicted position
             const std::vector<Coordinates<2>> moves{vector<2>(random, reach * 0x1p-6)};
             prediction.adopt(moves, vertices, reach);
             prediction.advance(static_cast<Prediction<2>::Time>(random() % 32768));
-            const auto computed = vertices[0].expected(prediction.now());
+            const auto computed = vertices[0].expected(prediction.now(), prediction.speed());
             Rational error = 0;
             for (std::size_t k = 0; k < 2; ++k) {
                 const Rational truth =
                     Rational(vertices[0].fixed[k]) +
-                    Rational(static_cast<unsigned long>(prediction.now())) * Rational(vertices[0].velocity[k]);
+                    Rational(static_cast<unsigned long>(prediction.now())) * Rational(velocity(vertices[0], prediction)[k]);
                 const Rational off = truth - Rational(computed[k]);
                 error += off * off;
                 if (std::fabs(computed[k]) > prediction.limit()) error = -1;

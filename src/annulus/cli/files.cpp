@@ -103,7 +103,7 @@ void write_run(const std::string& directory, const Tracker_3& tracker, const Cel
     report.annulus_widths = tracker.widths();
     report.notes = std::move(notes);
 
-    Output_directory out(directory);
+    Result_files out(directory);
     out.write("summary.json", write_json(summary_json(run)));
     out.write("iterations.csv", write_csv(iterations_table(run)));
     out.write("dihedral.csv", write_csv(dihedral_table(run)));

@@ -3,6 +3,7 @@
 #include <annulus/cli/files.h>
 #include <annulus/cli/nodt_scene.h>
 #include <annulus/cli/progress.h>
+#include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker.h>
 #include <annulus/io/cut_picture.h>
@@ -63,6 +64,7 @@ int run(const Nodt_call& a, const std::string& command) {
     const auto begin = Clock::now();
     const Options options = options_of(a.tracking, a.common);
     const bool files = !a.common.output.empty();
+    if (files) require_writable(a.common.output);
     const Nodt_scene scene = make_scene(a.nodt, a.common.seed);
     const Domain_3& domain = *scene.domain;
     Tracker_3 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.nodt.iterations, a.tracking.audit,
@@ -113,7 +115,8 @@ Run add_nodt_command(CLI::App& app, const Invocation& invocation) {
     a->tracking.strategy = "rebuild";
     add_nodt(*sub, a->nodt);
     add_tracking(*sub, a->tracking);
-    add_common(*sub, a->common);
+    add_common(*sub, a->common,
+               "summary.json, iterations.csv, final.mesh, final.vtu, domain.mesh, dihedral.csv and report.html");
     return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }
 

@@ -4,6 +4,7 @@
 #include <annulus/cli/commands.h>
 #include <annulus/cli/files.h>
 #include <annulus/cli/progress.h>
+#include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker.h>
 #include <annulus/io/read_motion.h>
@@ -105,6 +106,7 @@ int run(const Replay_call& a, const std::string& command) {
     const Points first = points_of(motion, motion.frames[0]);
     const std::uint64_t iterations = motion.frames.size() - 1;
     const bool files = !a.common.output.empty();
+    if (files) require_writable(a.common.output);
     Tracker_2 tracker(a.tracking.strategy, first, options, spacing_of(first), iterations, a.tracking.audit, files);
     std::optional<Picture> before;
     if (files) before = picture_of(tracker.triangulation(), "before");
@@ -150,7 +152,7 @@ Run add_replay_command(CLI::App& app, const Invocation& invocation) {
     sub->add_option("FILE", a->file, "Frames: .xyz (extended XYZ) or .csv with columns frame, id, x, y [, z]")->required();
     sub->add_option("--dim", a->dimension, "Dimension; 2 drops z")->check(CLI::IsMember({2, 3}))->capture_default_str();
     add_tracking(*sub, a->tracking);
-    add_common(*sub, a->common);
+    add_common(*sub, a->common, run_files);
     return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }
 
