@@ -23,10 +23,12 @@ struct Orientation_2 {
         const auto v = detail::difference(*x[2], *x[0]);
         const auto t = orientation_terms(u, v, detail::difference(*x[2], *x[1]));
         const double m = std::max(detail::magnitude(u), detail::magnitude(v));
-        return {t.determinant, t.inner, t.outer, m, bounds::orientation_2 * bounds::u * (m * m), 0.0,
+        return {t.determinant,           t.inner, t.outer, m, bounds::orientation_2 * bounds::u * (m * m), 0.0,
                 2.0 * std::sqrt(t.inner)};
     }
-    static bool filter(const Tuple<2, 3>& x, bool certified, Verdict& out) { return orientation_filter(x, certified, out); }
+    static bool filter(const Tuple<2, 3>& x, bool certified, Verdict& out) {
+        return orientation_filter(x, certified, out);
+    }
     static bool interval(const Tuple<2, 3>& x, Verdict& out) { return orientation_interval(x, out); }
     static Verdict exact(const Tuple<2, 3>& x) { return orientation_exact(x); }
 };
@@ -44,10 +46,17 @@ struct Empty_sphere_2 {
         const double m = std::max(std::max(detail::magnitude(b), detail::magnitude(p)),
                                   std::max(detail::magnitude(q), detail::magnitude(e)));
         const double m2 = m * m;
-        return {t.determinant, t.inner, t.outer, m, bounds::annulus_2_incircle * bounds::u * (m2 * m2),
-                bounds::annulus_2_norms * bounds::u * (m2 * m), std::sqrt(t.inner) + std::sqrt(t.outer)};
+        return {t.determinant,
+                t.inner,
+                t.outer,
+                m,
+                bounds::annulus_2_incircle * bounds::u * (m2 * m2),
+                bounds::annulus_2_norms * bounds::u * (m2 * m),
+                std::sqrt(t.inner) + std::sqrt(t.outer)};
     }
-    static bool filter(const Tuple<2, 4>& x, bool certified, Verdict& out) { return empty_sphere_filter(x, certified, out); }
+    static bool filter(const Tuple<2, 4>& x, bool certified, Verdict& out) {
+        return empty_sphere_filter(x, certified, out);
+    }
     static bool interval(const Tuple<2, 4>& x, Verdict& out) { return empty_sphere_interval(x, out); }
     static Verdict exact(const Tuple<2, 4>& x) { return empty_sphere_exact(x); }
 };

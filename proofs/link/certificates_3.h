@@ -24,10 +24,17 @@ struct Orientation_3 {
         const auto t = orientation_terms(u, v, w);
         const double m = std::max(std::max(detail::magnitude(u), detail::magnitude(v)), detail::magnitude(w));
         const double m2 = m * m;
-        return {t.determinant, t.inner, t.outer, m, bounds::orientation_3 * bounds::u * (m2 * m),
-                bounds::orientation_3_norms * bounds::u * m2, 2.0 * std::sqrt(t.inner)};
+        return {t.determinant,
+                t.inner,
+                t.outer,
+                m,
+                bounds::orientation_3 * bounds::u * (m2 * m),
+                bounds::orientation_3_norms * bounds::u * m2,
+                2.0 * std::sqrt(t.inner)};
     }
-    static bool filter(const Tuple<3, 4>& x, bool certified, Verdict& out) { return orientation_filter(x, certified, out); }
+    static bool filter(const Tuple<3, 4>& x, bool certified, Verdict& out) {
+        return orientation_filter(x, certified, out);
+    }
     static bool interval(const Tuple<3, 4>& x, Verdict& out) { return orientation_interval(x, out); }
     static Verdict exact(const Tuple<3, 4>& x) { return orientation_exact(x); }
 };
@@ -45,14 +52,19 @@ struct Empty_sphere_3 {
         const double m = std::max(std::max(detail::magnitude(b), detail::magnitude(c)),
                                   std::max(detail::magnitude(p), detail::magnitude(q)));
         const double m2 = m * m;
-        std::vector<double> out{t.determinant, t.cell_p, t.cell_q, m,
+        std::vector<double> out{t.determinant,
+                                t.cell_p,
+                                t.cell_q,
+                                m,
                                 bounds::annulus_3_insphere * bounds::u * (m2 * m2 * m),
                                 bounds::annulus_3_norms * bounds::u * (m2 * m2),
                                 bounds::annulus_3_side * bounds::u * (m2 * m)};
         for (std::size_t k = 0; k < partitions_3; ++k) out.insert(out.end(), {t.inner[k], t.outer[k], t.side[k]});
         return out;
     }
-    static bool filter(const Tuple<3, 5>& x, bool certified, Verdict& out) { return empty_sphere_filter(x, certified, out); }
+    static bool filter(const Tuple<3, 5>& x, bool certified, Verdict& out) {
+        return empty_sphere_filter(x, certified, out);
+    }
     static bool interval(const Tuple<3, 5>& x, Verdict& out) { return empty_sphere_interval(x, out); }
     static Verdict exact(const Tuple<3, 5>& x) { return empty_sphere_exact(x); }
 };

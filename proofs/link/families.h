@@ -54,10 +54,11 @@ inline std::array<Coordinates<2>, 4> bicell_2(std::size_t i) {
     const auto any = [&] { return Coordinates<2>{s.uniform(), s.uniform()}; };
     const auto convex = [&] {  // a, b, p below, q above
         const double far = std::ldexp(1.0, -s.integer(0, 20));
-        return std::array<Coordinates<2>, 4>{Coordinates<2>{s.uniform() * 0.1, s.uniform() * 0.1},
-                                             Coordinates<2>{1.0 + s.uniform() * 0.1, s.uniform() * 0.1},
-                                             Coordinates<2>{0.5 + 0.5 * s.uniform(), -0.2 - far - std::fabs(s.uniform())},
-                                             Coordinates<2>{0.5 + 0.5 * s.uniform(), 0.2 + far + std::fabs(s.uniform())}};
+        return std::array<Coordinates<2>, 4>{
+            Coordinates<2>{s.uniform() * 0.1, s.uniform() * 0.1},
+            Coordinates<2>{1.0 + s.uniform() * 0.1, s.uniform() * 0.1},
+            Coordinates<2>{0.5 + 0.5 * s.uniform(), -0.2 - far - std::fabs(s.uniform())},
+            Coordinates<2>{0.5 + 0.5 * s.uniform(), 0.2 + far + std::fabs(s.uniform())}};
     };
     switch (static_cast<int>(i % families)) {
         case 0:  // anything
@@ -71,7 +72,8 @@ inline std::array<Coordinates<2>, 4> bicell_2(std::size_t i) {
             x = {on_circle(t), on_circle(t + 1.0), on_circle(t + 0.4), on_circle(t + 3.0)};
             const int most = s.integer(0, 1) ? 2 : 1 << s.integer(2, 20);
             for (auto& p : x)
-                for (double& c : p) c = most <= 16 ? nudged(c, s.integer(-most, most)) : c + 0x1p-52 * s.integer(-most, most);
+                for (double& c : p)
+                    c = most <= 16 ? nudged(c, s.integer(-most, most)) : c + 0x1p-52 * s.integer(-most, most);
             break;
         }
         case 3:  // a small grid: exactly cocircular and collinear ones
@@ -152,9 +154,7 @@ inline std::array<Coordinates<3>, 5> bicell_3(std::size_t i) {
         case 0:  // anything
             for (auto& p : x) p = any();
             break;
-        case 1:
-            x = convex();
-            break;
+        case 1: x = convex(); break;
         case 2:
         case 9: {  // cospherical to the ulp; or almost, with a chosen deficit
             for (auto& p : x) {

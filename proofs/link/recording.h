@@ -47,8 +47,7 @@ class Recorded {
     Recorded(const char* operation, const Recorded& a, const Recorded& b)
         : node_(std::make_shared<Node>(Node{operation, 0, {a.node_, b.node_}})) {}
 
-    Recorded(const char* operation, const Recorded& a)
-        : node_(std::make_shared<Node>(Node{operation, 0, {a.node_}})) {}
+    Recorded(const char* operation, const Recorded& a) : node_(std::make_shared<Node>(Node{operation, 0, {a.node_}})) {}
 
     static std::size_t place(const Node* n, const std::vector<const Node*>& done) {
         std::size_t i = 0;

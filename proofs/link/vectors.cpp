@@ -99,7 +99,9 @@ void named_rows(const char* constructor, const Table& table) {
 }
 
 void programs_2() {
-    const auto in = [](std::size_t i) { return Vector_2<Recorded>{Recorded::input(2 * i), Recorded::input(2 * i + 1)}; };
+    const auto in = [](std::size_t i) {
+        return Vector_2<Recorded>{Recorded::input(2 * i), Recorded::input(2 * i + 1)};
+    };
     const auto print = [](const char* name, const Width_terms<Recorded>& t) {
         Recorded::print(name, {t.determinant, t.inner, t.outer});
     };
@@ -111,7 +113,9 @@ void programs_3() {
     const auto in = [](std::size_t i) {
         return Vector_3<Recorded>{Recorded::input(3 * i), Recorded::input(3 * i + 1), Recorded::input(3 * i + 2)};
     };
-    const auto list = [](const Width_terms<Recorded>& t) { return std::vector<Recorded>{t.determinant, t.inner, t.outer}; };
+    const auto list = [](const Width_terms<Recorded>& t) {
+        return std::vector<Recorded>{t.determinant, t.inner, t.outer};
+    };
     Recorded::print("orientation_3_program", list(orientation_terms(in(0), in(1), in(2))));
     const auto t = annulus_terms(in(0), in(1), in(2), in(3));
     std::vector<Recorded> all{t.determinant};

@@ -139,7 +139,9 @@ TEST_CASE("how often each stage passes the question on", "[certificate][failure-
     Random random(22);
     constexpr int each = 2000;
     const auto head = [](const char* what) {
-        std::printf("\n| %s: left to the next stage, %% | sign only, by filter | filter | interval |\n|---|---|---|---|\n", what);
+        std::printf(
+            "\n| %s: left to the next stage, %% | sign only, by filter | filter | interval |\n|---|---|---|---|\n",
+            what);
     };
     head("triangles");
     for (const Triangle_family family : all_triangle_families) {

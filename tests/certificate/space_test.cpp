@@ -240,8 +240,10 @@ TEST_CASE("how often each stage in space passes the question on", "[certificate]
     Random random(22);
     constexpr int each = 2000;
     const auto head = [](const char* what) {
-        std::printf("\n| %s: left to the next stage, %% | sign only, by filter | filter | interval | backward |\n|---|---|---|---|---|\n",
-                    what);
+        std::printf(
+            "\n| %s: left to the next stage, %% | sign only, by filter | filter | interval | backward "
+            "|\n|---|---|---|---|---|\n",
+            what);
     };
     head("tetrahedra");
     for (const Family_3 family : all_families_3) {

@@ -4,8 +4,8 @@
 
 #include <annulus/io/read_image.h>
 
-#include <catch2/catch.hpp>
 #include <zlib.h>
+#include <catch2/catch.hpp>
 
 #include <algorithm>
 
@@ -21,7 +21,8 @@ std::string inr(const std::string& fields, const std::string& data) {
     return out + "##}\n" + data;
 }
 
-const std::string fields = "XDIM=3\nYDIM=2\nZDIM=2\nVDIM=1\nTYPE=unsigned fixed\nPIXSIZE=8 bits\nCPU=decm\nVX=0.5\nVY=1\nVZ=2\n";
+const std::string fields =
+    "XDIM=3\nYDIM=2\nZDIM=2\nVDIM=1\nTYPE=unsigned fixed\nPIXSIZE=8 bits\nCPU=decm\nVX=0.5\nVY=1\nVZ=2\n";
 const std::string data{"\0\1\2\3\4\5\6\7\10\11\12\13", 12};
 
 std::string gzip(const std::string& text) {
@@ -82,8 +83,10 @@ TEST_CASE("images that are not what they say are refused", "[io][image]") {
     refuse("a.inr", changed("VDIM=1", "VDIM=3"), 5, "VDIM is '3'");
     refuse("a.inr", changed("XDIM=3\n", ""), last(changed("XDIM=3\n", "")), "no XDIM");
     refuse("a.inr", changed("XDIM=3", "XDIM=0"), last(changed("XDIM=3", "XDIM=0")), "XDIM is 0");
-    refuse("a.inr", changed("XDIM=3", "XDIM=1048576"), last(changed("XDIM=3", "XDIM=1048576")), "bytes after its header");
-    refuse("a.inr", changed("YDIM=2\nZDIM=2", "YDIM=1000000\nZDIM=1000000"), last(changed("YDIM=2\nZDIM=2", "YDIM=1000000\nZDIM=1000000")), "2^32");
+    refuse("a.inr", changed("XDIM=3", "XDIM=1048576"), last(changed("XDIM=3", "XDIM=1048576")),
+           "bytes after its header");
+    refuse("a.inr", changed("YDIM=2\nZDIM=2", "YDIM=1000000\nZDIM=1000000"),
+           last(changed("YDIM=2\nZDIM=2", "YDIM=1000000\nZDIM=1000000")), "2^32");
     refuse("a.inr", changed("VX=0.5", "VX=-1"), last(changed("VX=0.5", "VX=-1")), "VX is -1");
     const std::string packed = gzip(text);
     refuse("a.inr.gz", packed.substr(0, packed.size() - 9), 0, "cut off");

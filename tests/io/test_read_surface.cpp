@@ -51,7 +51,9 @@ std::string stl(bool binary) {
         else out += " facet normal 0 0 0\n  outer loop\n";
         for (const Index i : t) {
             const auto& p = corners[static_cast<std::size_t>(i)];
-            if (!binary) out += "   vertex " + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+            if (!binary)
+                out += "   vertex " + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) +
+                       "\n";
             for (std::size_t k = 0; binary && k < 3; ++k) {
                 const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(p[k]));
                 for (unsigned b = 0; b < 4; ++b) out += static_cast<char>(bits >> (8 * b) & 255);
@@ -64,9 +66,10 @@ std::string stl(bool binary) {
 
 const std::string off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 0.5\n";
 const std::string obj = "# a comment\nv 0 0 0\nv 1 0 0\nvn 0 0 1\nv 0 1 0\nv 0 0 0.5\ng group\n";
-const std::string ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                        "element face 4\nproperty uchar colour\nproperty list uchar int vertex_indices\nend_header\n"
-                        "0 0 0\n1 0 0\n0 1 0\n0 0 0.5\n";
+const std::string ply =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 4\nproperty uchar colour\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n0 0 0.5\n";
 
 }  // namespace
 
@@ -76,8 +79,9 @@ TEST_CASE("a tetrahedron in every format of surfaces", "[io][surface]") {
     check_tetrahedron(accept("a.ply", ply + "7 3 0 2 1\n7 3 0 1 3\n7 3 0 3 2\n7 3 1 2 3\n"));
     check_tetrahedron(accept("a.stl", stl(false)), 8);
     check_tetrahedron(accept("a.stl", stl(true)), 8);
-    std::string binary = "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
-                         "property double z\nelement face 4\nproperty list uchar uint vertex_index\nend_header\n";
+    std::string binary =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+        "property double z\nelement face 4\nproperty list uchar uint vertex_index\nend_header\n";
     for (const auto& p : corners)
         for (const double x : p) {
             char bytes[8];
@@ -105,9 +109,11 @@ TEST_CASE("a surface that is inside out is turned, polygons are cut, unused poin
 TEST_CASE("surfaces that are not closed are refused where it shows", "[io][surface]") {
     refuse("a.off", off + "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 3 2\n", 10, "turned against");
     refuse("a.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n", 7, "in one triangle only");
-    refuse("a.off", "OFF\n5 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 0 1 4\n3 1 0 4\n",
-           12, "in 4 triangles");
-    refuse("a.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 2 1\n3 0 1 2\n3 1 2 3\n3 1 3 2\n", 9, "in 4 triangles");
+    refuse("a.off",
+           "OFF\n5 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 0 1 4\n3 1 0 4\n", 12,
+           "in 4 triangles");
+    refuse("a.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 2 1\n3 0 1 2\n3 1 2 3\n3 1 3 2\n", 9,
+           "in 4 triangles");
     refuse("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 2 1\n3 0 1 2\n", 1, "encloses no volume");
 }
 

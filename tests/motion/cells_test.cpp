@@ -78,7 +78,8 @@ TEST_CASE("the circumcentre of a tetrahedron is as far from all corners", "[moti
         const auto r = [&](std::size_t j) {
             return std::hypot(points[j][0] - c[0], points[j][1] - c[1], points[j][2] - c[2]);
         };
-        for (std::size_t j = i + 1; j < i + 4; ++j) CHECK(r(j) == Approx(r(i)).epsilon(1e-6 / std::min(1.0, std::abs(volume))));
+        for (std::size_t j = i + 1; j < i + 4; ++j)
+            CHECK(r(j) == Approx(r(i)).epsilon(1e-6 / std::min(1.0, std::abs(volume))));
     }
 }
 
@@ -114,8 +115,8 @@ TEST_CASE("the stand-in is Delaunay after a move, and its audit notices when it 
         const auto w = weighted_circumcentre(at(0), at(1), at(2), at(3), volume);
         const double r = std::hypot(w[0], w[1], w[2]) / volume;
         for (const auto& p : points)
-            CHECK(std::hypot(p[0] - at(0)[0] - w[0] / volume, p[1] - at(0)[1] - w[1] / volume, p[2] - at(0)[2] - w[2] / volume) >
-                  r * (1 - 1e-6));
+            CHECK(std::hypot(p[0] - at(0)[0] - w[0] / volume, p[1] - at(0)[1] - w[1] / volume,
+                             p[2] - at(0)[2] - w[2] / volume) > r * (1 - 1e-6));
     }
     const auto before = std::vector(dt.positions().begin(), dt.positions().end());
     points[1] = points[0];

@@ -18,7 +18,9 @@ using namespace annulus_test;
 
 namespace {
 
-double far(const Coordinates<3>& a, const Coordinates<3>& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+double far(const Coordinates<3>& a, const Coordinates<3>& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 /// Volume of the cells whose circumcentre is in the domain.
 double meshed_volume(const Domain_3& domain, const std::vector<Coordinates<3>>& points) {
@@ -70,7 +72,8 @@ TEST_CASE("a graded mesh is coarser in the depth", "[motion][mesh]") {
         for (const auto& p : points) n += far(p, {}) < 0.6;
         return static_cast<double>(n) / static_cast<double>(points.size());
     };
-    const auto constant = initial_mesh(ball, Sizing_3(ball), 1000, 1), graded = initial_mesh(ball, Sizing_3(ball, 3), 1000, 1);
+    const auto constant = initial_mesh(ball, Sizing_3(ball), 1000, 1),
+               graded = initial_mesh(ball, Sizing_3(ball, 3), 1000, 1);
     CHECK(deep(graded) < 0.5 * deep(constant));
 }
 

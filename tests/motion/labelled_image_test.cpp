@@ -32,9 +32,8 @@ Labelled_image image_of(const std::array<std::size_t, 3>& size, const Coordinate
 
 TEST_CASE("the surface of a voxel ball is closed, and encloses the ball", "[motion][image]") {
     const std::size_t most = GENERATE(128, 32);
-    const auto image = image_of({50, 40, 60}, {0.5, 0.6, 0.4}, [](double x, double y, double z) {
-        return std::hypot(x - 12, y - 12, z - 12) < 9;
-    });
+    const auto image = image_of({50, 40, 60}, {0.5, 0.6, 0.4},
+                                [](double x, double y, double z) { return std::hypot(x - 12, y - 12, z - 12) < 9; });
     const Triangle_surface s = surface_of(image, most);
     CHECK(closed(s));
     CHECK(enclosed_volume(s) == Approx(4 * std::numbers::pi / 3 * 729).epsilon(0.02));

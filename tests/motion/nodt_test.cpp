@@ -24,7 +24,9 @@ using Points = std::vector<Coordinates<3>>;
 using Real = long double;
 using Vector = std::array<Real, 3>;
 
-double distance(const Coordinates<3>& a, const Coordinates<3>& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+double distance(const Coordinates<3>& a, const Coordinates<3>& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 Cells_3 cells_of(const Points& points) {
     Options options;
@@ -38,7 +40,8 @@ Points body_centred(int n, double scale) {
     for (int i = -n; i <= n; ++i)
         for (int j = -n; j <= n; ++j)
             for (int k = -n; k <= n; ++k)
-                for (const double half : {0.0, 0.5}) points.push_back({scale * (i + half), scale * (j + half), scale * (k + half)});
+                for (const double half : {0.0, 0.5})
+                    points.push_back({scale * (i + half), scale * (j + half), scale * (k + half)});
     return points;
 }
 
@@ -96,7 +99,8 @@ Points targets_by_definition(const Domain_3& domain, const Points& x, const std:
     for (const auto& [f, count] : facets) {
         if (count != 1) continue;
         const std::vector<Index> t(f.begin(), f.end());
-        const Vector n = cross(minus(p(t[1]), p(t[0])), minus(p(t[2]), p(t[0]))), o = centre({p(t[0]), p(t[1]), p(t[2])});
+        const Vector n = cross(minus(p(t[1]), p(t[0])), minus(p(t[2]), p(t[0]))),
+                     o = centre({p(t[0]), p(t[1]), p(t[2])});
         const Real a = std::sqrt(dot(n, n)) / 2;
         for (const Index v : t) {
             area[static_cast<std::size_t>(v)] += a;
@@ -129,7 +133,8 @@ TEST_CASE("targets are those of the definition", "[motion][nodt]") {
         }
         const Cells_3 cells = cells_of(points);
         Points target(points.size());
-        const Nodt_step step = Nodt_3(domain, Sizing_3(domain)).step(cells, cells_inside(domain, cells, points), points, target);
+        const Nodt_step step =
+            Nodt_3(domain, Sizing_3(domain)).step(cells, cells_inside(domain, cells, points), points, target);
         const Points expected = targets_by_definition(domain, points, cells.vertex);
         for (std::size_t v = 0; v < points.size(); ++v) CHECK(distance(target[v], expected[v]) < 1e-9);
         CHECK(step.vertices <= points.size());
@@ -156,7 +161,8 @@ TEST_CASE("the body-centred lattice is a fixed point, and locks where its angles
 
     // Its dihedral angles are 60 and 90 degrees.
     Points moved = points;
-    const std::size_t spoilt = static_cast<std::size_t>(std::find(points.begin(), points.end(), Coordinates<3>{}) - points.begin());
+    const std::size_t spoilt =
+        static_cast<std::size_t>(std::find(points.begin(), points.end(), Coordinates<3>{}) - points.begin());
     REQUIRE(spoilt < points.size());
     moved[spoilt] = {0.006, 0.004, 0.002};
     const Cells_3 after = cells_of(moved);
@@ -197,7 +203,8 @@ TEST_CASE("a free vertex goes where the energy of its star is least", "[motion][
             std::vector<std::array<Index, 4>> star;
             bool interior = !boundary.contains(static_cast<Index>(v));
             for (std::size_t c = 0; c < cells.size(); ++c)
-                if (std::find(cells.vertex[c].begin(), cells.vertex[c].end(), static_cast<Index>(v)) != cells.vertex[c].end()) {
+                if (std::find(cells.vertex[c].begin(), cells.vertex[c].end(), static_cast<Index>(v)) !=
+                    cells.vertex[c].end()) {
                     star.push_back(cells.vertex[c]);
                     interior = interior && inside[c] != 0;
                 }
@@ -278,10 +285,13 @@ TEST_CASE("targets never coincide, even when they all want to be at one place", 
     struct Trap final : Domain_3 {  // every projection ends in one point
         [[nodiscard]] bool contains(const Coordinates<3>& p) const override { return distance(p, {}) < 5; }
         [[nodiscard]] Coordinates<3> project(const Coordinates<3>&) const override { return {1, 0, 0}; }
-        [[nodiscard]] std::optional<Coordinates<3>> crossing(const Coordinates<3>&, const Coordinates<3>&) const override {
+        [[nodiscard]] std::optional<Coordinates<3>> crossing(const Coordinates<3>&,
+                                                             const Coordinates<3>&) const override {
             return std::nullopt;
         }
-        [[nodiscard]] std::vector<Coordinates<3>> surface_sample(std::size_t, std::uint64_t) const override { return {}; }
+        [[nodiscard]] std::vector<Coordinates<3>> surface_sample(std::size_t, std::uint64_t) const override {
+            return {};
+        }
         [[nodiscard]] Box bounding_box() const override { return {}; }
         [[nodiscard]] double volume() const override { return 1; }
     };

@@ -30,7 +30,8 @@ inline std::vector<Coordinates<3>> random_points(std::size_t n, unsigned seed) {
 /// The box from -s to s.
 inline Triangle_surface box(const Coordinates<3>& s) {
     Triangle_surface out;
-    for (int i = 0; i < 8; ++i) out.points.push_back({i & 1 ? s[0] : -s[0], i & 2 ? s[1] : -s[1], i & 4 ? s[2] : -s[2]});
+    for (int i = 0; i < 8; ++i)
+        out.points.push_back({i & 1 ? s[0] : -s[0], i & 2 ? s[1] : -s[1], i & 4 ? s[2] : -s[2]});
     out.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
     return out;
@@ -44,7 +45,8 @@ inline Triangle_surface round_octahedron(int times) {
     for (; times > 0; --times) {
         std::map<std::pair<Index, Index>, Index> middle;
         const auto between = [&](Index a, Index b) {
-            const auto [at, is_new] = middle.emplace(std::pair(std::min(a, b), std::max(a, b)), static_cast<Index>(s.points.size()));
+            const auto [at, is_new] =
+                middle.emplace(std::pair(std::min(a, b), std::max(a, b)), static_cast<Index>(s.points.size()));
             if (is_new) {
                 const auto &p = s.points[static_cast<std::size_t>(a)], &q = s.points[static_cast<std::size_t>(b)];
                 Coordinates<3> m{p[0] + q[0], p[1] + q[1], p[2] + q[2]};
@@ -84,7 +86,9 @@ inline double winding(const Triangle_surface& s, const Coordinates<3>& o) {
             for (std::size_t k = 0; k < 3; ++k) e[i][k] = s.points[static_cast<std::size_t>(t[i])][k] - o[k];
             l[i] = std::hypot(e[i][0], e[i][1], e[i][2]);
         }
-        const auto dot = [&](std::size_t i, std::size_t j) { return e[i][0] * e[j][0] + e[i][1] * e[j][1] + e[i][2] * e[j][2]; };
+        const auto dot = [&](std::size_t i, std::size_t j) {
+            return e[i][0] * e[j][0] + e[i][1] * e[j][1] + e[i][2] * e[j][2];
+        };
         const double det = e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
                            e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
                            e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);

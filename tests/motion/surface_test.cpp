@@ -16,7 +16,9 @@ using namespace annulus_test;
 
 namespace {
 
-double distance(const Coordinates<3>& a, const Coordinates<3>& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+double distance(const Coordinates<3>& a, const Coordinates<3>& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 }  // namespace
 

@@ -17,9 +17,11 @@ TEST_CASE("An expiry is reached by the readings that are not below it", "[reloca
     REQUIRE(rc::check([](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 1000; ++i) {
-            const Expiry e = Expiry::lower(std::ldexp(1.0 + static_cast<double>(random() % 16) / 8, static_cast<int>(random() % 4)));
+            const Expiry e =
+                Expiry::lower(std::ldexp(1.0 + static_cast<double>(random() % 16) / 8, static_cast<int>(random() % 4)));
             double reading = e.reading();
-            for (std::uint64_t k = random() % 3; k > 0; --k) reading = std::nextafter(reading, random() % 2 == 0 ? 0.0 : 100.0);
+            for (std::uint64_t k = random() % 3; k > 0; --k)
+                reading = std::nextafter(reading, random() % 2 == 0 ? 0.0 : 100.0);
             RC_ASSERT(e.reached(reading) == (reading >= e.reading()));
         }
     }));
@@ -34,7 +36,8 @@ TEST_CASE("No certificate expires that its vertex' list does not name or announc
         std::map<Index, Expiry> truth;  // every certificate of the vertex
         double reading = 0.0;
         const auto some_expiry = [&] {  // ties are frequent
-            return random() % 16 == 0 ? Expiry::never() : Expiry::lower(reading + static_cast<double>(random() % 32) / 4);
+            return random() % 16 == 0 ? Expiry::never()
+                                      : Expiry::lower(reading + static_cast<double>(random() % 32) / 4);
         };
         const Index certificates = 1 + static_cast<Index>(random() % 20);
         int dry = 0;
@@ -57,7 +60,9 @@ TEST_CASE("No certificate expires that its vertex' list does not name or announc
             if (enough)
                 for (const auto& [id, e] : truth) RC_ASSERT(!e.reached(reading) || taken.count(id) == 1);
             for (const Index id : taken)  // evaluated anew, or not expired by its own record
-                list.put(id, truth[id] = truth[id].reached(reading) ? Expiry::lower(reading + 1.0 + static_cast<double>(random() % 8)) : truth[id]);
+                list.put(id, truth[id] = truth[id].reached(reading)
+                                             ? Expiry::lower(reading + 1.0 + static_cast<double>(random() % 8))
+                                             : truth[id]);
             if (!enough) {  // a tour
                 ++dry;
                 list.clear();

@@ -199,7 +199,8 @@ TEST_CASE("Half the diagonal of the box of some velocities is rounded up", "[rel
 
 /// A tick's way; the unit is a power of two.
 static Coordinates<2> velocity(const Vertex_record<2>& r, const Prediction<2>& prediction) {
-    return {prediction.speed() * static_cast<double>(r.velocity[0]), prediction.speed() * static_cast<double>(r.velocity[1])};
+    return {prediction.speed() * static_cast<double>(r.velocity[0]),
+            prediction.speed() * static_cast<double>(r.velocity[1])};
 }
 
 TEST_CASE("A term ends before deviation and drift together use up the tolerance", "[relocation][rounding]") {
@@ -243,8 +244,8 @@ TEST_CASE("The slack of a prediction is above the rounding of predicted position
             Rational error = 0;
             for (std::size_t k = 0; k < 2; ++k) {
                 const Rational truth =
-                    Rational(vertices[0].fixed[k]) +
-                    Rational(static_cast<unsigned long>(prediction.now())) * Rational(velocity(vertices[0], prediction)[k]);
+                    Rational(vertices[0].fixed[k]) + Rational(static_cast<unsigned long>(prediction.now())) *
+                                                         Rational(velocity(vertices[0], prediction)[k]);
                 const Rational off = truth - Rational(computed[k]);
                 error += off * off;
                 if (std::fabs(computed[k]) > prediction.limit()) error = -1;

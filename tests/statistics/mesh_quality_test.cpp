@@ -8,7 +8,7 @@ using namespace annulus;
 
 TEST_CASE("angles and slivers of cells with a flag", "[statistics][mesh]") {
     // Corner of a cube (three angles of 90 degrees, three of 54.7), a sliver (nearly a square), and one without a flag.
-    const std::vector<Coordinates<3>> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1},  {5, 1, 0},
+    const std::vector<Coordinates<3>> x{{0, 0, 0},    {1, 0, 0},  {0, 1, 0},    {0, 0, 1}, {5, 1, 0},
                                         {6, 0, 0.01}, {5, -1, 0}, {4, 0, 0.01}, {9, 9, 9}};
     const Cells_3 cells = linked({{0, 1, 2, 3}, {4, 6, 5, 7}, {0, 1, 3, 8}}, x.size());
     const std::vector<char> inside{1, 1, 0};
@@ -18,7 +18,7 @@ TEST_CASE("angles and slivers of cells with a flag", "[statistics][mesh]") {
     CHECK(q.vertices == 8);
     CHECK(q.boundary == 8);
     CHECK(q.dihedral.total() == 12);
-    CHECK(q.dihedral.counts()[10] == 3);  // [50, 55)
+    CHECK(q.dihedral.counts()[10] == 3);                            // [50, 55)
     CHECK(q.dihedral.counts()[18] + q.dihedral.counts()[17] == 3);  // 90 up to rounding
     CHECK(q.dihedral.min() < 2);
     CHECK(q.dihedral.max() > 175);

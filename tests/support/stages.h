@@ -80,7 +80,8 @@ void for_each_case(const Families& families, Random random, int each, Generate g
 /// check(c) for `each` bi-cells of every family, with both signs.
 template <class Check>
 void for_each_bicell(const Random& random, int each, Check check) {
-    for_each_case(all_bicell_families, random, each, [](auto family, Random& r) { return bicell(family, r); }, check);
+    for_each_case(
+        all_bicell_families, random, each, [](auto family, Random& r) { return bicell(family, r); }, check);
 }
 
 /// check(c) for `each` bi-cells of every family, none with a point inside its circle.
@@ -93,7 +94,8 @@ void for_each_delaunay_bicell(const Random& random, int each, Check check) {
 /// check(t) for `each` triangles of every family, of both orientations.
 template <class Check>
 void for_each_triangle(const Random& random, int each, Check check) {
-    for_each_case(all_triangle_families, random, each, [](auto family, Random& r) { return triangle(family, r); }, check);
+    for_each_case(
+        all_triangle_families, random, each, [](auto family, Random& r) { return triangle(family, r); }, check);
 }
 
 }  // namespace annulus::testing

@@ -122,7 +122,8 @@ TEST_CASE("The audit refuses a border that is not convex", "[audit]") {
     refuses(input);
     // A hull triangle left out.
     refuses({{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 1}}, {{1, 2, 4}, {2, 3, 4}, {3, 0, 4}}});
-    CHECK(audit(Audit_input<2>{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 1}}, {{1, 2, 4}, {2, 3, 4}, {3, 0, 4}}}).concave_ridges == 1);
+    CHECK(audit(Audit_input<2>{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 1}}, {{1, 2, 4}, {2, 3, 4}, {3, 0, 4}}})
+              .concave_ridges == 1);
 }
 
 TEST_CASE("The audit refuses two vertices at one place", "[audit]") {

@@ -8,12 +8,15 @@ namespace annulus::cli {
 void add_common(CLI::App& app, Common_arguments& a, const std::string& files, bool motion) {
     app.add_option("-o,--output", a.output, "Write " + files + " to this directory")
         ->type_name("DIR")
-        ->check([](const std::string& word) { return word.empty() ? std::string("the name of a directory is empty") : ""; });
+        ->check([](const std::string& word) {
+            return word.empty() ? std::string("the name of a directory is empty") : "";
+        });
     app.add_option("--seed", a.seed, motion ? "Seed of everything random" : "Taken everywhere; nothing is random here")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
-    app.add_option("--threads", a.threads, motion ? "Threads for the motion; results do not depend on it"
-                                                : "Taken everywhere; one thread is used here")
+    app.add_option(
+           "--threads", a.threads,
+           motion ? "Threads for the motion; results do not depend on it" : "Taken everywhere; one thread is used here")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     app.add_flag("-q,--quiet", a.quiet, "No progress and no summary, only errors and the exit status");
@@ -54,8 +57,9 @@ Options options_of(const Tracking_arguments& tracking, const Common_arguments& c
 std::string command_line(const std::vector<std::string>& words) {
     std::string line = "annulus";
     for (const std::string& w : words) {
-        const bool plain = !w.empty() && w.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                             "0123456789-_./:,=+") == std::string::npos;
+        const bool plain = !w.empty() && w.find_first_not_of(
+                                             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                             "0123456789-_./:,=+") == std::string::npos;
         if (plain) {
             line += " " + w;
             continue;

@@ -68,8 +68,9 @@ void write_run(const std::string& directory, const Tracker_2& tracker, std::opti
     out.commit();
 }
 
-void write_run(const std::string& directory, const Tracker_3& tracker, const Cells_3& cells, std::span<const char> domain,
-               std::optional<Picture> before, std::optional<Picture> after, std::vector<std::string> notes) {
+void write_run(const std::string& directory, const Tracker_3& tracker, const Cells_3& cells,
+               std::span<const char> domain, std::optional<Picture> before, std::optional<Picture> after,
+               std::vector<std::string> notes) {
     const Run_record& run = tracker.record();
     const auto points = tracker.triangulation().positions();
     std::vector<std::array<Index, 4>> inside;
@@ -80,7 +81,8 @@ void write_run(const std::string& directory, const Tracker_3& tracker, const Cel
         if (domain[c] != 0) inside.push_back(cells.vertex[c]);
         double most = -1;  // the largest cosine
         const auto x = [&](std::size_t i) { return points[static_cast<std::size_t>(cells.vertex[c][i])]; };
-        for (const double cosine : dihedral_cosines(x(0), x(1), x(2), x(3))) most = std::max(most, std::min(cosine, 1.0));
+        for (const double cosine : dihedral_cosines(x(0), x(1), x(2), x(3)))
+            most = std::max(most, std::min(cosine, 1.0));
         least_angle.push_back(std::acos(most) * 180 / std::numbers::pi);
     }
     std::vector<Vtu_field> point_fields;
@@ -125,16 +127,18 @@ void print_summary(const Tracker<Moving>& tracker) {
     std::printf("triangulation  %.3f s (%.1f ns a vertex and step), motion %.3f s, total %.3f s\n",
                 r.seconds.triangulation, r.moves.asked ? r.seconds.triangulation / asked * 1e9 : 0.0, r.seconds.motion,
                 r.seconds.total);
-    std::printf("moves          within tolerance %.3f %%, kept in place %.3f %%, flipped %.3f %%, reinserted %.4f %%, "
-                "rebuilt %.3f %%\n",
-                percent(r.moves.within_tolerance), percent(r.moves.kept_in_place), percent(r.moves.flipped),
-                percent(r.moves.reinserted), percent(r.moves.rebuilt));
+    std::printf(
+        "moves          within tolerance %.3f %%, kept in place %.3f %%, flipped %.3f %%, reinserted %.4f %%, "
+        "rebuilt %.3f %%\n",
+        percent(r.moves.within_tolerance), percent(r.moves.kept_in_place), percent(r.moves.flipped),
+        percent(r.moves.reinserted), percent(r.moves.rebuilt));
     if (r.mesh_before && !r.steps.empty() && r.steps.back().mesh) {
         const Mesh_step &a = *r.mesh_before, &b = *r.steps.back().mesh;
-        std::printf("mesh           cells %llu -> %llu, slivers %llu -> %llu, least dihedral angle %.2f -> %.2f degrees, "
-                    "%.1f %% locked\n",
-                    count(a.cells), count(b.cells), count(a.slivers), count(b.slivers), a.dihedral_min, b.dihedral_min,
-                    100.0 * static_cast<double>(b.locked) / static_cast<double>(std::max<std::uint64_t>(b.vertices, 1)));
+        std::printf(
+            "mesh           cells %llu -> %llu, slivers %llu -> %llu, least dihedral angle %.2f -> %.2f degrees, "
+            "%.1f %% locked\n",
+            count(a.cells), count(b.cells), count(a.slivers), count(b.slivers), a.dihedral_min, b.dihedral_min,
+            100.0 * static_cast<double>(b.locked) / static_cast<double>(std::max<std::uint64_t>(b.vertices, 1)));
     }
     std::printf("certificates   %llu decided: filter %llu, interval %llu, exact %llu\n", count(r.arithmetic.total()),
                 count(r.arithmetic.filter), count(r.arithmetic.interval), count(r.arithmetic.exact));

@@ -22,8 +22,9 @@ void write_run(const std::string& directory, const Tracker_2& tracker, std::opti
 /// The same of a run in space, where `domain` is the mesh that was optimised: its cells are those with a flag among all
 /// finite cells. final.mesh and final.vtu hold the triangulation, domain.mesh the domain's cells alone; dihedral.csv has
 /// the dihedral angles.
-void write_run(const std::string& directory, const Tracker_3& tracker, const Cells_3& cells, std::span<const char> domain,
-               std::optional<Picture> before, std::optional<Picture> after, std::vector<std::string> notes);
+void write_run(const std::string& directory, const Tracker_3& tracker, const Cells_3& cells,
+               std::span<const char> domain, std::optional<Picture> before, std::optional<Picture> after,
+               std::vector<std::string> notes);
 
 /// The few lines a run prints at its end.
 template <class Moving>

@@ -34,8 +34,9 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
         ->check([](const std::string& word) {
             char* end = nullptr;
             const double r = std::strtod(word.c_str(), &end);
-            return end != word.c_str() && *end == '\0' && std::isfinite(r) && r > 0 ? std::string()
-                                                                                    : "'" + word + "' is no positive number";
+            return end != word.c_str() && *end == '\0' && std::isfinite(r) && r > 0
+                       ? std::string()
+                       : "'" + word + "' is no positive number";
         });
     app.add_option("-i,--iterations", a.iterations, "Number of iterations")
         ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}))
@@ -83,7 +84,8 @@ Domain_2 domain_around(const std::vector<Coordinates<2>>& p) {
     const double half = 0.55 * std::max(high[0] - low[0], high[1] - low[1]);
     const double x = 0.5 * (low[0] + high[0]);
     const double y = 0.5 * (low[1] + high[1]);
-    const std::vector<Coordinates<2>> square{{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}};
+    const std::vector<Coordinates<2>> square{
+        {x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}};
     return Domain_2::polygon(square);
 }
 

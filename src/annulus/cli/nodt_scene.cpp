@@ -14,9 +14,10 @@
 namespace annulus::cli {
 
 void add_nodt(CLI::App& app, Nodt_arguments& a) {
-    auto* surface = app.add_option("--surface", a.surface,
-                                   "Closed surface: a .off, .obj, .ply or .stl file, or a labelled image, .inr or .inr.gz")
-                        ->type_name("FILE");
+    auto* surface =
+        app.add_option("--surface", a.surface,
+                       "Closed surface: a .off, .obj, .ply or .stl file, or a labelled image, .inr or .inr.gz")
+            ->type_name("FILE");
     auto* sphere = app.add_flag("--sphere", a.sphere, "The unit sphere");
     surface->excludes(sphere);
     app.add_option("-n,--vertices", a.vertices, "Start from a mesh with about N vertices")
@@ -62,7 +63,8 @@ std::unique_ptr<const Domain_3> surface_domain(const Nodt_arguments& a, std::vec
     for (const auto& p : surface.points)
         for (const double x : p)
             if (!(std::abs(x) <= 1e100))
-                throw Input_error(Error_code::out_of_domain, a.surface, 0, "a coordinate is too large", "at most 1e100");
+                throw Input_error(Error_code::out_of_domain, a.surface, 0, "a coordinate is too large",
+                                  "at most 1e100");
     return std::make_unique<Surface_3>(surface);
 }
 

@@ -10,7 +10,9 @@
 namespace annulus::cli {
 
 Progress::Progress(std::string label, std::uint64_t steps, bool quiet)
-    : label_(std::move(label)), steps_(std::max<std::uint64_t>(steps, 1)), visible_(!quiet && isatty(STDERR_FILENO) == 1) {}
+    : label_(std::move(label)),
+      steps_(std::max<std::uint64_t>(steps, 1)),
+      visible_(!quiet && isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (visible_) std::fputs("\r\033[K", stderr);

@@ -119,9 +119,8 @@ int run(const Replay_call& a, const std::string& command) {
         for (std::uint64_t i = 1; i <= iterations; ++i) {
             const Frame& frame = motion.frames[i];
             const Change change(present, tracker.triangulation().positions(), frame, points_of(motion, frame));
-            std::erase_if(present, [&](const auto& p) {
-                return !std::binary_search(frame.id.begin(), frame.id.end(), p.first);
-            });
+            std::erase_if(
+                present, [&](const auto& p) { return !std::binary_search(frame.id.begin(), frame.id.end(), p.first); });
             const auto indices =
                 tracker.follow(change.leave, change.x, change.arrive,
                                change.moved > 0 ? change.sum / static_cast<double>(change.moved) : 0, change.max);
@@ -149,7 +148,8 @@ int run(const Replay_call& a, const std::string& command) {
 Run add_replay_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand("replay", "A recorded motion, the triangulation kept right throughout");
     const auto a = std::make_shared<Replay_call>();
-    sub->add_option("FILE", a->file, "Frames: .xyz (extended XYZ) or .csv with columns frame, id, x, y [, z]")->required();
+    sub->add_option("FILE", a->file, "Frames: .xyz (extended XYZ) or .csv with columns frame, id, x, y [, z]")
+        ->required();
     sub->add_option("--dim", a->dimension, "Dimension; 2 drops z")->check(CLI::IsMember({2, 3}))->capture_default_str();
     add_tracking(*sub, a->tracking);
     add_common(*sub, a->common, run_files);

@@ -31,8 +31,8 @@ std::optional<double> mean_of_finite(const std::vector<double>& values, double u
 }  // namespace
 
 template <class Moving>
-Tracker<Moving>::Tracker(std::string name, std::span<const Coordinates<d>> points, const Options& options, double spacing,
-                     std::uint64_t iterations, std::uint64_t audit_every, bool measure)
+Tracker<Moving>::Tracker(std::string name, std::span<const Coordinates<d>> points, const Options& options,
+                         double spacing, std::uint64_t iterations, std::uint64_t audit_every, bool measure)
     : dt_(points, options), spacing_(spacing), iterations_(iterations), audit_every_(audit_every), measure_(measure) {
     record_.dimension = d;
     record_.strategy = std::move(name);
@@ -57,7 +57,7 @@ bool Tracker<Moving>::measured_at(std::uint64_t i) const {
 
 template <class Moving>
 void Tracker<Moving>::step(std::span<const Coordinates<d>> x, double motion_seconds, double displacement_mean,
-                     double displacement_max) {
+                           double displacement_max) {
     const auto start = Clock::now();
     const Move_report report = dt_.move_all(x);
     // What a rebuild spends to keep our handles valid is not part of CGAL's rebuild: it would flatter the others.
@@ -67,8 +67,9 @@ void Tracker<Moving>::step(std::span<const Coordinates<d>> x, double motion_seco
 template <class Moving>
 std::vector<Index> Tracker<Moving>::follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,
                                            std::span<const Coordinates<d>> arrive, double displacement_mean,
-                                           double displacement_max)
-    requires requires(Moving& dt) { dt.remove(dt.vertex(0)); }
+                                           double displacement_max) requires requires(Moving& dt) {
+    dt.remove(dt.vertex(0));
+}
 {
     const auto start = Clock::now();
     Move_report report;
@@ -134,8 +135,7 @@ void Tracker<Moving>::audit() {
     ++record_.audit.checked;
     if (result.delaunay()) return;
     ++record_.audit.failed;
-    if (first_fault_.empty())
-        first_fault_ = "step " + std::to_string(record_.iterations) + ": " + result.first_fault;
+    if (first_fault_.empty()) first_fault_ = "step " + std::to_string(record_.iterations) + ": " + result.first_fault;
 }
 
 template <class Moving>
@@ -157,7 +157,8 @@ double Tracker<Moving>::share_within() const {
 }
 
 template <class Moving>
-std::vector<std::array<Index, static_cast<std::size_t>(Tracker<Moving>::d) + 1>> Tracker<Moving>::canonical_cells() const {
+std::vector<std::array<Index, static_cast<std::size_t>(Tracker<Moving>::d) + 1>> Tracker<Moving>::canonical_cells()
+    const {
     auto cells = dt_.audit_input().cells;
     for (auto& c : cells)
         if constexpr (d == 3) {

@@ -21,7 +21,7 @@ class Tracker {
     /// Lengths are recorded in units of `spacing`. `iterations` decides where measurements are taken: at the first 20,
     /// then about 25 a decade, and the last. The precomputation of tolerances is timed as part of `triangulation`.
     Tracker(std::string name, std::span<const Coordinates<d>> points, const Options& options, double spacing,
-              std::uint64_t iterations, std::uint64_t audit_every, bool measure);
+            std::uint64_t iterations, std::uint64_t audit_every, bool measure);
 
     /// Follows one timestamp. Motion seconds and displacement are what the motion says of itself.
     void step(std::span<const Coordinates<d>> x, double motion_seconds, double displacement_mean,
@@ -29,8 +29,10 @@ class Tracker {
     /// Follows one timestamp in which some vertices leave, the others move to x (by index), and then some arrive: removals,
     /// one move_all, insertions. Returns the indices of those that arrived. Throws what the triangulation throws.
     std::vector<Index> follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,
-                              std::span<const Coordinates<d>> arrive, double displacement_mean, double displacement_max)
-        requires requires(Moving& dt) { dt.remove(dt.vertex(0)); };
+                              std::span<const Coordinates<d>> arrive, double displacement_mean,
+                              double displacement_max) requires requires(Moving& dt) {
+        dt.remove(dt.vertex(0));
+    };
     /// What the mesh was before the first step, and is after the last one.
     void mesh_before(Mesh_step mesh) { record_.mesh_before = std::move(mesh); }
     void mesh_after(Mesh_step mesh) { record_.steps.back().mesh = std::move(mesh); }

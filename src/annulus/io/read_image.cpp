@@ -32,7 +32,8 @@ Header header_of(const Source& source, Line_reader& reader) {
     }
     header.length = source.content.size() - reader.rest().size();
     header.last_line = reader.number();
-    if (header.length % 256 != 0) reader.fail("the header has " + std::to_string(header.length) + " bytes", "a multiple of 256");
+    if (header.length % 256 != 0)
+        reader.fail("the header has " + std::to_string(header.length) + " bytes", "a multiple of 256");
     return header;
 }
 
@@ -75,7 +76,8 @@ Labelled_image read_image(const std::filesystem::path& file) {
     }
     const std::size_t bytes = source.content.size() - header.length;
     if (bytes != voxels)
-        reader.fail("has " + std::to_string(bytes) + " bytes after its header", std::to_string(voxels) + ", one a voxel");
+        reader.fail("has " + std::to_string(bytes) + " bytes after its header",
+                    std::to_string(voxels) + ", one a voxel");
     const auto* first = reinterpret_cast<const std::uint8_t*>(source.content.data() + header.length);
     image.label.assign(first, first + bytes);
     return image;

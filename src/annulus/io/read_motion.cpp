@@ -55,7 +55,8 @@ Columns guessed(const Line_reader& reader) {
 
 void read_xyz_frames(Line_reader& reader, Recorded_motion& motion) {
     while (reader.next_record()) {
-        if (reader.fields().size() != 1) reader.fail("has " + counted(reader.fields().size(), "column"), "a count of points");
+        if (reader.fields().size() != 1)
+            reader.fail("has " + counted(reader.fields().size(), "column"), "a count of points");
         const std::uint64_t count = reader.whole(reader.fields()[0], "the count of points");
         if (count == 0) reader.fail("a frame has no points", "at least one");
         Frame frame;
@@ -67,16 +68,18 @@ void read_xyz_frames(Line_reader& reader, Recorded_motion& motion) {
             if (!columns) columns = guessed(reader);
             const auto& fields = reader.fields();
             if (fields.size() < columns->first + (columns->has_z ? 3 : 2))
-                reader.fail("has " + counted(fields.size(), "column"), columns->has_z ? "[element] x y z" : "[element] x y");
+                reader.fail("has " + counted(fields.size(), "column"),
+                            columns->has_z ? "[element] x y z" : "[element] x y");
             const auto* at = &fields[columns->first];
-            frame.position.push_back({reader.real(at[0], "x"), reader.real(at[1], "y"),
-                                      columns->has_z ? reader.real(at[2], "z") : 0.0});
+            frame.position.push_back(
+                {reader.real(at[0], "x"), reader.real(at[1], "y"), columns->has_z ? reader.real(at[2], "z") : 0.0});
             frame.id.push_back(i);
             frame.line.push_back(reader.number());
         }
         if (motion.frames.empty()) motion.has_z = columns->has_z;
         else if (motion.has_z != columns->has_z)
-            reader.fail("a frame has " + std::string(columns->has_z ? "a z" : "no z"), "the same columns in every frame");
+            reader.fail("a frame has " + std::string(columns->has_z ? "a z" : "no z"),
+                        "the same columns in every frame");
         motion.frames.push_back(std::move(frame));
     }
 }
@@ -85,14 +88,14 @@ void read_xyz_frames(Line_reader& reader, Recorded_motion& motion) {
 void finish(const Line_reader& reader, Frame& frame) {
     std::vector<std::size_t> order(frame.id.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return std::pair(frame.id[a], a) < std::pair(frame.id[b], b);
-    });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return std::pair(frame.id[a], a) < std::pair(frame.id[b], b); });
     Frame sorted;
     for (const std::size_t i : order) {
         if (!sorted.id.empty() && sorted.id.back() == frame.id[i])
             reader.fail("the frame above has id " + std::to_string(frame.id[i]) + " twice, at line " +
-                            std::to_string(frame.line[i]) + " again", "ids that differ");
+                            std::to_string(frame.line[i]) + " again",
+                        "ids that differ");
         sorted.id.push_back(frame.id[i]);
         sorted.position.push_back(frame.position[i]);
         sorted.line.push_back(frame.line[i]);
@@ -135,8 +138,8 @@ void read_csv_frames(Line_reader& reader, Recorded_motion& motion) {
         now = number;
         Frame& frame = motion.frames.back();
         frame.id.push_back(reader.whole(fields[at[1]], "the id"));
-        frame.position.push_back({reader.real(fields[at[2]], "x"), reader.real(fields[at[3]], "y"),
-                                  z ? reader.real(fields[*z], "z") : 0.0});
+        frame.position.push_back(
+            {reader.real(fields[at[2]], "x"), reader.real(fields[at[3]], "y"), z ? reader.real(fields[*z], "z") : 0.0});
         frame.line.push_back(reader.number());
     }
     if (!motion.frames.empty()) finish(reader, motion.frames.back());
@@ -153,7 +156,8 @@ Recorded_motion read_motion(const std::filesystem::path& file) {
     if (extension == ".xyz") read_xyz_frames(reader, motion);
     else if (extension == ".csv") read_csv_frames(reader, motion);
     else throw Input_error(Error_code::bad_input, source.name, 0, "has an unknown extension", ".xyz or .csv");
-    if (motion.frames.empty()) throw Input_error(Error_code::bad_input, source.name, 1, "has no frames", "at least one");
+    if (motion.frames.empty())
+        throw Input_error(Error_code::bad_input, source.name, 1, "has no frames", "at least one");
     return motion;
 }
 

@@ -26,9 +26,9 @@ Raw_points read_obj(const Source& source, Raw_faces& faces) {
     while (reader.next_record()) {
         const auto& fields = reader.fields();
         if (fields[0] == "v") {
-            if (fields.size() < 4)
-                reader.fail("has " + counted(fields.size() - 1, "coordinate"), "v x y z");
-            raw.points.push_back({reader.real(fields[1], "x"), reader.real(fields[2], "y"), reader.real(fields[3], "z")});
+            if (fields.size() < 4) reader.fail("has " + counted(fields.size() - 1, "coordinate"), "v x y z");
+            raw.points.push_back(
+                {reader.real(fields[1], "x"), reader.real(fields[2], "y"), reader.real(fields[3], "z")});
             raw.lines.push_back(reader.number());
         } else if (fields[0] == "f") {
             for (std::size_t k = 1; k < fields.size(); ++k)

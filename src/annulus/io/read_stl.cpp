@@ -59,7 +59,8 @@ void read_ascii(const Source& source, Raw_points& raw, Raw_faces& faces) {
             if (++corners > 3) reader.fail("a facet has a fourth vertex", "three vertices");
             if (fields.size() != 4) reader.fail("has " + counted(fields.size() - 1, "coordinate"), "vertex x y z");
             faces.corners.push_back(raw.points.size());
-            raw.points.push_back({reader.real(fields[1], "x"), reader.real(fields[2], "y"), reader.real(fields[3], "z")});
+            raw.points.push_back(
+                {reader.real(fields[1], "x"), reader.real(fields[2], "y"), reader.real(fields[3], "z")});
             raw.lines.push_back(reader.number());
         } else if (word == "endfacet") {
             if (!in_facet || corners != 3) reader.fail("a facet has " + std::to_string(corners) + " vertices", "three");

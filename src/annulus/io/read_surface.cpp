@@ -68,9 +68,10 @@ void require_closed(const std::string& name, std::vector<Half_edge> edges) {
             throw Input_error(Error_code::bad_input, name, edges[i + 2].line,
                               "an edge is in " + std::to_string(next - i) + " triangles", "a closed surface: two");
         if (next - i == 2 && edges[i].from == edges[i + 1].from)
-            throw Input_error(Error_code::bad_input, name, edges[i + 1].line,
-                              "a triangle is turned against the one beside it, at line " + std::to_string(edges[i].line),
-                              "all counter-clockwise from outside");
+            throw Input_error(
+                Error_code::bad_input, name, edges[i + 1].line,
+                "a triangle is turned against the one beside it, at line " + std::to_string(edges[i].line),
+                "all counter-clockwise from outside");
         if (next - i == 1 && (open == nullptr || edges[i].line < open->line)) open = &edges[i];
         i = next;
     }
@@ -100,8 +101,9 @@ Surface_file read_surface(const std::filesystem::path& file) {
         if (corners.size() < 3) fail(faces.lines[f], "a face of " + counted(corners.size(), "corner"), "at least 3");
         for (const std::uint64_t c : corners)
             if (c >= raw.points.size())
-                fail(faces.lines[f], "a face names vertex " + std::to_string(c) + " (from 0) of " +
-                                         std::to_string(raw.points.size()), "one that is there");
+                fail(faces.lines[f],
+                     "a face names vertex " + std::to_string(c) + " (from 0) of " + std::to_string(raw.points.size()),
+                     "one that is there");
         for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
             const std::array<Index, 3> t{number(corners[0]), number(corners[k]), number(corners[k + 1])};
             if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])

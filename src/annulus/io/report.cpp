@@ -164,8 +164,9 @@ std::string report_html(const Report& report) {
     append_numbers(out, run);
     if (report.comparison) append_comparison(out, *report.comparison);
     append_pictures(out, report);
-    append_plots(out, "The mesh", mesh_plots(run),
-                 "All six dihedral angles of every cell of the domain. A sliver has one below 10 or above 170 degrees.");
+    append_plots(
+        out, "The mesh", mesh_plots(run),
+        "All six dihedral angles of every cell of the domain. A sliver has one below 10 or above 170 degrees.");
     append_plots(out, "Convergence", convergence_plots(report),
                  "Lengths in mean spacings: the square root of the area (cube root of the volume) that one vertex has "
                  "on average.");

@@ -117,7 +117,8 @@ std::vector<Plot> mesh_plots(const Run_record& run) {
                   {angles("before", *run.mesh_before)}};
     if (!run.steps.empty() && run.steps.back().mesh) dihedral.series.push_back(angles("after", *run.steps.back().mesh));
     std::vector<Plot> plots{dihedral};
-    Plot slivers{"Slivers", iteration_axis(Scale::log10), {"cells that are slivers (%)", Scale::linear, 0., {}, false}, {}};
+    Plot slivers{
+        "Slivers", iteration_axis(Scale::log10), {"cells that are slivers (%)", Scale::linear, 0., {}, false}, {}};
     Plot locked{"Locked vertices", iteration_axis(Scale::log10), {"vertices (%)", Scale::linear, 0., {}, false}, {}};
     const auto share = [](std::uint64_t part, std::uint64_t all) {
         return all > 0 ? 100 * static_cast<double>(part) / static_cast<double>(all) : 0;

@@ -11,22 +11,29 @@ using Json = nlohmann::ordered_json;
 Csv_cell cell(const std::optional<double>& value) { return value ? Csv_cell(*value) : Csv_cell(); }
 
 Json mesh_json(const Mesh_step& m) {
-    return Json{{"vertices", m.vertices},         {"boundary", m.boundary},         {"locked", m.locked},
-                {"cells", m.cells},               {"slivers", m.slivers},           {"dihedral_min", m.dihedral_min},
-                {"dihedral_max", m.dihedral_max}, {"dihedral_degrees_5", m.dihedral}};
+    return Json{{"vertices", m.vertices},
+                {"boundary", m.boundary},
+                {"locked", m.locked},
+                {"cells", m.cells},
+                {"slivers", m.slivers},
+                {"dihedral_min", m.dihedral_min},
+                {"dihedral_max", m.dihedral_max},
+                {"dihedral_degrees_5", m.dihedral}};
 }
 
 void append_mesh(std::vector<Csv_cell>& row, const Iteration_record& s) {
     const std::uint64_t failures = s.moves.asked - s.moves.within_tolerance;
     row.push_back(failures);
-    row.push_back(failures == 0 ? Csv_cell()
-                                : Csv_cell(static_cast<double>(s.certificates_evaluated) / static_cast<double>(failures)));
+    row.push_back(failures == 0
+                      ? Csv_cell()
+                      : Csv_cell(static_cast<double>(s.certificates_evaluated) / static_cast<double>(failures)));
     if (!s.mesh) {
         row.resize(row.size() + 8);
         return;
     }
     const Mesh_step& m = *s.mesh;
-    row.insert(row.end(), {m.vertices, m.boundary, m.locked, m.kept, m.cells, m.slivers, m.dihedral_min, m.dihedral_max});
+    row.insert(row.end(),
+               {m.vertices, m.boundary, m.locked, m.kept, m.cells, m.slivers, m.dihedral_min, m.dihedral_max});
 }
 
 }  // namespace
@@ -107,8 +114,8 @@ Csv_table iterations_table(const Run_record& run) {
                     "certificates_evaluated",
                     "flips"};
     if (run.mesh_before)
-        table.header.insert(table.header.end(), {"failures", "updates_per_failure", "mesh_vertices", "boundary", "locked",
-                                                 "kept", "cells", "slivers", "dihedral_min", "dihedral_max"});
+        table.header.insert(table.header.end(), {"failures", "updates_per_failure", "mesh_vertices", "boundary",
+                                                 "locked", "kept", "cells", "slivers", "dihedral_min", "dihedral_max"});
     table.rows.reserve(run.steps.size());
     for (const Iteration_record& s : run.steps) {
         table.rows.push_back(

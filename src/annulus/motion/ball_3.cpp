@@ -16,7 +16,8 @@ double dot(const Coordinates<3>& a, const Coordinates<3>& b) { return a[0] * b[0
 }  // namespace
 
 Ball_3::Ball_3(double radius) : radius_(radius) {
-    if (!(radius >= 1e-100 && radius <= 1e100)) throw Error(Error_code::usage, "the radius must be between 1e-100 and 1e100");
+    if (!(radius >= 1e-100 && radius <= 1e100))
+        throw Error(Error_code::usage, "the radius must be between 1e-100 and 1e100");
 }
 
 bool Ball_3::contains(const Coordinates<3>& p) const { return dot(p, p) < radius_ * radius_; }
@@ -54,9 +55,7 @@ std::vector<Coordinates<3>> Ball_3::surface_sample(std::size_t n, std::uint64_t 
     return points;
 }
 
-Domain_3::Box Ball_3::bounding_box() const {
-    return {{-radius_, -radius_, -radius_}, {radius_, radius_, radius_}};
-}
+Domain_3::Box Ball_3::bounding_box() const { return {{-radius_, -radius_, -radius_}, {radius_, radius_, radius_}}; }
 
 double Ball_3::volume() const { return 4 * std::numbers::pi / 3 * radius_ * radius_ * radius_; }
 

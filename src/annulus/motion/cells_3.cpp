@@ -44,7 +44,8 @@ Cells_3 linked(std::vector<std::array<Index, 4>> cells, std::size_t n) {
     for (std::size_t c = 0; c < out.size(); ++c)
         for (std::size_t i = 0; i < 4; ++i) {
             const auto v = sorted(c, i);
-            facets[begin[static_cast<std::size_t>(v[0]) + 1]++] = {v[1], v[2], static_cast<Index>(c), static_cast<Index>(i)};
+            facets[begin[static_cast<std::size_t>(v[0]) + 1]++] = {v[1], v[2], static_cast<Index>(c),
+                                                                   static_cast<Index>(i)};
         }
     const auto ends = [](const Facet& f) { return std::pair(f.middle, f.last); };
     for (std::size_t v = 0; v < n; ++v) {

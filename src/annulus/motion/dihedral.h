@@ -17,7 +17,8 @@ namespace annulus {
     for (std::size_t i = 0; i < 4; ++i) {
         const auto& o = *p[facet_corners[i][0]];
         Coordinates<3> u, v;
-        for (std::size_t k = 0; k < 3; ++k) u[k] = (*p[facet_corners[i][1]])[k] - o[k], v[k] = (*p[facet_corners[i][2]])[k] - o[k];
+        for (std::size_t k = 0; k < 3; ++k)
+            u[k] = (*p[facet_corners[i][1]])[k] - o[k], v[k] = (*p[facet_corners[i][2]])[k] - o[k];
         n[i] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
         const double length = std::sqrt(n[i][0] * n[i][0] + n[i][1] * n[i][1] + n[i][2] * n[i][2]);
         for (double& x : n[i]) x /= length;

@@ -48,7 +48,8 @@ Samples average(const Labelled_image& image, std::size_t most) {
     for (std::size_t k = 0; k < image.size[2]; ++k)
         for (std::size_t j = 0; j < image.size[1]; ++j)
             for (std::size_t i = 0; i < image.size[0]; ++i)
-                if (image.at(i, j, k) != 0) s.share[s.node(i / voxels[0] + 1, j / voxels[1] + 1, k / voxels[2] + 1)] += one;
+                if (image.at(i, j, k) != 0)
+                    s.share[s.node(i / voxels[0] + 1, j / voxels[1] + 1, k / voxels[2] + 1)] += one;
     return s;
 }
 
@@ -111,7 +112,8 @@ class Marching {
     void cut(std::array<std::size_t, 4> t) {
         // Even permutations that bring the one that differs, or the two inside, to the front.
         constexpr std::size_t first[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 0, 1, 3}, {3, 0, 2, 1}};
-        constexpr std::size_t pair[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {3, 1, 0, 2}, {2, 3, 0, 1}};
+        constexpr std::size_t pair[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
+                                            {1, 2, 0, 3}, {3, 1, 0, 2}, {2, 3, 0, 1}};
         std::size_t count = 0;
         for (const std::size_t n : t) count += inside(n);
         if (count == 0 || count == 4) return;
@@ -144,7 +146,8 @@ Triangle_surface surface_of(const Labelled_image& image, std::size_t most) {
     if (image.label.size() != image.size[0] * image.size[1] * image.size[2] || most == 0)
         throw Error(Error_code::wrong_size, "surface_of: the image has not a label for every voxel");
     Triangle_surface surface = Marching(average(image, most)).run();
-    if (surface.triangles.empty()) throw Error(Error_code::bad_input, "the image has no label but 0, or none large enough");
+    if (surface.triangles.empty())
+        throw Error(Error_code::bad_input, "the image has no label but 0, or none large enough");
     return surface;
 }
 

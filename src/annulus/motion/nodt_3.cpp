@@ -168,8 +168,8 @@ Nodt_step Nodt_3::step(const Cells_3& cells, std::span<const char> inside, std::
     }
     rest_where_equal(position, target, total.kept);
     for (std::size_t v = 0; v < n; ++v) {
-        const double moved = std::hypot(target[v][0] - position[v][0], target[v][1] - position[v][1],
-                                        target[v][2] - position[v][2]);
+        const double moved =
+            std::hypot(target[v][0] - position[v][0], target[v][1] - position[v][1], target[v][2] - position[v][2]);
         total.mean_displacement += moved;
         total.max_displacement = std::max(total.max_displacement, moved);
     }

@@ -76,7 +76,8 @@ void sort_along_curve(std::vector<Coordinates<2>>& points, const Domain_2::Box& 
     std::vector<std::pair<std::uint64_t, Coordinates<2>>> keyed;
     keyed.reserve(points.size());
     const auto cell = [&](double c, std::size_t k) {
-        return static_cast<std::uint64_t>(65535.0 * std::clamp((c - box.lower[k]) / (box.upper[k] - box.lower[k]), 0.0, 1.0));
+        return static_cast<std::uint64_t>(65535.0 *
+                                          std::clamp((c - box.lower[k]) / (box.upper[k] - box.lower[k]), 0.0, 1.0));
     };
     for (const auto& p : points) keyed.emplace_back(spread_bits(cell(p[0], 0)) | (spread_bits(cell(p[1], 1)) << 1), p);
     std::sort(keyed.begin(), keyed.end());

@@ -62,7 +62,10 @@ Mesh mesh_of(const Triangle_surface& s) {
 
 struct Surface_3::Tree {
     explicit Tree(const Triangle_surface& s)
-        : surface(s), mesh(mesh_of(s)), tree(faces(mesh).first, faces(mesh).second, mesh), box(box_of(s)),
+        : surface(s),
+          mesh(mesh_of(s)),
+          tree(faces(mesh).first, faces(mesh).second, mesh),
+          box(box_of(s)),
           marks(box, std::clamp<std::size_t>(20 * s.triangles.size(), 32'768, 2'097'152)) {
         tree.build();
         tree.accelerate_distance_queries();
@@ -138,7 +141,8 @@ std::optional<Coordinates<3>> Surface_3::crossing(const Coordinates<3>& a, const
     if (!hit) return std::nullopt;
     // On a segment that is long compared with the surface the rounding of a crossing is, too: back onto the surface.
     if (const K::Point_3* p = boost::get<K::Point_3>(&hit->first)) return project(ours(*p));
-    if (const K::Segment_3* s = boost::get<K::Segment_3>(&hit->first)) return ours(CGAL::midpoint(s->source(), s->target()));
+    if (const K::Segment_3* s = boost::get<K::Segment_3>(&hit->first))
+        return ours(CGAL::midpoint(s->source(), s->target()));
     return std::nullopt;
 }
 
@@ -149,7 +153,8 @@ std::vector<Coordinates<3>> Surface_3::surface_sample(std::size_t n, std::uint64
     std::vector<Coordinates<3>> points;
     for (std::size_t i = 0; i < n; ++i) {
         const auto found = std::upper_bound(areas.begin(), areas.end(), unit() * areas.back());
-        const auto& t = tree_->surface.triangles[std::min(static_cast<std::size_t>(found - areas.begin()), areas.size() - 1)];
+        const auto& t =
+            tree_->surface.triangles[std::min(static_cast<std::size_t>(found - areas.begin()), areas.size() - 1)];
         double s = unit(), u = unit();
         if (s + u > 1) s = 1 - s, u = 1 - u;  // fold the parallelogram onto the triangle
         const K::Point_3 p = tree_->corner(t, 0);

@@ -24,7 +24,9 @@ class Expiry {
     /// reading >= this->reading(): as this one's lower half is 0, the upper halves tell. Precondition: reading >= 0.
     [[nodiscard]] constexpr bool reached(double reading) const { return !(lower(reading) < *this); }
     friend constexpr bool operator==(const Expiry&, const Expiry&) = default;
-    friend constexpr std::strong_ordering operator<=>(const Expiry& l, const Expiry& r) { return l.bits() <=> r.bits(); }
+    friend constexpr std::strong_ordering operator<=>(const Expiry& l, const Expiry& r) {
+        return l.bits() <=> r.bits();
+    }
 
   private:
     constexpr explicit Expiry(Upper_half half) : half_(half) {}

@@ -20,7 +20,8 @@ void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     failed_.clear();
     const std::array<Index, 1> movers{v};
     const bool tracked = tracks_;
-    if (!covers(p) || !tracks_) settle(position_, report);  // so far out that nobody can be there: this call will not fail
+    if (!covers(p) || !tracks_)
+        settle(position_, report);  // so far out that nobody can be there: this call will not fail
     if (passes(v, p)) {
         position_[at(v)] = p;
         embedding_.set_point(v, p);
@@ -142,7 +143,8 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index
     auto outcome = Repair<d>::Outcome::flipped;
     if (!everything) find_expired(x);
     try {
-        if (!(everything ? repair_.evaluate_everything() : repair_.evaluate())) outcome = repair_.mend(position_, movers);
+        if (!(everything ? repair_.evaluate_everything() : repair_.evaluate()))
+            outcome = repair_.mend(position_, movers);
     } catch (...) {
         if (!everything) undo_anchoring();
         throw;

@@ -41,7 +41,9 @@ template <int d>
 class Filter {
   public:
     Filter(Embedding<d>& embedding, Tolerance_kind kind, Second_look look)
-        : embedding_(embedding), table_(embedding.table()), repair_(embedding, kind, kind == Tolerance_kind::certified),
+        : embedding_(embedding),
+          table_(embedding.table()),
+          repair_(embedding, kind, kind == Tolerance_kind::certified),
           look_(d == 2 ? look : Second_look::off) {}
 
     /// Whether reports list the cells that changed.
@@ -140,12 +142,9 @@ class Filter {
     void begin_anchoring();
     void undo_anchoring();
     [[nodiscard]] bool second_look(Index f, std::span<const Coordinates<d>> x);
-    [[nodiscard]] bool unequal_moves(Index f, std::span<const Coordinates<d>> x)
-        requires(d == 2);
-    [[nodiscard]] bool safe_region(Index f, std::span<const Coordinates<d>> x)
-        requires(d == 2);
-    void keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x)
-        requires(d == 2);
+    [[nodiscard]] bool unequal_moves(Index f, std::span<const Coordinates<d>> x) requires(d == 2);
+    [[nodiscard]] bool safe_region(Index f, std::span<const Coordinates<d>> x) requires(d == 2);
+    void keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x) requires(d == 2);
     /// Looks at one certificate of v: expired at this reading, or else back on the list.
     void look_at(Index id, Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
     void tour(Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
@@ -185,14 +184,14 @@ class Filter {
     std::vector<Expiry_list> list_;  // by vertex
     std::vector<Facet_record> facet_record_;
     std::vector<Cell_record> cell_record_;
-    std::vector<Facet_kind> kind_;        // by facet
-    std::vector<Time> facet_until_;       // by facet and by cell: last time of the term of the record
+    std::vector<Facet_kind> kind_;   // by facet
+    std::vector<Time> facet_until_;  // by facet and by cell: last time of the term of the record
     std::vector<Time> cell_until_;
     std::vector<double> tolerance_;       // by facet, when there are second looks; 0: no second look
     std::vector<Delimiter_2> delimiter_;  // by facet, for the second look that needs it
     // Of one step:
     std::vector<Index> failed_;
-    std::vector<Failed> before_;  // of failed_, what they were before the step
+    std::vector<Failed> before_;                          // of failed_, what they were before the step
     std::vector<std::pair<Expiry, Index>> certificates_;  // of one vertex: expiry and id
     std::vector<Index> anchored_;
     std::vector<Renewal> renewals_;

@@ -195,10 +195,10 @@ void Filter<d>::commit_evaluated(std::span<const Coordinates<d>> x) {
         kind_[at(s.id)] = s.kind;
         if (look_ != Second_look::off) tolerance_[at(s.id)] = s.verdict.tolerance;
         if constexpr (d == 2)
-            if (look_ == Second_look::safe_region && s.kind == Facet_kind::empty_sphere) keep_delimiter(s.id, s.point, x);
-        facet_until_[at(s.id)] = s.kind == Facet_kind::border
-                                     ? Prediction<d>::forever
-                                     : commit_points<fresh>(s, id_of_facet(s.id), r.expiry, x);
+            if (look_ == Second_look::safe_region && s.kind == Facet_kind::empty_sphere)
+                keep_delimiter(s.id, s.point, x);
+        facet_until_[at(s.id)] = s.kind == Facet_kind::border ? Prediction<d>::forever
+                                                              : commit_points<fresh>(s, id_of_facet(s.id), r.expiry, x);
     }
     for (const auto& s : repair_.cells()) {
         if (!repair_.exists(s)) continue;

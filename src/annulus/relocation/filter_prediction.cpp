@@ -15,7 +15,7 @@ constexpr double settling_price = 0.8;  // a vertex
 // Of a certificate that the outlook lets expire, which is more than do.
 constexpr double resting_price = 0.74;
 constexpr double predicted_price = 0.38;
-constexpr std::size_t patience = 3;     // failures a vertex after which another prediction is considered
+constexpr std::size_t patience = 3;          // failures a vertex after which another prediction is considered
 constexpr std::uint64_t check_interval = 8;  // steps without tolerances, between looks whether they would pay
 }  // namespace
 
@@ -31,7 +31,8 @@ bool Filter<d>::too_dear() const {
 template <int d>
 void Filter<d>::note_expenses(std::uint64_t evaluated) {
     spent_ += failed_.size();
-    const double price = failure_price * static_cast<double>(failed_.size()) + evaluation_price * static_cast<double>(evaluated);
+    const double price =
+        failure_price * static_cast<double>(failed_.size()) + evaluation_price * static_cast<double>(evaluated);
     overdraft_ += std::max(0.0, price - signs_price * static_cast<double>(embedding_.vertices()));
 }
 
@@ -44,8 +45,7 @@ void Filter<d>::note_displacements(std::span<const Coordinates<d>> x) {
     this_step_.resize(x.size());
     for (std::size_t v = 0; v < x.size(); ++v)
         if (table_.corner_of(static_cast<Index>(v)) != none)
-            for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k)
-                this_step_[v][k] = x[v][k] - position_[v][k];
+            for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) this_step_[v][k] = x[v][k] - position_[v][k];
 }
 
 /// By a sample of facets. At rest a certificate of tolerance s expires after s / max |u| steps. Under a prediction its term
@@ -75,9 +75,12 @@ auto Filter<d>::outlook(double pace, Move_report& report) -> Outlook {
         }
         const double rho = Prediction<d>::spread(s.point, [this](Index v) { return this_step_[at(v)]; });
         const double room = s.verdict.tolerance;
-        const auto rate = [](double cost, double budget) { return cost < budget ? cost / budget : cost > 0.0 ? 1.0 : 0.0; };
+        const auto rate = [](double cost, double budget) {
+            return cost < budget ? cost / budget : cost > 0.0 ? 1.0 : 0.0;
+        };
         sum.resting += rate(std::sqrt(fastest), room);
-        sum.predicted += std::max(rate(rho, (1.0 - share) * room), std::sqrt(rate(std::sqrt(change), 2.0 * share * room)));
+        sum.predicted +=
+            std::max(rate(rho, (1.0 - share) * room), std::sqrt(rate(std::sqrt(change), 2.0 * share * room)));
         ++sampled;
     }
     const double scale = 1.0 / static_cast<double>(std::max<std::size_t>(sampled, 1));

@@ -38,13 +38,14 @@ class Moving_delaunay {
     using Point = typename Cgal::Point;
     using Vertex_handle = typename Cgal::Vertex_handle;
 
-    explicit Moving_delaunay(const Options& options = {}) : Moving_delaunay(std::span<const Coordinates<d>>{}, options) {}
+    explicit Moving_delaunay(const Options& options = {})
+        : Moving_delaunay(std::span<const Coordinates<d>>{}, options) {}
 
     /// Builds from CGAL points; vertex(i) is the i-th. O(n log n).
     /// Throws not_finite, out_of_domain, collision (unless options.merge_duplicates), environment.
     template <std::input_iterator It>
-        requires std::is_convertible_v<typename std::iterator_traits<It>::value_type, Point>
-    Moving_delaunay(It first, It last, const Options& options = {})
+    requires std::is_convertible_v<typename std::iterator_traits<It>::value_type, Point> Moving_delaunay(
+        It first, It last, const Options& options = {})
         : Moving_delaunay(std::span<const Coordinates<d>>(coordinates(first, last)), options) {}
     /// The same from plain coordinates.
     explicit Moving_delaunay(std::span<const Coordinates<d>> points, const Options& options = {});
@@ -54,9 +55,7 @@ class Moving_delaunay {
 
     /// Moves one vertex. Expected O(degree) for a short way. Throws not_finite, out_of_domain, collision,
     /// unknown_vertex.
-    Move_report move(Vertex_handle v, const Point& p) {
-        return move(index(v), Cgal::coordinates(p));
-    }
+    Move_report move(Vertex_handle v, const Point& p) { return move(index(v), Cgal::coordinates(p)); }
     Move_report move(Index i, const Coordinates<d>& p);
 
     /// Moves every vertex: points[i] is the new position of vertex i; what stands at a vacant index is ignored.
@@ -64,8 +63,8 @@ class Moving_delaunay {
     /// not_finite, out_of_domain, collision.
     Move_report move_all(std::span<const Coordinates<d>> points);
     template <class Range>
-        requires std::is_convertible_v<decltype(*std::begin(std::declval<const Range&>())), Point>
-    Move_report move_all(const Range& points) {
+    requires std::is_convertible_v<decltype(*std::begin(std::declval<const Range&>())), Point> Move_report
+    move_all(const Range& points) {
         return move_all(std::span<const Coordinates<d>>(coordinates(std::begin(points), std::end(points))));
     }
 
@@ -135,9 +134,7 @@ class Moving_delaunay {
     [[nodiscard]] bool filters_each() const { return strategy_ == Strategy::filter_each; }
     [[nodiscard]] std::size_t position_count() const { return positions().size(); }
     [[nodiscard]] Coordinates<d> fixed_coordinates(Index v) const {
-        return filters()        ? filter_.fixed_position(v)
-               : filters_each() ? filter_each_.fixed_position(v)
-                                : plain_[at(v)];
+        return filters() ? filter_.fixed_position(v) : filters_each() ? filter_each_.fixed_position(v) : plain_[at(v)];
     }
     [[noreturn]] static void refuse_handle();
     void require_vertex(Index i) const;

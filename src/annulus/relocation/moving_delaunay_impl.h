@@ -124,9 +124,9 @@ void Moving_delaunay<Cgal>::move_plain(Index i, const Coordinates<d>& p, Move_re
         if (!done) throw refused();
     }
     ++report.moves.asked;
-    ++(in_place                                       ? report.moves.kept_in_place
-       : strategy_ == Strategy::relocate_flips        ? report.moves.flipped
-                                                      : report.moves.reinserted);
+    ++(in_place                                ? report.moves.kept_in_place
+       : strategy_ == Strategy::relocate_flips ? report.moves.flipped
+                                               : report.moves.reinserted);
     plain_[at(i)] = p;
     if (!in_place) list_everything(report);
 }
@@ -191,8 +191,8 @@ void Moving_delaunay<Cgal>::move_each(std::span<const Coordinates<d>> x, Move_re
     try {
         try_move_each(x, report);
     } catch (const Error&) {
-        embedding_.rebuild(filters_each() ? (options_.tolerance == Tolerance_kind::certified ? saved.position : saved.fixed)
-                                          : old);
+        embedding_.rebuild(
+            filters_each() ? (options_.tolerance == Tolerance_kind::certified ? saved.position : saved.fixed) : old);
         plain_ = old;
         filter_each_.restore(saved);
         throw;
@@ -320,9 +320,8 @@ template <class Cgal>
 void Moving_delaunay<Cgal>::list_everything(Move_report& report) const {
     if (!options_.report_changes) return;
     report.changed.clear();
-    embedding_.for_each_finite_cell([&](const auto& cell) {
-        report.changed.insert(report.changed.end(), cell.begin(), cell.end());
-    });
+    embedding_.for_each_finite_cell(
+        [&](const auto& cell) { report.changed.insert(report.changed.end(), cell.begin(), cell.end()); });
 }
 
 template <class Cgal>
@@ -333,7 +332,8 @@ void Moving_delaunay<Cgal>::list_changes(Move_report& report, std::span<const In
         return;
     }
     for (const Index c : cells)
-        for (int k = 0; k <= d; ++k) report.changed.push_back(embedding_.table().vertex(embedding_.table().corner(c, k)));
+        for (int k = 0; k <= d; ++k)
+            report.changed.push_back(embedding_.table().vertex(embedding_.table().corner(c, k)));
 }
 
 template <class Cgal>

@@ -19,9 +19,9 @@ template <int d>
 struct Vertex_record {
     using Time = std::uint32_t;
 
-    Coordinates<d> fixed{};  ///< fixed position, at time `since`
+    Coordinates<d> fixed{};                                     ///< fixed position, at time `since`
     std::array<float, static_cast<std::size_t>(d)> velocity{};  ///< in units of Prediction::speed() a tick
-    Upper_half threshold;    ///< squared, compared with |moving - expected|^2
+    Upper_half threshold;                                       ///< squared, compared with |moving - expected|^2
     Time since = 0;
 
     /// Where the vertex is expected at time `now`: its fixed position when nothing is predicted. `speed` is that of the
@@ -149,11 +149,11 @@ class Prediction {
     [[nodiscard]] Term term(const Points& points, double tolerance, std::span<const Vertex_record<d>> vertices) const {
         if (!active_) return {tolerance, forever};
         const double rho = speed_ * spread(points, [vertices](Index v) {
-            Coordinates<d> u;
-            for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k)
-                u[k] = static_cast<double>(vertices[static_cast<std::size_t>(v)].velocity[k]);
-            return u;
-        });
+                               Coordinates<d> u;
+                               for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k)
+                                   u[k] = static_cast<double>(vertices[static_cast<std::size_t>(v)].velocity[k]);
+                               return u;
+                           });
         if (rho == 0.0) return {tolerance, forever};
         const double ticks = (1.0 - deviation_share) * tolerance / rho * (1.0 - 0x1p-40);
         const double most = (horizon - 2) * ticks_a_day;

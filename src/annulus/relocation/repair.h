@@ -133,19 +133,14 @@ class Repair {
     Progress run_flips();
     bool unfold(Index c);
     [[nodiscard]] bool border_winds_once() const;
-    bool flip_is_simplicial(Index h) const
-        requires(d == 2);
-    void flip(Index h)
-        requires(d == 2);
+    bool flip_is_simplicial(Index h) const requires(d == 2);
+    void flip(Index h) requires(d == 2);
     /// In space: makes the flip; `created` receives its new cells. The new cells may be inverted.
-    void flip(const Flip_3& flip, std::vector<Index>& created)
-        requires(d == 3);
+    void flip(const Flip_3& flip, std::vector<Index>& created) requires(d == 3);
     /// Makes a flip that mends the violated facet at half-facet h, if there is one that leaves all its cells positive.
-    [[nodiscard]] bool mend_facet(Index h)
-        requires(d == 3);
+    [[nodiscard]] bool mend_facet(Index h) requires(d == 3);
     /// The number of these cells that are not positive; infinite ones are.
-    [[nodiscard]] std::size_t inverted_among(std::span<const Cell_points<d>> cells) const
-        requires(d == 3);
+    [[nodiscard]] std::size_t inverted_among(std::span<const Cell_points<d>> cells) const requires(d == 3);
     /// Takes all flips of the log back, the last one first.
     void take_back_flips();
     void undo_flips();
@@ -160,7 +155,7 @@ class Repair {
     Embedding<d>& embedding_;
     Tolerance_kind kind_;
     bool trusted_;
-    bool many_ = true;        // vertices moved
+    bool many_ = true;         // vertices moved
     bool everything_ = false;  // is examined: evaluate_everything
     std::span<const Coordinates<d>> x_;
     std::vector<Facet_suspect> facets_;
@@ -171,8 +166,8 @@ class Repair {
     std::vector<Index> detached_;
     std::vector<Index> changed_;  // cells, some perhaps gone again; not kept up once all are rebuilt
     bool rebuilt_ = false;
-    std::vector<Index> queue_;     // facets to look at
-    std::vector<Index> inverted_;  // cells to unfold
+    std::vector<Index> queue_;         // facets to look at
+    std::vector<Index> inverted_;      // cells to unfold
     std::vector<Flip_record<d>> log_;  // every flip, in order
     std::vector<Index> unresolved_;
     Move_report report_;

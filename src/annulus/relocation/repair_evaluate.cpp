@@ -17,9 +17,8 @@ constexpr double no_limit = std::numeric_limits<double>::infinity();
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 template <int d, std::size_t k, std::size_t n>
-Tuple<d, static_cast<int>(k)> tuple(const std::array<Index, n>& point, std::span<const Coordinates<d>> x)
-    requires(k <= n)
-{
+Tuple<d, static_cast<int>(k)> tuple(const std::array<Index, n>& point,
+                                    std::span<const Coordinates<d>> x) requires(k <= n) {
     Tuple<d, static_cast<int>(k)> t{};
     for (std::size_t i = 0; i < k; ++i) t[i] = &x[at(point[i])];
     return t;
@@ -159,9 +158,9 @@ bool Repair<d>::evaluate() {
     if (std::any_of(cells_.begin(), cells_.end(), fails) || std::any_of(facets_.begin(), facets_.end(), fails))
         return false;
     if (!many_) return true;
-    const bool in_doubt = everything_ || (d == 2 && !cells_.empty()) || std::any_of(facets_.begin(), facets_.end(), [](const auto& s) {
-        return s.kind == Facet_kind::ridge;
-    });
+    const bool in_doubt =
+        everything_ || (d == 2 && !cells_.empty()) ||
+        std::any_of(facets_.begin(), facets_.end(), [](const auto& s) { return s.kind == Facet_kind::ridge; });
     return !in_doubt || border_winds_once();
 }
 

@@ -11,7 +11,8 @@ namespace annulus {
 template <int d>
 bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
     if constexpr (d == 2) {
-        if (kind_[at(f)] != Facet_kind::empty_sphere || !(tolerance_[at(f)] > 0.0) || prediction_.active()) return false;
+        if (kind_[at(f)] != Facet_kind::empty_sphere || !(tolerance_[at(f)] > 0.0) || prediction_.active())
+            return false;
         return look_ == Second_look::unequal_moves ? unequal_moves(f, x)
                : look_ == Second_look::safe_region ? safe_region(f, x)
                                                    : false;
@@ -23,9 +24,7 @@ bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
 /// The delimiter kept with the certificate still separates; every point may then move as far as the circle is. The
 /// renewal holds these distances; commit_renewals() anchors the points where they are and makes expiries of them.
 template <int d>
-bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x)
-    requires(d == 2)
-{
+bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x) requires(d == 2) {
     const Facet_record& r = facet_record_[at(f)];
     Tuple<d, d + 2> points{};
     for (std::size_t k = 0; k < r.point.size(); ++k) points[k] = &x[at(r.point[k])];
@@ -47,9 +46,7 @@ bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x)
 /// new expiries ref + dA + rest / 2 and ref + dB + rest / 2, which commit_renewals() writes. A renewed record has tolerance 0:
 /// its next failure is an evaluation.
 template <int d>
-bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x)
-    requires(d == 2)
-{
+bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x) requires(d == 2) {
     const Facet_record& r = facet_record_[at(f)];
     const double tolerance = tolerance_[at(f)];
     std::array<double, 2> travelled{};
@@ -78,9 +75,8 @@ bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x)
 }
 
 template <int d>
-void Filter<d>::keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x)
-    requires(d == 2)
-{
+void Filter<d>::keep_delimiter(Index f, const Facet_points<d>& point,
+                               std::span<const Coordinates<d>> x) requires(d == 2) {
     if (at(f) >= delimiter_.size()) delimiter_.resize(facet_record_.size());
     Tuple<d, d + 2> points{};
     for (std::size_t k = 0; k < point.size(); ++k) points[k] = &x[at(point[k])];

@@ -11,7 +11,8 @@
 
 namespace annulus {
 
-Mesh_quality mesh_quality(const Cells_3& cells, std::span<const char> inside, std::span<const Coordinates<3>> position) {
+Mesh_quality mesh_quality(const Cells_3& cells, std::span<const char> inside,
+                          std::span<const Coordinates<3>> position) {
     if (inside.size() != cells.size()) throw Error(Error_code::wrong_size, "mesh_quality needs a flag for every cell");
     Mesh_quality q;
     std::vector<char> kind(position.size(), 0);

@@ -112,8 +112,7 @@ Audit_result audit_plane(Plane_judge& judge, std::size_t n, const std::vector<st
         const int turn = judge.turn(a, b->second, c->second);
         const int before = judge.half_plane(a, b->second);
         const int after = judge.half_plane(b->second, c->second);
-        if (turn < 0)
-            fault(r, r.concave_ridges, named(r, "border not convex at", {a, b->second, c->second}));
+        if (turn < 0) fault(r, r.concave_ridges, named(r, "border not convex at", {a, b->second, c->second}));
         if (turn == 0 && before != after)
             fault(r, r.concave_ridges, named(r, "border folds back at", {a, b->second, c->second}));
         if (before < 0 && after > 0) ++turns;
@@ -142,7 +141,8 @@ Audit_result audit(const Audit_input<2>& in, Index first_index) {
     // Points that span no area: all collinear, and the edges join neighbours on the line.
     for (std::size_t i = 2; i < order.size(); ++i)
         if (judge.turn(order[0], order[1], order[i]) != 0)
-            fault(r, r.topological_faults, named(r, "no triangle, but not collinear with the rest: vertex", {order[i]}));
+            fault(r, r.topological_faults,
+                  named(r, "no triangle, but not collinear with the rest: vertex", {order[i]}));
     expect_chain(in.cells, order, r);
     return r;
 }

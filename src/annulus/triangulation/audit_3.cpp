@@ -139,7 +139,8 @@ Audit_result audit(const Audit_input<3>& in, Index first_index) {
     std::vector<std::uint64_t> edges;
     for (const Cell& c : in.cells) {
         if (*std::min_element(c.begin(), c.end()) < 0 || at(*std::max_element(c.begin(), c.end())) >= n) {
-            fault(r, r.topological_faults, named(r, "a cell names a vertex that is not there:", {c[0], c[1], c[2], c[3]}));
+            fault(r, r.topological_faults,
+                  named(r, "a cell names a vertex that is not there:", {c[0], c[1], c[2], c[3]}));
             return r;
         }
         for (const Index v : c) used[at(v)] = 1;

@@ -64,9 +64,7 @@ class Cell_table {
     /// Calls visit(h) for each corner h whose vertex is v, which may be `infinite`. O(degree); counter-clockwise in 2D, in
     /// no particular order in 3D. The table must not change meanwhile.
     template <class Visit>
-    void for_each_corner(Index v, Visit visit) const
-        requires(d == 3)
-    {
+    void for_each_corner(Index v, Visit visit) const requires(d == 3) {
         std::vector<Index> star = std::move(star_);  // visits may nest: each has a vector of its own
         star.clear();
         const auto enter = [&](Index h) {
@@ -89,9 +87,7 @@ class Cell_table {
         star_ = std::move(star);
     }
     template <class Visit>
-    void for_each_corner(Index v, Visit visit) const
-        requires(d == 2)
-    {
+    void for_each_corner(Index v, Visit visit) const requires(d == 2) {
         const Index first = corner_of(v);
         Index h = first;
         do {
@@ -102,9 +98,7 @@ class Cell_table {
     }
 
     /// 2D: the corner of the same vertex in the next triangle counter-clockwise.
-    [[nodiscard]] Index next_around(Index h) const
-        requires(d == 2)
-    {
+    [[nodiscard]] Index next_around(Index h) const requires(d == 2) {
         const Index t = twin(ccw(h));
         return ccw(t);
     }
@@ -130,14 +124,11 @@ class Cell_table {
 
     /// 2D: replaces the edge opposite to corner h by the other diagonal of its bi-cell, corner for corner as CGAL's
     /// `flip(face, i)` does. Precondition: the opposite vertices are not adjacent.
-    void flip(Index h)
-        requires(d == 2);
+    void flip(Index h) requires(d == 2);
 
     /// 3D: the next cell around an edge. h and k are the two corners of one cell whose vertices are not on the edge; on
     /// return they are those of the cell across the facet opposite to k, and k is again the one to go on with.
-    void turn(Index& h, Index& k) const
-        requires(d == 3)
-    {
+    void turn(Index& h, Index& k) const requires(d == 3) {
         const Index t = twin(k);
         const Index c = cell_of(t);
         const int i = slot(c, vertex(h));
@@ -223,9 +214,7 @@ void Cell_table<d>::free_facet(Index f) {
 }
 
 template <int d>
-void Cell_table<d>::flip(Index h)
-    requires(d == 2)
-{
+void Cell_table<d>::flip(Index h) requires(d == 2) {
     const Index t = twin(h);
     const Index a = vertex(ccw(h));
     const Index b = vertex(cw(h));

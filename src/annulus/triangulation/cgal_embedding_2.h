@@ -90,7 +90,7 @@ class Cgal_embedding_2 final : public Embedding<2> {
 
     Triangulation tr_;
     Cgal_mirror_2<Triangulation> mirror_{tr_};
-    std::vector<Vertex_handle> handle_;  // by vertex; default for a vacant index
+    std::vector<Vertex_handle> handle_;              // by vertex; default for a vacant index
     std::vector<std::pair<Index, Index>> detached_;  // vertex and a neighbour it had
     bool mirrored_ = false;
     double handle_seconds_ = 0.0;

@@ -65,7 +65,8 @@ class Cgal_embedding_3 final : public Embedding<3> {
 
     /// The paper's baseline: locate, insert, remove, with v's handle kept. False when another vertex is at p.
     [[nodiscard]] bool relocate(Index v, const Coordinates<3>& p);
-    /// The same by CGAL's own `move_if_no_collision`, which in space always inserts and removes (paper 3.1 has no more).
+    /// In place where no topological change is needed, else the same: paper 3.1 has no flips in space. Not CGAL's
+    /// `move_if_no_collision`, whose insertion into a star it has just made crashes on degenerate input (5.5).
     [[nodiscard]] bool relocate_by_flips(Index v, const Coordinates<3>& p);
     /// Writes v's point when no topological change is needed. False, with nothing changed, when one is.
     [[nodiscard]] bool update_in_place(Index v, const Coordinates<3>& p);

@@ -73,8 +73,7 @@ bool Cgal_embedding_3<Info>::relocate(Index v, const Coordinates<3>& p) {
 
 template <class Info>
 bool Cgal_embedding_3<Info>::relocate_by_flips(Index v, const Coordinates<3>& p) {
-    if (tr_.dimension() != 3) return relocate(v, p);
-    return tr_.move_if_no_collision(handle_[at(v)], point(p)) == handle_[at(v)];
+    return update_in_place(v, p) || relocate(v, p);
 }
 
 /// All certificates of v are evaluated; where only one vertex moves and its cells stay positive nothing can wind twice.

@@ -51,9 +51,7 @@ class Indexed_face_base_2 : public Fb {
 };
 
 template <class Info>
-using Delaunay_2 =
-    CGAL::Delaunay_triangulation_2<Kernel,
-                                   CGAL::Triangulation_data_structure_2<Indexed_vertex_base_2<Info, Kernel>,
-                                                                        Indexed_face_base_2<Kernel>>>;
+using Delaunay_2 = CGAL::Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<Indexed_vertex_base_2<Info, Kernel>, Indexed_face_base_2<Kernel>>>;
 
 }  // namespace annulus
