@@ -142,9 +142,9 @@ class Filter {
     void begin_anchoring();
     void undo_anchoring();
     [[nodiscard]] bool second_look(Index f, std::span<const Coordinates<d>> x);
-    [[nodiscard]] bool unequal_moves(Index f, std::span<const Coordinates<d>> x) requires(d == 2);
-    [[nodiscard]] bool safe_region(Index f, std::span<const Coordinates<d>> x) requires(d == 2);
-    void keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x) requires(d == 2);
+    [[nodiscard]] bool unequal_moves(Index f, std::span<const Coordinates<d>> x);
+    [[nodiscard]] bool safe_region(Index f, std::span<const Coordinates<d>> x);
+    void keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x);
     /// Looks at one certificate of v: expired at this reading, or else back on the list.
     void look_at(Index id, Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
     void tour(Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);

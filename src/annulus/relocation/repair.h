@@ -133,14 +133,14 @@ class Repair {
     Progress run_flips();
     bool unfold(Index c);
     [[nodiscard]] bool border_winds_once() const;
-    bool flip_is_simplicial(Index h) const requires(d == 2);
-    void flip(Index h) requires(d == 2);
+    bool flip_is_simplicial(Index h) const;
+    void flip(Index h);
     /// In space: makes the flip; `created` receives its new cells. The new cells may be inverted.
-    void flip(const Flip_3& flip, std::vector<Index>& created) requires(d == 3);
+    void flip(const Flip_3& flip, std::vector<Index>& created);
     /// Makes a flip that mends the violated facet at half-facet h, if there is one that leaves all its cells positive.
-    [[nodiscard]] bool mend_facet(Index h) requires(d == 3);
+    [[nodiscard]] bool mend_facet(Index h);
     /// The number of these cells that are not positive; infinite ones are.
-    [[nodiscard]] std::size_t inverted_among(std::span<const Cell_points<d>> cells) const requires(d == 3);
+    [[nodiscard]] std::size_t inverted_among(std::span<const Cell_points<d>> cells) const;
     /// Takes all flips of the log back, the last one first.
     void take_back_flips();
     void undo_flips();

@@ -210,7 +210,8 @@ bool Repair<2>::evaluate_everything() {
         const auto opposite = [&](int i) { return t.vertex(t.twin(t.corner(c, i))); };
         // At infinity a corner stands in, of which nothing can be said.
         const auto excludes = [&](int i) { return circle.excludes(x_[at(opposite(i) < 0 ? v[0] : opposite(i))]); };
-        if (positive & excludes(0) & excludes(1) & excludes(2)) [[likely]] {
+        const std::array<bool, 3> outside{excludes(0), excludes(1), excludes(2)};
+        if (positive + outside[0] + outside[1] + outside[2] == 4) [[likely]] {
             held += 5;  // a cell and half of three facets, twice
             continue;
         }
@@ -218,7 +219,7 @@ bool Repair<2>::evaluate_everything() {
         if (!positive) suspect_cell(c);
         for (int i = 0; i < 3; ++i) {
             if (opposite(i) == infinite) continue;
-            if (positive && excludes(i)) {
+            if (positive && outside[static_cast<std::size_t>(i)]) {
                 ++held;
             } else {
                 suspect_facet(t.facet(t.corner(c, i)));

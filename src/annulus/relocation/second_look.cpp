@@ -24,21 +24,25 @@ bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
 /// The delimiter kept with the certificate still separates; every point may then move as far as the circle is. The
 /// renewal holds these distances; commit_renewals() anchors the points where they are and makes expiries of them.
 template <int d>
-bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x) requires(d == 2) {
-    const Facet_record& r = facet_record_[at(f)];
-    Tuple<d, d + 2> points{};
-    for (std::size_t k = 0; k < r.point.size(); ++k) points[k] = &x[at(r.point[k])];
-    Renewal renewal{f, {}};
-    std::array<double, static_cast<std::size_t>(d + 2)> room{};
-    if (!safe_region_lower(delimiter_[at(f)], points, room)) return false;
-    for (std::size_t k = 0; k < room.size(); ++k) {
-        if (!(room[k] > 0.25 * tolerance_[at(f)])) return false;  // too little to live on until the next step
-        renewal.expiry[k] = room[k];
-        const double now = reading(r.point[k], x[at(r.point[k])]);
-        if (!(now < Expiry::lower(sum_lower(now, room[k])).reading())) return false;  // rounded away
+bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x) {
+    if constexpr (d == 2) {
+        const Facet_record& r = facet_record_[at(f)];
+        Tuple<d, d + 2> points{};
+        for (std::size_t k = 0; k < r.point.size(); ++k) points[k] = &x[at(r.point[k])];
+        Renewal renewal{f, {}};
+        std::array<double, static_cast<std::size_t>(d + 2)> room{};
+        if (!safe_region_lower(delimiter_[at(f)], points, room)) return false;
+        for (std::size_t k = 0; k < room.size(); ++k) {
+            if (!(room[k] > 0.25 * tolerance_[at(f)])) return false;  // too little to live on until the next step
+            renewal.expiry[k] = room[k];
+            const double now = reading(r.point[k], x[at(r.point[k])]);
+            if (!(now < Expiry::lower(sum_lower(now, room[k])).reading())) return false;  // rounded away
+        }
+        renewals_.push_back(renewal);
+        return true;
+    } else {
+        return false;
     }
-    renewals_.push_back(renewal);
-    return true;
 }
 
 /// Whether facet f's certificate is proved at x by the unequal moves of its two sides (theory 2): the sides travelled
@@ -46,7 +50,7 @@ bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x) requires
 /// new expiries ref + dA + rest / 2 and ref + dB + rest / 2, which commit_renewals() writes. A renewed record has tolerance 0:
 /// its next failure is an evaluation.
 template <int d>
-bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x) requires(d == 2) {
+bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x) {
     const Facet_record& r = facet_record_[at(f)];
     const double tolerance = tolerance_[at(f)];
     std::array<double, 2> travelled{};
@@ -76,11 +80,13 @@ bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x) requir
 
 template <int d>
 void Filter<d>::keep_delimiter(Index f, const Facet_points<d>& point,
-                               std::span<const Coordinates<d>> x) requires(d == 2) {
-    if (at(f) >= delimiter_.size()) delimiter_.resize(facet_record_.size());
-    Tuple<d, d + 2> points{};
-    for (std::size_t k = 0; k < point.size(); ++k) points[k] = &x[at(point[k])];
-    delimiter_[at(f)] = standard_delimiter(points);
+                               std::span<const Coordinates<d>> x) {
+    if constexpr (d == 2) {
+        if (at(f) >= delimiter_.size()) delimiter_.resize(facet_record_.size());
+        Tuple<d, d + 2> points{};
+        for (std::size_t k = 0; k < point.size(); ++k) points[k] = &x[at(point[k])];
+        delimiter_[at(f)] = standard_delimiter(points);
+    }
 }
 
 template class Filter<2>;
