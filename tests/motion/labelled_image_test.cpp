@@ -31,7 +31,7 @@ Labelled_image image_of(const std::array<std::size_t, 3>& size, const Coordinate
 }  // namespace
 
 TEST_CASE("the surface of a voxel ball is closed, and encloses the ball", "[motion][image]") {
-    const std::size_t most = GENERATE(128, 32);
+    const std::size_t most = GENERATE(std::size_t{128}, std::size_t{32});
     const auto image = image_of({50, 40, 60}, {0.5, 0.6, 0.4},
                                 [](double x, double y, double z) { return std::hypot(x - 12, y - 12, z - 12) < 9; });
     const Triangle_surface s = surface_of(image, most);

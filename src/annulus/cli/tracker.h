@@ -30,9 +30,7 @@ class Tracker {
     /// one move_all, insertions. Returns the indices of those that arrived. Throws what the triangulation throws.
     std::vector<Index> follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,
                               std::span<const Coordinates<d>> arrive, double displacement_mean,
-                              double displacement_max) requires requires(Moving& dt) {
-        dt.remove(dt.vertex(0));
-    };
+                              double displacement_max);
     /// What the mesh was before the first step, and is after the last one.
     void mesh_before(Mesh_step mesh) { record_.mesh_before = std::move(mesh); }
     void mesh_after(Mesh_step mesh) { record_.steps.back().mesh = std::move(mesh); }
