@@ -52,8 +52,8 @@ Mesh mesh_of(const Triangle_surface& s) {
     for (const auto& t : s.triangles)
         if (mesh.add_face(at(t[0]), at(t[1]), at(t[2])) == Mesh::null_face()) {
             // Two sheets touch at a vertex.
-            mesh.add_face(mesh.add_vertex(mesh.point(at(t[0]))), mesh.add_vertex(mesh.point(at(t[1]))),
-                          mesh.add_vertex(mesh.point(at(t[2]))));
+            const auto twin = [&](Index i) { return mesh.add_vertex(cgal(s.points[static_cast<std::size_t>(i)])); };
+            mesh.add_face(twin(t[0]), twin(t[1]), twin(t[2]));
         }
     return mesh;
 }
