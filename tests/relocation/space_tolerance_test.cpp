@@ -5,6 +5,8 @@
 #include <support/arbitrary.h>
 #include <support/oracle_3.h>
 
+#include <annulus/motion/cells_3.h>
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -100,16 +102,24 @@ Points_3 centres(const Moving_delaunay_3& dt) {
     for (auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f) {
         const auto [c, i] = *f;
         if (tr.is_infinite(c) || tr.is_infinite(c->neighbor(i))) continue;
-        const auto o = CGAL::circumcenter(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
-                                          c->vertex(3)->point());
+        const auto corner = [&](int k) {
+            const auto& at = c->vertex(k)->point();
+            return Coordinates<3>{at.x(), at.y(), at.z()};
+        };
+        double volume = 0;
+        Coordinates<3> o = weighted_circumcentre(corner(0), corner(1), corner(2), corner(3), volume);
+        for (std::size_t k = 0; k < 3; ++k) o[k] = corner(0)[k] + o[k] / volume;
+        if (!std::isfinite(o[0]) || !std::isfinite(o[1]) || !std::isfinite(o[2])) continue;  // flat: no centre in doubles
         const auto p = tr.tds().mirror_vertex(c, i);
-        const double room = std::sqrt(CGAL::to_double(CGAL::squared_distance(o, p->point()))) -
-                            std::sqrt(CGAL::to_double(CGAL::squared_distance(o, c->vertex(0)->point())));
+        const auto distance = [&](const Coordinates<3>& x) {
+            return std::hypot(x[0] - o[0], x[1] - o[1], x[2] - o[2]);
+        };
+        const double room = distance({p->point().x(), p->point().y(), p->point().z()}) - distance(corner(0));
         const auto take = [&](auto v) {
             const auto k = static_cast<std::size_t>(v->index());
             if (!(room < least[k])) return;
             least[k] = room;
-            target[k] = {o.x(), o.y(), o.z()};
+            target[k] = o;
         };
         for (int k = 0; k < 4; ++k) take(c->vertex(k));
         take(p);
@@ -244,7 +254,7 @@ TEST_CASE("Moves of 0.9999 tolerances in space evaluate nothing and keep the tri
         for (int kind = 0; kind < 3; ++kind) {
             Moving_delaunay_3 dt(home, options_of(strategy, Tolerance_kind::certified));
             const Points_3 target = centres(dt);
-            const Cells_3 before = cells_of(dt.triangulation());
+            const auto before = cells_of(dt.triangulation());
             Points_3 x = home;
             for (std::size_t i = 0; i < x.size(); ++i)
                 x[i] = shifted(x[i], dt.tolerance(dt.vertex(i)), 0.9999, target[i], kind, random);

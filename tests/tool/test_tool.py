@@ -495,11 +495,15 @@ class Outputs(ToolTest):
 
         tool = subprocess.Popen([TOOL, "lloyd", "--points", "20000", "--iterations", "1", "--quiet", "--output", directory],
                                 cwd=self.here, stdin=subprocess.DEVNULL, preexec_fn=default_action)
+        self.addCleanup(tool.kill)  # nothing, once it has been waited for
         out = self.here / directory
         begun = False
         while tool.poll() is None and not begun:
-            # Later than the trial at the beginning, which is gone at once.
-            begun = out.is_dir() and any(p.name.startswith(".") and "probe" not in p.name for p in out.iterdir())
+            try:
+                # Later than the trial at the beginning, which is gone at once, and the new directory with it.
+                begun = any(p.name.startswith(".") and "probe" not in p.name for p in out.iterdir())
+            except FileNotFoundError:
+                pass
             time.sleep(0.0005)
         tool.send_signal(number)
         status = tool.wait(timeout=60)
