@@ -112,7 +112,6 @@ int compare(const Compare_call& a, const Invocation& invocation, Motion& motion,
     constexpr int d = Motion::Moving::dimension_of_space;
     const std::size_t n = motion.points().size();
     const bool files = !a.common.output.empty();
-    if (files) require_writable(a.common.output);
     std::deque<Tracker<typename Motion::Moving>> trackers;
     for (const std::string& name : a.strategies) {
         const Options options = options_of(variant(tracking, name), common);
@@ -188,6 +187,7 @@ int run(const Compare_call& a, const Invocation& invocation) {
     if (chosen.count("--threads") == 0) common.threads = a.common.threads;
     common.quiet = common.quiet || a.common.quiet;
     for (const std::string& name : a.strategies) (void)options_of(variant(tracking, name), common);  // wrong usage first
+    if (!a.common.output.empty()) require_writable(a.common.output);
     if (&chosen == lloyd_command) {
         Guided_lloyd motion(lloyd, common);
         return compare(a, invocation, motion, lloyd.iterations, tracking, common, begin);

@@ -10,7 +10,8 @@
 
 namespace annulus::cli {
 
-/// The solid cells of a triangulation of space, numbered like `points`, and which of them are of the domain.
+/// The solid cells of a triangulation of space, numbered like `points`, and which of them are of the domain. In one order
+/// whatever the history of the triangulation, so that a motion computed from them is the same bit for bit.
 struct Mesh_3 {
     std::vector<Coordinates<3>> points;  ///< where nobody has left, by vertex index
     Cells_3 cells;
