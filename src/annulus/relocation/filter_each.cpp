@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace annulus {
 
@@ -21,7 +20,7 @@ void Filter_each<d>::resize() {
     epsilon_.resize(n, unlimited);
     threshold_.resize(n, 0.0);
     queued_.resize(n, 0);
-    least_.resize(n, unlimited);
+    least_.resize(n);
 }
 
 template <int d>
@@ -69,32 +68,26 @@ void Filter_each<d>::lower(Index v, double tolerance) {
     queue_.push_back(v);
 }
 
-template <int d>
-template <class S>
-void Filter_each<d>::note_least(const S& s) {
-    if (!repair_.exists(s) || s.kind == Facet_kind::border) return;
-    for (const Index w : s.point) {
-        if (w == none) continue;
-        double& least = least_[at(w)];
-        if (least == unlimited) touched_.push_back(w);
-        least = std::min(least, s.verdict.tolerance);
-    }
-}
-
 /// Tolerances of what has been evaluated, for the points of it.
 template <int d>
 void Filter_each<d>::update() {
-    for (const auto& s : repair_.facets()) note_least(s);
+    const auto note = [this](const auto& s) {
+        if (repair_.exists(s) && s.kind != Facet_kind::border) least_.note(s.point, s.verdict.tolerance);
+    };
+    for (const auto& s : repair_.facets()) note(s);
     if (repair_.kind() != Tolerance_kind::paper)
-        for (const auto& s : repair_.cells()) note_least(s);
-    for (const Index w : touched_) {
-        const double least = std::exchange(least_[at(w)], unlimited);
+        for (const auto& s : repair_.cells()) note(s);
+    lower_points();
+}
+
+template <int d>
+void Filter_each<d>::lower_points() {
+    least_.take([this](Index w, double least) {
         // The certificates were evaluated at site(w), so far from the fixed position.
         const double off = at_fixed_ ? 0.0 : distance_upper<d>(position_[at(w)], fixed_[at(w)]);
         const double rest = least - off;
         lower(w, off == 0.0 ? rest : rest - least * 0x1p-50);
-    }
-    touched_.clear();
+    });
 }
 
 template <int d>
@@ -115,9 +108,13 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
     const Coordinates<d> old_fixed = fixed_[at(h)];
     fixed_[at(h)] = position_[at(h)];
     repair_.begin(site(), false);
-    repair_.suspect_star(h);
     auto outcome = Repair<d>::Outcome::flipped;
-    const bool holds = repair_.evaluate();
+    const bool clear = repair_.star_clearly_holds(h, least_);
+    bool holds = clear;
+    if (!clear) {
+        repair_.suspect_star(h);
+        holds = repair_.evaluate();
+    }
     if (!holds) {
         try {
             outcome = repair_.mend(site(), movers);
@@ -149,7 +146,8 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
     embedding_.set_point(h, site()[at(h)]);
     epsilon_[at(h)] = unlimited;
     threshold_[at(h)] = 0.0;
-    update();
+    if (clear) lower_points();
+    else update();
 }
 
 template <int d>

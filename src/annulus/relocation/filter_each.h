@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/relocation/displacement.h>
+#include <annulus/relocation/least_tolerance.h>
 #include <annulus/relocation/repair.h>
 
 #include <span>
@@ -59,9 +60,8 @@ class Filter_each {
     [[nodiscard]] std::vector<Coordinates<d>>& site() { return at_fixed_ ? fixed_ : position_; }
     void resize();
     void lower(Index v, double tolerance);
-    template <class S>
-    void note_least(const S& suspect);
     void update();
+    void lower_points();
     void process(Index h, Move_report& report, bool first);
 
     Embedding<d>& embedding_;
@@ -74,8 +74,7 @@ class Filter_each {
     std::vector<double> threshold_;
     std::vector<Index> queue_;
     std::vector<char> queued_;
-    std::vector<double> least_;   // tolerance of what is being looked at, by vertex; else infinite
-    std::vector<Index> touched_;  // where it is not
+    Least_tolerance least_;  // of what is being looked at
 };
 
 extern template class Filter_each<2>;

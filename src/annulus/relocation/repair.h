@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/relocation/least_tolerance.h>
 #include <annulus/relocation/move_report.h>
 #include <annulus/triangulation/certificates.h>
 #include <annulus/triangulation/embedding.h>
@@ -73,6 +74,11 @@ class Repair {
     /// cell or ridge had to be evaluated, or when inverted cells were unfolded. In space a ridge, whatever the cells.
     [[nodiscard]] bool evaluate();
 
+    /// When every certificate that contains v, the only vertex that moved, clearly holds: true, and `least` has noted their
+    /// tolerances; they are not kept, so `facets()` and `cells()` lack them. Otherwise false, and nothing has been noted or
+    /// counted: suspect_star(v) and evaluate() are to tell.
+    [[nodiscard]] bool star_clearly_holds(Index v, Least_tolerance& least);
+
     /// The same for every certificate of the triangulation, none of which need be named: those that clearly hold are
     /// not kept, so `facets()` and `cells()` lack them.
     [[nodiscard]] bool evaluate_everything();
@@ -115,9 +121,10 @@ class Repair {
     void assign_places();
     [[nodiscard]] const Facet_suspect& examine_facet(Index f);
     [[nodiscard]] const Cell_suspect& examine_cell(Index c);
-    /// Filter stage; false when the next stage must be asked.
-    [[nodiscard]] bool filter(Facet_suspect& s) const;
-    [[nodiscard]] bool filter(Cell_suspect& s) const;
+    /// Filter stage; false when the next stage must be asked. Flattened: what is instantiated in other files too may come
+    /// from one that is compiled for less speed.
+    [[nodiscard, gnu::flatten]] bool filter(Facet_suspect& s) const;
+    [[nodiscard, gnu::flatten]] bool filter(Cell_suspect& s) const;
     [[nodiscard]] bool interval(Facet_suspect& s) const;
     [[nodiscard]] bool interval(Cell_suspect& s) const;
     void exact(Facet_suspect& s) const;

@@ -165,6 +165,41 @@ bool Repair<d>::evaluate() {
     return !in_doubt || border_winds_once();
 }
 
+template <int d>
+bool Repair<d>::star_clearly_holds(Index v, Least_tolerance& least) {
+    const auto& t = embedding_.table();
+    bool clear = !many_;
+    std::uint64_t held = 0;
+    const auto look_at = [&](auto& s, bool noted) {
+        if (s.kind == Facet_kind::border) return;
+        clear = this->filter(s) && s.verdict.sign > 0;
+        if (!clear) return;
+        ++held;
+        if (noted) least.note(s.point, s.verdict.tolerance);
+    };
+    for_each_certificate(
+        t, v,
+        [&](Index h) {
+            if (!clear) return;
+            Cell_suspect s;
+            describe(s, t.cell_of(h));
+            look_at(s, kind_ != Tolerance_kind::paper);
+        },
+        [&](Index h) {
+            if (!clear) return;
+            Facet_suspect s;
+            describe(s, t.facet(h), h);
+            look_at(s, true);
+        });
+    if (!clear) {
+        least.clear();
+        return false;
+    }
+    report_.evaluated += held;
+    report_.arithmetic.filter += held;
+    return true;
+}
+
 /// Signs alone, triangle by triangle. Every edge is asked from both sides, because which side is to ask would be a branch
 /// that no processor predicts, dearer than the answer.
 template <>
