@@ -109,9 +109,9 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
     fixed_[at(h)] = position_[at(h)];
     repair_.begin(site(), false);
     auto outcome = Repair<d>::Outcome::flipped;
-    const bool clear = repair_.star_clearly_holds(h, least_);
-    bool holds = clear;
-    if (!clear) {
+    const bool held = repair_.star_holds(h, least_);
+    bool holds = held;
+    if (!held) {
         repair_.suspect_star(h);
         holds = repair_.evaluate();
     }
@@ -146,7 +146,7 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
     embedding_.set_point(h, site()[at(h)]);
     epsilon_[at(h)] = unlimited;
     threshold_[at(h)] = 0.0;
-    if (clear) lower_points();
+    if (held) lower_points();
     else update();
 }
 

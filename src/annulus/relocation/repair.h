@@ -74,10 +74,10 @@ class Repair {
     /// cell or ridge had to be evaluated, or when inverted cells were unfolded. In space a ridge, whatever the cells.
     [[nodiscard]] bool evaluate();
 
-    /// When every certificate that contains v, the only vertex that moved, clearly holds: true, and `least` has noted their
-    /// tolerances; they are not kept, so `facets()` and `cells()` lack them. Otherwise false, and nothing has been noted or
-    /// counted: suspect_star(v) and evaluate() are to tell.
-    [[nodiscard]] bool star_clearly_holds(Index v, Least_tolerance& least);
+    /// When every certificate that contains v, the only vertex that moved, holds strictly: true, and `least` has noted their
+    /// tolerances; they are not kept, so `facets()` and `cells()` lack them. Otherwise, and always for the kind `paper`,
+    /// false, and nothing has been noted or counted: suspect_star(v) and evaluate() are to tell.
+    [[nodiscard]] bool star_holds(Index v, Least_tolerance& least);
 
     /// The same for every certificate of the triangulation, none of which need be named: those that clearly hold are
     /// not kept, so `facets()` and `cells()` lack them.
@@ -182,6 +182,20 @@ class Repair {
     std::vector<Index> inverted_;      // cells to unfold
     std::vector<Flip_record<d>> log_;  // every flip, in order
     std::vector<Index> unresolved_;
+    struct Star {
+        std::vector<Cell_points<d>> simplex;
+        std::vector<Tuple<d, d + 1>> orientation;
+        std::vector<Facet_points<d>> bicell;
+        std::vector<Tuple<d, d + 2>> empty_sphere;
+        void clear() {
+            simplex.clear();
+            orientation.clear();
+            bicell.clear();
+            empty_sphere.clear();
+        }
+    };
+    Star star_;
+    std::vector<Verdict> verdict_;
     Move_report report_;
 };
 

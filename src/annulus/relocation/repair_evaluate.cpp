@@ -3,6 +3,7 @@
 #include <annulus/relocation/repair.h>
 
 #include <annulus/arithmetic/rounding_guard.h>
+#include <annulus/certificate/batch.h>
 #include <annulus/certificate/circumcircle_2.h>
 #include <annulus/certificate/circumsphere_3.h>
 #include <annulus/triangulation/degenerate.h>
@@ -165,38 +166,48 @@ bool Repair<d>::evaluate() {
     return !in_doubt || border_winds_once();
 }
 
+/// In batches: ridges with the cells, both being orientations.
 template <int d>
-bool Repair<d>::star_clearly_holds(Index v, Least_tolerance& least) {
+bool Repair<d>::star_holds(Index v, Least_tolerance& least) {
+    if (many_ || kind_ == Tolerance_kind::paper) return false;
     const auto& t = embedding_.table();
-    bool clear = !many_;
-    std::uint64_t held = 0;
-    const auto look_at = [&](auto& s, bool noted) {
-        if (s.kind == Facet_kind::border) return;
-        clear = this->filter(s) && s.verdict.sign > 0;
-        if (!clear) return;
-        ++held;
-        if (noted) least.note(s.point, s.verdict.tolerance);
+    star_.clear();
+    const auto add_orientation = [&](const Cell_points<d>& x) {
+        star_.simplex.push_back(x);
+        star_.orientation.push_back(tuple<d, d + 1>(x, x_));
     };
     for_each_certificate(
         t, v,
         [&](Index h) {
-            if (!clear) return;
-            Cell_suspect s;
-            describe(s, t.cell_of(h));
-            look_at(s, kind_ != Tolerance_kind::paper);
+            const Cell_points<d> x = cell_points(t, t.cell_of(h));
+            if (std::find(x.begin(), x.end(), infinite) == x.end()) add_orientation(x);
         },
         [&](Index h) {
-            if (!clear) return;
-            Facet_suspect s;
-            describe(s, t.facet(h), h);
-            look_at(s, true);
+            const Facet_kind kind = facet_kind(t, h);
+            if (kind == Facet_kind::empty_sphere) {
+                star_.bicell.push_back(bicell_points(t, h));
+                star_.empty_sphere.push_back(tuple<d, d + 2>(star_.bicell.back(), x_));
+            } else if (kind == Facet_kind::ridge) {
+                add_orientation(ridge_vertex_last(t, h, ridge_points(t, h)));
+            }
         });
-    if (!clear) {
+    const Mode mode = certified() ? Mode::fast : Mode::floating;
+    const auto all_hold = [&](const auto& tuples, const auto& points, Stage_counts& counts) {
+        verdict_.resize(tuples.size());
+        counts += annulus::evaluate(std::span(tuples), mode, verdict_);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (verdict_[i].sign <= 0) return false;
+            least.note(points[i], verdict_[i].tolerance);
+        }
+        return true;
+    };
+    Stage_counts counts;
+    if (!all_hold(star_.orientation, star_.simplex, counts) || !all_hold(star_.empty_sphere, star_.bicell, counts)) {
         least.clear();
         return false;
     }
-    report_.evaluated += held;
-    report_.arithmetic.filter += held;
+    report_.evaluated += counts.total();
+    report_.arithmetic += counts;
     return true;
 }
 

@@ -67,20 +67,19 @@ class Cell_table {
     void for_each_corner(Index v, Visit visit) const requires(d == 3) {
         std::vector<Index> star = std::move(star_);  // visits may nest: each has a vector of its own
         star.clear();
-        const auto enter = [&](Index h) {
-            char& mark = alive_[at(cell_of(h))];
+        const auto enter = [&](Index c) {
+            char& mark = alive_[at(c)];
             if (mark == seen) return;
             mark = seen;
-            star.push_back(h);
+            // Its slot without branches, which nobody could predict.
+            const auto is = [&](int i) { return vertex(corner(c, i)) == v ? 1 : 0; };
+            star.push_back(corner(c, is(1) + 2 * is(2) + 3 * is(3)));
         };
-        enter(v == infinite ? corner_of_infinity() : corner_of(v));
+        enter(cell_of(v == infinite ? corner_of_infinity() : corner_of(v)));
         for (std::size_t k = 0; k < star.size(); ++k) {
             const Index c = cell_of(star[k]);
-            for (int i = 0; i <= d; ++i) {
-                if (corner(c, i) == star[k]) continue;
-                const Index n = cell_of(twin(corner(c, i)));
-                enter(corner(n, slot(n, v)));
-            }
+            for (int i = 0; i <= d; ++i)
+                if (corner(c, i) != star[k]) enter(cell_of(twin(corner(c, i))));
         }
         for (const Index h : star) alive_[at(cell_of(h))] = 1;
         for (const Index h : star) visit(h);
