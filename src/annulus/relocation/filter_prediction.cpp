@@ -8,13 +8,27 @@ namespace annulus {
 
 namespace {
 // Prices in units of 400 ns, measured.
-constexpr double failure_price = 0.4;
-constexpr double evaluation_price = 0.6;
-constexpr double signs_price = 0.11;    // of all signs, a vertex
-constexpr double settling_price = 0.8;  // a vertex
-// Of a certificate that the outlook lets expire, which is more than do.
-constexpr double resting_price = 0.74;
-constexpr double predicted_price = 0.38;
+template <int d>
+struct Prices;
+template <>
+struct Prices<2> {
+    static constexpr double failure = 0.4;
+    static constexpr double evaluation = 0.6;
+    static constexpr double signs = 0.11;    // of all signs, a vertex
+    static constexpr double settling = 0.8;  // a vertex
+    // Of a certificate that the outlook lets expire, which is more than do.
+    static constexpr double resting = 0.74;
+    static constexpr double predicted = 0.38;
+};
+template <>
+struct Prices<3> {
+    static constexpr double failure = 4.0;
+    static constexpr double evaluation = 1.0;
+    static constexpr double signs = 1.2;
+    static constexpr double settling = 12.0;
+    static constexpr double resting = 2.5;
+    static constexpr double predicted = 2.5;
+};
 constexpr std::size_t patience = 3;          // failures a vertex after which another prediction is considered
 constexpr std::uint64_t check_interval = 8;  // steps without tolerances, between looks whether they would pay
 }  // namespace
@@ -25,15 +39,15 @@ template <int d>
 bool Filter<d>::too_dear() const {
     if (repair_.kind() == Tolerance_kind::paper) return false;
     const auto n = static_cast<double>(embedding_.vertices());
-    return overdraft_ + static_cast<double>(failed_.size()) > (settling_price + signs_price) * n;
+    return overdraft_ + static_cast<double>(failed_.size()) > (Prices<d>::settling + Prices<d>::signs) * n;
 }
 
 template <int d>
 void Filter<d>::note_expenses(std::uint64_t evaluated) {
     spent_ += failed_.size();
     const double price =
-        failure_price * static_cast<double>(failed_.size()) + evaluation_price * static_cast<double>(evaluated);
-    overdraft_ += std::max(0.0, price - signs_price * static_cast<double>(embedding_.vertices()));
+        Prices<d>::failure * static_cast<double>(failed_.size()) + Prices<d>::evaluation * static_cast<double>(evaluated);
+    overdraft_ += std::max(0.0, price - Prices<d>::signs * static_cast<double>(embedding_.vertices()));
 }
 
 /// Displacements of two consecutive steps are compared once as much was spent on failures as is worth a look (rent or
@@ -110,9 +124,9 @@ void Filter<d>::reconsider(Move_report& report) {
     spent_ = 0;
     // Facets and cells a vertex.
     const double certificates = d == 2 ? 5.0 : 20.0;
-    const double at_rest = resting_price * certificates * o.resting;
-    const double on_course = predicted_price * certificates * o.predicted;
-    if (!tracks_ && std::min(at_rest, on_course) > signs_price) return;
+    const double at_rest = Prices<d>::resting * certificates * o.resting;
+    const double on_course = Prices<d>::predicted * certificates * o.predicted;
+    if (!tracks_ && std::min(at_rest, on_course) > Prices<d>::signs) return;
     const bool predict = on_course < at_rest;
     if (predict) {
         prediction_.adopt(this_step_, vertex_, reach());
