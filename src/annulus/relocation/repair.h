@@ -71,7 +71,8 @@ class Repair {
     /// everywhere). With all cells positive and the border locally convex, everything is embedded if and only if the
     /// border turns once (docs/theory.md 1.2). Cells and ridges proved by tolerances keep it turning once, and so does
     /// a single vertex that leaves its cells positive; so the border is walked, O(hull), only when many moved and a
-    /// cell or ridge had to be evaluated, or when inverted cells were unfolded. In space a ridge, whatever the cells.
+    /// cell or ridge had to be evaluated, or when inverted cells were unfolded. In space a ridge, whatever the cells, and
+    /// after flips only when they changed the border.
     [[nodiscard]] bool evaluate();
 
     /// When every certificate that contains v, the only vertex that moved, holds strictly: true, and `least` has noted their
