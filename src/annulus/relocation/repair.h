@@ -159,6 +159,7 @@ class Repair {
     [[nodiscard]] Index vertex_to_detach(std::span<const Index> points, std::span<const Coordinates<d>> old,
                                          std::span<const Index> movers) const;
     [[nodiscard]] bool take_out(Index v, std::size_t most);
+    void suspect_unfolding();
     [[nodiscard]] bool take_out_stuck(std::span<const Coordinates<d>> old, std::span<const Index> movers,
                                       std::size_t most);
     void require_distinct(std::span<const Index> movers) const;
@@ -181,6 +182,7 @@ class Repair {
     bool rebuilt_ = false;
     std::vector<Index> queue_;         // facets to look at
     std::vector<Index> inverted_;      // cells to unfold
+    std::vector<Facet_points<d>> stuck_;  // points of the facets that no flip could mend
     std::vector<Flip_record<d>> log_;  // every flip, in order
     std::vector<Index> unresolved_;
     struct Star {

@@ -123,16 +123,34 @@ bool Repair<3>::mend_facet(Index h) {
 template <>
 Repair<3>::Progress Repair<3>::run_flips() {
     const auto& t = embedding_.table();
+    stuck_.clear();
     std::size_t budget = 16 + 16 * inverted_.size();
-    while (!inverted_.empty()) {
+    std::vector<Index> waiting;  // what no flip could mend: first inverted cells, then violated facets. Others may help them
+    bool flipped = false;
+    while (!inverted_.empty() || (flipped && !waiting.empty())) {
+        if (inverted_.empty()) {
+            std::swap(inverted_, waiting);
+            flipped = false;
+        }
         const Index c = inverted_.back();
         inverted_.pop_back();
         if (!t.is_cell(c) || t.is_infinite(c) || !violated(examine_cell(c))) continue;
-        if (budget-- == 0 || !unfold(c)) return Progress::stuck;
+        if (unfold(c)) {
+            flipped = true;
+            if (--budget == 0) return Progress::stuck;
+        } else {
+            waiting.push_back(c);
+        }
     }
+    for (const Index c : waiting) {
+        if (!t.is_cell(c) || !violated(examine_cell(c))) continue;
+        const Cell_points<3> x = cell_points(t, c);
+        stuck_.push_back({x[0], x[1], x[2], x[3], none});
+    }
+    if (!stuck_.empty()) return Progress::stuck;
+    waiting.clear();
     budget = 1000 + 64 * queue_.size();
-    std::vector<Index> waiting;  // violated facets that no flip could mend; others may help them
-    bool flipped = false;
+    flipped = false;
     while (!queue_.empty() || (flipped && !waiting.empty())) {
         if (queue_.empty()) {
             std::swap(queue_, waiting);
@@ -148,6 +166,8 @@ Repair<3>::Progress Repair<3>::run_flips() {
             waiting.push_back(f);
         }
     }
+    for (const Index f : waiting)
+        if (t.is_facet(f) && violated(examine_facet(f))) stuck_.push_back(examine_facet(f).point);
     return waiting.empty() && evaluate() ? Progress::done : Progress::stuck;
 }
 

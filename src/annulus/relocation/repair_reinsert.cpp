@@ -61,7 +61,7 @@ Index Repair<d>::vertex_to_detach(std::span<const Index> points, std::span<const
     Index best = none;
     double farthest = -1.0;
     for (const Index v : points) {
-        if (v == infinite || t.corner_of(v) == none) continue;
+        if (v < 0 || t.corner_of(v) == none) continue;
         const double moved = squared_distance<d>(x_[at(v)], old[at(v)]);
         if (moved > farthest) {
             farthest = moved;
@@ -83,32 +83,43 @@ bool Repair<d>::take_out(Index v, std::size_t most) {
     return true;
 }
 
-/// Flips got stuck although no cell was inverted, which happens in space only: takes them back and takes out a vertex of every
-/// certificate that is violated then.
+/// Takes out a vertex of everything at which flips got stuck.
 template <int d>
 bool Repair<d>::take_out_stuck(std::span<const Coordinates<d>> old, std::span<const Index> movers, std::size_t most) {
-    undo_flips();
-    std::vector<Facet_points<d>> stuck;
-    for (const auto& s : facets_)
-        if (exists(s) && violated(s)) stuck.push_back(s.point);
-    bool any = false;
-    for (const auto& points : stuck) {
-        const auto gone = [&](Index v) { return v != none && embedding_.table().corner_of(v) == none; };
+    for (const auto& points : stuck_) {
+        const auto gone = [&](Index v) { return v >= 0 && embedding_.table().corner_of(v) == none; };
         if (std::any_of(points.begin(), points.end(), gone)) continue;
         if (!take_out(vertex_to_detach(points, old, movers), most)) return false;
-        any = true;
     }
-    return any;
+    stuck_.clear();
+    return true;
+}
+
+/// All certificates held in the end, but the border winds more than once: where cells were inverted they were unfolded the wrong
+/// way. If none was, it is a ridge that should not have been flipped.
+template <int d>
+void Repair<d>::suspect_unfolding() {
+    if constexpr (d == 3) {
+        for (const auto& s : cells_)
+            if (exists(s) && violated(s)) stuck_.push_back({s.point[0], s.point[1], s.point[2], s.point[3], none});
+        if (!stuck_.empty()) return;
+    }
+    for (const auto& s : facets_)
+        if (exists(s) && violated(s)) stuck_.push_back(s.point);
 }
 
 template <int d>
 bool Repair<d>::reinsert(std::span<const Coordinates<d>> old, std::span<const Index> movers) {
     auto& t = embedding_.table();
     const std::size_t most = 16 + at(t.vertex_bound()) / 16;  // beyond that a rebuild is cheaper
-    constexpr int rounds = d == 2 ? 1 : 4;
+    // In space what flips got stuck at is a small part of what is wrong, so only that is taken out to begin with.
+    constexpr int rounds = d == 2 ? 1 : 8;
+    constexpr int sparing = d == 2 ? 0 : 4;
     for (int round = 1;; ++round) {
-        // Take out, at the old positions where CGAL's object is Delaunay, until no remaining cell is inverted at x.
-        for (std::size_t i = 0; i < inverted_.size(); ++i) {
+        // Take out, at the old positions where CGAL's object is Delaunay: what flips got stuck at, and in the end until no
+        // remaining cell is inverted at x.
+        if (!take_out_stuck(old, movers, most)) return false;
+        for (std::size_t i = 0; round > sparing && i < inverted_.size(); ++i) {
             const Index c = inverted_[i];
             if (!t.is_cell(c) || t.is_infinite(c) || !violated(examine_cell(c))) continue;
             const Cell_points<d> points = cell_points(t, c);
@@ -120,8 +131,13 @@ bool Repair<d>::reinsert(std::span<const Coordinates<d>> old, std::span<const In
         if (evaluate()) break;
         for (const auto& s : facets_)
             if (exists(s) && s.verdict.sign <= 0) queue_.push_back(s.id);
+        for (const auto& s : cells_)
+            if (exists(s) && violated(s)) inverted_.push_back(s.id);
         if (run_flips() == Progress::done) break;
-        if (round == rounds || !take_out_stuck(old, movers, most)) return false;
+        if (round == rounds) return false;
+        undo_flips();
+        if (stuck_.empty()) suspect_unfolding();
+        if (stuck_.empty()) return false;
     }
     if (movers.empty()) {
         embedding_.set_points(x_);

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace annulus {
+
+/// The least tolerance among some certificates, for each of their points.
+class Least_tolerance {
+  public:
+    void resize(std::size_t vertices) { least_.resize(vertices, unlimited); }
+
+    /// A certificate with this tolerance; points may end in `none`.
+    template <class Points>
+    void note(const Points& points, double tolerance) {
+        for (const Index v : points) {
+            if (v == none) continue;
+            double& least = least_[static_cast<std::size_t>(v)];
+            if (least == unlimited) touched_.push_back(v);
+            least = std::min(least, tolerance);
+        }
+    }
+    /// Calls visit(v, tolerance) for every point, and forgets everything.
+    template <class Visit>
+    void take(Visit visit) {
+        for (const Index v : touched_) {
+            double& least = least_[static_cast<std::size_t>(v)];
+            const double tolerance = least;
+            least = unlimited;
+            visit(v, tolerance);
+        }
+        touched_.clear();
+    }
+    void clear() {
+        take([](Index, double) {});
+    }
+
+  private:
+    static constexpr double unlimited = std::numeric_limits<double>::infinity();
+    std::vector<double> least_;   // by vertex
+    std::vector<Index> touched_;  // where it is not unlimited
+};
+
+}  // namespace annulus
