@@ -239,7 +239,8 @@ TEST_CASE("The slack of a prediction is above the rounding of predicted position
             Prediction<2> prediction;
             const std::vector<Coordinates<2>> moves{vector<2>(random, reach * 0x1p-6)};
             prediction.adopt(moves, vertices, reach);
-            prediction.advance(static_cast<Prediction<2>::Time>(random() % 32768));
+            // Sometimes so long that positions leave the limit.
+            prediction.advance(static_cast<Prediction<2>::Time>(random() % (random() % 4 == 0 ? 1U << 28 : 1U << 15)));
             const auto computed = vertices[0].expected(prediction.now(), prediction.speed());
             Rational error = 0;
             for (std::size_t k = 0; k < 2; ++k) {
@@ -261,7 +262,7 @@ TEST_CASE("Room in a safe region is rounded down", "[relocation][rounding]") {
     REQUIRE(rc::check("for points next to the circle", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 200; ++i) {
-            const double scale = std::ldexp(1.0, integer(random, -300, 300));
+            const double scale = std::ldexp(1.0, random() % 4 == 0 ? integer(random, -560, -390) : integer(random, -300, 300));
             Delimiter_2 circle{vector<2>(random, scale), scale * (0.5 + unit(random))};
             std::array<Coordinates<2>, 4> x;
             for (std::size_t k = 0; k < 4; ++k) {
