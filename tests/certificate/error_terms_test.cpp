@@ -89,7 +89,8 @@ std::array<Rational, partitions_3> sides(const Bicell_3& x) {
                         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
                         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
     };
-    const Rational b = volume(x.c, x.p, x.q), c = -volume(x.b, x.p, x.q), pq = volume(x.b, x.c, x.q) - volume(x.b, x.c, x.p);
+    const Rational b = volume(x.c, x.p, x.q), c = -volume(x.b, x.p, x.q),
+                   pq = volume(x.b, x.c, x.q) - volume(x.b, x.c, x.p);
     return {pq, pq + c, pq + b, Rational(-b - c)};
 }
 
@@ -106,10 +107,13 @@ Rational to_the(double m, int degree) {
     return r;
 }
 /// constant u m^degree
-Rational term(double constant, double m, int degree) { return Rational(constant) * Rational(bounds::u) * to_the(m, degree); }
+Rational term(double constant, double m, int degree) {
+    return Rational(constant) * Rational(bounds::u) * to_the(m, degree);
+}
 
 /// tolerance <= (determinant - det_error) / (roots + norm_error)
-bool is_below(double tolerance, double determinant, const Rational& det_error, double roots, const Rational& norm_error) {
+bool is_below(double tolerance, double determinant, const Rational& det_error, double roots,
+              const Rational& norm_error) {
     return Rational(tolerance) * (Rational(roots) + norm_error) <= Rational(determinant) - det_error;
 }
 
@@ -165,7 +169,8 @@ TEST_CASE("the filter calls no annulus forward that is within its error of being
         }));
 }
 
-TEST_CASE("a tolerance of the filter is what is left after the errors of determinant and norms", "[certificate][space]") {
+TEST_CASE("a tolerance of the filter is what is left after the errors of determinant and norms",
+          "[certificate][space]") {
     REQUIRE(rc::check("in the plane", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 10; ++i) {
@@ -174,12 +179,15 @@ TEST_CASE("a tolerance of the filter is what is left after the errors of determi
             const double m = std::max(detail::magnitude(u), detail::magnitude(v));
             const auto s = orientation_terms(u, v, detail::difference(t.c, t.b));
             if (const auto a = ask(t).filter; a && a->sign > 0)
-                HOLDS(is_below(a->tolerance, s.determinant, term(bounds::orientation_2, m, 2), 2.0 * std::sqrt(s.inner), 0), t);
+                HOLDS(is_below(a->tolerance, s.determinant, term(bounds::orientation_2, m, 2), 2.0 * std::sqrt(s.inner),
+                               0),
+                      t);
 
             const Bicell c = bicell_of(some_points<2, 4>(random));
             const auto b = detail::difference(c.b, c.a), p = detail::difference(c.p, c.a);
             const auto q = detail::difference(c.q, c.a), e = detail::difference(c.q, c.p);
-            const double M = std::max({detail::magnitude(b), detail::magnitude(p), detail::magnitude(q), detail::magnitude(e)});
+            const double M =
+                std::max({detail::magnitude(b), detail::magnitude(p), detail::magnitude(q), detail::magnitude(e)});
             const auto w = annulus_terms(b, p, q, e);
             if (const auto a = ask(c).filter; a && a->sign > 0)
                 HOLDS(is_below(a->tolerance, w.determinant, term(bounds::annulus_2_incircle, M, 4),
@@ -193,10 +201,11 @@ TEST_CASE("a tolerance of the filter is what is left after the errors of determi
             const Bicell_3 c = bicell_of(some_points<3, 5>(random));
             const auto b = detail::difference(c.b, c.a), f = detail::difference(c.c, c.a);
             const auto p = detail::difference(c.p, c.a), q = detail::difference(c.q, c.a);
-            const double m = std::max({detail::magnitude(b), detail::magnitude(f), detail::magnitude(p), detail::magnitude(q)});
+            const double m =
+                std::max({detail::magnitude(b), detail::magnitude(f), detail::magnitude(p), detail::magnitude(q)});
             const auto is_cell_below = [](double tolerance, const Width_terms<double>& s, double largest) {
-                return is_below(tolerance, s.determinant, term(bounds::orientation_3, largest, 3), 2.0 * std::sqrt(s.inner),
-                                term(bounds::orientation_3_norms, largest, 2));
+                return is_below(tolerance, s.determinant, term(bounds::orientation_3, largest, 3),
+                                2.0 * std::sqrt(s.inner), term(bounds::orientation_3_norms, largest, 2));
             };
             const Tetrahedron t = c.cell_q();
             if (const auto a = ask(t).filter; a && a->sign > 0)
@@ -206,7 +215,8 @@ TEST_CASE("a tolerance of the filter is what is left after the errors of determi
             const auto a = ask(c, Cell_widths::always).filter;
             if (!a || a->sign <= 0) continue;
             const auto s = annulus_terms(b, f, p, q);
-            HOLDS(is_cell_below(a->tolerance, cell_p_terms(s), m) && is_cell_below(a->tolerance, cell_q_terms(s), m), c);
+            HOLDS(is_cell_below(a->tolerance, cell_p_terms(s), m) && is_cell_below(a->tolerance, cell_q_terms(s), m),
+                  c);
             for (std::size_t k = 0; k < partitions_3; ++k) {
                 HOLDS(is_below(a->tolerance, s.determinant, term(bounds::annulus_3_insphere, m, 5),
                                std::sqrt(s.inner[k]) + std::sqrt(s.outer[k]), term(bounds::annulus_3_norms, m, 4)),

@@ -17,15 +17,14 @@
 
 namespace annulus::testing {
 
-
 /// Private members, by name: access is not checked where a template is instantiated explicitly.
-#define REVEAL(Name, ...)                                       \
-    struct Name {};                                             \
-    constexpr auto member(Name);                                \
-    template <auto pointer>                                     \
-    struct Name##_revealed {                                    \
-        friend constexpr auto member(Name) { return pointer; }  \
-    };                                                          \
+#define REVEAL(Name, ...)                                      \
+    struct Name {};                                            \
+    constexpr auto member(Name);                               \
+    template <auto pointer>                                    \
+    struct Name##_revealed {                                   \
+        friend constexpr auto member(Name) { return pointer; } \
+    };                                                         \
     template struct Name##_revealed<__VA_ARGS__>
 
 using Rational = mpq_class;

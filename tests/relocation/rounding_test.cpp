@@ -262,7 +262,8 @@ TEST_CASE("Room in a safe region is rounded down", "[relocation][rounding]") {
     REQUIRE(rc::check("for points next to the circle", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 200; ++i) {
-            const double scale = std::ldexp(1.0, random() % 4 == 0 ? integer(random, -560, -390) : integer(random, -300, 300));
+            const double scale =
+                std::ldexp(1.0, random() % 4 == 0 ? integer(random, -560, -390) : integer(random, -300, 300));
             Delimiter_2 circle{vector<2>(random, scale), scale * (0.5 + unit(random))};
             std::array<Coordinates<2>, 4> x;
             for (std::size_t k = 0; k < 4; ++k) {
