@@ -5,7 +5,7 @@
 #include <annulus/motion/ball_3.h>
 #include <annulus/motion/cells_3.h>
 #include <annulus/motion/dihedral.h>
-#include <annulus/motion/rebuilt_delaunay_3.h>
+#include <annulus/moving_delaunay_3.h>
 
 #include <catch2/catch.hpp>
 
@@ -19,10 +19,10 @@ using namespace annulus_test;
 
 namespace {
 
-Rebuilt_delaunay_3 delaunay(const std::vector<Coordinates<3>>& points) {
+Moving_delaunay_3 delaunay(const std::vector<Coordinates<3>>& points) {
     Options options;
     options.strategy = Strategy::rebuild;
-    return Rebuilt_delaunay_3(points, options);
+    return Moving_delaunay_3(points, options);
 }
 
 }  // namespace
@@ -97,30 +97,4 @@ TEST_CASE("dihedral angles of known tetrahedra", "[motion][cells]") {
     for (std::size_t i = 3; i < 6; ++i) CHECK(corner[i] == Approx(90.0));
     // The other way round: the same.
     CHECK(degrees(dihedral_cosines({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1})) == corner);
-}
-
-TEST_CASE("the stand-in is Delaunay after a move, and its audit notices when it is not", "[motion][cells]") {
-    auto points = random_points(300, 5);
-    Rebuilt_delaunay_3 dt = delaunay(points);
-    for (auto& p : points)
-        for (double& x : p) x = std::sin(2 * x);
-    const Move_report report = dt.move_all(points);
-    CHECK(report.moves.asked == 300);
-    CHECK(report.moves.rebuilt == 300);
-    CHECK(dt.audit().delaunay());
-    // The brute force: no vertex in the sphere of a cell.
-    for (const auto& c : dt.audit_input().cells) {
-        double volume = 0;
-        const auto at = [&](std::size_t i) { return points[static_cast<std::size_t>(c[i])]; };
-        const auto w = weighted_circumcentre(at(0), at(1), at(2), at(3), volume);
-        const double r = std::hypot(w[0], w[1], w[2]) / volume;
-        for (const auto& p : points)
-            CHECK(std::hypot(p[0] - at(0)[0] - w[0] / volume, p[1] - at(0)[1] - w[1] / volume,
-                             p[2] - at(0)[2] - w[2] / volume) > r * (1 - 1e-6));
-    }
-    const auto before = std::vector(dt.positions().begin(), dt.positions().end());
-    points[1] = points[0];
-    CHECK_THROWS_AS(dt.move_all(points), Error);
-    CHECK(std::equal(before.begin(), before.end(), dt.positions().begin()));
-    CHECK(dt.audit().delaunay());
 }

@@ -5,7 +5,7 @@
 #include <annulus/motion/ball_3.h>
 #include <annulus/motion/cells_3.h>
 #include <annulus/motion/initial_mesh_3.h>
-#include <annulus/motion/rebuilt_delaunay_3.h>
+#include <annulus/moving_delaunay_3.h>
 #include <annulus/motion/surface_3.h>
 
 #include <catch2/catch.hpp>
@@ -26,7 +26,7 @@ double far(const Coordinates<3>& a, const Coordinates<3>& b) {
 double meshed_volume(const Domain_3& domain, const std::vector<Coordinates<3>>& points) {
     Options options;
     options.strategy = Strategy::rebuild;
-    const Cells_3 cells = linked(Rebuilt_delaunay_3(points, options).audit_input().cells, points.size());
+    const Cells_3 cells = linked(Moving_delaunay_3(points, options).audit_input().cells, points.size());
     const auto inside = cells_inside(domain, cells, points);
     double sum = 0;
     for (std::size_t c = 0; c < cells.size(); ++c) {

@@ -5,7 +5,7 @@
 #include <annulus/motion/ball_3.h>
 #include <annulus/motion/dihedral.h>
 #include <annulus/motion/nodt_3.h>
-#include <annulus/motion/rebuilt_delaunay_3.h>
+#include <annulus/moving_delaunay_3.h>
 #include <annulus/motion/surface_3.h>
 
 #include <catch2/catch.hpp>
@@ -31,7 +31,7 @@ double distance(const Coordinates<3>& a, const Coordinates<3>& b) {
 Cells_3 cells_of(const Points& points) {
     Options options;
     options.strategy = Strategy::rebuild;
-    return linked(Rebuilt_delaunay_3(points, options).audit_input().cells, points.size());
+    return linked(Moving_delaunay_3(points, options).audit_input().cells, points.size());
 }
 
 /// The body-centred cubic lattice with edge 1, scaled, inside a cube. No five of it that share a sphere are adjacent.

@@ -3,6 +3,7 @@
 """Runs `annulus nodt` and looks at what comes out. usage: test_nodt.py --tool=PATH --meshes=DIR [CLASS[.METHOD]...]"""
 
 import csv
+import json
 import math
 import os
 import sys
@@ -158,13 +159,51 @@ class Nodt(test_tool.ToolTest):
         self.assertEqual(texts[0], texts[1])
         self.assertNotEqual(texts[0], texts[2])
 
+    def test_every_strategy_ends_with_the_same_mesh(self):
+        meshes = set()
+        for strategy in test_tool.STRATEGIES:
+            with self.subTest(strategy=strategy):
+                self.nodt("--sphere", "--vertices", "200", "--iterations", "6", "--audit", "2", "--strategy", strategy)
+                summary = self.summary("out")
+                self.assertEqual(summary["strategy"], strategy)
+                self.assertEqual(summary["audit"], {"checked": 3, "failed": 0})
+                points, cells = self.tetrahedra("domain.mesh")
+                meshes.add((tuple(points), tuple(sorted(tuple(sorted(c)) for c in cells))))
+        self.assertEqual(len(meshes), 1)
+
+    def test_filter_is_what_runs_without_a_word(self):
+        self.nodt("--sphere", "--vertices", "100", "--iterations", "3")
+        summary = self.summary("out")
+        self.assertEqual((summary["strategy"], summary["tolerance"]), ("filter", "certified"))
+        self.assertGreater(summary["arithmetic"]["filter"], 0)
+
+    def test_failures_and_updates(self):
+        self.nodt("--sphere", "--vertices", "200", "--iterations", "5", "--strategy", "filter-each")
+        for row in self.rows():
+            self.assertEqual(int(row["failures"]), int(row["asked"]) - int(row["within_tolerance"]))
+            self.assertGreater(float(row["tolerance_mean"]), 0)
+            self.assertGreater(float(row["annulus_width_mean"]), float(row["tolerance_mean"]))
+
+    def test_compare(self):
+        words = ("--sphere", "--vertices", "200", "--iterations", "5")
+        done = self.succeed("compare", "--strategies", "rebuild,relocate,filter-each,filter", "--output", "compare", "--",
+                            "nodt", *words)
+        self.assertIn("all strategies agree", done.stdout)
+        comparison = json.loads((self.here / "compare" / "compare.json").read_text(encoding="utf-8"))
+        self.assertTrue(comparison["agree"])
+        self.assertEqual(set(comparison["strategies"]), {"rebuild", "relocate", "filter-each", "filter"})
+        self.assertEqual(comparison["strategies"]["filter"]["dimension"], 3)
+        html = (self.here / "compare" / "report.html").read_text(encoding="utf-8")
+        self.assertIn("5 natural ODT iterations", html)
+        self.assertIn("After 5 iterations, cut across", html)
+
     def test_vtu(self):
         self.nodt("--sphere", "--vertices", "100", "--iterations", "2")
         root = xml.etree.ElementTree.parse(self.here / "out" / "final.vtu").getroot()
         piece = root.find("./UnstructuredGrid/Piece")
         self.assertEqual(int(piece.get("NumberOfPoints")), self.summary("out")["vertices"])
         fields = {kind: {a.get("Name") for a in piece.find(kind)} for kind in ("PointData", "CellData")}
-        self.assertLessEqual({"boundary"}, fields["PointData"])
+        self.assertEqual(fields["PointData"], {"tolerance", "theta", "boundary"})
         self.assertEqual(fields["CellData"], {"domain", "dihedral_min"})
         html = (self.here / "out" / "report.html").read_text(encoding="utf-8")
         for text in ("before, cut across", "after 2 iterations, cut across", "Dihedral angles", "Slivers"):

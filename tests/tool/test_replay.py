@@ -86,6 +86,47 @@ class Replay(test_tool.ToolTest):
             self.write("a.xyz", text)
             self.check("a.xyz", frames[-1].values())
 
+    def solid(self, name, *words):
+        """final.mesh of a replay in space: points and tetrahedra."""
+        self.succeed("replay", name, "--audit", "1", "--output", "out", "--quiet", *words)
+        self.assertEqual({p.name for p in (self.here / "out").iterdir()}, test_tool.RUN_FILES)
+        summary = self.summary("out")
+        self.assertEqual((summary["dimension"], summary["audit"]["failed"]), (3, 0))
+        text = (self.here / "out" / "final.mesh").read_text(encoding="utf-8").split()
+        at = text.index("Vertices")
+        points = [tuple(map(float, text[at + 2 + 4 * i:at + 5 + 4 * i])) for i in range(int(text[at + 1]))]
+        return points, int(text[text.index("Tetrahedra") + 1]) if "Tetrahedra" in text else 0
+
+    def test_points_that_come_and_go_in_space(self):
+        dice = random.Random(3)
+        frames = [{i: (x, y, dice.random()) for i, (x, y) in f.items()} for f in wander(12, 40, 2, 0.01)]
+        text = "frame,id,x,y,z\n" + "".join(
+            f"{f},{i},{x!r},{y!r},{z!r}\n" for f, frame in enumerate(frames) for i, (x, y, z) in frame.items())
+        self.write("walk.csv", text)
+        for strategy in test_tool.STRATEGIES:
+            for words in ((), ("--dim", "3")):
+                with self.subTest(strategy=strategy, words=words):
+                    points, cells = self.solid("walk.csv", "--strategy", strategy, *words)
+                    self.assertEqual(sorted(points), sorted(frames[-1].values()))
+                    self.assertGreater(cells, len(points))
+        # Without its z it is a motion of the plane.
+        self.check("walk.csv", [p[:2] for p in frames[-1].values()], "--dim", "2")
+
+    def test_flat_frames_of_space(self):
+        flat = {i: (i % 3 + 0.1 * (i // 3), float(i // 3), 0.0) for i in range(9)}
+        line = {i: (float(i), 2.0 * i, 3.0 * i) for i in range(9)}
+        solid = {i: (x, y, float(i * i % 5)) for i, (x, y, _) in flat.items()}
+        for frames in ([solid, flat], [flat, line, solid], [line, flat], [solid, line]):
+            text = "".join(f"9\n\n" + "".join(f"H {x!r} {y!r} {z!r}\n" for x, y, z in f.values()) for f in frames)
+            self.write("a.xyz", text)
+            points, cells = self.solid("a.xyz", "--dim", "3")
+            self.assertEqual(points, list(frames[-1].values()))
+            self.assertEqual(cells > 0, frames[-1] is solid)
+
+    def test_no_z(self):
+        self.write("a.csv", "frame,id,x,y\n0,1,2,3\n")
+        self.assertRegex(self.refuse(3, "replay", "a.csv", "--dim", "3"), "a.csv: points have no z")
+
     def test_one_frame(self):
         self.write("a.csv", "id,frame,y,x,other\n5,3,0,0,a\n6,3,0,1,b\n7,3,1,0,c\n")
         summary = self.check("a.csv", [(0, 0), (1, 0), (0, 1)])

@@ -105,6 +105,7 @@ class Usage(ToolTest):
             self.assertIn(option, self.succeed("lloyd", "--help").stdout)
         self.assertIn("--strategies", self.succeed("compare", "--help").stdout)
         self.assertIn("--points", self.succeed("compare", "--", "lloyd", "--help").stdout)
+        self.assertIn("--sphere", self.succeed("compare", "--", "nodt", "--help").stdout)
 
     def test_every_subcommand_takes_the_common_options(self):
         for name in ("lloyd", "compare", "audit", "counterexample"):

@@ -39,6 +39,9 @@ inline constexpr double annulus_3_side = 169.0;       ///< annulus_terms: l1 to 
 inline constexpr double orientation_3_norms = 122.0;
 inline constexpr double annulus_3_norms = 3246.0;
 
+/// circumsphere_3.h, degree 5: proofs/gappa/circumsphere_3.g.
+inline constexpr double circumsphere_3 = 1123.0;
+
 /// Relative error of the tail: two or three squares and their sum (3u), square root (half of that plus u), sum of the
 /// roots (u), quotient (u), and the few operations on the bounds themselves (6u); 16u is above the total to first order
 /// with room for the second.

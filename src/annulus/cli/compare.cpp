@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/commands.h>
 #include <annulus/cli/files.h>
-#include <annulus/cli/lloyd_scene.h>
+#include <annulus/cli/guided_motion.h>
 #include <annulus/cli/progress.h>
 #include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
@@ -27,9 +27,10 @@ struct Compare_call {
 
 /// Positions of some consecutive timestamps, recorded so that each strategy follows them without the others (and
 /// the motion) using up its caches between two steps.
+template <int d>
 struct Recording {
-    std::vector<Coordinates<2>> positions;
-    std::vector<Lloyd_step> steps;
+    std::vector<Coordinates<d>> positions;
+    std::vector<Way> ways;
     std::vector<double> seconds;
 };
 
@@ -46,30 +47,33 @@ Tracking_arguments variant(Tracking_arguments t, const std::string& name) {
     return t;
 }
 
-void compare_ends(const std::deque<Tracker_2>& trackers, Comparison_record& out) {
+template <class Moving>
+void compare_ends(const std::deque<Tracker<Moving>>& trackers, Comparison_record& out) {
     const auto cells = trackers[0].canonical_cells();
     const bool degenerate = trackers[0].triangulation().audit().degenerate_facets > 0;
     for (std::size_t k = 0; k < trackers.size(); ++k) {
         const Audit_result audit = trackers[k].triangulation().audit();
         const std::string& name = trackers[k].record().strategy;
         if (!audit.delaunay()) out.disagreements.push_back(name + " is not Delaunay at the end: " + audit.first_fault);
-        // Where points are cocircular the triangulation is not unique, and the audits decide.
+        // Where points are cocircular or cospherical the triangulation is not unique, and the audits decide.
         if (!degenerate && trackers[k].canonical_cells() != cells)
             out.disagreements.push_back(name + " ends with other cells than " + trackers[0].record().strategy);
     }
     out.agree = out.disagreements.empty();
 }
 
-void write_comparison(const std::string& directory, const std::deque<Tracker_2>& trackers,
-                      const Comparison_record& comparison, std::optional<Picture> before) {
+template <class Motion>
+void write_comparison(const std::string& directory, const Motion& motion,
+                      const std::deque<Tracker<typename Motion::Moving>>& trackers, const Comparison_record& comparison,
+                      std::optional<Picture> before) {
     Report report;
-    const Tracker_2& shown = trackers.back();
+    const auto& shown = trackers.back();
     std::string names;
     for (const Run_record& run : comparison.runs) names += (names.empty() ? "" : ", ") + run.strategy;
-    report.title = title_of(shown.record(), names);
+    report.title = title_of(shown.record(), Motion::step_name, names);
     report.run = shown.record();
     report.before = std::move(before);
-    report.after = picture_of(shown.triangulation(), "After " + counted(shown.record().iterations, "iteration"));
+    report.after = motion.picture(shown.triangulation(), "After " + counted(shown.record().iterations, "iteration"));
     report.annulus_widths = shown.widths();
     report.comparison = comparison;
     Result_files out(directory);
@@ -102,16 +106,71 @@ void print(const Comparison_record& c) {
     for (const std::string& line : c.disagreements) std::printf("DISAGREE: %s\n", line.c_str());
 }
 
+template <class Motion>
+int compare(const Compare_call& a, const Invocation& invocation, Motion& motion, std::uint64_t iterations,
+            const Tracking_arguments& tracking, const Common_arguments& common, Clock::time_point begin) {
+    constexpr int d = Motion::Moving::dimension_of_space;
+    const std::size_t n = motion.points().size();
+    const bool files = !a.common.output.empty();
+    std::deque<Tracker<typename Motion::Moving>> trackers;
+    for (const std::string& name : a.strategies) {
+        const Options options = options_of(variant(tracking, name), common);
+        trackers.emplace_back(name, motion.points(), options, motion.spacing(), iterations, tracking.audit,
+                              files && name == a.strategies.back());
+    }
+    std::optional<Picture> before;
+    if (files) before = motion.picture(trackers[0].triangulation(), "Before");
+
+    constexpr std::size_t recording_bytes = std::size_t{256} << 20;
+    const std::size_t block = std::max<std::size_t>(1, recording_bytes / (n * sizeof(Coordinates<d>)));
+    Recording<d> rec;
+    Progress progress("compare", iterations * trackers.size(), a.common.quiet);
+    for (std::uint64_t done_steps = 0; done_steps < iterations;) {
+        const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(block, iterations - done_steps));
+        rec.positions.resize(now * n);
+        rec.ways.resize(now);
+        rec.seconds.resize(now);
+        for (std::size_t k = 0; k < now; ++k) {
+            const auto start = Clock::now();
+            rec.ways[k] = motion.next(std::span<Coordinates<d>>(rec.positions.data() + k * n, n));
+            rec.seconds[k] = since(start);
+        }
+        for (std::size_t t = 0; t < trackers.size(); ++t)
+            for (std::size_t k = 0; k < now; ++k) {
+                const std::span<const Coordinates<d>> x(rec.positions.data() + k * n, n);
+                trackers[t].step(x, rec.seconds[k], rec.ways[k].mean, rec.ways[k].max);
+                progress.show(done_steps * trackers.size() + t * now + k + 1, a.strategies[t]);
+            }
+        done_steps += now;
+    }
+    Comparison_record comparison;
+    for (auto& t : trackers) {
+        t.finish(command_line(invocation.words), common.seed, since(begin));
+        comparison.runs.push_back(t.record());
+    }
+    compare_ends(trackers, comparison);
+    if (files) write_comparison(a.common.output, motion, trackers, comparison, std::move(before));
+    if (!a.common.quiet) print(comparison);
+    const bool audits = std::all_of(comparison.runs.begin(), comparison.runs.end(),
+                                    [](const Run_record& r) { return r.audit.failed == 0; });
+    return comparison.agree && audits ? done : audit_failed;
+}
+
 int run(const Compare_call& a, const Invocation& invocation) {
     // The inner command is parsed by the same rules as when it stands alone.
     CLI::App inner("the motion to compare on", "annulus compare --");
-    auto* sub = inner.add_subcommand("lloyd", "Lloyd iterations in the plane");
     Common_arguments common;
     Tracking_arguments tracking;
-    Lloyd_arguments lloyd_arguments;
-    add_lloyd(*sub, lloyd_arguments);
-    add_tracking(*sub, tracking);
-    add_common(*sub, common, run_files);
+    Lloyd_arguments lloyd;
+    Nodt_arguments nodt;
+    auto* lloyd_command = inner.add_subcommand("lloyd", "Lloyd iterations in the plane");
+    auto* nodt_command = inner.add_subcommand("nodt", "Natural-ODT optimisation of a tetrahedral mesh");
+    add_lloyd(*lloyd_command, lloyd);
+    add_nodt(*nodt_command, nodt);
+    for (auto* command : {lloyd_command, nodt_command}) {
+        add_tracking(*command, tracking);
+        add_common(*command, common, run_files);
+    }
     inner.require_subcommand(1);
     std::vector<std::string> reversed(invocation.inner.rbegin(), invocation.inner.rend());
     try {
@@ -123,73 +182,25 @@ int run(const Compare_call& a, const Invocation& invocation) {
         throw CLI::ValidationError("--output", "belongs before --: compare writes one report for all strategies");
 
     const auto begin = Clock::now();
-    if (sub->count("--seed") == 0) common.seed = a.common.seed;
-    if (sub->count("--threads") == 0) common.threads = a.common.threads;
-    const Lloyd_scene scene = make_scene(lloyd_arguments, common.seed);
-    if (scene.merged > 0 && !a.common.quiet)
-        std::fprintf(stderr, "annulus: %s: merged %s\n", lloyd_arguments.input.c_str(),
-                     counted(scene.merged, "duplicate point").c_str());
-    const std::uint64_t iterations = lloyd_arguments.iterations;
-    const std::size_t n = scene.points.size();
+    const CLI::App& chosen = *inner.get_subcommands().front();
+    if (chosen.count("--seed") == 0) common.seed = a.common.seed;
+    if (chosen.count("--threads") == 0) common.threads = a.common.threads;
+    common.quiet = common.quiet || a.common.quiet;
+    for (const std::string& name : a.strategies) (void)options_of(variant(tracking, name), common);  // wrong usage first
     if (!a.common.output.empty()) require_writable(a.common.output);
-    std::deque<Tracker_2> trackers;
-    for (const std::string& name : a.strategies) {
-        const Options options = options_of(variant(tracking, name), common);
-        const bool measure = name == a.strategies.back() && !a.common.output.empty();
-        trackers.emplace_back(name, scene.points, options, scene.spacing(), iterations, tracking.audit, measure);
+    if (&chosen == lloyd_command) {
+        Guided_lloyd motion(lloyd, common);
+        return compare(a, invocation, motion, lloyd.iterations, tracking, common, begin);
     }
-    std::optional<Picture> before;
-    if (!a.common.output.empty()) before = picture_of(trackers[0].triangulation(), "Before");
-
-    // The motion needs a triangulation of its own, kept by certified tolerances, timed for nobody.
-    Moving_delaunay_2 guide(scene.points);
-    const Lloyd_2 lloyd(scene.domain, scene.density, common.threads);
-    Neighbours_2 neighbours;
-    bool cells_changed = true;
-    constexpr std::size_t recording_bytes = std::size_t{256} << 20;
-    const std::size_t block = std::max<std::size_t>(1, recording_bytes / (n * sizeof(Coordinates<2>)));
-    Recording rec;
-    Progress progress("compare", iterations * trackers.size(), a.common.quiet);
-    for (std::uint64_t done_steps = 0; done_steps < iterations;) {
-        const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(block, iterations - done_steps));
-        rec.positions.resize(now * n);
-        rec.steps.resize(now);
-        rec.seconds.resize(now);
-        for (std::size_t k = 0; k < now; ++k) {
-            const auto start = Clock::now();
-            const std::span<Coordinates<2>> target(rec.positions.data() + k * n, n);
-            if (cells_changed) guide.embedding().neighbours(neighbours);
-            rec.steps[k] = lloyd.step(neighbours, guide.positions(), target);
-            rec.seconds[k] = since(start);
-            const Move_report moved = guide.move_all(std::span<const Coordinates<2>>(target));
-            cells_changed = moved.flips + moved.moves.reinserted + moved.moves.rebuilt + moved.moves.flipped > 0;
-        }
-        for (std::size_t t = 0; t < trackers.size(); ++t)
-            for (std::size_t k = 0; k < now; ++k) {
-                const std::span<const Coordinates<2>> x(rec.positions.data() + k * n, n);
-                trackers[t].step(x, rec.seconds[k], rec.steps[k].mean_displacement, rec.steps[k].max_displacement);
-                progress.show(done_steps * trackers.size() + t * now + k + 1, a.strategies[t]);
-            }
-        done_steps += now;
-    }
-    Comparison_record comparison;
-    for (Tracker_2& t : trackers) {
-        t.finish(command_line(invocation.words), common.seed, since(begin));
-        comparison.runs.push_back(t.record());
-    }
-    compare_ends(trackers, comparison);
-    if (!a.common.output.empty()) write_comparison(a.common.output, trackers, comparison, std::move(before));
-    if (!a.common.quiet) print(comparison);
-    const bool audits = std::all_of(comparison.runs.begin(), comparison.runs.end(),
-                                    [](const Run_record& r) { return r.audit.failed == 0; });
-    return comparison.agree && audits ? done : audit_failed;
+    Guided_nodt motion(nodt, common);
+    return compare(a, invocation, motion, nodt.iterations, tracking, common, begin);
 }
 
 }  // namespace
 
 Run add_compare_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand(
-        "compare", "The same motion under several strategies: annulus compare --strategies a,b -- lloyd ...");
+        "compare", "The same motion under several strategies: annulus compare --strategies a,b -- lloyd|nodt ...");
     const auto a = std::make_shared<Compare_call>();
     sub->add_option("--strategies", a->strategies,
                     "Strategies, separated by commas; NAME:KIND changes the tolerance (filter:floating) or the second "

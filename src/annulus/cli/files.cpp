@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <utility>
 
 namespace annulus::cli {
 
@@ -28,11 +29,24 @@ std::vector<std::array<Index, 3>> triangles(const Audit_input<2>& in) {
     return cells;
 }
 
+/// Tolerance and theta of every vertex there is.
+template <class Moving>
+std::pair<std::vector<double>, std::vector<double>> vertex_fields(const Moving& dt, const Measures& m) {
+    std::pair<std::vector<double>, std::vector<double>> fields;
+    for (std::size_t i = 0; i < m.tolerance.size(); ++i) {
+        const auto v = dt.vertex(i);
+        if (v == decltype(v)()) continue;
+        fields.first.push_back(std::isfinite(m.tolerance[i]) ? m.tolerance[i] : 0.0);
+        fields.second.push_back(dt.theta(v));
+    }
+    return fields;
+}
+
 }  // namespace
 
-std::string title_of(const Run_record& run, const std::string& names) {
-    return grouped(run.vertices) + " vertices, " + grouped(run.iterations) + " Lloyd " +
-           (run.iterations == 1 ? "iteration: " : "iterations: ") + names;
+std::string title_of(const Run_record& run, const std::string& step, const std::string& names) {
+    return grouped(run.vertices) + " vertices, " + grouped(run.iterations) + " " + step +
+           (run.iterations == 1 ? ": " : "s: ") + names;
 }
 
 void write_run(const std::string& directory, const Tracker_2& tracker, std::optional<Picture> before,
@@ -41,18 +55,11 @@ void write_run(const std::string& directory, const Tracker_2& tracker, std::opti
     const Audit_input<2> in = tracker.triangulation().audit_input();
     const auto cells = triangles(in);
     const Measures m = tracker.triangulation().measure();
-    std::vector<double> tolerance;
-    std::vector<double> theta;
-    for (std::size_t i = 0; i < m.tolerance.size(); ++i) {
-        const auto v = tracker.triangulation().vertex(i);
-        if (v == decltype(v)()) continue;
-        tolerance.push_back(std::isfinite(m.tolerance[i]) ? m.tolerance[i] : 0.0);
-        theta.push_back(tracker.triangulation().theta(v));
-    }
-    const std::vector<Vtu_field> fields{{"tolerance", tolerance}, {"theta", theta}};
+    auto [tolerance, theta] = vertex_fields(tracker.triangulation(), m);
+    const std::vector<Vtu_field> fields{{"tolerance", std::move(tolerance)}, {"theta", std::move(theta)}};
 
     Report report;
-    report.title = title_of(run, run.strategy);
+    report.title = title_of(run, "Lloyd iteration", run.strategy);
     report.run = run;
     report.before = std::move(before);
     report.after = picture_of(tracker.triangulation(), "After " + counted(run.iterations, "iteration"));
@@ -68,34 +75,35 @@ void write_run(const std::string& directory, const Tracker_2& tracker, std::opti
     out.commit();
 }
 
-void write_run(const std::string& directory, const Tracker_3& tracker, const Cells_3& cells,
-               std::span<const char> domain, std::optional<Picture> before, std::optional<Picture> after,
-               std::vector<std::string> notes) {
+void write_run(const std::string& directory, const Tracker_3& tracker, const Mesh_3& mesh, bool domain,
+               std::optional<Picture> before, std::optional<Picture> after, std::vector<std::string> notes) {
     const Run_record& run = tracker.record();
-    const auto points = tracker.triangulation().positions();
+    const Moving_delaunay_3& dt = tracker.triangulation();
+    const Audit_input<3> in = dt.audit_input();  // with the simplices of a flat set, if it is one
+    const auto& cell = mesh.cells.vertex;
     std::vector<std::array<Index, 4>> inside;
     std::vector<std::int64_t> flag;
     std::vector<double> least_angle;
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        flag.push_back(domain[c] != 0 ? 1 : 0);
-        if (domain[c] != 0) inside.push_back(cells.vertex[c]);
+    for (std::size_t c = 0; c < cell.size(); ++c) {
+        flag.push_back(mesh.inside[c] != 0 ? 1 : 0);
+        if (mesh.inside[c] != 0) inside.push_back(cell[c]);
         double most = -1;  // the largest cosine
-        const auto x = [&](std::size_t i) { return points[static_cast<std::size_t>(cells.vertex[c][i])]; };
+        const auto x = [&](std::size_t i) { return in.points[static_cast<std::size_t>(cell[c][i])]; };
         for (const double cosine : dihedral_cosines(x(0), x(1), x(2), x(3)))
             most = std::max(most, std::min(cosine, 1.0));
         least_angle.push_back(std::acos(most) * 180 / std::numbers::pi);
     }
-    std::vector<Vtu_field> point_fields;
-    std::vector<double> tolerance = tracker.triangulation().measure().tolerance;
-    if (tolerance.size() == points.size()) {
-        for (double& t : tolerance) t = std::isfinite(t) ? t : 0.0;
-        point_fields.push_back({"tolerance", std::move(tolerance)});
+    const Measures m = dt.measure();
+    auto [tolerance, theta] = vertex_fields(dt, m);
+    std::vector<Vtu_field> point_fields{{"tolerance", std::move(tolerance)}, {"theta", std::move(theta)}};
+    std::vector<Vtu_field> cell_fields{{"dihedral_min", std::move(least_angle)}};
+    if (domain) {
+        std::vector<std::int64_t> boundary(in.points.size(), 0);
+        for (const auto& facet : surface_facets(mesh.cells, mesh.inside))
+            for (const Index v : facet) boundary[static_cast<std::size_t>(v)] = 1;
+        point_fields.push_back({"boundary", std::move(boundary)});
+        cell_fields.push_back({"domain", std::move(flag)});
     }
-    std::vector<std::int64_t> boundary(points.size(), 0);
-    for (const auto& facet : surface_facets(cells, domain))
-        for (const Index v : facet) boundary[static_cast<std::size_t>(v)] = 1;
-    point_fields.push_back({"boundary", std::move(boundary)});
-    const std::vector<Vtu_field> cell_fields{{"domain", flag}, {"dihedral_min", least_angle}};
 
     Report report;
     report.title = run.command;
@@ -108,10 +116,12 @@ void write_run(const std::string& directory, const Tracker_3& tracker, const Cel
     Result_files out(directory);
     out.write("summary.json", write_json(summary_json(run)));
     out.write("iterations.csv", write_csv(iterations_table(run)));
-    out.write("dihedral.csv", write_csv(dihedral_table(run)));
-    out.write("final.mesh", write_mesh<3>(points, cells.vertex));
-    out.write("domain.mesh", write_mesh<3>(points, inside));
-    out.write("final.vtu", write_vtu<3>(points, cells.vertex, point_fields, cell_fields));
+    if (domain) {
+        out.write("dihedral.csv", write_csv(dihedral_table(run)));
+        out.write("domain.mesh", write_mesh<3>(in.points, inside));
+    }
+    out.write("final.mesh", write_mesh<3>(in.points, in.cells));
+    out.write("final.vtu", write_vtu<3>(in.points, cell, point_fields, cell_fields));
     out.write("report.html", report_html(report));
     out.commit();
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/commands.h>
 #include <annulus/cli/files.h>
+#include <annulus/cli/mesh_3.h>
 #include <annulus/cli/nodt_scene.h>
 #include <annulus/cli/progress.h>
 #include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker.h>
-#include <annulus/io/cut_picture.h>
+#include <annulus/io/input_error.h>
 #include <annulus/motion/nodt_3.h>
 #include <annulus/statistics/mesh_quality.h>
 
@@ -23,20 +24,8 @@ struct Nodt_call {
     Nodt_arguments nodt;
 };
 
-/// The cells of the triangulation and which of them are of the domain.
-struct Mesh {
-    Cells_3 cells;
-    std::vector<char> inside;
-
-    void read(const Tracker_3& tracker, const Domain_3& domain, int threads) {
-        const auto& dt = tracker.triangulation();
-        if (tracker.cells_changed()) cells = linked(dt.audit_input().cells, dt.number_of_vertices());
-        inside = cells_inside(domain, cells, dt.positions(), threads);
-    }
-};
-
-Mesh_step measured(const Mesh& mesh, std::span<const Coordinates<3>> x, const Nodt_step& step) {
-    const Mesh_quality q = mesh_quality(mesh.cells, mesh.inside, x);
+Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step) {
+    const Mesh_quality q = mesh_quality(mesh.cells, mesh.inside, mesh.points);
     const auto counts = q.dihedral.counts();
     return {.vertices = q.vertices,
             .boundary = q.boundary,
@@ -49,17 +38,6 @@ Mesh_step measured(const Mesh& mesh, std::span<const Coordinates<3>> x, const No
             .dihedral = {counts.begin(), counts.end()}};
 }
 
-/// Across the shortest side of the box, through its middle: the widest view.
-Picture cut_through(const Mesh& mesh, const Domain_3& domain, std::span<const Coordinates<3>> x, std::string caption) {
-    const auto box = domain.bounding_box();
-    std::size_t axis = 2;
-    for (std::size_t k = 0; k < 3; ++k)
-        if (box.upper[k] - box.lower[k] < box.upper[axis] - box.lower[axis]) axis = k;
-    const double at = 0.5 * (box.lower[axis] + box.upper[axis]);
-    const std::string name(1, "xyz"[axis]);
-    return cut_picture(mesh.cells, mesh.inside, x, axis, at, std::move(caption) + ", cut across " + name);
-}
-
 int run(const Nodt_call& a, const std::string& command) {
     const auto begin = Clock::now();
     const Options options = options_of(a.tracking, a.common);
@@ -69,11 +47,11 @@ int run(const Nodt_call& a, const std::string& command) {
     const Domain_3& domain = *scene.domain;
     Tracker_3 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.nodt.iterations, a.tracking.audit,
                       files);
-    Mesh mesh;
-    mesh.read(tracker, domain, a.common.threads);
-    tracker.mesh_before(measured(mesh, tracker.triangulation().positions(), {}));
+    Mesh_3 mesh;
+    mesh.read(tracker.triangulation(), true, domain, a.common.threads);
+    tracker.mesh_before(measured(mesh, {}));
     std::optional<Picture> before;
-    if (files) before = cut_through(mesh, domain, tracker.triangulation().positions(), "before");
+    if (files) before = mesh.cut("before");
 
     const Nodt_3 nodt(domain, scene.sizing, a.nodt.lock, a.common.threads);
     std::vector<Coordinates<3>> target(scene.points.size());
@@ -81,13 +59,13 @@ int run(const Nodt_call& a, const std::string& command) {
         Progress progress("nodt", a.nodt.iterations, a.common.quiet);
         for (std::uint64_t i = 1; i <= a.nodt.iterations; ++i) {
             auto start = Clock::now();
-            const Nodt_step step = nodt.step(mesh.cells, mesh.inside, tracker.triangulation().positions(), target);
+            const Nodt_step step = nodt.step(mesh.cells, mesh.inside, mesh.points, target);
             tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
             // What the next step needs to know is the motion's time, what is measured is nobody's.
             start = Clock::now();
-            mesh.read(tracker, domain, a.common.threads);
+            mesh.read(tracker.triangulation(), tracker.cells_changed(), domain, a.common.threads);
             tracker.add_motion(since(start));
-            tracker.mesh_after(measured(mesh, tracker.triangulation().positions(), step));
+            tracker.mesh_after(measured(mesh, step));
             char news[60];
             std::snprintf(news, sizeof news, "%.2f %% within tolerance, %llu slivers", 100 * tracker.share_within(),
                           static_cast<unsigned long long>(tracker.record().steps.back().mesh->slivers));
@@ -96,10 +74,8 @@ int run(const Nodt_call& a, const std::string& command) {
     }
     tracker.finish(command, a.common.seed, since(begin));
     if (files)
-        write_run(a.common.output, tracker, mesh.cells, mesh.inside, std::move(before),
-                  cut_through(mesh, domain, tracker.triangulation().positions(),
-                              "after " + std::to_string(a.nodt.iterations) + " iterations"),
-                  scene.notes);
+        write_run(a.common.output, tracker, mesh, true, std::move(before),
+                  mesh.cut("after " + counted(a.nodt.iterations, "iteration")), scene.notes);
     if (!a.common.quiet) {
         print_summary(tracker);
         if (files) std::printf("written to     %s\n", a.common.output.c_str());
@@ -112,7 +88,6 @@ int run(const Nodt_call& a, const std::string& command) {
 Run add_nodt_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand("nodt", "Natural-ODT optimisation of a tetrahedral mesh of a closed surface");
     const auto a = std::make_shared<Nodt_call>();
-    a->tracking.strategy = "rebuild";
     add_nodt(*sub, a->nodt);
     add_tracking(*sub, a->tracking);
     add_common(*sub, a->common,

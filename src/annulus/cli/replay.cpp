@@ -3,6 +3,7 @@
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
 #include <annulus/cli/files.h>
+#include <annulus/cli/mesh_3.h>
 #include <annulus/cli/progress.h>
 #include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
@@ -23,17 +24,20 @@ struct Replay_call {
     Common_arguments common;
     Tracking_arguments tracking;
     std::string file;
-    int dimension = 2;
+    int dimension = 0;  // 0: what the file has
 };
 
-using Points = std::vector<Coordinates<2>>;
+template <int d>
+using Points = std::vector<Coordinates<d>>;
 
-/// The points of a frame in the plane, no two equal.
-Points points_of(const Recorded_motion& motion, const Frame& frame) {
-    Points points;
-    std::map<Coordinates<2>, std::size_t> seen;
+/// The points of a frame, no two equal; in the plane without their z.
+template <int d>
+Points<d> points_of(const Recorded_motion& motion, const Frame& frame) {
+    Points<d> points;
+    std::map<Coordinates<d>, std::size_t> seen;
     for (std::size_t i = 0; i < frame.position.size(); ++i) {
-        const Coordinates<2> p{frame.position[i][0] + 0.0, frame.position[i][1] + 0.0};  // -0 equals 0
+        Coordinates<d> p;
+        for (std::size_t k = 0; k < p.size(); ++k) p[k] = frame.position[i][k] + 0.0;  // -0 equals 0
         const auto fail = [&](Error_code code, std::string what, std::string expected) {
             throw Input_error(code, motion.name, frame.line[i], std::move(what), std::move(expected));
         };
@@ -48,31 +52,35 @@ Points points_of(const Recorded_motion& motion, const Frame& frame) {
     return points;
 }
 
-/// The unit of length: the square root of the area of the first frame's box for each of its points.
-double spacing_of(const Points& points) {
-    double side[2] = {0, 0};
-    for (std::size_t k = 0; k < 2; ++k) {
+/// The unit of length: the d-th root of the volume of the first frame's box for each of its points; for flat sets in fewer
+/// dimensions.
+template <int d>
+double spacing_of(const Points<d>& points) {
+    double logarithms = 0;  // no overflow
+    int dimension = 0;
+    for (std::size_t k = 0; k < d; ++k) {
         const auto [low, high] = std::minmax_element(points.begin(), points.end(),
                                                      [k](const auto& a, const auto& b) { return a[k] < b[k]; });
-        side[k] = (*high)[k] - (*low)[k];
+        const double side = (*high)[k] - (*low)[k];
+        if (!(side > 0)) continue;
+        logarithms += std::log(side);
+        ++dimension;
     }
-    const double n = static_cast<double>(points.size());
-    const double spacing = std::sqrt(side[0]) * std::sqrt(side[1]) / std::sqrt(n);
-    if (spacing > 0) return spacing;
-    const double longest = std::max(side[0], side[1]);
-    return longest > 0 ? longest / n : 1;
+    if (dimension == 0) return 1;
+    return std::exp((logarithms - std::log(static_cast<double>(points.size()))) / dimension);
 }
 
 /// What leads from the points that are there to a frame.
+template <int d>
 struct Change {
     std::vector<Index> leave;
-    Points x, arrive;
+    Points<d> x, arrive;
     std::vector<std::uint64_t> arriving;
     double sum = 0, max = 0;
     std::size_t moved = 0;
 
-    Change(const std::map<std::uint64_t, Index>& present, std::span<const Coordinates<2>> now, const Frame& frame,
-           const Points& points)
+    Change(const std::map<std::uint64_t, Index>& present, std::span<const Coordinates<d>> now, const Frame& frame,
+           const Points<d>& points)
         : x(now.begin(), now.end()) {
         std::size_t f = 0;
         const auto arrives_before = [&](bool last, std::uint64_t id) {
@@ -87,8 +95,9 @@ struct Change {
                 leave.push_back(index);
                 continue;
             }
-            Coordinates<2>& p = x[static_cast<std::size_t>(index)];
-            const double way = std::hypot(points[f][0] - p[0], points[f][1] - p[1]);
+            Coordinates<d>& p = x[static_cast<std::size_t>(index)];
+            double way = 0;
+            for (std::size_t k = 0; k < d; ++k) way = std::hypot(way, points[f][k] - p[k]);
             sum += way;
             max = std::max(max, way);
             ++moved;
@@ -98,18 +107,37 @@ struct Change {
     }
 };
 
-int run(const Replay_call& a, const std::string& command) {
-    const auto begin = Clock::now();
-    if (a.dimension != 2) throw Error(Error_code::usage, "--dim 3 is not in this version; z is dropped with --dim 2");
-    const Options options = options_of(a.tracking, a.common);
-    const Recorded_motion motion = read_motion(a.file);
-    const Points first = points_of(motion, motion.frames[0]);
+std::optional<Picture> picture(const Moving_delaunay_2& dt, const std::string& caption) {
+    return picture_of(dt, caption);
+}
+std::optional<Picture> picture(const Moving_delaunay_3& dt, const std::string& caption) {
+    Mesh_3 mesh;
+    mesh.read(dt);
+    return mesh.cut(caption);
+}
+
+void write(const std::string& directory, const Tracker_2& tracker, std::optional<Picture> before,
+           const std::string& note) {
+    write_run(directory, tracker, std::move(before), {note});
+}
+void write(const std::string& directory, const Tracker_3& tracker, std::optional<Picture> before,
+           const std::string& note) {
+    Mesh_3 mesh;
+    mesh.read(tracker.triangulation());
+    write_run(directory, tracker, mesh, false, std::move(before), mesh.cut("after"), {note});
+}
+
+template <class Moving>
+int replay(const Replay_call& a, const std::string& command, const Recorded_motion& motion, Clock::time_point begin) {
+    constexpr int d = Moving::dimension_of_space;
+    const Points<d> first = points_of<d>(motion, motion.frames[0]);
     const std::uint64_t iterations = motion.frames.size() - 1;
     const bool files = !a.common.output.empty();
     if (files) require_writable(a.common.output);
-    Tracker_2 tracker(a.tracking.strategy, first, options, spacing_of(first), iterations, a.tracking.audit, files);
+    Tracker<Moving> tracker(a.tracking.strategy, first, options_of(a.tracking, a.common), spacing_of<d>(first),
+                            iterations, a.tracking.audit, files);
     std::optional<Picture> before;
-    if (files) before = picture_of(tracker.triangulation(), "before");
+    if (files) before = picture(tracker.triangulation(), "before");
 
     std::map<std::uint64_t, Index> present;
     for (std::size_t i = 0; i < first.size(); ++i) present[motion.frames[0].id[i]] = static_cast<Index>(i);
@@ -118,7 +146,7 @@ int run(const Replay_call& a, const std::string& command) {
         Progress progress("replay", iterations, a.common.quiet);
         for (std::uint64_t i = 1; i <= iterations; ++i) {
             const Frame& frame = motion.frames[i];
-            const Change change(present, tracker.triangulation().positions(), frame, points_of(motion, frame));
+            const Change<d> change(present, tracker.triangulation().positions(), frame, points_of<d>(motion, frame));
             std::erase_if(
                 present, [&](const auto& p) { return !std::binary_search(frame.id.begin(), frame.id.end(), p.first); });
             const auto indices =
@@ -134,13 +162,31 @@ int run(const Replay_call& a, const std::string& command) {
     }
     tracker.finish(command, a.common.seed, since(begin));
     const std::string note = counted(arrived, "point") + " appeared, " + std::to_string(left) + " disappeared.";
-    if (files) write_run(a.common.output, tracker, std::move(before), {note});
+    if (files) write(a.common.output, tracker, std::move(before), note);
     if (!a.common.quiet) {
         print_summary(tracker);
         std::printf("points         %s\n", note.c_str());
         if (files) std::printf("written to     %s\n", a.common.output.c_str());
     }
     return tracker.record().audit.failed == 0 ? done : audit_failed;
+}
+
+/// 3 when there is a z and it is not the same everywhere.
+int dimension_of(const Recorded_motion& motion) {
+    for (const Frame& frame : motion.frames)
+        for (const auto& p : frame.position)
+            if (motion.has_z && p[2] != motion.frames[0].position[0][2]) return 3;
+    return 2;
+}
+
+int run(const Replay_call& a, const std::string& command) {
+    const auto begin = Clock::now();
+    (void)options_of(a.tracking, a.common);  // wrong usage is told before a long file is read
+    const Recorded_motion motion = read_motion(a.file);
+    if (a.dimension == 3 && !motion.has_z)
+        throw Input_error(Error_code::bad_input, a.file, 0, "points have no z", "a third coordinate for --dim 3");
+    return (a.dimension != 0 ? a.dimension : dimension_of(motion)) == 2 ? replay<Moving_delaunay_2>(a, command, motion, begin)
+                            : replay<Moving_delaunay_3>(a, command, motion, begin);
 }
 
 }  // namespace
@@ -150,7 +196,8 @@ Run add_replay_command(CLI::App& app, const Invocation& invocation) {
     const auto a = std::make_shared<Replay_call>();
     sub->add_option("FILE", a->file, "Frames: .xyz (extended XYZ) or .csv with columns frame, id, x, y [, z]")
         ->required();
-    sub->add_option("--dim", a->dimension, "Dimension; 2 drops z")->check(CLI::IsMember({2, 3}))->capture_default_str();
+    sub->add_option("--dim", a->dimension, "Dimension; 2 drops z. Without it, 3 where z is not the same everywhere")
+        ->check(CLI::IsMember({2, 3}));
     add_tracking(*sub, a->tracking);
     add_common(*sub, a->common, run_files);
     return [a, command = command_line(invocation.words)] { return run(*a, command); };

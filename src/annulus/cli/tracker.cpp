@@ -5,9 +5,9 @@
 #include <annulus/statistics/memory.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace annulus::cli {
 
@@ -72,23 +72,19 @@ std::vector<Index> Tracker<Moving>::follow(std::span<const Index> leave, std::sp
     const auto start = Clock::now();
     Move_report report;
     std::vector<Index> indices;
-    if constexpr (d == 2) {
-        for (const Index i : leave) {
-            Move_report one;
-            dt_.remove(dt_.vertex(static_cast<std::size_t>(i)), &one);
-            one.moves = {};  // what happened to the moves asked for is counted, no more
-            report += one;
-        }
-        report += dt_.move_all(x);
-        for (const auto& p : arrive) {
-            Move_report one;
-            indices.push_back(dt_.index(dt_.insert(typename Moving::Point(p[0], p[1]), &one)));
-            one.moves = {};
-            report += one;
-        }
-    } else {
-        assert(leave.empty() && arrive.empty());  // in space nobody comes or goes yet
-        report += dt_.move_all(x);
+    for (const Index i : leave) {
+        Move_report one;
+        dt_.remove(dt_.vertex(static_cast<std::size_t>(i)), &one);
+        one.moves = {};  // what happened to the moves asked for is counted, no more
+        report += one;
+    }
+    report += dt_.move_all(x);
+    for (const auto& p : arrive) {
+        Move_report one;
+        const auto point = std::apply([](auto... c) { return typename Moving::Point(c...); }, p);
+        indices.push_back(dt_.index(dt_.insert(point, &one)));
+        one.moves = {};
+        report += one;
     }
     record_step(report, since(start) - report.handle_seconds, 0, displacement_mean, displacement_max);
     cells_changed_ = cells_changed_ || !leave.empty() || !arrive.empty();
@@ -99,7 +95,7 @@ template <class Moving>
 void Tracker<Moving>::record_step(const Move_report& report, double seconds, double motion_seconds,
                                   double displacement_mean, double displacement_max) {
     totals_ += report;
-    cells_changed_ = report.flips + report.moves.reinserted + report.moves.rebuilt + report.moves.flipped > 0;
+    cells_changed_ = changes_cells(report);
     record_.seconds.triangulation += seconds;
     record_.seconds.motion += motion_seconds;
     Iteration_record it;
@@ -182,7 +178,7 @@ void Tracker<Moving>::add_motion(double seconds) {
 }
 
 template class Tracker<Moving_delaunay_2>;
-template class Tracker<Moving_3>;
+template class Tracker<Moving_delaunay_3>;
 
 Picture picture_of(const Moving_delaunay_2& dt, std::string caption) {
     Audit_input<2> in = dt.audit_input();

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/cli/moving_3.h>
 #include <annulus/io/report.h>
 #include <annulus/io/run_record.h>
 #include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_delaunay_3.h>
 
 #include <string>
 #include <vector>
 
 namespace annulus::cli {
 
-/// One strategy following a motion: its triangulation, what it did, and what was measured on the way.
-///
-/// Moving is a Moving_delaunay, or what has those of its members that are used here.
+/// Did what is reported change the cells of the triangulation?
+[[nodiscard]] inline bool changes_cells(const Move_report& r) {
+    return r.flips + r.moves.reinserted + r.moves.rebuilt + r.moves.flipped > 0;
+}
+
+/// One strategy following a motion: its triangulation (a Moving_delaunay), what it did, and what was measured on the way.
 template <class Moving>
 class Tracker {
   public:
@@ -70,10 +73,10 @@ class Tracker {
 };
 
 extern template class Tracker<Moving_delaunay_2>;
-extern template class Tracker<Moving_3>;
+extern template class Tracker<Moving_delaunay_3>;
 
 using Tracker_2 = Tracker<Moving_delaunay_2>;
-using Tracker_3 = Tracker<Moving_3>;
+using Tracker_3 = Tracker<Moving_delaunay_3>;
 
 /// The triangulation as a picture for the report.
 [[nodiscard]] Picture picture_of(const Moving_delaunay_2& dt, std::string caption);

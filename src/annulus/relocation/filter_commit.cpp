@@ -230,7 +230,8 @@ void Filter<d>::rebase(Index v) {
             const Index c = table_.cell_of(h);
             shift(cell_record_[at(c)].expiry[static_cast<std::size_t>(table_.slot_of(h))], id_of_cell(c));
         },
-        [&](Index f) {
+        [&](Index h) {
+            const Index f = table_.facet(h);
             Facet_record& r = facet_record_[at(f)];
             for (std::size_t k = 0; k < r.point.size(); ++k) {
                 if (r.point[k] != v) continue;

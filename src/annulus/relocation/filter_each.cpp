@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace annulus {
 
@@ -20,6 +21,7 @@ void Filter_each<d>::resize() {
     epsilon_.resize(n, unlimited);
     threshold_.resize(n, 0.0);
     queued_.resize(n, 0);
+    least_.resize(n, unlimited);
 }
 
 template <int d>
@@ -69,22 +71,30 @@ void Filter_each<d>::lower(Index v, double tolerance) {
 
 template <int d>
 template <class S>
-void Filter_each<d>::lower_points(const S& s) {
+void Filter_each<d>::note_least(const S& s) {
     if (!repair_.exists(s) || s.kind == Facet_kind::border) return;
     for (const Index w : s.point) {
         if (w == none) continue;
-        // The certificate was evaluated at site(w), so far from the fixed position.
-        const double off = at_fixed_ ? 0.0 : distance_upper<d>(position_[at(w)], fixed_[at(w)]);
-        const double rest = s.verdict.tolerance - off;
-        lower(w, off == 0.0 ? rest : rest - s.verdict.tolerance * 0x1p-50);
+        double& least = least_[at(w)];
+        if (least == unlimited) touched_.push_back(w);
+        least = std::min(least, s.verdict.tolerance);
     }
 }
 
+/// Tolerances of what has been evaluated, for the points of it.
 template <int d>
 void Filter_each<d>::update() {
-    for (const auto& s : repair_.facets()) lower_points(s);
-    if (repair_.kind() == Tolerance_kind::paper) return;
-    for (const auto& s : repair_.cells()) lower_points(s);
+    for (const auto& s : repair_.facets()) note_least(s);
+    if (repair_.kind() != Tolerance_kind::paper)
+        for (const auto& s : repair_.cells()) note_least(s);
+    for (const Index w : touched_) {
+        const double least = std::exchange(least_[at(w)], unlimited);
+        // The certificates were evaluated at site(w), so far from the fixed position.
+        const double off = at_fixed_ ? 0.0 : distance_upper<d>(position_[at(w)], fixed_[at(w)]);
+        const double rest = least - off;
+        lower(w, off == 0.0 ? rest : rest - least * 0x1p-50);
+    }
+    touched_.clear();
 }
 
 template <int d>

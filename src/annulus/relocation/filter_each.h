@@ -60,7 +60,7 @@ class Filter_each {
     void resize();
     void lower(Index v, double tolerance);
     template <class S>
-    void lower_points(const S& suspect);
+    void note_least(const S& suspect);
     void update();
     void process(Index h, Move_report& report, bool first);
 
@@ -74,6 +74,8 @@ class Filter_each {
     std::vector<double> threshold_;
     std::vector<Index> queue_;
     std::vector<char> queued_;
+    std::vector<double> least_;   // tolerance of what is being looked at, by vertex; else infinite
+    std::vector<Index> touched_;  // where it is not
 };
 
 extern template class Filter_each<2>;

@@ -59,7 +59,8 @@ void Filter<d>::tour(Index v, double reading, Expiry_list& list, std::span<const
             certificates_.push_back(
                 {cell_record_[at(c)].expiry[static_cast<std::size_t>(table_.slot_of(h))], id_of_cell(c)});
         },
-        [&](Index f) {
+        [&](Index h) {
+            const Index f = table_.facet(h);
             const Facet_record& r = facet_record_[at(f)];
             certificates_.push_back({expiry_of(v, r.point, r.expiry), id_of_facet(f)});
         });

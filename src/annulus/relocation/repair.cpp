@@ -24,45 +24,69 @@ void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
     detached_.clear();
     changed_.clear();
     rebuilt_ = false;
+    mending_ = false;
     log_.clear();
     report_ = {};
 }
 
 template <int d>
 void Repair<d>::forget() {
-    for (const auto& s : facets_) place_of_facet_[at(s.id)] = 0;
-    for (const auto& s : cells_) place_of_cell_[at(s.id)] = 0;
+    if (placed_) {
+        for (const auto& s : facets_) place_of_facet_[at(s.id)] = 0;
+        for (const auto& s : cells_) place_of_cell_[at(s.id)] = 0;
+    }
+    placed_ = true;
     facets_.clear();
     cells_.clear();
 }
 
 template <int d>
-void Repair<d>::suspect_facet(Index f, Facet_kind kind, const Facet_points<d>& points) {
+void Repair<d>::assign_places() {
+    if (placed_) return;
+    placed_ = true;
+    for (std::size_t i = 0; i < facets_.size(); ++i)
+        place_of_facet_[at(facets_[i].id)] = static_cast<Index>(i + 1);
+    for (std::size_t i = 0; i < cells_.size(); ++i) place_of_cell_[at(cells_[i].id)] = static_cast<Index>(i + 1);
+}
+
+/// Where facet f is, or is put, among the suspects.
+template <int d>
+typename Repair<d>::Facet_suspect& Repair<d>::suspected_facet(Index f) {
+    assign_places();
     if (at(f) >= place_of_facet_.size()) place_of_facet_.resize(at(f) + 1, 0);
     Index& place = place_of_facet_[at(f)];
     if (place == 0) {
-        facets_.push_back({});
+        facets_.emplace_back();
         place = static_cast<Index>(facets_.size());
     }
-    Facet_suspect& s = facets_[at(place - 1)];
-    s.id = f;
-    s.point = points;
-    s.kind = kind;
-    s.stale = true;
+    return facets_[at(place - 1)];
 }
 
-/// Facet f with its kind and points, to be examined.
 template <int d>
-typename Repair<d>::Facet_suspect Repair<d>::facet_suspect(Index f) const {
+typename Repair<d>::Cell_suspect& Repair<d>::suspected_cell(Index c) {
+    assign_places();
+    if (at(c) >= place_of_cell_.size()) place_of_cell_.resize(at(c) + 1, 0);
+    Index& place = place_of_cell_[at(c)];
+    if (place == 0) {
+        cells_.emplace_back();
+        place = static_cast<Index>(cells_.size());
+    }
+    return cells_[at(place - 1)];
+}
+
+/// Facet f, seen from half-facet h.
+template <int d>
+void Repair<d>::describe(Facet_suspect& s, Index f, Index h) const {
     const auto& t = embedding_.table();
-    const Index h = t.half(f);
-    Facet_suspect s;
     s.id = f;
+    s.stale = true;
     s.kind = facet_kind(t, h);
-    s.point.fill(none);
     if (s.kind == Facet_kind::empty_sphere) {
         s.point = bicell_points(t, h);
-    } else if (s.kind == Facet_kind::ridge) {
+        return;
+    }
+    s.point.fill(none);
+    if (s.kind == Facet_kind::ridge) {
         const Cell_points<d> ridge = ridge_vertex_last(t, h, ridge_points(t, h));
         std::copy(ridge.begin(), ridge.end(), s.point.begin());
     } else if (kind_ == Tolerance_kind::paper) {
@@ -70,23 +94,34 @@ typename Repair<d>::Facet_suspect Repair<d>::facet_suspect(Index f) const {
         std::copy(slab.begin(), slab.end(), s.point.begin());
         s.kind = Facet_kind::slab;
     }
-    return s;
 }
 
 template <int d>
-typename Repair<d>::Cell_suspect Repair<d>::cell_suspect(Index c) const {
-    const auto& t = embedding_.table();
-    Cell_suspect s;
+void Repair<d>::describe(Cell_suspect& s, Index c) const {
     s.id = c;
-    s.kind = t.is_infinite(c) ? Facet_kind::border : Facet_kind::empty_sphere;
-    s.point = cell_points(t, c);
-    return s;
+    s.stale = true;
+    s.point = cell_points(embedding_.table(), c);
+    const bool infinite_cell = std::find(s.point.begin(), s.point.end(), infinite) != s.point.end();
+    s.kind = infinite_cell ? Facet_kind::border : Facet_kind::empty_sphere;
+}
+
+template <int d>
+void Repair<d>::suspect_facet(Index f, Facet_kind kind, const Facet_points<d>& points) {
+    Facet_suspect& s = suspected_facet(f);
+    s.id = f;
+    s.stale = true;
+    s.point = points;
+    s.kind = kind;
 }
 
 template <int d>
 void Repair<d>::suspect_facet(Index f) {
-    const Facet_suspect s = facet_suspect(f);
-    suspect_facet(f, s.kind, s.point);
+    describe(suspected_facet(f), f, embedding_.table().half(f));
+}
+
+template <int d>
+void Repair<d>::suspect_cell(Index c) {
+    describe(suspected_cell(c), c);
 }
 
 template <int d>
@@ -101,19 +136,18 @@ void Repair<d>::suspect_everything() {
 template <int d>
 void Repair<d>::suspect_star(Index v) {
     const auto& t = embedding_.table();
+    const bool alone = facets_.empty() && cells_.empty();
+    if (alone) placed_ = false;
     for_each_certificate(
-        t, v, [&](Index h) { suspect_cell(t.cell_of(h)); }, [&](Index f) { suspect_facet(f); });
-}
-
-template <int d>
-void Repair<d>::suspect_cell(Index c) {
-    if (at(c) >= place_of_cell_.size()) place_of_cell_.resize(at(c) + 1, 0);
-    Index& place = place_of_cell_[at(c)];
-    if (place == 0) {
-        cells_.push_back({});
-        place = static_cast<Index>(cells_.size());
-    }
-    cells_[at(place - 1)] = cell_suspect(c);
+        t, v,
+        [&](Index h) {
+            const Index c = t.cell_of(h);
+            describe(alone ? cells_.emplace_back() : suspected_cell(c), c);
+        },
+        [&](Index h) {
+            const Index f = t.facet(h);
+            describe(alone ? facets_.emplace_back() : suspected_facet(f), f, h);
+        });
 }
 
 template <int d>
@@ -168,6 +202,8 @@ void Repair<d>::collect_violated() {
 
 template <int d>
 typename Repair<d>::Outcome Repair<d>::mend(std::span<const Coordinates<d>> old, std::span<const Index> movers) {
+    assign_places();
+    mending_ = true;
     collect_violated();
     if (run_flips() == Progress::done) return Outcome::flipped;
     undo_flips();

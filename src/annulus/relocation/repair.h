@@ -103,13 +103,16 @@ class Repair {
     [[nodiscard]] const Move_report& report() const { return report_; }
 
     /// False for an entry whose facet or cell did not survive the repair.
-    [[nodiscard]] bool exists(const Facet_suspect& s) const { return embedding_.table().is_facet(s.id); }
-    [[nodiscard]] bool exists(const Cell_suspect& s) const { return embedding_.table().is_cell(s.id); }
+    [[nodiscard]] bool exists(const Facet_suspect& s) const { return !mending_ || embedding_.table().is_facet(s.id); }
+    [[nodiscard]] bool exists(const Cell_suspect& s) const { return !mending_ || embedding_.table().is_cell(s.id); }
     [[nodiscard]] Tolerance_kind kind() const { return kind_; }
 
   private:
-    [[nodiscard]] Facet_suspect facet_suspect(Index f) const;
-    [[nodiscard]] Cell_suspect cell_suspect(Index c) const;
+    [[nodiscard]] Facet_suspect& suspected_facet(Index f);
+    [[nodiscard]] Cell_suspect& suspected_cell(Index c);
+    void describe(Facet_suspect& s, Index f, Index h) const;
+    void describe(Cell_suspect& s, Index c) const;
+    void assign_places();
     [[nodiscard]] const Facet_suspect& examine_facet(Index f);
     [[nodiscard]] const Cell_suspect& examine_cell(Index c);
     /// Filter stage; false when the next stage must be asked.
@@ -162,6 +165,8 @@ class Repair {
     std::vector<Cell_suspect> cells_;
     std::vector<Index> place_of_facet_;  // facet -> 1 + place in facets_, 0 when absent
     std::vector<Index> place_of_cell_;
+    bool placed_ = true;    // false: these are still to be filled in; a star has no certificate twice
+    bool mending_ = false;  // the triangulation may differ from what it was at the beginning
     std::vector<Index> disturbed_;
     std::vector<Index> detached_;
     std::vector<Index> changed_;  // cells, some perhaps gone again; not kept up once all are rebuilt
@@ -189,6 +194,8 @@ void Repair<2>::flip(Index h);
 template <>
 void Repair<2>::take_back_flips();
 
+template <>
+bool Repair<3>::evaluate_everything();
 template <>
 bool Repair<3>::unfold(Index c);
 template <>

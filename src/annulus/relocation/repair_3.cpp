@@ -28,7 +28,12 @@ void Repair<3>::flip(const Flip_3& flip, std::vector<Index>& created) {
     log_.push_back(std::move(record));
     embedding_.replace(flip.gone(), flip.came(), created);
     ++report_.flips;
-    many_ = true;  // even with one mover: it may have passed over a part of the hull that its cells do not touch
+    // Even with one mover the border has to be walked when it changes: the mover may have passed over a part of the hull
+    // that its cells do not touch.
+    const auto touches_infinity = [](const Cell_points<3>& c) {
+        return std::find(c.begin(), c.end(), infinite) != c.end();
+    };
+    many_ |= std::any_of(flip.came().begin(), flip.came().end(), touches_infinity);
 }
 
 /// Cells have other numbers after a replacement, so that they are found by their vertices. What was evaluated at the flipped

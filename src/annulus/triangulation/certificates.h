@@ -26,9 +26,8 @@ using Cell_points = std::array<Index, static_cast<std::size_t>(d + 1)>;
 
 template <int d>
 [[nodiscard]] Facet_kind facet_kind(const Cell_table<d>& t, Index h) {
-    const bool one = t.is_infinite(t.cell_of(h));
-    const bool other = t.is_infinite(t.cell_of(t.twin(h)));
-    return one && other ? Facet_kind::ridge : one || other ? Facet_kind::border : Facet_kind::empty_sphere;
+    if (t.vertex(h) == infinite || t.vertex(t.twin(h)) == infinite) return Facet_kind::border;
+    return t.is_infinite(t.cell_of(h)) ? Facet_kind::ridge : Facet_kind::empty_sphere;  // as the other cell
 }
 
 /// The points of a finite cell in positive order.
@@ -105,24 +104,24 @@ inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0
     return {x[0], x[1], x[2], t.vertex(t.twin(h)), x[3]};
 }
 
-/// Visits every certificate that contains v: on_cell(h) with the corner of v in each of its cells, on_facet(f) for each facet
-/// whose bi-cell contains it, once. O(degree).
+/// Visits every certificate that contains v: on_cell(h) with the corner of v in each of its cells, on_facet(k) with a
+/// half-facet of each facet whose bi-cell contains it, once. O(degree).
 template <class On_cell, class On_facet>
 void for_each_certificate(const Cell_table<2>& t, Index v, On_cell on_cell, On_facet on_facet) {
     t.for_each_corner(v, [&](Index h) {
         on_cell(h);
-        on_facet(t.facet(h));
-        on_facet(t.facet(t.ccw(h)));
+        on_facet(h);
+        on_facet(t.ccw(h));
     });
 }
 template <class On_cell, class On_facet>
 void for_each_certificate(const Cell_table<3>& t, Index v, On_cell on_cell, On_facet on_facet) {
     t.for_each_corner(v, [&](Index h) {
         on_cell(h);
-        on_facet(t.facet(h));
+        on_facet(h);
         for (int i = 0; i <= 3; ++i) {  // the other three contain v and are seen from two of its cells
             const Index k = t.corner(t.cell_of(h), i);
-            if (k != h && k < t.twin(k)) on_facet(t.facet(k));
+            if (k != h && k < t.twin(k)) on_facet(k);
         }
     });
 }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/cli/guided_motion.h>
+
+#include <annulus/io/input_error.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace annulus::cli {
+
+Guided_lloyd::Guided_lloyd(const Lloyd_arguments& arguments, const Common_arguments& common)
+    : scene_(make_scene(arguments, common.seed)),
+      guide_(scene_.points),
+      lloyd_(scene_.domain, scene_.density, common.threads) {
+    if (scene_.merged > 0 && !common.quiet)
+        std::fprintf(stderr, "annulus: %s: merged %s\n", arguments.input.c_str(),
+                     counted(scene_.merged, "duplicate point").c_str());
+}
+
+Way Guided_lloyd::next(std::span<Coordinates<2>> target) {
+    if (cells_changed_) guide_.embedding().neighbours(neighbours_);
+    const Lloyd_step step = lloyd_.step(neighbours_, guide_.positions(), target);
+    cells_changed_ = changes_cells(guide_.move_all(std::span<const Coordinates<2>>(target)));
+    return {step.mean_displacement, step.max_displacement};
+}
+
+Picture Guided_lloyd::picture(const Moving& dt, std::string caption) const {
+    return picture_of(dt, std::move(caption));
+}
+
+Guided_nodt::Guided_nodt(const Nodt_arguments& arguments, const Common_arguments& common)
+    : threads_(common.threads),
+      scene_(make_scene(arguments, common.seed)),
+      guide_(scene_.points),
+      nodt_(*scene_.domain, scene_.sizing, arguments.lock, common.threads) {}
+
+Way Guided_nodt::next(std::span<Coordinates<3>> target) {
+    mesh_.read(guide_, cells_changed_, *scene_.domain, threads_);
+    const Nodt_step step = nodt_.step(mesh_.cells, mesh_.inside, mesh_.points, target);
+    cells_changed_ = changes_cells(guide_.move_all(std::span<const Coordinates<3>>(target)));
+    return {step.mean_displacement, step.max_displacement};
+}
+
+Picture Guided_nodt::picture(const Moving& dt, std::string caption) const {
+    Mesh_3 mesh;
+    mesh.read(dt, true, *scene_.domain, threads_);
+    return mesh.cut(std::move(caption));
+}
+
+}  // namespace annulus::cli

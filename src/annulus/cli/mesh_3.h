@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/cli/tracker.h>
+#include <annulus/motion/cells_3.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace annulus::cli {
+
+/// The solid cells of a triangulation of space, numbered like `points`, and which of them are of the domain. In one order
+/// whatever the history of the triangulation, so that a motion computed from them is the same bit for bit.
+struct Mesh_3 {
+    std::vector<Coordinates<3>> points;  ///< where nobody has left, by vertex index
+    Cells_3 cells;
+    std::vector<char> inside;
+
+    /// Every cell is of the domain.
+    void read(const Moving_delaunay_3& dt);
+    /// Those cells are of the domain whose circumcentre is. The cells are read again only if they have changed.
+    void read(const Moving_delaunay_3& dt, bool cells_changed, const Domain_3& domain, int threads);
+
+    /// The cells of the domain, cut across the shortest side of the box of the points, through its middle: the widest view.
+    [[nodiscard]] Picture cut(std::string caption) const;
+};
+
+}  // namespace annulus::cli
