@@ -219,7 +219,7 @@ TEST_CASE("A term ends before deviation and drift together use up the tolerance"
             const int ticks = random() % 2 == 0 ? integer(random, 1, 250) : 256 * integer(random, 1, 3);
             const double rho = 0.5 * std::sqrt(twice_rho_squared.get_d());
             double tolerance = 3.2 * ticks * rho;
-            tolerance *= 1.0 + std::ldexp(integer(random, -8, 8), -45 - integer(random, 0, 7));
+            tolerance *= 1.0 + std::ldexp(integer(random, -8, 8), -integer(random, 30, 52));
             const auto term =
                 prediction.term(std::array<Index, 3>{0, 1, 2}, tolerance, std::span<const Vertex_record<2>>(vertices));
             const Rational left = Rational(tolerance) - Rational(term.tolerance);
