@@ -134,3 +134,26 @@ TEST_CASE("The circle of a triangle claims nothing that is not so", "[certificat
         RC_ASSERT(claimed > 95);
     }));
 }
+
+TEST_CASE("The circle of a triangle answers in the range of its error bounds and nowhere else", "[certificate]") {
+    const double most = bounds::filter_range, least = 1 / bounds::filter_range;
+    const auto circle_of = [](double x, double y) { return Circumcircle_2({0, 0}, {x, 0}, {0, y}); };
+    for (const double x : {least, std::nextafter(least, 1.0), 1.0, std::nextafter(most, 1.0), most}) {
+        INFO("x = " << as_code(x));
+        CHECK(circle_of(x, x).positive());
+        // The radius is x / sqrt(2) around (x / 2, x / 2).
+        CHECK(circle_of(x, x).excludes({-0.5 * x, -0.5 * x}));
+        CHECK(circle_of(x, x).excludes({0.5 * x, -0.5 * x}));
+        CHECK(!circle_of(x, x).excludes({x, x}));
+    }
+    for (const double x : {std::nextafter(least, 0.0), std::nextafter(most, HUGE_VAL), 0x1p-258, 0x1p250}) {
+        INFO("x = " << as_code(x));
+        CHECK(!circle_of(x, x).positive());
+        CHECK(!circle_of(x, 0.5 * x).positive());
+        CHECK(!circle_of(0.5 * x, x).positive());
+    }
+    const Circumcircle_2 large = circle_of(0.5 * most, 0.5 * most);
+    CHECK(large.excludes({-most, most}));
+    CHECK(!large.excludes({-2 * most, 0}));
+    CHECK(!large.excludes({0, 2 * most}));
+}

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <vector>
 
 using namespace annulus;
@@ -121,6 +122,14 @@ TEST_CASE("which annuli are backward, and the cells that stand in for them", "[c
             HOLDS(!needed.filter || (needed.filter->backward & truth) == truth, c);
             HOLDS(!needed.interval || (needed.interval->backward & truth) == truth, c);
             HOLDS(needed.exact.tolerance == (truth != 0 ? always : never).exact.tolerance, c);
+            // Cells count for a stage that is not certain, and only there.
+            const auto agrees = [&](auto stage) {
+                const std::optional<Verdict>& v = needed.*stage;
+                if (!v || v->sign < 0) return true;
+                const std::optional<Verdict>& other = (v->backward != 0 ? always : never).*stage;
+                return other && other->tolerance == v->tolerance;
+            };
+            HOLDS(agrees(&Answers::filter) && agrees(&Answers::interval), c);
             const double cells = std::min(orientation_exact(c.cell_p().tuple()).tolerance,
                                           orientation_exact(c.cell_q().tuple()).tolerance);
             HOLDS(always.exact.tolerance == std::min(never.exact.tolerance, cells), c);
