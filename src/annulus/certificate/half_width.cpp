@@ -139,9 +139,8 @@ bool with_interval_vectors(const std::array<const std::array<double, d>*, k>& x,
 
 template <class X>
 [[gnu::noinline]] bool by_intervals(const X& x, Width which, Half_width& out) {
-    return with_interval_vectors(x, [&](const auto& from, const detail::Scale& s) {
-        return enclosed(terms<Interval>(x, which, from), s, out);
-    });
+    return with_interval_vectors(
+        x, [&](const auto& from, const detail::Scale& s) { return enclosed(terms<Interval>(x, which, from), s, out); });
 }
 template <class X>
 [[gnu::noinline]] bool by_intervals(const X& x, Bicell_half_widths& out) {

@@ -27,7 +27,7 @@ enum class Width : std::uint8_t {
     least,  ///< half the width of the simplex
     slab,   ///< the paper's slab of a facet: half the altitude of the last point over the others
     ridge,  ///< the paper's slab of a hull ridge: in the plane the same; in space half the distance of the line through the first
-            ///< two points and the line through the last two, whatever the sign
+    ///< two points and the line through the last two, whatever the sign
 };
 
 /// The half widths of a bi-cell.

@@ -46,8 +46,8 @@ std::vector<Coordinates<d>> distinct(const Point_file<d>& file) {
         if (repeated[i] == 0) x[kept++] = x[i];
     x.resize(kept);
     if (kept < 2)
-        throw file.fault(file.points.size() - 1, Error_code::too_few,
-                         counted(kept, "distinct point") + " in the file", "at least 2");
+        throw file.fault(file.points.size() - 1, Error_code::too_few, counted(kept, "distinct point") + " in the file",
+                         "at least 2");
     return x;
 }
 
@@ -99,8 +99,7 @@ void print(const Degeneracy& d) {
     print_counts("tolerances", d.vertices.total, d.vertices.zero, d.vertices.below);
     const auto median = [](const Distribution& q) { return q.quantiles.empty() ? 0.0 : q.quantiles[5]; };
     std::printf("medians        width of bi-cells %.4g, certified tolerance %.4g, paper's tolerance %.4g, theta %.4g\n",
-                median(d.bicells.least.width), median(d.vertices.certified), median(d.vertices.paper),
-                median(d.theta));
+                median(d.bicells.least.width), median(d.vertices.certified), median(d.vertices.paper), median(d.theta));
     std::printf("non-convex     %llu bi-cells (%.4g %%); with %s points %llu\n", count(d.non_convex),
                 percent(d.non_convex, d.bicells.least.total), d.dimension == 2 ? "three collinear" : "four coplanar",
                 count(d.flat));

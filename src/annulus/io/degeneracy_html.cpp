@@ -46,7 +46,8 @@ Series cumulative(std::string name, const Histogram& h) {
     return s;
 }
 
-Plot cumulative_plot(std::string title, std::string x, const std::vector<std::pair<std::string, const Distribution*>>& of) {
+Plot cumulative_plot(std::string title, std::string x,
+                     const std::vector<std::pair<std::string, const Distribution*>>& of) {
     Plot plot;
     plot.title = std::move(title);
     plot.x = {std::move(x), Scale::log10};
@@ -97,10 +98,15 @@ void append_counts(std::string& out, const Degeneracy& d) {
     add("vertices (tolerance)", d.vertices.total, d.vertices.zero, d.vertices.below);
     out += "<h2>Degenerate, exactly and nearly</h2>\n";
     append_table(out, head, rows);
-    out += "<figcaption>Widths of annuli and of slabs, in mean spacings; of a vertex the tolerance, which is half a width. ";
+    out +=
+        "<figcaption>Widths of annuli and of slabs, in mean spacings; of a vertex the tolerance, which is half a "
+        "width. ";
     out += d.dimension == 2 ? "" : "The width of a bi-cell is the least of its four annuli. ";
-    out += "Every count is certified: a width is compared as a real number, with integers where intervals do not tell. One ulp is "
-           "the distance of doubles at the largest coordinate: a width below it may be the work of rounding.</figcaption>\n";
+    out +=
+        "Every count is certified: a width is compared as a real number, with integers where intervals do not tell. "
+        "One ulp is "
+        "the distance of doubles at the largest coordinate: a width below it may be the work of "
+        "rounding.</figcaption>\n";
 }
 
 void append_quantiles(std::string& out, const Degeneracy& d) {
@@ -151,8 +157,10 @@ void append_paper(std::string& out, const Degeneracy& d) {
     append_row(out, "bi-cells that are not convex", with_share(d.non_convex, d.bicells.least.total));
     append_row(out, d.dimension == 2 ? "bi-cells with three collinear points" : "bi-cells with four coplanar points",
                with_share(d.flat, d.bicells.least.total));
-    out += "</table></div>\n<figcaption>Unsound: the vertex is in a certificate all points of which can go to where it fails and "
-           "stay within the paper's tolerances.";
+    out +=
+        "</table></div>\n<figcaption>Unsound: the vertex is in a certificate all points of which can go to where it "
+        "fails and "
+        "stay within the paper's tolerances.";
     if (d.dimension == 2) out += " In the plane the paper's tolerance is right, so this is 0.";
     out += "</figcaption>\n";
 }
@@ -165,9 +173,10 @@ std::string degeneracy_html(const Degeneracy_record& r) {
     out += "<div class=\"numbers\"><table>\n";
     append_row(out, "vertices", grouped(r.vertices) + " <small>in " + std::to_string(r.dimension) + "D</small>");
     append_row(out, "duplicates merged", grouped(r.points - r.vertices));
-    append_row(out, r.affine_dimension == 3   ? "tetrahedra"
-                    : r.affine_dimension == 2 ? "triangles"
-                                              : "edges",
+    append_row(out,
+               r.affine_dimension == 3   ? "tetrahedra"
+               : r.affine_dimension == 2 ? "triangles"
+                                         : "edges",
                grouped(r.simplices));
     out += "</table><table>\n";
     if (r.measured) {
@@ -193,14 +202,15 @@ std::string degeneracy_html(const Degeneracy_record& r) {
     widths.emplace_back(w.ridge, &d.ridges.least.width);
     const std::vector<std::pair<std::string, const Distribution*>> tolerances{{"certified", &d.vertices.certified},
                                                                               {"paper", &d.vertices.paper}};
-    append_plots(out, "Distributions",
-                 {cumulative_plot("Widths", "width (mean spacings)", widths),
-                  cumulative_plot("Tolerances of vertices", "tolerance (mean spacings)", tolerances),
-                  histogram_plot("Widths of bi-cells", "width (mean spacings)", Scale::log10, {widths.front()}),
-                  histogram_plot("Theta", "theta (radians)", Scale::linear, {{"bi-cells", &d.theta}})},
-                 "Mean spacing: the square root of the area (cube root of the volume) of the hull that one vertex has on "
-                 "average. Left of a cumulative curve's first point is nothing; where the curve begins with a horizontal "
-                 "line, its share is below the scale, or exactly 0.");
+    append_plots(
+        out, "Distributions",
+        {cumulative_plot("Widths", "width (mean spacings)", widths),
+         cumulative_plot("Tolerances of vertices", "tolerance (mean spacings)", tolerances),
+         histogram_plot("Widths of bi-cells", "width (mean spacings)", Scale::log10, {widths.front()}),
+         histogram_plot("Theta", "theta (radians)", Scale::linear, {{"bi-cells", &d.theta}})},
+        "Mean spacing: the square root of the area (cube root of the volume) of the hull that one vertex has on "
+        "average. Left of a cumulative curve's first point is nothing; where the curve begins with a horizontal "
+        "line, its share is below the scale, or exactly 0.");
     append_quantiles(out, d);
     append_stages(out, d);
     return out + page_foot();

@@ -8,9 +8,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json stages_json(const Stage_counts& s) {
-    return {{"filter", s.filter}, {"interval", s.interval}, {"exact", s.exact}};
-}
+Json stages_json(const Stage_counts& s) { return {{"filter", s.filter}, {"interval", s.interval}, {"exact", s.exact}}; }
 
 Json distribution_json(const Distribution& d) {
     Json json;

@@ -17,11 +17,11 @@ struct Degeneracy_record {
     std::string command;
     std::string file;
     int dimension = 2;
-    std::uint64_t points = 0;             ///< in the file
-    std::uint64_t vertices = 0;           ///< distinct ones
-    int affine_dimension = 0;             ///< that the points span
-    std::uint64_t simplices = 0;          ///< finite simplices of that dimension
-    double seconds_triangulation = 0;     ///< building, by CGAL
+    std::uint64_t points = 0;          ///< in the file
+    std::uint64_t vertices = 0;        ///< distinct ones
+    int affine_dimension = 0;          ///< that the points span
+    std::uint64_t simplices = 0;       ///< finite simplices of that dimension
+    double seconds_triangulation = 0;  ///< building, by CGAL
     double seconds_analysis = 0;
     std::optional<Degeneracy> measured{};  ///< absent where the points are flat
 };

@@ -48,8 +48,7 @@ double mean_spacing(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
         const Cell_points<d> v = cell_points(t, c);
         const auto edge = [&](std::size_t i) {
             Coordinates<d> u{};
-            for (std::size_t k = 0; k < d; ++k)
-                u[k] = std::scalbn(x[at(v[i])][k] - x[at(v[0])][k], -exponent);
+            for (std::size_t k = 0; k < d; ++k) u[k] = std::scalbn(x[at(v[i])][k] - x[at(v[0])][k], -exponent);
             return u;
         };
         if constexpr (d == 2) content += determinant(edge(1), edge(2)) / 2;
@@ -185,10 +184,12 @@ class Survey {
         for (std::size_t i = 0; i < n; ++i) {
             const auto exactly = [&] { return enclose_exactly(b.tuple[i]); };
             Bicell_half_widths& h = bicell_[i];
-            count(h.least, width_samples_[0], r_.bicells.least, b.point[i], [&] { return exactly().least; },
-                  &r_.bicells.decided_exactly);
+            count(
+                h.least, width_samples_[0], r_.bicells.least, b.point[i], [&] { return exactly().least; },
+                &r_.bicells.decided_exactly);
             if (d == 3)
-                count(h.standard, width_samples_[3], r_.standard, {}, [&] { return exactly().standard; }, nullptr);
+                count(
+                    h.standard, width_samples_[3], r_.standard, {}, [&] { return exactly().standard; }, nullptr);
             const int convex = convexity(std::span(verdict_).subspan(i * d, d));
             r_.non_convex += convex < 0 ? 1U : 0U;
             r_.flat += convex == 0 ? 1U : 0U;
@@ -199,7 +200,8 @@ class Survey {
     }
 
     void take_ridges(Batch<Simplex>& b) {
-        take_simplices(b, r_.ridges, width_samples_[2], [&](std::size_t i, const Half_width& h) { paper_.note_ridge(b.id[i], h); });
+        take_simplices(b, r_.ridges, width_samples_[2],
+                       [&](std::size_t i, const Half_width& h) { paper_.note_ridge(b.id[i], h); });
         half_.resize(b.id.size());
         enclose(std::span<const Simplex>(b.tuple), Width::ridge, std::span(half_));
         for (std::size_t i = 0; i < b.id.size(); ++i) paper_.note_paper(b.id[i], half_[i]);
@@ -212,7 +214,8 @@ class Survey {
         b.clear();
     }
     void take_cells(Batch<Simplex>& b) {
-        take_simplices(b, r_.cells, width_samples_[1], [&](std::size_t i, const Half_width& h) { paper_.note_cell(b.id[i], h); });
+        take_simplices(b, r_.cells, width_samples_[1],
+                       [&](std::size_t i, const Half_width& h) { paper_.note_cell(b.id[i], h); });
         b.clear();
     }
 
@@ -222,8 +225,9 @@ class Survey {
         half_.resize(b.id.size());
         enclose(std::span<const Simplex>(b.tuple), Width::least, std::span(half_));
         for (std::size_t i = 0; i < b.id.size(); ++i) {
-            count(half_[i], samples, counts.least, b.point[i], [&] { return enclose_exactly(b.tuple[i], Width::least); },
-                  &counts.decided_exactly);
+            count(
+                half_[i], samples, counts.least, b.point[i], [&] { return enclose_exactly(b.tuple[i], Width::least); },
+                &counts.decided_exactly);
             note(i, half_[i]);
         }
     }

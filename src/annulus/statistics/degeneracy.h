@@ -38,8 +38,8 @@ struct Width_counts {
 
 /// One kind of certificate.
 struct Certificate_counts {
-    Width_counts least;       ///< twice the distance to the nearest placement at which the certificate is 0
-    Stage_counts arithmetic;  ///< the stages that gave sign and tolerance, as in a run
+    Width_counts least;                 ///< twice the distance to the nearest placement at which the certificate is 0
+    Stage_counts arithmetic;            ///< the stages that gave sign and tolerance, as in a run
     std::uint64_t decided_exactly = 0;  ///< widths for which counting needed integers
 };
 

@@ -81,9 +81,8 @@ void Paper_tolerance<d>::for_each_certificate(Visit visit) {
     for (Index c = 0; c < t_.cell_bound(); ++c) {
         if (!t_.is_cell(c) || t_.is_infinite(c)) continue;
         const Cell_points<d> p = cell_points(t_, c);
-        visit(cell_[at(c)], std::span<const Index>(p), [&](std::span<const Coordinates<d>> x) {
-            return enclose_exactly(tuple<d, d + 1>(p, x), Width::least);
-        });
+        visit(cell_[at(c)], std::span<const Index>(p),
+              [&](std::span<const Coordinates<d>> x) { return enclose_exactly(tuple<d, d + 1>(p, x), Width::least); });
     }
 }
 

@@ -28,8 +28,12 @@ template <int d>
 class Paper_tolerance {
   public:
     Paper_tolerance(const Cell_table<d>& t, std::size_t vertices)
-        : t_(t), paper_(f(t.facet_bound())), facet_(f(t.facet_bound())), own_(f(t.facet_bound()), 0),
-          cell_(f(t.cell_bound())), vertices_(vertices) {}
+        : t_(t),
+          paper_(f(t.facet_bound())),
+          facet_(f(t.facet_bound())),
+          own_(f(t.facet_bound()), 0),
+          cell_(f(t.cell_bound())),
+          vertices_(vertices) {}
 
     void note_bicell(Index i, const Bicell_half_widths& h) {
         paper_[f(i)] = h.standard;
