@@ -25,7 +25,7 @@ class Decoder {
         const std::size_t n = byte() % 24;
         std::size_t count = 0;
         for (; count < n; ++count) program.points.push_back(point<d>());
-        std::size_t budget = 64;
+        std::size_t budget = d == 2 ? 64 : 32;  // calls; those of space are dear
         while (!bytes_.empty() && budget-- > 0) {
             const std::uint8_t code = byte();
             switch (code % 8) {

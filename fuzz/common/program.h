@@ -430,7 +430,7 @@ using Session_3 = Session_of<3>;
 template <int d>
 [[nodiscard]] std::string run_program(const Program_of<d>& program) {
     std::size_t step = 0;
-    int rational = 8;  // so many times tolerances are compared with rational numbers, which are slow
+    int rational = 2;  // so many times tolerances are compared with rational numbers, which are slow
     try {
         Session_of<d> session(program);
         session.check();
