@@ -9,7 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     annulus::oracle::Decoder decoder(std::span(data, size));
     const annulus::oracle::Program_3 program = decoder.program<3>();
-    const std::string fault = annulus::oracle::run(program);
+    const std::string fault = annulus::oracle::run(program, 2);
     if (fault.empty()) return 0;
     std::cerr << "// " << fault << "\n" << annulus::oracle::as_code(program);
     std::abort();

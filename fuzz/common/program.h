@@ -428,9 +428,8 @@ using Session = Session_of<2>;
 using Session_3 = Session_of<3>;
 
 template <int d>
-[[nodiscard]] std::string run_program(const Program_of<d>& program) {
+[[nodiscard]] std::string run_program(const Program_of<d>& program, int rational) {
     std::size_t step = 0;
-    int rational = 2;  // so many times tolerances are compared with rational numbers, which are slow
     try {
         Session_of<d> session(program);
         session.check();
@@ -449,8 +448,13 @@ template <int d>
     return {};
 }
 
-/// Runs a program, checking everything after every call. Empty, or what went wrong and where.
-[[nodiscard]] inline std::string run(const Program& program) { return run_program(program); }
-[[nodiscard]] inline std::string run(const Program_3& program) { return run_program(program); }
+/// Runs a program, checking everything after every call, and settled tolerances against rational numbers the first `rational` times,
+/// which is slow in space. Empty, or what went wrong and where.
+[[nodiscard]] inline std::string run(const Program& program, int rational = 64) {
+    return run_program(program, rational);
+}
+[[nodiscard]] inline std::string run(const Program_3& program, int rational = 0) {
+    return run_program(program, rational);
+}
 
 }  // namespace annulus::oracle

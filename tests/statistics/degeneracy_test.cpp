@@ -158,7 +158,8 @@ TEST_CASE("counts do not depend on the unit of length if it is a power of two", 
             for (auto& p : y)
                 for (double& c : p) c = std::ldexp(c, k);
             const Degeneracy there = of(y);
-            CHECK(there.spacing == Approx(std::ldexp(here.spacing, k)).epsilon(1e-13));  // cells may come in another order
+            CHECK(there.spacing ==
+                  Approx(std::ldexp(here.spacing, k)).epsilon(1e-13));  // cells may come in another order
             CHECK(json(there) == json(here));
         }
     }
