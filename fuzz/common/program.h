@@ -295,7 +295,7 @@ class Session_of {
 
     /// To be called after settle(): tolerances against the exact ones. Throws Fault.
     void check_settled_tolerances() const requires(d == 3) {
-        if (sites_.size() > 12) return;  // rational numbers are slow
+        if (sites_.size() > 8) return;  // rational numbers are slow
         if (const std::string words = tolerance_fault(*dt_); !words.empty()) throw Fault{words};
     }
     void check_settled_tolerances() const requires(d == 2) {
