@@ -8,7 +8,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     annulus::oracle::Decoder decoder(std::span(data, size));
-    const annulus::oracle::Program program = decoder.program();
+    const annulus::oracle::Program program = decoder.program<2>();
     const std::string fault = annulus::oracle::run(program);
     if (fault.empty()) return 0;
     std::cerr << "// " << fault << "\n" << annulus::oracle::as_code(program);

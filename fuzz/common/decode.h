@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Bytes to programs. The first byte is the strategy (low four bits) and the kind of coordinates (high four); then the
-// number of points, the points, and operations until the bytes run out.
+// Bytes to programs and to points. A program's first byte is the strategy (low four bits) and the kind of coordinates (high four);
+// then the number of points, the points, and operations until the bytes run out.
 
 #include "program.h"
 
@@ -16,47 +16,68 @@ class Decoder {
   public:
     explicit Decoder(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-    [[nodiscard]] Program program() {
-        Program program;
+    template <int d>
+    [[nodiscard]] Program_of<d> program() {
+        Program_of<d> program;
         const std::uint8_t head = byte();
-        if ((head & 15) < certified_settings.size()) {
-            program.setting = certified_settings[head & 15];
-        } else {
-            program.setting.strategy = (head & 1) != 0 ? Strategy::filter : Strategy::filter_each;
-            program.setting.tolerance = (head & 2) != 0 ? Tolerance_kind::paper : Tolerance_kind::floating;
-        }
+        program.setting = setting<d>(head & 15);
         coordinates_ = head >> 4;
         const std::size_t n = byte() % 24;
         std::size_t count = 0;
-        for (; count < n; ++count) program.points.push_back(point());
-        std::size_t budget = 64;
+        for (; count < n; ++count) program.points.push_back(point<d>());
+        std::size_t budget = d == 2 ? 64 : 32;  // calls; those of space are dear
         while (!bytes_.empty() && budget-- > 0) {
             const std::uint8_t code = byte();
             switch (code % 8) {
                 case 0:
                 case 1:
-                case 2: program.operations.push_back(move(vertex(count), point())); break;
+                case 2: {
+                    const Index v = vertex(count);
+                    program.operations.push_back({Operation_kind::move, v, {point<d>()}});
+                    break;
+                }
                 case 3:
                 case 4: {  // a whole timestamp: a few vertices take new places, the rest those they began with
-                    std::vector<Position> x = program.points;
-                    x.resize(count, Position{static_cast<double>(code), 1000.0});
+                    std::vector<Coordinates<d>> x = program.points;
+                    x.resize(count, Coordinates<d>{static_cast<double>(code), 1000.0});
                     const std::size_t some = byte() % 8;
-                    for (std::size_t k = 0; k < some && count > 0; ++k) x[byte() % count] = point();
-                    program.operations.push_back(move_all(std::move(x)));
+                    for (std::size_t k = 0; k < some && count > 0; ++k) x[byte() % count] = point<d>();
+                    program.operations.push_back({Operation_kind::move_all, none, std::move(x)});
                     break;
                 }
                 case 5:
-                    program.operations.push_back(insert(point()));
+                    program.operations.push_back({Operation_kind::insert, none, {point<d>()}});
                     ++count;  // at most: a vacant index may be taken
                     break;
-                case 6: program.operations.push_back(remove(vertex(count))); break;
-                default: program.operations.push_back(settle()); break;
+                case 6: program.operations.push_back({Operation_kind::remove, vertex(count), {}}); break;
+                default: program.operations.push_back({}); break;
             }
         }
         return program;
     }
 
+    /// n points; the first byte is the kind of coordinates.
+    template <int d>
+    [[nodiscard]] std::vector<Coordinates<d>> points(std::size_t n) {
+        coordinates_ = byte() >> 4;
+        std::vector<Coordinates<d>> x;
+        for (std::size_t i = 0; i < n; ++i) x.push_back(point<d>());
+        return x;
+    }
+
   private:
+    template <int d>
+    [[nodiscard]] static Setting setting(unsigned head) {
+        if constexpr (d == 2) {
+            if (head < certified_settings.size()) return certified_settings[head];
+        } else {
+            if (head < certified_settings_3.size()) return certified_settings_3[head];
+        }
+        if (d == 3 && head < 14) return head % 2 != 0 ? Strategy::filter : Strategy::filter_each;
+        return {(head & 1) != 0 ? Strategy::filter : Strategy::filter_each, Second_look::off,
+                (head & 2) != 0 ? Tolerance_kind::paper : Tolerance_kind::floating};
+    }
+
     std::uint8_t byte() {
         if (bytes_.empty()) return 0;
         const std::uint8_t b = bytes_.front();
@@ -64,9 +85,11 @@ class Decoder {
         return b;
     }
     Index vertex(std::size_t count) { return static_cast<Index>(byte() % (count + 1)); }
-    Position point() {
-        const double x = coordinate();
-        return {x, coordinate()};
+    template <int d>
+    Coordinates<d> point() {
+        Coordinates<d> p;
+        for (double& c : p) c = coordinate();
+        return p;
     }
     double raw(std::size_t size) {
         std::uint64_t bits = 0;

@@ -15,10 +15,28 @@
 
 namespace annulus::oracle {
 
+/// The library's object of one dimension, and its points.
+template <int d>
+struct Space;
+
+/// Sorted. In the plane each is turned so that its least vertex comes first; edges are (a < b, none). In space each is sorted,
+/// padded with `none` in front where points are flat.
+template <int d>
+using Cells_of = std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>>;
+template <int d>
+using Sites_of = std::vector<std::optional<Coordinates<d>>>;  ///< by vertex index; empty for a vacant one
+
+template <>
+struct Space<2> {
+    using Moving = Moving_delaunay_2;
+    static Moving::Point point(const Coordinates<2>& p) { return {p[0], p[1]}; }
+    static Coordinates<2> coordinates(const Moving::Point& p) { return {p.x(), p.y()}; }
+};
+
 using Position = Coordinates<2>;
 using Cell = std::array<Index, 3>;
-using Cells = std::vector<Cell>;  ///< sorted, each turned so that its least vertex comes first; edges (a < b, none)
-using Sites = std::vector<std::optional<Position>>;  ///< by vertex index; empty for a vacant one
+using Cells = Cells_of<2>;
+using Sites = Sites_of<2>;
 
 [[nodiscard]] inline Cell canonical(Cell c) {
     if (c[2] == none) return {std::min(c[0], c[1]), std::max(c[0], c[1]), none};
@@ -26,9 +44,12 @@ using Sites = std::vector<std::optional<Position>>;  ///< by vertex index; empty
     return c;
 }
 
-/// The finite cells of any triangulation whose vertices have an `index()`.
+/// The finite cells of any triangulation of the plane whose vertices have an `index()`.
 template <class Triangulation>
-[[nodiscard]] Cells cells_of(const Triangulation& tr) {
+[[nodiscard]] Cells cells_of(const Triangulation& tr) requires requires {
+    tr.finite_faces_begin();
+}
+{
     Cells cells;
     if (tr.dimension() == 2)
         for (auto f = tr.finite_faces_begin(); f != tr.finite_faces_end(); ++f)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A program of moves, insertions and removals, run against the library with a model beside it that knows what every
-// call has to do. Shared by the fuzz target (which decodes bytes into programs) and the property tests.
+// A program of moves, insertions and removals in the plane or in space, run against the library with a model beside it that
+// knows what every call has to do. Shared by the fuzz targets (which decode bytes into programs) and the property tests.
 
 #include "oracle.h"
+#include "oracle_3.h"
 
 #include <cmath>
 #include <cstdio>
@@ -20,6 +21,11 @@ struct Setting {
     Strategy strategy = Strategy::filter;
     Second_look second_look = Second_look::off;
     Tolerance_kind tolerance = Tolerance_kind::certified;
+
+    // NOLINTNEXTLINE: a strategy alone is a setting
+    constexpr Setting(Strategy s = Strategy::filter, Second_look look = Second_look::off,
+                      Tolerance_kind kind = Tolerance_kind::certified)
+        : strategy(s), second_look(look), tolerance(kind) {}
 };
 
 inline constexpr std::array<Setting, 9> certified_settings{{{Strategy::rebuild},
@@ -32,12 +38,26 @@ inline constexpr std::array<Setting, 9> certified_settings{{{Strategy::rebuild},
                                                             {Strategy::filter_each},
                                                             {Strategy::hybrid}}};
 
-struct Operation {
-    enum class Kind { move, move_all, insert, remove, settle };
+/// In space there are no second looks.
+inline constexpr std::array<Setting, 7> certified_settings_3{{{Strategy::rebuild},
+                                                              {Strategy::relocate},
+                                                              {Strategy::relocate_flips},
+                                                              {Strategy::in_place},
+                                                              {Strategy::filter},
+                                                              {Strategy::filter_each},
+                                                              {Strategy::hybrid}}};
+
+enum class Operation_kind { move, move_all, insert, remove, settle };
+
+template <int d>
+struct Operation_of {
+    using Kind = Operation_kind;
     Kind kind = Kind::settle;
-    Index vertex = none;             ///< move, remove
-    std::vector<Position> points{};  ///< one for move and insert, all for move_all
+    Index vertex = none;                   ///< move, remove
+    std::vector<Coordinates<d>> points{};  ///< one for move and insert, all for move_all
 };
+using Operation = Operation_of<2>;
+using Operation_3 = Operation_of<3>;
 
 [[nodiscard]] inline Operation move(Index v, Position p) { return {Operation::Kind::move, v, {p}}; }
 [[nodiscard]] inline Operation move_all(std::vector<Position> x) {
@@ -47,11 +67,14 @@ struct Operation {
 [[nodiscard]] inline Operation remove(Index v) { return {Operation::Kind::remove, v, {}}; }
 [[nodiscard]] inline Operation settle() { return {}; }
 
-struct Program {
+template <int d>
+struct Program_of {
     Setting setting;
-    std::vector<Position> points;
-    std::vector<Operation> operations{};
+    std::vector<Coordinates<d>> points;
+    std::vector<Operation_of<d>> operations{};
 };
+using Program = Program_of<2>;
+using Program_3 = Program_of<3>;
 
 // ---- As code ------------------------------------------------------------------------------------------------------
 
@@ -69,35 +92,37 @@ struct Program {
 [[nodiscard]] inline std::string name_as_code(Second_look look) {
     return look == Second_look::off ? "off" : look == Second_look::unequal_moves ? "unequal_moves" : "safe_region";
 }
-[[nodiscard]] inline std::string points_as_code(const std::vector<Position>& points) {
+template <std::size_t d>
+[[nodiscard]] std::string points_as_code(const std::vector<std::array<double, d>>& points) {
     std::string s;
-    for (const auto& p : points)
-        s += (s.empty() ? "{" : ", {") + number_as_code(p[0]) + ", " + number_as_code(p[1]) + "}";
+    for (const auto& p : points) {
+        s += s.empty() ? "{" : ", {";
+        for (std::size_t k = 0; k < d; ++k) s += (k > 0 ? ", " : "") + number_as_code(p[k]);
+        s += "}";
+    }
     return s;
 }
 
 /// A definition ready to paste into tests/relocation/finds.cpp.
-[[nodiscard]] inline std::string as_code(const Program& program) {
+template <int d>
+[[nodiscard]] std::string as_code(const Program_of<d>& program) {
     const auto identifier = [](std::string_view name) {
         std::string s(name);
         std::replace(s.begin(), s.end(), '-', '_');
         return s;
     };
     std::ostringstream out;
-    out << "const Program program{{Strategy::" << identifier(name_of(program.setting.strategy))
+    out << (d == 2 ? "const Program" : "const Program_3")
+        << " program{{Strategy::" << identifier(name_of(program.setting.strategy))
         << ", Second_look::" << name_as_code(program.setting.second_look)
         << ", Tolerance_kind::" << name_of(program.setting.tolerance) << "},\n    {" << points_as_code(program.points)
         << "},\n    {";
+    constexpr std::array names{"move", "move_all", "insert", "remove", "settle"};
     for (std::size_t i = 0; i < program.operations.size(); ++i) {
-        const Operation& o = program.operations[i];
+        const Operation_of<d>& o = program.operations[i];
         if (i > 0) out << ",\n     ";
-        switch (o.kind) {
-            case Operation::Kind::move: out << "move(" << o.vertex << ", " << points_as_code(o.points) << ")"; break;
-            case Operation::Kind::move_all: out << "move_all({" << points_as_code(o.points) << "})"; break;
-            case Operation::Kind::insert: out << "insert(" << points_as_code(o.points) << ")"; break;
-            case Operation::Kind::remove: out << "remove(" << o.vertex << ")"; break;
-            case Operation::Kind::settle: out << "settle()"; break;
-        }
+        out << "{Operation_kind::" << names[static_cast<std::size_t>(o.kind)] << ", " << o.vertex << ", {"
+            << points_as_code(o.points) << "}}";
     }
     out << "}};\n";
     return out.str();
@@ -106,26 +131,30 @@ struct Program {
 // ---- State --------------------------------------------------------------------------------------------------------
 
 /// All a caller can see of an object.
-struct State {
-    std::vector<Position> positions;
-    std::vector<Position> fixed;
-    std::vector<Position> cgal_points;
+template <int d>
+struct State_of {
+    std::vector<Coordinates<d>> positions;
+    std::vector<Coordinates<d>> fixed;
+    std::vector<Coordinates<d>> cgal_points;
     std::vector<double> tolerances;
-    std::vector<Moving_delaunay_2::Vertex_handle> handles;
-    Cells cells;
+    std::vector<typename Space<d>::Moving::Vertex_handle> handles;
+    Cells_of<d> cells;
     std::size_t vertices = 0;
     bool keeps_tolerances = false;
 };
+using State = State_of<2>;
 
-[[nodiscard]] inline State state_of(const Moving_delaunay_2& dt) {
-    State s;
+template <class Moving>
+[[nodiscard]] auto state_of(const Moving& dt) {
+    constexpr int d = Moving::dimension_of_space;
+    State_of<d> s;
     for (std::size_t i = 0; i < dt.index_bound(); ++i) {
         const auto v = dt.vertex(i);
         s.handles.push_back(v);
-        if (v == Moving_delaunay_2::Vertex_handle()) continue;
-        s.positions.push_back({dt.position(v).x(), dt.position(v).y()});
-        s.fixed.push_back({dt.fixed_position(v).x(), dt.fixed_position(v).y()});
-        s.cgal_points.push_back({v->point().x(), v->point().y()});
+        if (v == typename Moving::Vertex_handle()) continue;
+        s.positions.push_back(Space<d>::coordinates(dt.position(v)));
+        s.fixed.push_back(Space<d>::coordinates(dt.fixed_position(v)));
+        s.cgal_points.push_back(Space<d>::coordinates(v->point()));
         s.tolerances.push_back(dt.tolerance(v));
     }
     s.cells = cells_of(dt.triangulation());
@@ -136,19 +165,23 @@ struct State {
 
 /// Bit for bit where tolerances are kept. Else they are computed when asked for, and the order in which a triangle
 /// lists its vertices, which means nothing, is in their rounding.
-[[nodiscard]] inline bool same_tolerances(const State& before, const State& after) {
+template <int d>
+[[nodiscard]] bool same_tolerances(const State_of<d>& before, const State_of<d>& after) {
     if (before.keeps_tolerances && after.keeps_tolerances) return before.tolerances == after.tolerances;
     return std::equal(before.tolerances.begin(), before.tolerances.end(), after.tolerances.begin(),
                       after.tolerances.end(),
                       [](double a, double b) { return a == b || std::fabs(a - b) <= 0x1p-8 * std::max(a, b); });
 }
 
-[[nodiscard]] inline std::string difference(const State& before, const State& after) {
+/// In space a call that fails after flips were taken back evaluates what came back under other numbers where the vertices are
+/// (Filter::renew_restored): references and tolerances may be others then, and as right.
+template <int d>
+[[nodiscard]] std::string difference(const State_of<d>& before, const State_of<d>& after) {
     std::string s;
     if (before.positions != after.positions) s += " positions";
-    if (before.fixed != after.fixed) s += " fixed-positions";
+    if (d == 2 && before.fixed != after.fixed) s += " fixed-positions";
     if (before.cgal_points != after.cgal_points) s += " CGAL-points";
-    if (!same_tolerances(before, after)) s += " tolerances";
+    if (d == 2 && !same_tolerances(before, after)) s += " tolerances";
     if (before.handles != after.handles) s += " handles";
     if (before.cells != after.cells) s += " cells";
     if (before.vertices != after.vertices) s += " number-of-vertices";
@@ -167,9 +200,13 @@ struct State {
 // ---- Session ------------------------------------------------------------------------------------------------------
 
 /// The library's object and the model of what it must hold.
-class Session {
+template <int d>
+class Session_of {
   public:
-    explicit Session(const Program& program) : setting_(program.setting) {
+    using Moving = typename Space<d>::Moving;
+    using Kind = Operation_kind;
+
+    explicit Session_of(const Program_of<d>& program) : setting_(program.setting) {
         Options options;
         options.strategy = setting_.strategy;
         options.tolerance = setting_.tolerance;
@@ -187,18 +224,21 @@ class Session {
         for (std::size_t i = 0; i < sites_.size(); ++i) handles_.push_back(dt_->vertex(i));
     }
 
+    Session_of(Strategy strategy, const std::vector<Coordinates<d>>& points)
+        : Session_of(Program_of<d>{strategy, points, {}}) {}
+
     struct Fault {
         std::string words;
     };
 
-    [[nodiscard]] Moving_delaunay_2& dt() { return *dt_; }
-    [[nodiscard]] const Sites& sites() const { return sites_; }
+    [[nodiscard]] Moving& dt() { return *dt_; }
+    [[nodiscard]] const Sites_of<d>& sites() const { return sites_; }
     [[nodiscard]] const Move_report& last() const { return last_; }
 
     /// Makes the call and compares it with the model. Throws Fault.
-    void apply(const Operation& o) {
+    void apply(const Operation_of<d>& o) {
         const std::optional<Error_code> refusal = expected_refusal(o);
-        const State before = refusal ? state_of(*dt_) : State{};
+        const State_of<d> before = refusal ? state_of(*dt_) : State_of<d>{};
         last_ = {};
         try {
             call(o);
@@ -235,7 +275,7 @@ class Session {
             if (!sites_[i]) continue;
             ++count;
             if (dt_->index(v) != static_cast<Index>(i)) throw Fault{"index(vertex(i)) != i"};
-            const auto p = Moving_delaunay_2::Point((*sites_[i])[0], (*sites_[i])[1]);
+            const auto p = Space<d>::point(*sites_[i]);
             if (dt_->position(v) != p) throw Fault{"a position is not what was asked for"};
             if (v->point() != p) throw Fault{"CGAL's point is not the position"};
             if (!(dt_->tolerance(v) >= 0.0)) throw Fault{"a tolerance is negative or NaN"};
@@ -244,15 +284,21 @@ class Session {
         const Audit_result audit = dt_->audit();
         if (!audit.delaunay()) throw Fault{"audit: " + audit.first_fault};
         if (!is_valid(tr)) throw Fault{"CGAL's object is not valid"};
-        const Cells cells = cells_of(tr);
+        const Cells_of<d> cells = cells_of(tr);
         // CGAL's perturbation makes the triangulation unique where the points do not.
         if (cells != rebuilt_cells(sites_))
             throw Fault{audit.degenerate_facets == 0 ? "the cells are not those of a rebuild"
                                                      : "the cells are not those of a rebuild (degenerate)"};
+        if constexpr (d == 3)
+            if (const std::string words = mirror_fault(*dt_); !words.empty()) throw Fault{words};
     }
 
     /// To be called after settle(): tolerances against the exact ones. Throws Fault.
-    void check_settled_tolerances() const {
+    void check_settled_tolerances() const requires(d == 3) {
+        if (sites_.size() > 8) return;  // rational numbers are slow
+        if (const std::string words = tolerance_fault(*dt_); !words.empty()) throw Fault{words};
+    }
+    void check_settled_tolerances() const requires(d == 2) {
         const auto truth = vertex_tolerances(dt_->triangulation(), sites_);
         for (std::size_t i = 0; i < sites_.size(); ++i) {
             if (!sites_[i]) continue;
@@ -270,46 +316,46 @@ class Session {
     [[nodiscard]] bool wrecked() const { return wrecked_; }
 
   private:
-    /// CGAL says no by throwing where its assertions are compiled in.
-    static bool is_valid(const Moving_delaunay_2::Triangulation& tr) {
+    /// CGAL says no by throwing where its assertions are compiled in. In space it is asked for the combinatorics only.
+    static bool is_valid(const typename Moving::Triangulation& tr) {
         try {
-            return tr.is_valid();
+            if constexpr (d == 2) return tr.is_valid();
+            else return tr.tds().is_valid();
         } catch (const CGAL::Failure_exception&) {
             return false;
         }
     }
-    static std::optional<Error_code> domain_verdict(const Position& p) {
+    static std::optional<Error_code> domain_verdict(const Coordinates<d>& p) {
         for (const double c : p)
             if (!std::isfinite(c)) return Error_code::not_finite;
         for (const double c : p)
             if (std::fabs(c) > 0x1p500) return Error_code::out_of_domain;
         return std::nullopt;
     }
-    static std::optional<Error_code> verdict(const std::vector<Position>& points) {
+    static std::optional<Error_code> verdict(const std::vector<Coordinates<d>>& points) {
         for (const auto& p : points)
             if (const auto bad = domain_verdict(p)) return bad;
-        const std::set<Position> distinct(points.begin(), points.end());
+        const std::set<Coordinates<d>> distinct(points.begin(), points.end());
         return distinct.size() == points.size() ? std::nullopt : std::optional(Error_code::collision);
     }
     [[nodiscard]] bool live(Index v) const {
         return v >= 0 && static_cast<std::size_t>(v) < sites_.size() && sites_[static_cast<std::size_t>(v)];
     }
 
-    [[nodiscard]] std::optional<Error_code> expected_refusal(const Operation& o) const {
-        std::vector<Position> after;
+    [[nodiscard]] std::optional<Error_code> expected_refusal(const Operation_of<d>& o) const {
+        std::vector<Coordinates<d>> after;
         switch (o.kind) {
-            case Operation::Kind::settle: return std::nullopt;
-            case Operation::Kind::remove:
-                return live(o.vertex) ? std::nullopt : std::optional(Error_code::unknown_vertex);
-            case Operation::Kind::move:
+            case Kind::settle: return std::nullopt;
+            case Kind::remove: return live(o.vertex) ? std::nullopt : std::optional(Error_code::unknown_vertex);
+            case Kind::move:
                 if (!live(o.vertex)) return Error_code::unknown_vertex;
                 break;
-            case Operation::Kind::move_all:
+            case Kind::move_all:
                 if (o.points.size() != sites_.size()) return Error_code::wrong_size;
                 for (std::size_t i = 0; i < sites_.size(); ++i)
                     if (sites_[i]) after.push_back(o.points[i]);
                 return verdict(after);
-            case Operation::Kind::insert: break;
+            case Kind::insert: break;
         }
         if (const auto bad = domain_verdict(o.points[0])) return bad;
         for (std::size_t i = 0; i < sites_.size(); ++i)
@@ -318,35 +364,34 @@ class Session {
         return std::nullopt;
     }
 
-    void call(const Operation& o) {
-        const auto point = [](const Position& p) { return Moving_delaunay_2::Point(p[0], p[1]); };
+    void call(const Operation_of<d>& o) {
         switch (o.kind) {
-            case Operation::Kind::settle: last_ = dt_->settle(); break;
-            case Operation::Kind::remove:
+            case Kind::settle: last_ = dt_->settle(); break;
+            case Kind::remove:
                 dt_->remove(
-                    o.vertex < 0 ? Moving_delaunay_2::Vertex_handle() : dt_->vertex(static_cast<std::size_t>(o.vertex)),
+                    o.vertex < 0 ? typename Moving::Vertex_handle() : dt_->vertex(static_cast<std::size_t>(o.vertex)),
                     &last_);
                 break;
-            case Operation::Kind::move: last_ = dt_->move(o.vertex, o.points[0]); break;
-            case Operation::Kind::move_all: last_ = dt_->move_all(o.points); break;
-            case Operation::Kind::insert: inserted_ = dt_->insert(point(o.points[0]), &last_); break;
+            case Kind::move: last_ = dt_->move(o.vertex, o.points[0]); break;
+            case Kind::move_all: last_ = dt_->move_all(o.points); break;
+            case Kind::insert: inserted_ = dt_->insert(Space<d>::point(o.points[0]), &last_); break;
         }
     }
 
-    void follow(const Operation& o) {
+    void follow(const Operation_of<d>& o) {
         const auto at = [](Index i) { return static_cast<std::size_t>(i); };
         switch (o.kind) {
-            case Operation::Kind::settle: break;
-            case Operation::Kind::remove:
+            case Kind::settle: break;
+            case Kind::remove:
                 sites_[at(o.vertex)].reset();
                 handles_[at(o.vertex)] = {};
                 vacant_.push_back(o.vertex);
                 break;
-            case Operation::Kind::move:
+            case Kind::move:
                 sites_[at(o.vertex)] = o.points[0];
                 if (certified() && last_.moves.asked != 1) throw Fault{"move asked for more or less than one vertex"};
                 break;
-            case Operation::Kind::move_all: {
+            case Kind::move_all: {
                 std::size_t count = 0;
                 for (std::size_t i = 0; i < sites_.size(); ++i) {
                     if (!sites_[i]) continue;
@@ -356,7 +401,7 @@ class Session {
                 if (certified() && last_.moves.asked != count) throw Fault{"move_all did not ask for every vertex"};
                 break;
             }
-            case Operation::Kind::insert: {
+            case Kind::insert: {
                 const Index i = vacant_.empty() ? static_cast<Index>(sites_.size()) : vacant_.back();
                 if (!vacant_.empty()) vacant_.pop_back();
                 sites_.resize(std::max(sites_.size(), at(i) + 1));
@@ -370,33 +415,46 @@ class Session {
     }
 
     Setting setting_;
-    std::optional<Moving_delaunay_2> dt_;
-    Sites sites_;
-    std::vector<Moving_delaunay_2::Vertex_handle> handles_;
+    std::optional<Moving> dt_;
+    Sites_of<d> sites_;
+    std::vector<typename Moving::Vertex_handle> handles_;
     std::vector<Index> vacant_;
-    Moving_delaunay_2::Vertex_handle inserted_;
+    typename Moving::Vertex_handle inserted_;
     Move_report last_;
     bool wrecked_ = false;
 };
 
-/// Runs a program, checking everything after every call. Empty, or what went wrong and where.
-[[nodiscard]] inline std::string run(const Program& program) {
+using Session = Session_of<2>;
+using Session_3 = Session_of<3>;
+
+template <int d>
+[[nodiscard]] std::string run_program(const Program_of<d>& program, int rational) {
     std::size_t step = 0;
     try {
-        Session session(program);
+        Session_of<d> session(program);
         session.check();
-        for (const Operation& o : program.operations) {
+        for (const Operation_of<d>& o : program.operations) {
             ++step;
             session.apply(o);
             session.check();
-            if (o.kind == Operation::Kind::settle && session.certified()) session.check_settled_tolerances();
+            if (o.kind == Operation_kind::settle && session.certified() && rational-- > 0)
+                session.check_settled_tolerances();
         }
-    } catch (const Session::Fault& fault) {
+    } catch (const typename Session_of<d>::Fault& fault) {
         return "operation " + std::to_string(step) + ": " + fault.words;
     } catch (const std::exception& e) {
         return "operation " + std::to_string(step) + " threw " + e.what();
     }
     return {};
+}
+
+/// Runs a program, checking everything after every call, and settled tolerances against rational numbers the first `rational` times,
+/// which is slow in space. Empty, or what went wrong and where.
+[[nodiscard]] inline std::string run(const Program& program, int rational = 64) {
+    return run_program(program, rational);
+}
+[[nodiscard]] inline std::string run(const Program_3& program, int rational = 0) {
+    return run_program(program, rational);
 }
 
 }  // namespace annulus::oracle

@@ -23,6 +23,7 @@ Run add_nodt_command(CLI::App& app, const Invocation& invocation);
 Run add_replay_command(CLI::App& app, const Invocation& invocation);
 Run add_compare_command(CLI::App& app, const Invocation& invocation);
 Run add_audit_command(CLI::App& app, const Invocation& invocation);
+Run add_degeneracy_command(CLI::App& app, const Invocation& invocation);
 Run add_counterexample_command(CLI::App& app, const Invocation& invocation);
 
 }  // namespace annulus::cli

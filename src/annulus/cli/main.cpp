@@ -42,6 +42,7 @@ int run(int argc, char** argv) {
     commands["replay"] = add_replay_command(app, invocation);
     commands["compare"] = add_compare_command(app, invocation);
     commands["audit"] = add_audit_command(app, invocation);
+    commands["degeneracy"] = add_degeneracy_command(app, invocation);
     commands["counterexample"] = add_counterexample_command(app, invocation);
     try {
         std::reverse(outer.begin(), outer.end());

@@ -24,18 +24,18 @@ Reader reader_of(const std::filesystem::path& file) {
                       ".xyz, .csv, .off, .ply or .mesh");
 }
 
-}  // namespace
-
-template <int d>
-Point_file<d> read_points(const std::filesystem::path& file, const Read_options& options) {
-    static_assert(d == 2 || d == 3);
-    const Source source = load_file(file);
+Raw_points read_raw(const Source& source, const std::filesystem::path& file) {
     Raw_points raw = reader_of(file)(source);
-
-    Point_file<d> result;
-    result.name = source.name;
     if (raw.points.empty())
         throw Input_error(Error_code::bad_input, source.name, 1, "has no points", "at least one point");
+    return raw;
+}
+
+template <int d>
+Point_file<d> points_of(const Source& source, Raw_points raw, const Read_options& options) {
+    static_assert(d == 2 || d == 3);
+    Point_file<d> result;
+    result.name = source.name;
     if (d == 2 && raw.has_z && !options.ignore_z)
         throw Input_error(Error_code::bad_input, source.name, raw.lines.front(),
                           "has a z coordinate; pass --ignore-z to drop it", "x and y only");
@@ -49,6 +49,22 @@ Point_file<d> read_points(const std::filesystem::path& file, const Read_options&
     }
     result.lines = std::move(raw.lines);
     return result;
+}
+
+}  // namespace
+
+template <int d>
+Point_file<d> read_points(const std::filesystem::path& file, const Read_options& options) {
+    const Source source = load_file(file);
+    return points_of<d>(source, read_raw(source, file), options);
+}
+
+std::variant<Point_file<2>, Point_file<3>> read_points_of_any_dimension(const std::filesystem::path& file,
+                                                                        const Read_options& options) {
+    const Source source = load_file(file);
+    Raw_points raw = read_raw(source, file);
+    if (raw.has_z && !options.ignore_z) return points_of<3>(source, std::move(raw), options);
+    return points_of<2>(source, std::move(raw), options);
 }
 
 template Point_file<2> read_points<2>(const std::filesystem::path&, const Read_options&);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace annulus {
@@ -38,6 +39,10 @@ struct Point_file {
 /// the file, which is held in memory.
 template <int d>
 [[nodiscard]] Point_file<d> read_points(const std::filesystem::path& file, const Read_options& options = {});
+
+/// The same in the dimension that the file has: 3 where its points have a z that is not ignored.
+[[nodiscard]] std::variant<Point_file<2>, Point_file<3>> read_points_of_any_dimension(const std::filesystem::path& file,
+                                                                                      const Read_options& options = {});
 
 extern template Point_file<2> read_points<2>(const std::filesystem::path&, const Read_options&);
 extern template Point_file<3> read_points<3>(const std::filesystem::path&, const Read_options&);

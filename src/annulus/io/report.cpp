@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/io/axis_ticks.h>
 #include <annulus/io/markup.h>
+#include <annulus/io/page.h>
 #include <annulus/io/report.h>
 #include <annulus/io/report_plots.h>
-#include <annulus/io/report_style.h>
 
 #include <algorithm>
 
 namespace annulus {
 
 namespace {
-
-/// "12.3 %"; a share that is not all never reads as 100 %, and one that is not nothing never as 0 %. HTML.
-std::string percentage(std::uint64_t part, std::uint64_t all) {
-    if (all == 0) return "–";
-    const double value = 100 * static_cast<double>(part) / static_cast<double>(all);
-    if (part != all && value >= 99.95) return "&gt; 99.9 %";
-    if (part != 0 && value < 0.01) return "&lt; 0.01 %";
-    return readable(value) + " %";
-}
-
-std::string duration(double seconds) {
-    if (seconds == 0) return "0 s";
-    if (seconds < 1e-3) return readable(seconds * 1e6) + " µs";
-    return seconds < 1 ? readable(seconds * 1e3) + " ms" : readable(seconds) + " s";
-}
 
 std::string memory(std::uint64_t bytes) {
     if (bytes == 0) return "unknown";
@@ -37,15 +22,6 @@ std::string audit(const Audit_record& record) {
     const std::string checked = grouped(record.checked) + " checked, ";
     return checked + (record.failed == 0 ? "<span class=\"good\">none failed</span>"
                                          : "<span class=\"bad\">" + grouped(record.failed) + " failed</span>");
-}
-
-/// `value` is HTML.
-void append_row(std::string& out, std::string_view name, const std::string& value) {
-    out += "<tr><th scope=\"row\">" + escaped(name) + "</th><td>" + value + "</td></tr>\n";
-}
-
-std::string with_share(std::uint64_t part, std::uint64_t all) {
-    return grouped(part) + " <small>(" + percentage(part, all) + ")</small>";
 }
 
 void append_numbers(std::string& out, const Run_record& run) {
@@ -77,24 +53,6 @@ void append_numbers(std::string& out, const Run_record& run) {
     append_row(out, "reinserted", with_share(moves.reinserted, moves.asked));
     append_row(out, "rebuilt", with_share(moves.rebuilt, moves.asked));
     out += "</table></div>\n";
-}
-
-/// `caption` is HTML.
-void append_figure(std::string& out, const std::string& heading, const std::string& svg, const std::string& caption) {
-    out += "<figure>";
-    if (!heading.empty()) out += "<h3>" + escaped(heading) + "</h3>";
-    out += svg;
-    if (!caption.empty()) out += "<figcaption>" + caption + "</figcaption>";
-    out += "</figure>\n";
-}
-
-void append_plots(std::string& out, const std::string& heading, const std::vector<Plot>& plots,
-                  const std::string& caption) {
-    if (plots.empty()) return;
-    out += "<h2>" + escaped(heading) + "</h2>\n<div class=\"panels\">\n";
-    for (const Plot& plot : plots) append_figure(out, plot.title, svg_plot(plot), "");
-    out += "</div>\n";
-    if (!caption.empty()) out += "<figcaption>" + escaped(caption) + "</figcaption>\n";
 }
 
 /// Both pictures show the same part of the plane, or they could not be compared.
@@ -152,12 +110,7 @@ void append_comparison(std::string& out, const Comparison_record& comparison) {
 
 std::string report_html(const Report& report) {
     const Run_record& run = report.run;
-    std::string out =
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>";
-    out += escaped(report.title) + "</title>\n<style>" + report_style + "</style>\n</head>\n<body>\n<main>\n<h1>" +
-           escaped(report.title) + "</h1>\n";
-    if (!run.command.empty()) out += "<p class=\"command\"><code>" + escaped(run.command) + "</code></p>\n";
+    std::string out = page_head(report.title, run.command);
     if (run.audit.failed > 0)
         out += "<p class=\"verdict bad\">" + grouped(run.audit.failed) + " of " + grouped(run.audit.checked) +
                " audits failed: the triangulation was not Delaunay.</p>\n";
@@ -172,9 +125,8 @@ std::string report_html(const Report& report) {
                  "on average.");
     append_plots(out, "What a step costs", cost_plots(run), "");
     for (const Figure& figure : report.figures) append_plots(out, figure.heading, figure.panels, figure.caption);
-    if (!report.notes.empty()) out += "<h2>Notes</h2>\n";
-    for (const std::string& note : report.notes) out += "<p>" + escaped(note) + "</p>\n";
-    return out + "</main>\n</body>\n</html>\n";
+    append_notes(out, report.notes);
+    return out + page_foot();
 }
 
 }  // namespace annulus

@@ -26,7 +26,8 @@ namespace annulus {
 /// Vertices have an index in input order and a CGAL handle; no move, whatever the strategy, invalidates either.
 /// Removing a vertex leaves its index vacant; the next insertion takes the index vacated last.
 ///
-/// Errors are annulus::Error; the object is as it was before the call that threw. Every function that takes a handle throws
+/// Errors are annulus::Error; the object is as it was before the call that threw, except that in space tolerances may have
+/// been computed anew and measured from other fixed positions. Every function that takes a handle throws
 /// unknown_vertex for a null one, the vertex at infinity, and a vertex of another triangulation. The handle of a vertex that
 /// was removed dangles and must not be used.
 template <class Cgal>

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/arithmetic/domain.h>
+#include <annulus/cli/arguments.h>
+#include <annulus/cli/commands.h>
+#include <annulus/cli/result_files.h>
+#include <annulus/cli/stopwatch.h>
+#include <annulus/io/degeneracy_report.h>
+#include <annulus/io/read_points.h>
+#include <annulus/io/write_json.h>
+#include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_delaunay_3.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <numeric>
+
+namespace annulus::cli {
+
+namespace {
+
+struct Degeneracy_call {
+    Common_arguments common;
+    std::string file;
+    int dimension = 0;  // that of the file
+    bool ignore_z = false;
+};
+
+/// The distinct points in the order of the file.
+template <int d>
+std::vector<Coordinates<d>> distinct(const Point_file<d>& file) {
+    std::vector<Coordinates<d>> x = file.points;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        for (double& c : x[i]) c += 0.0;  // no two zeros
+        if (!in_domain(x[i]))
+            throw file.fault(i, Error_code::out_of_domain, "coordinate out of domain", "magnitudes of at most 2^500");
+    }
+    std::vector<std::size_t> order(x.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&x](std::size_t i, std::size_t j) { return x[i] != x[j] ? x[i] < x[j] : i < j; });
+    std::vector<char> repeated(x.size(), 0);
+    for (std::size_t k = 1; k < order.size(); ++k) repeated[order[k]] = x[order[k]] == x[order[k - 1]] ? 1 : 0;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (repeated[i] == 0) x[kept++] = x[i];
+    x.resize(kept);
+    if (kept < 2)
+        throw file.fault(file.points.size() - 1, Error_code::too_few, counted(kept, "distinct point") + " in the file",
+                         "at least 2");
+    return x;
+}
+
+template <class Embedding_of_cgal, int d>
+Degeneracy_record study(const Point_file<d>& file) {
+    Degeneracy_record r;
+    r.file = file.name;
+    r.dimension = d;
+    r.points = file.points.size();
+    const std::vector<Coordinates<d>> x = distinct(file);
+    r.vertices = x.size();
+    const auto begin = Clock::now();
+    Embedding_of_cgal embedding;
+    embedding.build(x);
+    r.seconds_triangulation = since(begin);
+    const auto built = Clock::now();
+    r.affine_dimension = embedding.dimension();
+    embedding.for_each_finite_cell([&r](const auto&) { ++r.simplices; });
+    if (r.affine_dimension == d) {
+        embedding.mirror();
+        r.measured = degeneracy(embedding.table(), x);
+    }
+    r.seconds_analysis = since(built);
+    return r;
+}
+
+void print_counts(const char* name, std::uint64_t total, std::uint64_t zero, const std::vector<std::uint64_t>& below) {
+    const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+    std::printf("%-14s %11llu %11llu", name, count(total), count(zero));
+    for (const std::uint64_t n : below) std::printf(" %11llu", count(n));
+    std::printf("\n");
+}
+
+void print(const Degeneracy& d) {
+    const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+    const auto percent = [](std::uint64_t part, std::uint64_t all) {
+        return 100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(all, 1));
+    };
+    std::printf("mean spacing   %.6g; ulp of the largest coordinate %.3g, %.3g spacings\n", d.spacing, d.resolution,
+                d.resolution / d.spacing);
+    std::printf("%-14s %11s %11s", "widths", "number", "exactly 0");
+    for (const Threshold& t : d.thresholds) std::printf(" %11s", ("< " + t.name).c_str());
+    std::printf("\n");
+    const auto widths = [](const char* name, const Width_counts& c) { print_counts(name, c.total, c.zero, c.below); };
+    widths("bi-cells", d.bicells.least);
+    if (d.dimension == 3) widths("  paper's", d.standard);
+    widths("cells", d.cells.least);
+    widths("hull ridges", d.ridges.least);
+    print_counts("tolerances", d.vertices.total, d.vertices.zero, d.vertices.below);
+    const auto median = [](const Distribution& q) { return q.quantiles.empty() ? 0.0 : q.quantiles[5]; };
+    std::printf("medians        width of bi-cells %.4g, certified tolerance %.4g, paper's tolerance %.4g, theta %.4g\n",
+                median(d.bicells.least.width), median(d.vertices.certified), median(d.vertices.paper), median(d.theta));
+    std::printf("non-convex     %llu bi-cells (%.4g %%); with %s points %llu\n", count(d.non_convex),
+                percent(d.non_convex, d.bicells.least.total), d.dimension == 2 ? "three collinear" : "four coplanar",
+                count(d.flat));
+    const Vertex_counts& v = d.vertices;
+    std::printf("paper          tolerance unsound at %llu vertices (%.4g %%), above the exact one at %llu (%.4g %%)\n",
+                count(v.paper_unsound), percent(v.paper_unsound, v.total), count(v.paper_above_exact),
+                percent(v.paper_above_exact, v.total));
+    Stage_counts all = d.bicells.arithmetic;
+    all += d.cells.arithmetic;
+    all += d.ridges.arithmetic;
+    std::printf("certificates   %llu decided: filter %llu, interval %llu, exact %llu\n", count(all.total()),
+                count(all.filter), count(all.interval), count(all.exact));
+}
+
+void print(const Degeneracy_record& r) {
+    constexpr std::array simplex{"point", "edge", "triangle", "tetrahedron"};
+    const bool tetrahedra = r.affine_dimension == 3 && r.simplices != 1;
+    std::printf("%s in dimension %d, %s\n", counted(r.vertices, "point").c_str(), r.dimension,
+                tetrahedra ? (std::to_string(r.simplices) + " tetrahedra").c_str()
+                           : counted(r.simplices, simplex[static_cast<std::size_t>(r.affine_dimension)]).c_str());
+    if (r.measured) print(*r.measured);
+    else std::printf("flat           all points lie %s\n", r.affine_dimension == 2 ? "in a plane" : "on a line");
+    std::printf("time           triangulation %.3f s, analysis %.3f s\n", r.seconds_triangulation, r.seconds_analysis);
+}
+
+int run(const Degeneracy_call& a, const std::string& command) {
+    if (!a.common.output.empty()) require_writable(a.common.output);
+    std::variant<Point_file<2>, Point_file<3>> file;
+    if (a.dimension == 2) file = read_points<2>(a.file, {.ignore_z = a.ignore_z});
+    else if (a.dimension == 3) file = read_points<3>(a.file);
+    else file = read_points_of_any_dimension(a.file, {.ignore_z = a.ignore_z});
+    const auto* plane = std::get_if<Point_file<2>>(&file);
+    Degeneracy_record r = plane != nullptr ? study<Cgal_embedding_2<No_info>>(*plane)
+                                           : study<Cgal_embedding_3<No_info>>(std::get<Point_file<3>>(file));
+    r.command = command;
+    if (r.points > r.vertices && !a.common.quiet)
+        std::fprintf(stderr, "annulus: %s: merged %s\n", a.file.c_str(),
+                     counted(r.points - r.vertices, "duplicate point").c_str());
+    if (!a.common.output.empty()) {
+        Result_files out(a.common.output);
+        out.write("degeneracy.json", write_json(degeneracy_json(r)));
+        out.write("degeneracy.html", degeneracy_html(r));
+        out.commit();
+    }
+    if (!a.common.quiet) {
+        print(r);
+        if (!a.common.output.empty()) std::printf("written to     %s\n", a.common.output.c_str());
+    }
+    return done;
+}
+
+}  // namespace
+
+Run add_degeneracy_command(CLI::App& app, const Invocation& invocation) {
+    auto* sub = app.add_subcommand(
+        "degeneracy", "How degenerate points are: certified counts and distributions of their Delaunay triangulation");
+    const auto a = std::make_shared<Degeneracy_call>();
+    sub->add_option("FILE", a->file, "Points, .xyz, .csv, .off, .ply or .mesh")->required();
+    auto* dimension = sub->add_option("--dim", a->dimension, "2 or 3; default: that of the file")
+                          ->type_name("D")
+                          ->check(CLI::IsMember({2, 3}));
+    sub->add_flag("--ignore-z", a->ignore_z, "Drop the z coordinate of the file");
+    add_common(*sub, a->common, "degeneracy.json and degeneracy.html", false);
+    return [a, dimension, command = command_line(invocation.words)] {
+        if (a->ignore_z && dimension->count() > 0 && a->dimension == 3)
+            throw Error(Error_code::usage, "--ignore-z and --dim 3 exclude each other");
+        return run(*a, command);
+    };
+}
+
+}  // namespace annulus::cli

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/statistics/degeneracy.h>
+
+#include <annulus/certificate/half_width.h>
+#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/theta.h>
+#include <annulus/statistics/paper_tolerance.h>
+#include <annulus/triangulation/certificates.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace annulus {
+
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// So many certificates at a time are gathered for the ladder.
+constexpr std::size_t batch = 4096;
+
+Distribution distribution(Distribution empty, std::vector<double> samples) {
+    empty.histogram.add(samples);
+    if (!samples.empty()) empty.quantiles = quantiles(std::move(samples), Distribution::probabilities);
+    return empty;
+}
+Distribution angles() { return {Histogram::linear(0, std::numbers::pi / 2, 36)}; }
+
+double determinant(const std::array<double, 2>& u, const std::array<double, 2>& v) { return u[0] * v[1] - u[1] * v[0]; }
+double determinant(const std::array<double, 3>& u, const std::array<double, 3>& v, const std::array<double, 3>& w) {
+    return (u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2])) +
+           u[2] * (v[0] * w[1] - v[1] * w[0]);
+}
+
+/// Root of the content of the hull per vertex, from the content of all cells in units of a power of two near its extent.
+template <int d>
+double mean_spacing(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
+    double extent = 0;
+    for (const auto& p : x)
+        for (std::size_t c = 0; c < d; ++c) extent = std::max(extent, std::fabs(p[c] - x[0][c]));
+    const int exponent = std::ilogb(extent);
+    double content = 0;
+    for (Index c = 0; c < t.cell_bound(); ++c) {
+        if (!t.is_cell(c) || t.is_infinite(c)) continue;
+        const Cell_points<d> v = cell_points(t, c);
+        const auto edge = [&](std::size_t i) {
+            Coordinates<d> u{};
+            for (std::size_t k = 0; k < d; ++k) u[k] = std::scalbn(x[at(v[i])][k] - x[at(v[0])][k], -exponent);
+            return u;
+        };
+        if constexpr (d == 2) content += determinant(edge(1), edge(2)) / 2;
+        else content += determinant(edge(1), edge(2), edge(3)) / 6;
+    }
+    const double each = content / static_cast<double>(x.size());
+    return std::scalbn(d == 2 ? std::sqrt(each) : std::cbrt(each), exponent);
+}
+
+template <int d>
+double resolution(std::span<const Coordinates<d>> x) {
+    double largest = 0;
+    for (const auto& p : x)
+        for (const double c : p) largest = std::max(largest, std::fabs(c));
+    return std::nextafter(largest, infinity) - largest;
+}
+
+/// Where the line through p and q meets the facet: inside (1), outside (-1), or on its border (0).
+int convexity(std::span<const Verdict> v) {
+    const auto negative = [](const Verdict& w) { return w.sign < 0; };
+    const auto positive = [](const Verdict& w) { return w.sign > 0; };
+    if (std::any_of(v.begin(), v.end(), negative) && std::any_of(v.begin(), v.end(), positive)) return -1;
+    return std::any_of(v.begin(), v.end(), [](const Verdict& w) { return w.sign == 0; }) ? 0 : 1;
+}
+
+/// The orientations of p, q and each ridge of the facet, turned so that they agree where the bi-cell is convex.
+void append_sides(const Tuple<2, 4>& x, std::vector<Tuple<2, 3>>& out) {
+    out.push_back({x[2], x[3], x[0]});
+    out.push_back({x[3], x[2], x[1]});
+}
+void append_sides(const Tuple<3, 5>& x, std::vector<Tuple<3, 4>>& out) {
+    out.push_back({x[3], x[4], x[0], x[1]});
+    out.push_back({x[3], x[4], x[1], x[2]});
+    out.push_back({x[3], x[4], x[2], x[0]});
+}
+double theta_of(const Tuple<2, 4>& x) { return theta(*x[0], *x[1], *x[2], *x[3]); }
+double theta_of(const Tuple<3, 5>& x) { return theta(*x[0], *x[1], *x[2], *x[3], *x[4]); }
+
+/// One look at everything.
+template <int d>
+class Survey {
+  public:
+    Survey(const Cell_table<d>& t, std::span<const Coordinates<d>> x)
+        : t_(t), x_(x), tolerance_(x.size(), infinity), marks_(x.size(), 0), paper_(t, x.size()) {
+        r_.dimension = d;
+        r_.spacing = mean_spacing(t, x);
+        r_.resolution = resolution<d>(x);
+        for (const auto& [name, relative] :
+             {std::pair{"1e-3", 1e-3}, std::pair{"1e-6", 1e-6}, std::pair{"1e-9", 1e-9}, std::pair{"1e-12", 1e-12}})
+            r_.thresholds.push_back({name, relative * r_.spacing, relative});
+        r_.thresholds.push_back({"ulp", r_.resolution, r_.resolution / r_.spacing});
+        for (auto* counts : {&r_.standard, &r_.bicells.least, &r_.cells.least, &r_.ridges.least})
+            counts->below.resize(r_.thresholds.size());
+        r_.vertices.below.resize(r_.thresholds.size());
+    }
+
+    Degeneracy result() {
+        look_at_facets();
+        look_at_cells();
+        sum_up();
+        return std::move(r_);
+    }
+
+  private:
+    using Bicell = Tuple<d, d + 2>;
+    using Simplex = Tuple<d, d + 1>;
+    template <class T>
+    struct Batch {
+        std::vector<T> tuple;
+        std::vector<Facet_points<d>> point;  // the last one none where there are only d + 1
+        std::vector<Index> id;
+        void clear() {
+            tuple.clear();
+            point.clear();
+            id.clear();
+        }
+    };
+
+    template <std::size_t k>
+    void append(Batch<Tuple<d, static_cast<int>(k)>>& b, const std::array<Index, k>& v, Index id) {
+        Tuple<d, static_cast<int>(k)> tuple{};
+        Facet_points<d> point;
+        point.fill(none);
+        for (std::size_t i = 0; i < k; ++i) {
+            tuple[i] = &x_[at(v[i])];
+            point[i] = v[i];
+        }
+        b.tuple.push_back(tuple);
+        b.point.push_back(point);
+        b.id.push_back(id);
+    }
+
+    void look_at_facets() {
+        Batch<Bicell> bicells;
+        Batch<Simplex> ridges;
+        Batch<Simplex> border;
+        for (Index f = 0; f < t_.facet_bound(); ++f) {
+            if (!t_.is_facet(f)) continue;
+            const Index h = t_.half(f);
+            switch (facet_kind(t_, h)) {
+                case Facet_kind::empty_sphere: append(bicells, bicell_points(t_, h), f); break;
+                case Facet_kind::ridge: append(ridges, ridge_vertex_last(t_, h, ridge_points(t_, h)), f); break;
+                default: append(border, slab_points(t_, h), f); break;
+            }
+            if (bicells.id.size() == batch) take_bicells(bicells);
+            if (ridges.id.size() == batch) take_ridges(ridges);
+            if (border.id.size() == batch) take_border(border);
+        }
+        take_bicells(bicells);
+        take_ridges(ridges);
+        take_border(border);
+    }
+
+    void look_at_cells() {
+        Batch<Simplex> cells;
+        for (Index c = 0; c < t_.cell_bound(); ++c) {
+            if (!t_.is_cell(c) || t_.is_infinite(c)) continue;
+            append(cells, cell_points(t_, c), c);
+            if (cells.id.size() == batch) take_cells(cells);
+        }
+        take_cells(cells);
+    }
+
+    void take_bicells(Batch<Bicell>& b) {
+        const std::size_t n = b.id.size();
+        judge(b, r_.bicells);
+        bicell_.resize(n);
+        enclose(std::span<const Bicell>(b.tuple), std::span(bicell_));
+        sides_.clear();
+        for (const Bicell& x : b.tuple) append_sides(x, sides_);
+        verdict_.resize(sides_.size());
+        r_.convexity += evaluate(std::span<const Simplex>(sides_), Mode::floating, verdict_);
+        for (std::size_t i = 0; i < n; ++i) {
+            const auto exactly = [&] { return enclose_exactly(b.tuple[i]); };
+            Bicell_half_widths& h = bicell_[i];
+            count(
+                h.least, width_samples_[0], r_.bicells.least, b.point[i], [&] { return exactly().least; },
+                &r_.bicells.decided_exactly);
+            if (d == 3)
+                count(
+                    h.standard, width_samples_[3], r_.standard, {}, [&] { return exactly().standard; }, nullptr);
+            const int convex = convexity(std::span(verdict_).subspan(i * d, d));
+            r_.non_convex += convex < 0 ? 1U : 0U;
+            r_.flat += convex == 0 ? 1U : 0U;
+            theta_samples_.push_back(theta_of(b.tuple[i]));
+            paper_.note_bicell(b.id[i], h);
+        }
+        b.clear();
+    }
+
+    void take_ridges(Batch<Simplex>& b) {
+        take_simplices(b, r_.ridges, width_samples_[2],
+                       [&](std::size_t i, const Half_width& h) { paper_.note_ridge(b.id[i], h); });
+        half_.resize(b.id.size());
+        enclose(std::span<const Simplex>(b.tuple), Width::ridge, std::span(half_));
+        for (std::size_t i = 0; i < b.id.size(); ++i) paper_.note_paper(b.id[i], half_[i]);
+        b.clear();
+    }
+    void take_border(Batch<Simplex>& b) {
+        half_.resize(b.id.size());
+        enclose(std::span<const Simplex>(b.tuple), Width::slab, std::span(half_));
+        for (std::size_t i = 0; i < b.id.size(); ++i) paper_.note_paper(b.id[i], half_[i]);
+        b.clear();
+    }
+    void take_cells(Batch<Simplex>& b) {
+        take_simplices(b, r_.cells, width_samples_[1],
+                       [&](std::size_t i, const Half_width& h) { paper_.note_cell(b.id[i], h); });
+        b.clear();
+    }
+
+    template <class Note>
+    void take_simplices(Batch<Simplex>& b, Certificate_counts& counts, std::vector<double>& samples, Note note) {
+        judge(b, counts);
+        half_.resize(b.id.size());
+        enclose(std::span<const Simplex>(b.tuple), Width::least, std::span(half_));
+        for (std::size_t i = 0; i < b.id.size(); ++i) {
+            count(
+                half_[i], samples, counts.least, b.point[i], [&] { return enclose_exactly(b.tuple[i], Width::least); },
+                &counts.decided_exactly);
+            note(i, half_[i]);
+        }
+    }
+
+    /// The ladder, as a run has it, for stages and tolerances.
+    template <class T>
+    void judge(const Batch<T>& b, Certificate_counts& counts) {
+        verdict_.resize(b.id.size());
+        counts.arithmetic += evaluate(std::span<const T>(b.tuple), Mode::fast, verdict_);
+        for (std::size_t i = 0; i < b.id.size(); ++i)
+            for (const Index v : b.point[i])
+                if (v != none) tolerance_[at(v)] = std::min(tolerance_[at(v)], verdict_[i].tolerance);
+    }
+
+    /// Enters one half width into the counts: of widths as they are, of tolerances at the points that it limits.
+    template <class Exactly>
+    void count(Half_width& h, std::vector<double>& samples, Width_counts& counts, const Facet_points<d>& points,
+               Exactly exactly, std::uint64_t* integers) {
+        bool asked = h.stage == Stage::exact;
+        const auto below = [&](double y) {
+            if (h.is_below(y)) return true;
+            if (h.is_not_below(y)) return false;
+            h = exactly();
+            asked = true;
+            return h.is_below(y);
+        };
+        ++counts.total;
+        if (h.upper == 0.0) ++counts.zero;
+        unsigned mark = h.upper == 0.0 ? 1U : 0U;
+        for (std::size_t k = 0; k < r_.thresholds.size(); ++k) {
+            const double y = r_.thresholds[k].width;
+            if (below(y / 2)) ++counts.below[k];
+            if (integers != nullptr && below(y)) mark |= 2U << k;
+        }
+        samples.push_back(2 * h.lower / r_.spacing);
+        if (integers == nullptr) return;
+        *integers += asked ? 1U : 0U;
+        for (const Index v : points)
+            if (v != none) marks_[at(v)] |= mark;
+    }
+
+    void sum_up() {
+        const auto relative = [this](std::vector<double> x) {
+            for (double& s : x) s /= r_.spacing;
+            return x;
+        };
+        r_.bicells.least.width = distribution({}, std::move(width_samples_[0]));
+        r_.cells.least.width = distribution({}, std::move(width_samples_[1]));
+        r_.ridges.least.width = distribution({}, std::move(width_samples_[2]));
+        if (d == 3) r_.standard.width = distribution({}, std::move(width_samples_[3]));
+        r_.theta = distribution(angles(), std::move(theta_samples_));
+        Vertex_counts& v = r_.vertices;
+        v.total = x_.size();
+        for (const unsigned mark : marks_) {
+            v.zero += mark & 1U;
+            for (std::size_t k = 0; k < v.below.size(); ++k) v.below[k] += mark >> (k + 1) & 1U;
+        }
+        v.certified = distribution({}, relative(std::move(tolerance_)));
+        const Paper_verdict p = paper_.verdict(x_);
+        v.paper_above_exact = p.above_exact;
+        v.paper_unsound = p.unsound;
+        v.unsound_certificates = p.certificates;
+        v.paper = distribution({}, relative(p.tolerance));
+    }
+
+    const Cell_table<d>& t_;
+    std::span<const Coordinates<d>> x_;
+    Degeneracy r_;
+    std::array<std::vector<double>, 4> width_samples_;  // bi-cells, cells, ridges, standard annuli
+    std::vector<double> theta_samples_;
+    std::vector<double> tolerance_;  // by vertex
+    std::vector<unsigned> marks_;    // by vertex: tolerance 0, tolerance below threshold k in bit k + 1
+    Paper_tolerance<d> paper_;
+    // Of a batch.
+    std::vector<Verdict> verdict_;
+    std::vector<Bicell_half_widths> bicell_;
+    std::vector<Half_width> half_;
+    std::vector<Simplex> sides_;
+};
+
+}  // namespace
+
+Degeneracy degeneracy(const Cell_table<2>& t, std::span<const Coordinates<2>> x) { return Survey<2>(t, x).result(); }
+Degeneracy degeneracy(const Cell_table<3>& t, std::span<const Coordinates<3>> x) { return Survey<3>(t, x).result(); }
+
+}  // namespace annulus

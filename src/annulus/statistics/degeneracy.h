@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/stage.h>
+#include <annulus/statistics/histogram.h>
+#include <annulus/triangulation/cell_table.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace annulus {
+
+/// A width below which a certificate counts as nearly degenerate.
+struct Threshold {
+    std::string name;     ///< "1e-6", or "ulp" for what the doubles of the input resolve
+    double width = 0;     ///< in the unit of the points; the counts are exact for this number
+    double relative = 0;  ///< in mean spacings
+};
+
+/// Where samples lie. Certified numbers enter with their lower ends, which are within 2^-10 of the truth.
+struct Distribution {
+    static constexpr std::array<double, 10> probabilities{0, 0.001, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 1};
+
+    Histogram histogram = Histogram::log10(1e-18, 1e4, 88);
+    std::vector<double> quantiles{};  ///< at `probabilities`; empty without samples
+};
+
+/// How many of some widths are 0 and nearly 0. Every count is certified: a width is a real number, compared exactly.
+struct Width_counts {
+    std::uint64_t total = 0;
+    std::uint64_t zero = 0;            ///< exactly degenerate
+    std::vector<std::uint64_t> below;  ///< by threshold; those that are 0 included
+    Distribution width;                ///< in mean spacings
+};
+
+/// One kind of certificate.
+struct Certificate_counts {
+    Width_counts least;                 ///< twice the distance to the nearest placement at which the certificate is 0
+    Stage_counts arithmetic;            ///< the stages that gave sign and tolerance, as in a run
+    std::uint64_t decided_exactly = 0;  ///< widths for which counting needed integers
+};
+
+/// How far vertices may move.
+struct Vertex_counts {
+    std::uint64_t total = 0;
+    std::uint64_t zero = 0;
+    std::vector<std::uint64_t> below;  ///< tolerance below the threshold, counted exactly
+    Distribution certified;            ///< tolerances in mean spacings, as a run begins with
+    Distribution paper;                ///< least half width of the paper's annuli and slabs
+
+    /// The paper's tolerance is greater than the distance to degeneracy of a certificate that contains the vertex.
+    std::uint64_t paper_above_exact = 0;
+    /// There is such a certificate at every point of which the paper's tolerance is greater: its points may go to where it fails
+    /// and all stay within their tolerances.
+    std::uint64_t paper_unsound = 0;
+    std::uint64_t unsound_certificates = 0;
+};
+
+/// How degenerate a Delaunay triangulation is.
+struct Degeneracy {
+    int dimension = 2;
+    double spacing = 0;     ///< mean spacing: square root of the hull's area per vertex, cube root of its volume
+    double resolution = 0;  ///< the distance of doubles at the largest coordinate
+    std::vector<Threshold> thresholds;
+
+    Certificate_counts bicells;  ///< finite ones: empty circles and spheres
+    Width_counts standard;       ///< in space: the paper's annulus of the same; in the plane it is the only one
+    Certificate_counts cells;    ///< finite ones
+    Certificate_counts ridges;   ///< of the hull; in the plane its vertices
+
+    std::uint64_t non_convex = 0;  ///< bi-cells with a reflex edge (in the plane: vertex), by exact signs
+    std::uint64_t flat = 0;        ///< others with four coplanar points (three collinear ones) at the facet
+    Stage_counts convexity;        ///< stages of these signs
+    Distribution theta;            ///< of bi-cells, in radians
+
+    Vertex_counts vertices;
+};
+
+/// Precondition: t is a Delaunay triangulation of the points x, which are in the coordinate domain and span the space. A bi-cell costs a
+/// microsecond, a degenerate one ten or more.
+[[nodiscard]] Degeneracy degeneracy(const Cell_table<2>& t, std::span<const Coordinates<2>> x);
+[[nodiscard]] Degeneracy degeneracy(const Cell_table<3>& t, std::span<const Coordinates<3>> x);
+
+}  // namespace annulus

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/statistics/paper_tolerance.h>
+
+#include <annulus/triangulation/certificates.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace annulus {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+template <int d, std::size_t k, std::size_t n>
+Tuple<d, static_cast<int>(k)> tuple(const std::array<Index, n>& point, std::span<const Coordinates<d>> x) {
+    Tuple<d, static_cast<int>(k)> t{};
+    for (std::size_t i = 0; i < k; ++i) t[i] = &x[at(point[i])];
+    return t;
+}
+
+template <int d>
+struct Points_of_facet {
+    Facet_kind kind;
+    Facet_points<d> point;  ///< padded with `none`
+};
+
+template <int d>
+Points_of_facet<d> points_of_facet(const Cell_table<d>& t, Index f) {
+    const Index h = t.half(f);
+    Points_of_facet<d> p{facet_kind(t, h), {}};
+    if (p.kind == Facet_kind::empty_sphere) {
+        p.point = bicell_points(t, h);
+        return p;
+    }
+    const Cell_points<d> x =
+        p.kind == Facet_kind::ridge ? ridge_vertex_last(t, h, ridge_points(t, h)) : slab_points(t, h);
+    p.point.fill(none);
+    std::copy(x.begin(), x.end(), p.point.begin());
+    return p;
+}
+
+}  // namespace
+
+/// The paper's tolerance of every vertex from what is known of facets.
+template <int d>
+void Paper_tolerance<d>::take_least() {
+    least_.assign(vertices_, {infinity, infinity, Stage::interval});
+    for (Index i = 0; i < t_.facet_bound(); ++i) {
+        if (!t_.is_facet(i)) continue;
+        const Half_width& h = paper_[at(i)];
+        for (const Index v : points_of_facet(t_, i).point) {
+            if (v == none) continue;
+            Half_width& l = least_[at(v)];
+            l.lower = std::min(l.lower, h.lower);
+            l.upper = std::min(l.upper, h.upper);
+        }
+    }
+}
+
+/// Calls visit(half width, points, exactly) for each certificate whose half width is not the paper's own number; exactly(x)
+/// computes it with integers.
+template <int d>
+template <class Visit>
+void Paper_tolerance<d>::for_each_certificate(Visit visit) {
+    for (Index i = 0; i < t_.facet_bound(); ++i) {
+        if (!t_.is_facet(i) || own_[at(i)] != 0) continue;
+        const Points_of_facet<d> p = points_of_facet(t_, i);
+        if (p.kind == Facet_kind::empty_sphere) {
+            visit(facet_[at(i)], std::span<const Index>(p.point), [&](std::span<const Coordinates<d>> x) {
+                return enclose_exactly(tuple<d, d + 2>(p.point, x)).least;
+            });
+        } else if (p.kind == Facet_kind::ridge) {
+            visit(facet_[at(i)], std::span<const Index>(p.point).first(d + 1), [&](std::span<const Coordinates<d>> x) {
+                return enclose_exactly(tuple<d, d + 1>(p.point, x), Width::least);
+            });
+        }
+    }
+    for (Index c = 0; c < t_.cell_bound(); ++c) {
+        if (!t_.is_cell(c) || t_.is_infinite(c)) continue;
+        const Cell_points<d> p = cell_points(t_, c);
+        visit(cell_[at(c)], std::span<const Index>(p),
+              [&](std::span<const Coordinates<d>> x) { return enclose_exactly(tuple<d, d + 1>(p, x), Width::least); });
+    }
+}
+
+/// Integers for what the enclosures leave open: the certificate, and the paper's numbers that may be the least of such a vertex.
+template <int d>
+void Paper_tolerance<d>::refine(std::span<const Coordinates<d>> x) {
+    std::vector<char> open(vertices_, 0);
+    bool any = false;
+    for_each_certificate([&](Half_width& h, std::span<const Index> points, const auto& exactly) {
+        bool mine = false;
+        for (const Index v : points) {
+            const Half_width& l = least_[at(v)];
+            if (h.is_below(l.lower) || h.is_not_below(l.upper)) continue;
+            open[at(v)] = 1;
+            mine = true;
+        }
+        if (mine && h.stage != Stage::exact) h = exactly(x);
+        any = any || mine;
+    });
+    if (!any) return;
+    for (Index i = 0; i < t_.facet_bound(); ++i) {
+        if (!t_.is_facet(i) || paper_[at(i)].stage == Stage::exact) continue;
+        const Points_of_facet<d> p = points_of_facet(t_, i);
+        if (std::none_of(p.point.begin(), p.point.end(), [&](Index v) {
+                return v != none && open[at(v)] != 0 && paper_[at(i)].lower <= least_[at(v)].upper;
+            }))
+            continue;
+        paper_[at(i)] = p.kind == Facet_kind::empty_sphere
+                            ? enclose_exactly(tuple<d, d + 2>(p.point, x)).standard
+                            : enclose_exactly(tuple<d, d + 1>(p.point, x),
+                                              p.kind == Facet_kind::ridge ? Width::ridge : Width::slab);
+    }
+    take_least();
+}
+
+template <int d>
+Paper_verdict Paper_tolerance<d>::verdict(std::span<const Coordinates<d>> x) {
+    take_least();
+    refine(x);
+    std::vector<char> above(vertices_, 0);
+    std::vector<char> unsound(vertices_, 0);
+    Paper_verdict out;
+    for_each_certificate([&](const Half_width& h, std::span<const Index> points, const auto&) {
+        bool all = true;
+        for (const Index v : points) {
+            if (h.is_below(least_[at(v)].lower)) above[at(v)] = 1;
+            else all = false;
+        }
+        if (!all) return;
+        ++out.certificates;
+        for (const Index v : points) unsound[at(v)] = 1;
+    });
+    out.above_exact = static_cast<std::uint64_t>(std::count(above.begin(), above.end(), 1));
+    out.unsound = static_cast<std::uint64_t>(std::count(unsound.begin(), unsound.end(), 1));
+    for (const Half_width& l : least_) out.tolerance.push_back(l.lower);
+    return out;
+}
+
+template class Paper_tolerance<2>;
+template class Paper_tolerance<3>;
+
+}  // namespace annulus

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/certificate/half_width.h>
+#include <annulus/triangulation/cell_table.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// What became of the paper's tolerances.
+struct Paper_verdict {
+    std::vector<double> tolerance;   ///< by vertex, lower end
+    std::uint64_t above_exact = 0;   ///< vertices whose tolerance is above the half width of a certificate they are in
+    std::uint64_t unsound = 0;       ///< vertices of the certificates below
+    std::uint64_t certificates = 0;  ///< whose half width is below the tolerances of all their points
+};
+
+/// Compares the paper's tolerances with the half widths of certificates, both enclosed.
+///
+/// The paper's list: the standard annulus of every finite bi-cell, a slab for every border facet and every hull ridge; nothing of
+/// cells. A vertex has the least of those whose points it is among. Ours: annuli of bi-cells, cells, ridges; half their
+/// width is the least displacement that makes the certificate 0. What is counted is certain: a difference below one unit in
+/// the last place, as between equal numbers of two kinds, is not.
+template <int d>
+class Paper_tolerance {
+  public:
+    Paper_tolerance(const Cell_table<d>& t, std::size_t vertices)
+        : t_(t),
+          paper_(f(t.facet_bound())),
+          facet_(f(t.facet_bound())),
+          own_(f(t.facet_bound()), 0),
+          cell_(f(t.cell_bound())),
+          vertices_(vertices) {}
+
+    void note_bicell(Index i, const Bicell_half_widths& h) {
+        paper_[f(i)] = h.standard;
+        facet_[f(i)] = h.least;
+        own_[f(i)] = h.standard_is_least ? 1 : 0;
+    }
+    void note_ridge(Index i, const Half_width& h) { facet_[f(i)] = h; }
+    void note_paper(Index i, const Half_width& h) { paper_[f(i)] = h; }
+    void note_cell(Index c, const Half_width& h) { cell_[f(c)] = h; }
+
+    /// After everything was noted. Asks for integers where the enclosures do not tell, and keeps what they say.
+    [[nodiscard]] Paper_verdict verdict(std::span<const Coordinates<d>> x);
+
+  private:
+    static std::size_t f(Index i) { return static_cast<std::size_t>(i); }
+    void take_least();
+    template <class Visit>
+    void for_each_certificate(Visit visit);
+    void refine(std::span<const Coordinates<d>> x);
+
+    const Cell_table<d>& t_;
+    std::vector<Half_width> paper_;  // by facet
+    std::vector<Half_width> facet_;  // by facet: the certificate; none of a border facet
+    std::vector<char> own_;          // by facet: its two numbers are one
+    std::vector<Half_width> cell_;   // by cell
+    std::size_t vertices_;
+    std::vector<Half_width> least_;  // by vertex: the paper's tolerance
+};
+
+extern template class Paper_tolerance<2>;
+extern template class Paper_tolerance<3>;
+
+}  // namespace annulus
