@@ -79,7 +79,7 @@ void write_run(const std::string& directory, const Tracker_3& tracker, const Mes
                std::optional<Picture> before, std::optional<Picture> after, std::vector<std::string> notes) {
     const Run_record& run = tracker.record();
     const Moving_delaunay_3& dt = tracker.triangulation();
-    const Audit_input<3> in = dt.audit_input();  // with the simplices of a flat set, if it is one
+    const Audit_input<3> in = dt.audit_input();  // the simplices of a flat set, if it is one
     const auto& cell = mesh.cells.vertex;
     std::vector<std::array<Index, 4>> inside;
     std::vector<std::int64_t> flag;
@@ -120,7 +120,7 @@ void write_run(const std::string& directory, const Tracker_3& tracker, const Mes
         out.write("dihedral.csv", write_csv(dihedral_table(run)));
         out.write("domain.mesh", write_mesh<3>(in.points, inside));
     }
-    out.write("final.mesh", write_mesh<3>(in.points, in.cells));
+    out.write("final.mesh", write_mesh<3>(in.points, cell.empty() ? in.cells : cell));
     out.write("final.vtu", write_vtu<3>(in.points, cell, point_fields, cell_fields));
     out.write("report.html", report_html(report));
     out.commit();
