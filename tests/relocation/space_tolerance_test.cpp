@@ -100,7 +100,8 @@ Points_3 centres(const Moving_delaunay_3& dt) {
     std::vector<double> least(target.size(), std::numeric_limits<double>::infinity());
     if (tr.dimension() != 3) return target;
     for (auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f) {
-        const auto [c, i] = *f;
+        const auto c = f->first;
+        const int i = f->second;
         if (tr.is_infinite(c) || tr.is_infinite(c->neighbor(i))) continue;
         const auto corner = [&](int k) {
             const auto& at = c->vertex(k)->point();
