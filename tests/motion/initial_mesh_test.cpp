@@ -5,8 +5,8 @@
 #include <annulus/motion/ball_3.h>
 #include <annulus/motion/cells_3.h>
 #include <annulus/motion/initial_mesh_3.h>
-#include <annulus/moving_delaunay_3.h>
 #include <annulus/motion/surface_3.h>
+#include <annulus/moving_delaunay_3.h>
 
 #include <catch2/catch.hpp>
 

@@ -5,8 +5,9 @@
 #include <annulus/motion/ball_3.h>
 #include <annulus/motion/dihedral.h>
 #include <annulus/motion/nodt_3.h>
-#include <annulus/moving_delaunay_3.h>
 #include <annulus/motion/surface_3.h>
+#include <annulus/motion/surface_stars.h>
+#include <annulus/moving_delaunay_3.h>
 
 #include <catch2/catch.hpp>
 
@@ -70,7 +71,8 @@ Vector centre(const std::vector<Coordinates<3>>& p) {
 }
 
 /// The definition, word by word, in long double and with maps.
-Points targets_by_definition(const Domain_3& domain, const Points& x, const std::vector<std::array<Index, 4>>& cells) {
+Points targets_by_definition(const Domain_3& domain, const std::vector<char>& on_surface, const Points& x,
+                             const std::vector<std::array<Index, 4>>& cells) {
     const auto p = [&](Index i) { return x[static_cast<std::size_t>(i)]; };
     std::map<std::set<Index>, int> facets;
     std::vector<std::array<Index, 4>> inside;
@@ -96,9 +98,17 @@ Points targets_by_definition(const Domain_3& domain, const Points& x, const std:
             for (std::size_t k = 0; k < 3; ++k) sum[static_cast<std::size_t>(v)][k] += volume * (o[k] + p(c[0])[k]);
         }
     }
+    std::vector<std::map<Index, std::set<Index>>> link(x.size());
+    std::vector<std::size_t> around(x.size(), 0);
     for (const auto& [f, count] : facets) {
         if (count != 1) continue;
         const std::vector<Index> t(f.begin(), f.end());
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Index a = t[(k + 1) % 3], b = t[(k + 2) % 3];
+            auto& edges = link[static_cast<std::size_t>(t[k])];
+            edges[a].insert(b), edges[b].insert(a);
+            ++around[static_cast<std::size_t>(t[k])];
+        }
         const Vector n = cross(minus(p(t[1]), p(t[0])), minus(p(t[2]), p(t[0]))),
                      o = centre({p(t[0]), p(t[1]), p(t[2])});
         const Real a = std::sqrt(dot(n, n)) / 2;
@@ -107,14 +117,36 @@ Points targets_by_definition(const Domain_3& domain, const Points& x, const std:
             for (std::size_t k = 0; k < 3; ++k) flat[static_cast<std::size_t>(v)][k] += a * (o[k] + p(t[0])[k]);
         }
     }
+    // A disc: every corner of the link has two neighbours there, and from one of them all are reached.
+    const auto disc = [&](std::size_t v) {
+        std::set<Index> reached;
+        std::vector<Index> next;
+        if (!link[v].empty()) next.push_back(link[v].begin()->first);
+        while (!next.empty()) {
+            const Index at = next.back();
+            next.pop_back();
+            if (!reached.insert(at).second) continue;
+            if (link[v].at(at).size() != 2) return false;
+            next.insert(next.end(), link[v].at(at).begin(), link[v].at(at).end());
+        }
+        return !reached.empty() && reached.size() == around[v];
+    };
     Points target = x;
     for (std::size_t v = 0; v < x.size(); ++v) {
         if (weight[v] == 0) continue;
         Coordinates<3> at;
-        for (std::size_t k = 0; k < 3; ++k)
-            at[k] = static_cast<double>(area[v] > 0 ? flat[v][k] / area[v] : sum[v][k] / weight[v]);
-        if (area[v] > 0) target[v] = domain.project(at);
-        else if (domain.contains(at)) target[v] = at;
+        if (on_surface[v] == 0) {
+            for (std::size_t k = 0; k < 3; ++k) at[k] = static_cast<double>(sum[v][k] / weight[v]);
+            if (domain.contains(at)) target[v] = at;
+        } else if (disc(v)) {
+            double nearest = 1e300;
+            for (const auto& [w, ends] : link[v]) nearest = std::min(nearest, distance(x[v], p(w)));
+            Vector way;
+            for (std::size_t k = 0; k < 3; ++k) way[k] = flat[v][k] / area[v] - x[v][k];
+            const Real length = std::sqrt(dot(way, way)), share = std::min(Real{1}, nearest / 10 / length);
+            for (std::size_t k = 0; k < 3; ++k) at[k] = static_cast<double>(x[v][k] + share * way[k]);
+            target[v] = domain.project(at);
+        }
     }
     return target;
 }
@@ -133,9 +165,10 @@ TEST_CASE("targets are those of the definition", "[motion][nodt]") {
         }
         const Cells_3 cells = cells_of(points);
         Points target(points.size());
-        const Nodt_step step =
-            Nodt_3(domain, Sizing_3(domain)).step(cells, cells_inside(domain, cells, points), points, target);
-        const Points expected = targets_by_definition(domain, points, cells.vertex);
+        const std::vector<char> on_surface = vertices_on_surface(domain, points);
+        const Nodt_step step = Nodt_3(domain, Sizing_3(domain), on_surface)
+                                   .step(cells, cells_inside(domain, cells, points), points, target);
+        const Points expected = targets_by_definition(domain, on_surface, points, cells.vertex);
         for (std::size_t v = 0; v < points.size(); ++v) CHECK(distance(target[v], expected[v]) < 1e-9);
         CHECK(step.vertices <= points.size());
         CHECK(step.boundary > 50);
@@ -150,7 +183,7 @@ TEST_CASE("the body-centred lattice is a fixed point, and locks where its angles
     const Cells_3 cells = cells_of(points);
     const auto inside = cells_inside(ball, cells, points);
     Points target(points.size());
-    (void)Nodt_3(ball, Sizing_3(ball)).step(cells, inside, points, target);
+    (void)Nodt_3(ball, Sizing_3(ball), vertices_on_surface(ball, points)).step(cells, inside, points, target);
     std::size_t interior = 0;
     for (std::size_t v = 0; v < points.size(); ++v) {
         if (distance(points[v], {}) > 0.65) continue;
@@ -167,7 +200,8 @@ TEST_CASE("the body-centred lattice is a fixed point, and locks where its angles
     moved[spoilt] = {0.006, 0.004, 0.002};
     const Cells_3 after = cells_of(moved);
     const auto inside_after = cells_inside(ball, after, moved);
-    const Nodt_step all = Nodt_3(ball, Sizing_3(ball), 59.9).step(after, inside_after, moved, target);
+    const Nodt_step all =
+        Nodt_3(ball, Sizing_3(ball), vertices_on_surface(ball, points), 59.9).step(after, inside_after, moved, target);
     std::set<Index> near;
     for (const auto& c : after.vertex)
         if (std::find(c.begin(), c.end(), static_cast<Index>(spoilt)) != c.end()) near.insert(c.begin(), c.end());
@@ -181,7 +215,8 @@ TEST_CASE("the body-centred lattice is a fixed point, and locks where its angles
     CHECK(locked + near.size() == interior);
     CHECK(all.locked >= locked);
     // 30 degrees leave room for the move.
-    const Nodt_step loose = Nodt_3(ball, Sizing_3(ball), 30).step(after, inside_after, moved, target);
+    const Nodt_step loose =
+        Nodt_3(ball, Sizing_3(ball), vertices_on_surface(ball, points), 30).step(after, inside_after, moved, target);
     CHECK(loose.locked > all.locked);
     CHECK(target[spoilt] == moved[spoilt]);
 }
@@ -195,7 +230,7 @@ TEST_CASE("a free vertex goes where the energy of its star is least", "[motion][
         const Cells_3 cells = cells_of(points);
         const auto inside = cells_inside(ball, cells, points);
         Points target(points.size());
-        (void)Nodt_3(ball, Sizing_3(ball)).step(cells, inside, points, target);
+        (void)Nodt_3(ball, Sizing_3(ball), vertices_on_surface(ball, points)).step(cells, inside, points, target);
         std::set<Index> boundary;
         for (const auto& facet : surface_facets(cells, inside)) boundary.insert(facet.begin(), facet.end());
         std::size_t checked = 0;
@@ -244,10 +279,86 @@ TEST_CASE("boundary vertices stay on the surface, symmetric ones where they are"
     const Cells_3 cells = cells_of(points);
     Points target(points.size());
     const auto inside = cells_inside(ball, cells, points);
-    const Nodt_step step = Nodt_3(ball, Sizing_3(ball)).step(cells, inside, points, target);
+    const Nodt_step step =
+        Nodt_3(ball, Sizing_3(ball), vertices_on_surface(ball, points)).step(cells, inside, points, target);
     CHECK(step.boundary == 6);
     CHECK(step.vertices == 7);
     for (std::size_t v = 0; v < points.size(); ++v) CHECK(distance(target[v], points[v]) < 1e-15);
+}
+
+TEST_CASE("which vertices are on the surface", "[motion][nodt]") {
+    const Surface_3 surface(box({1, 0.8, 0.6}));
+    const Coordinates<3> on_a_face = surface.project({0.1, 0.1, 0.2}), on_another = surface.project({0.7, 0.1, 0.2});
+    const Points points{
+        on_a_face, {0.1, 0.1, 0.2}, on_another, {0.1, 0.1, on_a_face[2] + 1e-12}, {0.1, 0.1, on_a_face[2] + 1e-6}};
+    const auto on = vertices_on_surface(surface, points);
+    for (std::size_t v = 0; v < points.size(); ++v)
+        CHECK((on[v] != 0) == (distance(points[v], surface.project(points[v])) < 1e-8));
+    CHECK(std::count(on.begin(), on.end(), 1) > 0);
+    CHECK(std::count(on.begin(), on.end(), 0) > 0);
+}
+
+TEST_CASE("the facets around a vertex are a disc or not", "[motion][nodt]") {
+    const Triangle_surface octahedron = round_octahedron(0);
+    std::vector<std::array<Index, 3>> facets(octahedron.triangles.begin(), octahedron.triangles.end());
+    REQUIRE(facets.size() == 8);
+    {
+        const Surface_stars stars(facets, 7);
+        for (Index v = 0; v < 6; ++v) {
+            CHECK(stars.around(v).size() == 4);
+            CHECK(stars.disc(v));
+        }
+        CHECK_FALSE(stars.disc(6));  // no facets
+    }
+    {
+        // A second one that shares a vertex with the first: two fans there.
+        auto both = facets;
+        for (auto f : facets) {
+            for (Index& v : f)
+                if (v != facets[0][0]) v += 6;
+            both.push_back(f);
+        }
+        const Surface_stars stars(both, 12);
+        for (const auto& f : both)
+            for (const Index v : f) CHECK(stars.disc(v) == (v != facets[0][0]));
+    }
+    {
+        const auto lost = facets.back();
+        facets.pop_back();
+        const Surface_stars stars(facets, 6);
+        for (Index v = 0; v < 6; ++v) CHECK(stars.disc(v) == (std::find(lost.begin(), lost.end(), v) == lost.end()));
+    }
+    // Three sheets along an edge; two of them are a disc around its ends, the third is too much.
+    const Surface_stars book(
+        std::vector<std::array<Index, 3>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 4}, {0, 4, 5}, {0, 5, 1}}, 6);
+    CHECK_FALSE(book.disc(0));
+}
+
+TEST_CASE("vertices of the surface go by a tenth of the way to their nearest neighbour", "[motion][nodt]") {
+    Points points = round_octahedron(2).points;
+    points.push_back({0, 0, 0});
+    points[0] = Ball_3(1).project({points[0][0] + 0.3, points[0][1] + 0.1, points[0][2] - 0.2});
+    const Ball_3 ball(1);
+    const Cells_3 cells = cells_of(points);
+    const auto inside = cells_inside(ball, cells, points);
+    Points target(points.size());
+    const Nodt_step step =
+        Nodt_3(ball, Sizing_3(ball), vertices_on_surface(ball, points)).step(cells, inside, points, target);
+    CHECK(step.boundary + 1 == points.size());
+    std::size_t full = 0;
+    const auto facets = surface_facets(cells, inside);
+    for (std::size_t v = 0; v + 1 < points.size(); ++v) {
+        double nearest = 10;
+        for (const auto& f : facets)
+            if (std::find(f.begin(), f.end(), static_cast<Index>(v)) != f.end())
+                for (const Index w : f)
+                    if (w != static_cast<Index>(v))
+                        nearest = std::min(nearest, distance(points[v], points[static_cast<std::size_t>(w)]));
+        const double went = distance(points[v], target[v]);
+        CHECK(went <= 0.1 * nearest * (1 + 1e-9));
+        full += went > 0.07 * nearest;
+    }
+    CHECK(full > 0);
 }
 
 TEST_CASE("graded sizing pulls vertices towards where edges are to be short", "[motion][nodt]") {
@@ -255,7 +366,8 @@ TEST_CASE("graded sizing pulls vertices towards where edges are to be short", "[
     const Ball_3 ball(0.9);
     const Cells_3 cells = cells_of(points);
     Points target(points.size());
-    (void)Nodt_3(ball, Sizing_3(ball, 3)).step(cells, cells_inside(ball, cells, points), points, target);
+    (void)Nodt_3(ball, Sizing_3(ball, 3), vertices_on_surface(ball, points))
+        .step(cells, cells_inside(ball, cells, points), points, target);
     std::size_t counted = 0;
     for (std::size_t v = 0; v < points.size(); ++v) {
         const double r = distance(points[v], {});
@@ -274,8 +386,10 @@ TEST_CASE("natural ODT does not depend on threads", "[motion][nodt]") {
     Points one(points.size()), three(points.size());
     const auto a = cells_inside(surface, cells, points, 1), b = cells_inside(surface, cells, points, 3);
     CHECK(a == b);
-    const Nodt_step s = Nodt_3(surface, Sizing_3(surface, 1), 20.0, 1).step(cells, a, points, one);
-    const Nodt_step t = Nodt_3(surface, Sizing_3(surface, 1), 20.0, 3).step(cells, b, points, three);
+    const Nodt_step s = Nodt_3(surface, Sizing_3(surface, 1), vertices_on_surface(surface, points), 20.0, 1)
+                            .step(cells, a, points, one);
+    const Nodt_step t = Nodt_3(surface, Sizing_3(surface, 1), vertices_on_surface(surface, points), 20.0, 3)
+                            .step(cells, b, points, three);
     CHECK(one == three);
     CHECK(s.mean_displacement == t.mean_displacement);
     CHECK(s.locked == t.locked);
@@ -300,7 +414,10 @@ TEST_CASE("targets never coincide, even when they all want to be at one place", 
     points.push_back({0.1, 0, 0});
     const Cells_3 cells = cells_of(points);
     Points target(points.size());
-    const Nodt_step step = Nodt_3(trap, Sizing_3(trap)).step(cells, cells_inside(trap, cells, points), points, target);
+    std::vector<char> on_surface(points.size(), 1);
+    on_surface.back() = 0;
+    const Nodt_step step =
+        Nodt_3(trap, Sizing_3(trap), on_surface).step(cells, cells_inside(trap, cells, points), points, target);
     CHECK(std::set<Coordinates<3>>(target.begin(), target.end()).size() == points.size());
     CHECK(step.kept >= step.boundary - 1);
 }
@@ -311,10 +428,10 @@ TEST_CASE("natural ODT refuses arrays that do not fit and angles that lock every
     const Cells_3 cells = cells_of(points);
     Points target(points.size()), small(2);
     const auto inside = cells_inside(ball, cells, points);
-    const Nodt_3 nodt(ball, Sizing_3(ball));
+    const Nodt_3 nodt(ball, Sizing_3(ball), std::vector<char>(6));
     CHECK_THROWS_AS(nodt.step(cells, inside, points, small), Error);
     CHECK_THROWS_AS(nodt.step(cells, std::vector<char>(1), points, target), Error);
-    CHECK_THROWS_AS(Nodt_3(ball, Sizing_3(ball), 71.0), Error);
-    CHECK_THROWS_AS(Nodt_3(ball, Sizing_3(ball), 0.0), Error);
-    CHECK_THROWS_AS(Nodt_3(ball, Sizing_3(ball), {}, 0), Error);
+    CHECK_THROWS_AS(Nodt_3(ball, Sizing_3(ball), {}, 71.0), Error);
+    CHECK_THROWS_AS(Nodt_3(ball, Sizing_3(ball), {}, 0.0), Error);
+    CHECK_THROWS_AS(Nodt_3(ball, Sizing_3(ball), {}, {}, 0), Error);
 }

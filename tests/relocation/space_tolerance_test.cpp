@@ -110,7 +110,8 @@ Points_3 centres(const Moving_delaunay_3& dt) {
         double volume = 0;
         Coordinates<3> o = weighted_circumcentre(corner(0), corner(1), corner(2), corner(3), volume);
         for (std::size_t k = 0; k < 3; ++k) o[k] = corner(0)[k] + o[k] / volume;
-        if (!std::isfinite(o[0]) || !std::isfinite(o[1]) || !std::isfinite(o[2])) continue;  // flat: no centre in doubles
+        if (!std::isfinite(o[0]) || !std::isfinite(o[1]) || !std::isfinite(o[2]))
+            continue;  // flat: no centre in doubles
         const auto p = tr.tds().mirror_vertex(c, i);
         const auto distance = [&](const Coordinates<3>& x) {
             return std::hypot(x[0] - o[0], x[1] - o[1], x[2] - o[2]);

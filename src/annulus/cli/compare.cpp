@@ -186,7 +186,8 @@ int run(const Compare_call& a, const Invocation& invocation) {
     if (chosen.count("--seed") == 0) common.seed = a.common.seed;
     if (chosen.count("--threads") == 0) common.threads = a.common.threads;
     common.quiet = common.quiet || a.common.quiet;
-    for (const std::string& name : a.strategies) (void)options_of(variant(tracking, name), common);  // wrong usage first
+    for (const std::string& name : a.strategies)
+        (void)options_of(variant(tracking, name), common);  // wrong usage first
     if (!a.common.output.empty()) require_writable(a.common.output);
     if (&chosen == lloyd_command) {
         Guided_lloyd motion(lloyd, common);

@@ -185,8 +185,9 @@ int run(const Replay_call& a, const std::string& command) {
     const Recorded_motion motion = read_motion(a.file);
     if (a.dimension == 3 && !motion.has_z)
         throw Input_error(Error_code::bad_input, a.file, 0, "points have no z", "a third coordinate for --dim 3");
-    return (a.dimension != 0 ? a.dimension : dimension_of(motion)) == 2 ? replay<Moving_delaunay_2>(a, command, motion, begin)
-                            : replay<Moving_delaunay_3>(a, command, motion, begin);
+    return (a.dimension != 0 ? a.dimension : dimension_of(motion)) == 2
+               ? replay<Moving_delaunay_2>(a, command, motion, begin)
+               : replay<Moving_delaunay_3>(a, command, motion, begin);
 }
 
 }  // namespace

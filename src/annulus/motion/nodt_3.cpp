@@ -4,10 +4,13 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/motion/dihedral.h>
 #include <annulus/motion/parallel_runs.h>
+#include <annulus/motion/surface_stars.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace annulus {
 
@@ -57,6 +60,19 @@ struct Partial {
     std::size_t vertices = 0, boundary = 0, locked = 0, kept = 0;
 };
 
+double distance(const Coordinates<3>& p, const Coordinates<3>& q) {
+    return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+}
+
+/// q, or where it is farther than that, the point at this distance from p towards q.
+Coordinates<3> towards(const Coordinates<3>& p, const Coordinates<3>& q, double most) {
+    const double d = distance(p, q);
+    if (d <= most) return q;
+    Coordinates<3> x;
+    for (std::size_t k = 0; k < 3; ++k) x[k] = p[k] + most / d * (q[k] - p[k]);
+    return x;
+}
+
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Two vertices with one target would collide: they rest, and so do those that are then in the way of one that rests.
@@ -83,8 +99,18 @@ void rest_where_equal(std::span<const Coordinates<3>> position, std::span<Coordi
 
 }  // namespace
 
-Nodt_3::Nodt_3(const Domain_3& domain, Sizing_3 sizing, std::optional<double> lock_degrees, int threads)
-    : domain_(domain), sizing_(sizing), threads_(threads) {
+std::vector<char> vertices_on_surface(const Domain_3& domain, std::span<const Coordinates<3>> points) {
+    const Domain_3::Box box = domain.bounding_box();
+    const double rounding = 1e-9 * distance(box.lower, box.upper);
+    std::vector<char> on(points.size());
+    std::transform(points.begin(), points.end(), on.begin(),
+                   [&](const Coordinates<3>& p) { return distance(p, domain.project(p)) <= rounding ? 1 : 0; });
+    return on;
+}
+
+Nodt_3::Nodt_3(const Domain_3& domain, Sizing_3 sizing, std::vector<char> on_surface,
+               std::optional<double> lock_degrees, int threads)
+    : domain_(domain), sizing_(sizing), on_surface_(std::move(on_surface)), threads_(threads) {
     if (threads < 1) throw Error(Error_code::usage, "natural ODT needs at least 1 thread");
     if (!lock_degrees) return;
     if (!(*lock_degrees > 0 && *lock_degrees < 70.5))
@@ -95,7 +121,8 @@ Nodt_3::Nodt_3(const Domain_3& domain, Sizing_3 sizing, std::optional<double> lo
 Nodt_step Nodt_3::step(const Cells_3& cells, std::span<const char> inside, std::span<const Coordinates<3>> position,
                        std::span<Coordinates<3>> target) const {
     const std::size_t n = position.size();
-    if (target.size() != n || inside.size() != cells.size() || cells.adjacent.size() != cells.size())
+    if (target.size() != n || on_surface_.size() != n || inside.size() != cells.size() ||
+        cells.adjacent.size() != cells.size())
         throw Error(Error_code::wrong_size, "natural ODT needs a target for every vertex, and flags for every cell");
     std::vector<double> mu(sizing_.constant() ? 0 : n);
     for_each_run(mu.size(), run_length, threads_, [&](std::size_t first, std::size_t last) {
@@ -129,7 +156,9 @@ Nodt_step Nodt_3::step(const Cells_3& cells, std::span<const char> inside, std::
             for (const Index i : v) bad[at(i)] = 1;
     }
 
-    for (const auto& t : surface_facets(cells, inside)) {
+    const auto facets = surface_facets(cells, inside);
+    const Surface_stars surface(facets, n);
+    for (const auto& t : facets) {
         const Coordinates<3>& a = position[at(t[0])];
         double weight = 0;
         Coordinates<3> moment = weighted_circumcentre(a, position[at(t[1])], position[at(t[2])], weight);
@@ -144,7 +173,7 @@ Nodt_step Nodt_3::step(const Cells_3& cells, std::span<const char> inside, std::
         for (std::size_t v = first; v < last; ++v) {
             target[v] = position[v];
             if (!(volume[v].weight > 0)) continue;
-            const bool boundary = area[v].weight > 0;
+            const bool boundary = on_surface_[v] != 0;
             ++sums.vertices;
             sums.boundary += boundary;
             if (lock_cosine_ && bad[v] == 0) {
@@ -152,9 +181,16 @@ Nodt_step Nodt_3::step(const Cells_3& cells, std::span<const char> inside, std::
                 continue;
             }
             Coordinates<3> wanted;
-            bool good = (boundary ? area[v] : volume[v]).from(position[v], wanted);
-            if (good && boundary) wanted = domain_.project(wanted);
-            else if (good) good = domain_.contains(wanted);
+            bool good = boundary ? surface.disc(static_cast<Index>(v)) && area[v].from(position[v], wanted)
+                                 : volume[v].from(position[v], wanted);
+            if (good && boundary) {
+                double nearest = std::numeric_limits<double>::infinity();
+                for (const auto& [a, b] : surface.around(static_cast<Index>(v)))
+                    nearest = std::min(nearest, distance(position[v], position[at(a)]));
+                wanted = domain_.project(towards(position[v], wanted, surface_stride * nearest));
+            } else if (good) {
+                good = domain_.contains(wanted);
+            }
             if (good) target[v] = wanted;
             else ++sums.kept;
         }
@@ -168,8 +204,7 @@ Nodt_step Nodt_3::step(const Cells_3& cells, std::span<const char> inside, std::
     }
     rest_where_equal(position, target, total.kept);
     for (std::size_t v = 0; v < n; ++v) {
-        const double moved =
-            std::hypot(target[v][0] - position[v][0], target[v][1] - position[v][1], target[v][2] - position[v][2]);
+        const double moved = distance(position[v], target[v]);
         total.mean_displacement += moved;
         total.max_displacement = std::max(total.max_displacement, moved);
     }

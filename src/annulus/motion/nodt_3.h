@@ -18,27 +18,42 @@ struct Nodt_step {
     double mean_displacement = 0;
     double max_displacement = 0;
     std::size_t vertices = 0;  ///< of cells of the domain; the others rest
-    std::size_t boundary = 0;  ///< of these, on a surface facet
+    std::size_t boundary = 0;  ///< of these, on the surface
     std::size_t locked = 0;    ///< of these, at rest because their cells are good
-    std::size_t kept = 0;      ///< of these, at rest because their target was outside of the domain or another's place
+    /// Of these, at rest because there is no surface around them, because their target is outside of the domain, or
+    /// because it is another's place.
+    std::size_t kept = 0;
 };
+
+/// A flag for every point that is on the surface of the domain, up to 1e-9 of the diagonal of its box.
+[[nodiscard]] std::vector<char> vertices_on_surface(const Domain_3& domain, std::span<const Coordinates<3>> points);
 
 /// Natural optimal Delaunay triangulation (section 4.2 of the paper; Tournois, Wormser, Alliez, Desbrun 2009).
 ///
 /// A cell is of the domain when its circumcentre is (`cells_inside`). A surface facet is a facet of exactly one cell of
-/// the domain, a boundary vertex one on a surface facet; which these are is decided anew in every step. An interior vertex
-/// wants to go to the mean of the circumcentres of its cells of the domain, weighted with volume / mu³; a boundary vertex
-/// to the mean of the circumcentres of its surface facets, weighted with area / mu², and from there to the nearest point
-/// of the surface. mu is the sizing (its mean over the corners of a cell or facet). An interior target outside of the
-/// domain is refused: the vertex rests in this step.
+/// the domain. Which vertices live on the surface is said once: an interior vertex stays one when cells around it leave
+/// the domain for a while, else the surface would swallow more and more of them.
+///
+/// An interior vertex wants to go to the mean of the circumcentres of its cells of the domain, weighted with
+/// volume / mu³; a target outside of the domain is refused, and the vertex rests in this step. A vertex of the surface
+/// wants to go to the mean of the circumcentres of its surface facets, weighted with area / mu². It rests unless these
+/// facets are a disc around it: where features are thinner than the mesh, sheets of facets touch, and their mean is the
+/// place of none. It goes towards that mean by at most a tenth (`surface_stride`) of the distance to its nearest neighbour
+/// on the surface, and from there to the nearest point of the surface: whether a flat cell at the surface is of the
+/// domain changes the mean by a tenth of an edge at once, and vertices that follow such jumps at full stride never come
+/// to rest. mu is the sizing (its mean over the corners of a cell or facet).
 ///
 /// Locks: given an angle, a vertex rests while every dihedral angle of its cells of the domain is between it and 180
 /// degrees less it. This is judged in every step from the cells as they are, so a vertex is free again as soon as a move
 /// nearby has spoilt one of them.
 class Nodt_3 {
   public:
-    /// `domain` must outlive this. `threads` >= 1, 0 < lock_degrees < 70.5 (the regular tetrahedron), else Error(usage).
-    Nodt_3(const Domain_3& domain, Sizing_3 sizing, std::optional<double> lock_degrees = {}, int threads = 1);
+    static constexpr double surface_stride = 0.1;
+
+    /// `domain` must outlive this. `on_surface` has a flag for every vertex. `threads` >= 1, 0 < lock_degrees < 70.5 (the
+    /// regular tetrahedron), else Error(usage).
+    Nodt_3(const Domain_3& domain, Sizing_3 sizing, std::vector<char> on_surface,
+           std::optional<double> lock_degrees = {}, int threads = 1);
 
     /// Sets target[v] for every vertex. Targets differ if positions do. `inside` has a flag for every cell.
     ///
@@ -50,6 +65,7 @@ class Nodt_3 {
   private:
     const Domain_3& domain_;
     Sizing_3 sizing_;
+    std::vector<char> on_surface_;
     std::optional<double> lock_cosine_;
     int threads_;
 };

@@ -45,8 +45,8 @@ bool Filter<d>::too_dear() const {
 template <int d>
 void Filter<d>::note_expenses(std::uint64_t evaluated) {
     spent_ += failed_.size();
-    const double price =
-        Prices<d>::failure * static_cast<double>(failed_.size()) + Prices<d>::evaluation * static_cast<double>(evaluated);
+    const double price = Prices<d>::failure * static_cast<double>(failed_.size()) +
+                         Prices<d>::evaluation * static_cast<double>(evaluated);
     overdraft_ += std::max(0.0, price - Prices<d>::signs * static_cast<double>(embedding_.vertices()));
 }
 

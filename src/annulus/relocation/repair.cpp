@@ -44,8 +44,7 @@ template <int d>
 void Repair<d>::assign_places() {
     if (placed_) return;
     placed_ = true;
-    for (std::size_t i = 0; i < facets_.size(); ++i)
-        place_of_facet_[at(facets_[i].id)] = static_cast<Index>(i + 1);
+    for (std::size_t i = 0; i < facets_.size(); ++i) place_of_facet_[at(facets_[i].id)] = static_cast<Index>(i + 1);
     for (std::size_t i = 0; i < cells_.size(); ++i) place_of_cell_[at(cells_[i].id)] = static_cast<Index>(i + 1);
 }
 

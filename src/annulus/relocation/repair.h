@@ -180,10 +180,10 @@ class Repair {
     std::vector<Index> detached_;
     std::vector<Index> changed_;  // cells, some perhaps gone again; not kept up once all are rebuilt
     bool rebuilt_ = false;
-    std::vector<Index> queue_;         // facets to look at
-    std::vector<Index> inverted_;      // cells to unfold
+    std::vector<Index> queue_;            // facets to look at
+    std::vector<Index> inverted_;         // cells to unfold
     std::vector<Facet_points<d>> stuck_;  // points of the facets that no flip could mend
-    std::vector<Flip_record<d>> log_;  // every flip, in order
+    std::vector<Flip_record<d>> log_;     // every flip, in order
     std::vector<Index> unresolved_;
     struct Star {
         std::vector<Cell_points<d>> simplex;

@@ -79,8 +79,7 @@ bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x) {
 }
 
 template <int d>
-void Filter<d>::keep_delimiter(Index f, const Facet_points<d>& point,
-                               std::span<const Coordinates<d>> x) {
+void Filter<d>::keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x) {
     if constexpr (d == 2) {
         if (at(f) >= delimiter_.size()) delimiter_.resize(facet_record_.size());
         Tuple<d, d + 2> points{};
