@@ -141,6 +141,7 @@ struct State_of {
     Cells_of<d> cells;
     std::size_t vertices = 0;
     bool keeps_tolerances = false;
+    bool renews_tolerances = false;  ///< when a call fails
 };
 using State = State_of<2>;
 
@@ -159,7 +160,9 @@ template <class Moving>
     }
     s.cells = cells_of(dt.triangulation());
     s.vertices = dt.number_of_vertices();
-    s.keeps_tolerances = dt.strategy() == Strategy::filter || dt.strategy() == Strategy::filter_each;
+    const bool each = dt.strategy() == Strategy::filter_each;
+    s.keeps_tolerances = dt.strategy() == Strategy::filter || each;
+    s.renews_tolerances = d == 3 || (each && dt.options().tolerance == Tolerance_kind::certified);
     return s;
 }
 
@@ -174,14 +177,15 @@ template <int d>
 }
 
 /// In space a call that fails after flips were taken back evaluates what came back under other numbers where the vertices are
-/// (Filter::renew_restored): references and tolerances may be others then, and as right.
+/// (Filter::renew_restored), and a timestamp of single moves that fails evaluates everything where the vertices were:
+/// references and tolerances may be others then, and as right.
 template <int d>
 [[nodiscard]] std::string difference(const State_of<d>& before, const State_of<d>& after) {
     std::string s;
     if (before.positions != after.positions) s += " positions";
-    if (d == 2 && before.fixed != after.fixed) s += " fixed-positions";
+    if (!before.renews_tolerances && before.fixed != after.fixed) s += " fixed-positions";
     if (before.cgal_points != after.cgal_points) s += " CGAL-points";
-    if (d == 2 && !same_tolerances(before, after)) s += " tolerances";
+    if (!before.renews_tolerances && !same_tolerances(before, after)) s += " tolerances";
     if (before.handles != after.handles) s += " handles";
     if (before.cells != after.cells) s += " cells";
     if (before.vertices != after.vertices) s += " number-of-vertices";

@@ -7,8 +7,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
+#include <vector>
 
 using namespace annulus;
 using namespace annulus::testing;
@@ -29,17 +32,18 @@ TEST_CASE("An expiry is reached by the readings that are not below it", "[reloca
     CHECK(Expiry::lower(0.0).reached(0.0));
 }
 
-TEST_CASE("No certificate expires that its vertex' list does not name or announce", "[relocation]") {
+TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not name or announce", "[relocation]",
+                       ((std::size_t capacity), capacity), 6, 14) {
     REQUIRE(rc::check([](const Seed& seed) {
         Random random = seed.random();
-        Expiry_list list;
+        Expiry_list<capacity> list;
         std::map<Index, Expiry> truth;  // every certificate of the vertex
         double reading = 0.0;
         const auto some_expiry = [&] {  // ties are frequent
             return random() % 16 == 0 ? Expiry::never()
                                       : Expiry::lower(reading + static_cast<double>(random() % 32) / 4);
         };
-        const Index certificates = 1 + static_cast<Index>(random() % 20);
+        const Index certificates = 1 + static_cast<Index>(random() % 40);
         int dry = 0;
         for (int step = 0; step < 200; ++step) {
             if (truth.size() < static_cast<std::size_t>(certificates) && random() % 2 == 0) {
@@ -66,18 +70,51 @@ TEST_CASE("No certificate expires that its vertex' list does not name or announc
             if (!enough) {  // a tour
                 ++dry;
                 list.clear();
+                std::vector<Expiry> expiry;
+                std::vector<Index> ids;
                 for (auto& [id, e] : truth) {
                     if (e.reached(reading)) e = Expiry::lower(reading + 1.0);
-                    list.put_new(id, e);
+                    expiry.push_back(e);
+                    ids.push_back(id);
                 }
+                list.put_new(expiry, ids);
             }
         }
         RC_TAG(dry > 0 ? "tours" : "no tour");
     }));
 }
 
+TEST_CASE("Many certificates at once: those listed come first, the others announce themselves", "[relocation]") {
+    REQUIRE(rc::check([](const Seed& seed) {
+        Random random = seed.random();
+        Expiry_list<14> list;
+        std::vector<Expiry> expiry;
+        std::vector<Index> id;
+        const double base = std::ldexp(1.0, static_cast<int>(random() % 40) - 20);
+        const bool ties = random() % 4 == 0;
+        for (std::uint64_t n = random() % 200; n > 0; --n) {
+            id.push_back(static_cast<Index>(id.size()));
+            const double way = ties ? static_cast<double>(random() % 3) : static_cast<double>(random() >> 11) * 0x1p-53;
+            expiry.push_back(random() % 16 == 0 ? Expiry::never() : Expiry::lower(base + way));
+        }
+        list.put_new(expiry, id);
+        RC_ASSERT(list.earliest() ==
+                  (expiry.empty() ? Expiry::never() : *std::min_element(expiry.begin(), expiry.end())));
+        std::set<Index> listed;
+        list.take_reached(1e300, [&](Index i) { listed.insert(i); });
+        for (std::size_t i = 0; i < id.size(); ++i) RC_ASSERT(listed.contains(id[i]) || !(expiry[i] < list.rest()));
+        // Half of the list at least, unless there is no bound between equal ones.
+        std::erase(expiry, Expiry::never());
+        std::sort(expiry.begin(), expiry.end());
+        const std::size_t most = std::min<std::size_t>(expiry.size(), 15);
+        const auto first = expiry.begin(), last = first + static_cast<std::ptrdiff_t>(most);
+        if (std::adjacent_find(first, last) == last)
+            RC_ASSERT(listed.size() >= std::min<std::size_t>(static_cast<std::size_t>(last - first), 7));
+    }));
+}
+
 TEST_CASE("A list of expiries names the six that come first", "[relocation]") {
-    Expiry_list list;
+    Expiry_list<6> list;
     for (Index id = 0; id < 10; ++id) list.put_new(id, Expiry::lower(20.0 - id));
     CHECK(list.earliest() == Expiry::lower(11.0));
     CHECK(list.latest() == Expiry::lower(16.0));

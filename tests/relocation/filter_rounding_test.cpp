@@ -258,7 +258,7 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
     }
     SECTION("filter-each") {
         Cgal_embedding_2<int> embedding;
-        Filter_each<2> filter(embedding, Tolerance_kind::certified);
+        Filter_each<2> filter(embedding, Tolerance_kind::floating);
         Move_report report;
         embedding.build(square);
         embedding.mirror();

@@ -12,6 +12,7 @@
 #include <gmpxx.h>
 
 #include <cmath>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,8 @@ inline double rounded_down(const Rational& x) {
 /// A triangulation of a few points with a filter on it. Point 0 is the origin.
 template <class Strategy>
 struct Session {
+    static constexpr Tolerance_kind kind =
+        std::is_same_v<Strategy, Filter_each<2>> ? Tolerance_kind::floating : Tolerance_kind::certified;
     std::vector<Point> points;
     Cgal_embedding_2<int> embedding;
     Strategy filter;
@@ -52,7 +55,7 @@ struct Session {
 
     template <class... Arguments>
     explicit Session(Random& random, Arguments... arguments)
-        : points(point_set(Family::uniform, 7, random)), filter(embedding, Tolerance_kind::certified, arguments...) {
+        : points(point_set(Family::uniform, 7, random)), filter(embedding, kind, arguments...) {
         points[0] = {0.0, 0.0};
         embedding.build(points);
         embedding.mirror();

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace annulus {
 
@@ -19,7 +21,8 @@ namespace annulus {
 ///
 /// Entries are kept sorted without branches: where one belongs is as good as random, and a wrong guess costs more than
 /// all of the moves.
-class alignas(64) Expiry_list {  // one cache line
+template <std::size_t capacity>
+class alignas(64) Expiry_list {  // whole cache lines
   public:
     /// No certificate at all.
     void clear() {
@@ -68,6 +71,29 @@ class alignas(64) Expiry_list {  // one cache line
         rest_ = std::min(rest_, expiry_of(moving));
     }
 
+    /// The same for many certificates none of which is listed: sooner than one by one where most are for `rest`. A bound that
+    /// about `capacity` of them are below is found by counting, which no branch depends on.
+    void put_new(std::span<const Expiry> expiry, std::span<const Index> id) {
+        const std::uint32_t never = Expiry::never().bits();
+        std::uint32_t low = never;
+        for (const Expiry e : expiry) low = std::min(low, e.bits());
+        // No more than `capacity` are below low; more are below high, or it is never.
+        std::uint32_t high = never;
+        bool enough = expiry.size() <= capacity;
+        if (enough) low = never;
+        for (std::uint32_t step = 1U << 12; !enough && high - low > 1; step = std::min(4 * step, 1U << 28)) {
+            const std::uint32_t bound = low + std::min(step, (high - low) / 2);
+            std::size_t below = 0;
+            for (const Expiry e : expiry) below += static_cast<std::size_t>(e.bits() < bound);
+            (below > capacity ? high : low) = bound;
+            enough = below <= capacity && below > capacity / 2;
+        }
+        for (std::size_t i = 0; i < expiry.size(); ++i) {
+            if (expiry[i].bits() < low) put_new(id[i], expiry[i]);
+            else rest_ = std::min(rest_, expiry[i]);
+        }
+    }
+
     /// Upper bound of the length of the path of fixed positions since the odometer was at 0.
     double base = 0.0;
     /// Of the step in which the vertex was anchored last (Filter::epoch_).
@@ -75,7 +101,6 @@ class alignas(64) Expiry_list {  // one cache line
 
   private:
     using Entry = std::uint64_t;  // expiry and id: the order is that of expiries
-    static constexpr std::size_t capacity = 6;
     static constexpr Entry vacant = (Entry{Expiry::never().bits()} << 32) | static_cast<std::uint32_t>(none);
 
     /// All ones or all zeros; compilers make branches of the conditional operator and of std::min.
@@ -84,8 +109,12 @@ class alignas(64) Expiry_list {  // one cache line
     [[nodiscard]] static Index id_of(Entry e) { return static_cast<Index>(static_cast<std::uint32_t>(e)); }
 
     Expiry rest_ = Expiry::never();
-    std::array<Entry, capacity> entry_{vacant, vacant, vacant, vacant, vacant, vacant};
+    std::array<Entry, capacity> entry_ = [] {
+        std::array<Entry, capacity> none_yet{};
+        none_yet.fill(vacant);
+        return none_yet;
+    }();
 };
-static_assert(sizeof(Expiry_list) == 64);
+static_assert(sizeof(Expiry_list<6>) == 64 && sizeof(Expiry_list<14>) == 128);
 
 }  // namespace annulus

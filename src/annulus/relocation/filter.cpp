@@ -17,12 +17,22 @@ double Filter<d>::tolerance(Index v) const {
 
 template <int d>
 void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
-    failed_.clear();
-    const std::array<Index, 1> movers{v};
     const bool tracked = tracks_;
     if (!covers(p) || !tracks_)
         settle(position_, report);  // so far out that nobody can be there: this call will not fail
-    if (passes(v, p)) {
+    try {
+        move_one(v, p, report);
+    } catch (...) {
+        if (!tracked) stop_tracking();
+        throw;
+    }
+}
+
+template <int d>
+void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) {
+    failed_.clear();
+    const std::array<Index, 1> movers{v};
+    if (tracks_ ? passes(v, p) : p == position_[at(v)]) {
         position_[at(v)] = p;
         embedding_.set_point(v, p);
         ++report.moves.asked;
@@ -33,11 +43,10 @@ void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     const Coordinates<d> old = position_[at(v)];
     position_[at(v)] = p;
     try {
-        process(position_, movers, false, report);
+        process(position_, movers, tracks_ ? Scope::expired : Scope::star, report);
     } catch (...) {
         position_[at(v)] = old;
         renew_restored();
-        if (!tracked) stop_tracking();
         throw;
     }
 }
@@ -113,7 +122,7 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
     }
     const bool everything = !tracks_ || too_dear();
     const std::size_t asked = embedding_.vertices();
-    note_displacements(x);
+    note_displacements(x, false);
     if (failed_.empty() && !prediction_.any_due()) {
         report.moves.asked += asked;
         report.moves.within_tolerance += asked;
@@ -121,7 +130,7 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
         std::copy(x.begin(), x.end(), position_.begin());
     } else {
         try {
-            process(x, {}, everything, report);
+            process(x, {}, everything ? Scope::everything : Scope::expired, report);
         } catch (...) {
             prediction_.retreat();
             last_step_.clear();
@@ -130,33 +139,39 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
         }
     }
     prediction_.forget_due();
-    reconsider(report);
+    end_timestamp(false, report);
 }
 
 /// Mends after `failed_` is known and commits; x is position_ with the moves made.
 template <int d>
-void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index> movers, bool everything,
+void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index> movers, Scope scope,
                         Move_report& report) {
+    const bool tolerances = scope == Scope::expired;
     renewals_.clear();
     repair_.begin(x, movers.empty());
     tours_ = 0;
     auto outcome = Repair<d>::Outcome::flipped;
-    if (!everything) find_expired(x);
+    if (tolerances) find_expired(x);
     try {
-        if (!(everything ? repair_.evaluate_everything() : repair_.evaluate()))
-            outcome = repair_.mend(position_, movers);
+        const bool holds = scope == Scope::everything ? repair_.evaluate_everything()
+                           : scope == Scope::star     ? repair_.evaluate_star(movers[0])
+                                                      : repair_.evaluate();
+        if (!holds) outcome = repair_.mend(position_, movers);
     } catch (...) {
-        if (!everything) undo_anchoring();
+        if (tolerances) undo_anchoring();
         throw;
     }
     // From here on nothing throws.
     report += repair_.report();
     if (report_changes_) repair_.list_changes(report);
-    if (!everything) note_expenses(repair_.report().evaluated);
+    if (tolerances) {
+        failures_ += failed_.size();
+        evaluated_ += repair_.report().evaluated;
+    }
     report.renewed += renewals_.size();
     report.tours += tours_;
     count(movers.empty() ? embedding_.vertices() : movers.size(), outcome, report);
-    if (!everything && outcome != Repair<d>::Outcome::rebuilt) commit(x);
+    if (tolerances && outcome != Repair<d>::Outcome::rebuilt) commit(x);
     if (outcome == Repair<d>::Outcome::flipped) {
         if (movers.empty()) {
             embedding_.set_points(x);
@@ -165,10 +180,10 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index
         }
     }
     if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
-    if (everything) {
+    if (scope == Scope::everything) {
         if (tracks_) stop_tracking();
         ++untracked_;
-    } else if (outcome == Repair<d>::Outcome::rebuilt) {
+    } else if (tolerances && outcome == Repair<d>::Outcome::rebuilt) {
         settle(position_, report);
     }
 }

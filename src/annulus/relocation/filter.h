@@ -59,6 +59,12 @@ class Filter {
     /// One vertex; precondition: p is in the coordinate domain.
     void move(Index v, const Coordinates<d>& p, Move_report& report);
 
+    /// A timestamp of single moves, under `filter-each`: begin_each, move_one in any order, end_each. Without a prediction,
+    /// and while so many vertices fail that the signs around a vertex cost less than its tolerances, without tolerances.
+    void begin_each(std::span<const Coordinates<d>> x) { note_displacements(x, true); }
+    void move_one(Index v, const Coordinates<d>& p, Move_report& report);
+    void end_each(Move_report& report) { end_timestamp(true, report); }
+
     /// To be called after cells were replaced by other hands (insertion, removal) at the present positions: evaluates
     /// the certificates of these cells.
     void refresh(std::span<const Index> cells, Move_report& report);
@@ -80,6 +86,8 @@ class Filter {
 
   private:
     using Time = typename Prediction<d>::Time;
+    /// One or two cache lines: around a vertex are 12 certificates in the plane, 80 in space.
+    using List = Expiry_list<d == 2 ? 6 : 14>;
     /// The points of a facet's certificate and at which readings of each it expires. In 2D half a cache line: what is
     /// seldom asked for has arrays of its own.
     struct Facet_record {
@@ -91,7 +99,7 @@ class Filter {
     };
     struct Failed {
         Vertex_record<d> record;
-        Expiry_list list;
+        List list;
     };
     struct Renewal {
         Index facet;
@@ -119,8 +127,8 @@ class Filter {
     /// False when a vertex went beyond the limit of the prediction or the coordinate domain.
     [[nodiscard]] bool find_failed(std::span<const Coordinates<d>> x);
     void require_covered(std::span<const Coordinates<d>> x, Move_report& report);
-    /// Decides whether the motion is worth predicting; to be called after each step with the positions before it.
-    void reconsider(Move_report& report);
+    /// Decides how to go on: with tolerances or without, with a prediction or without.
+    void reconsider(bool each, Move_report& report);
     /// Certificates expected to expire at the next step, of one, under each way to keep their tolerances.
     struct Outlook {
         double resting = 0.0;
@@ -128,14 +136,16 @@ class Filter {
     };
     [[nodiscard]] Outlook outlook(double pace, Move_report& report);
     [[nodiscard]] bool too_dear() const;
-    void note_expenses(std::uint64_t evaluated);
-    void note_displacements(std::span<const Coordinates<d>> x);
+    void note_expenses(bool each);
+    void note_displacements(std::span<const Coordinates<d>> x, bool each);
+    void end_timestamp(bool each, Move_report& report);
     void settle_here(Move_report& report);
     void stop_tracking();
     void resize();
     [[nodiscard]] double reach() const;
-    void process(std::span<const Coordinates<d>> x, std::span<const Index> movers, bool everything,
-                 Move_report& report);
+    /// Which certificates are evaluated: those that expired; without tolerances all those of the vertex that moved, or all.
+    enum class Scope : std::uint8_t { expired, star, everything };
+    void process(std::span<const Coordinates<d>> x, std::span<const Index> movers, Scope scope, Move_report& report);
     void find_expired(std::span<const Coordinates<d>> x);
     void commit(std::span<const Coordinates<d>> x);
     void anchor(Index v, std::span<const Coordinates<d>> x);
@@ -146,8 +156,8 @@ class Filter {
     [[nodiscard]] bool safe_region(Index f, std::span<const Coordinates<d>> x);
     void keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x);
     /// Looks at one certificate of v: expired at this reading, or else back on the list.
-    void look_at(Index id, Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
-    void tour(Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x);
+    void look_at(Index id, Index v, double reading, List& list, std::span<const Coordinates<d>> x);
+    void tour(Index v, double reading, List& list, std::span<const Coordinates<d>> x);
     void rebase(Index v);
     template <class Points>
     void prefetch(const Points& points) const;
@@ -161,7 +171,7 @@ class Filter {
     void set_threshold(Index v) { vertex_[at(v)].threshold = Upper_half::lower(squared_threshold_lower(slack(v))); }
     /// How far v may be from its fixed position (proofs/coq/float_displacement.v, passes_2_sound).
     [[nodiscard]] double slack(Index v) const {
-        const Expiry_list& list = list_[at(v)];
+        const List& list = list_[at(v)];
         return (list.earliest().reading() - sum_upper(list.base, prediction_.slack())) * (1.0 - 0x1p-50);
     }
     void renew_restored();
@@ -176,12 +186,14 @@ class Filter {
     Prediction<d> prediction_;
     std::vector<Coordinates<d>> last_step_;  // displacements of the step before, while a prediction is considered
     std::vector<Coordinates<d>> this_step_;
+    std::uint64_t failures_ = 0;   // with tolerances, of this timestamp
+    std::uint64_t evaluated_ = 0;  // certificates, for these
     std::uint64_t spent_ = 0;      // failures since the last settling
     double overdraft_ = 0.0;       // failures, by which tracking cost more than signs alone since the last settling
     std::uint64_t untracked_ = 0;  // steps since tolerances were given up
     std::vector<Coordinates<d>> position_;
     std::vector<Vertex_record<d>> vertex_;
-    std::vector<Expiry_list> list_;  // by vertex
+    std::vector<List> list_;  // by vertex
     std::vector<Facet_record> facet_record_;
     std::vector<Cell_record> cell_record_;
     std::vector<Facet_kind> kind_;   // by facet
@@ -191,8 +203,10 @@ class Filter {
     std::vector<Delimiter_2> delimiter_;  // by facet, for the second look that needs it
     // Of one step:
     std::vector<Index> failed_;
-    std::vector<Failed> before_;                          // of failed_, what they were before the step
-    std::vector<std::pair<Expiry, Index>> certificates_;  // of one vertex: expiry and id
+    std::vector<Failed> before_;               // of failed_, what they were before the step
+    std::vector<std::uint32_t> certificates_;  // of one vertex: 2 facet, or 2 corner + 1
+    std::vector<Expiry> listed_;               // of these, not reached
+    std::vector<Index> listed_id_;
     std::vector<Index> anchored_;
     std::vector<Renewal> renewals_;
     std::vector<std::uint64_t> disturbed_stamp_;

@@ -56,7 +56,7 @@ double Filter<d>::reach() const {
 /// the cache from the evaluation to the record.
 template <int d>
 void Filter<d>::settle_here(Move_report& report) {
-    spent_ = 0;
+    spent_ = failures_ = evaluated_ = 0;
     overdraft_ = 0.0;
     tracks_ = true;
     for (std::size_t v = 0; v < position_.size(); ++v) {
@@ -64,7 +64,7 @@ void Filter<d>::settle_here(Move_report& report) {
         vertex_[v].since = prediction_.now();
         vertex_[v].threshold = {};
     }
-    std::fill(list_.begin(), list_.end(), Expiry_list{});
+    std::fill(list_.begin(), list_.end(), List{});
     if (embedding_.dimension() != d) return;
     const auto in_blocks = [&](Index bound, auto suspect) {
         constexpr Index block = 512;
@@ -121,7 +121,7 @@ void Filter<d>::refresh(std::span<const Index> cells, Move_report& report) {
 
 template <int d>
 void Filter<d>::anchor(Index v, std::span<const Coordinates<d>> x) {
-    Expiry_list& list = list_[at(v)];
+    List& list = list_[at(v)];
     if (list.stamp == epoch_) return;
     list.stamp = epoch_;
     anchored_.push_back(v);
@@ -141,7 +141,7 @@ auto Filter<d>::commit_points(const S& s, Index id, std::span<Expiry> expiry, st
     for (std::size_t k = 0; k < s.point.size(); ++k) {
         if (s.point[k] == none) continue;
         if constexpr (!fresh) anchor(s.point[k], x);
-        Expiry_list& list = list_[at(s.point[k])];
+        List& list = list_[at(s.point[k])];
         expiry[k] = Expiry::lower(sum_lower(list.base, term.tolerance));
         if constexpr (fresh) {
             list.put_new(id, expiry[k]);
@@ -214,7 +214,7 @@ void Filter<d>::commit_evaluated(std::span<const Coordinates<d>> x) {
 /// a long way would round tolerances away.
 template <int d>
 void Filter<d>::rebase(Index v) {
-    Expiry_list& list = list_[at(v)];
+    List& list = list_[at(v)];
     const double base = list.base;
     list.clear();
     list.base = 0.0;
@@ -249,7 +249,7 @@ void Filter<d>::commit(std::span<const Coordinates<d>> x) {
     commit_renewals(x);
     commit_evaluated<false>(x);
     for (const Index v : anchored_) {
-        const Expiry_list& list = list_[at(v)];
+        const List& list = list_[at(v)];
         if (list.base > 0x1p8 * (list.latest().reading() - list.base)) rebase(v);
         set_threshold(v);
     }

@@ -82,18 +82,13 @@ void Filter_each<d>::update() {
 
 template <int d>
 void Filter_each<d>::lower_points() {
-    least_.take([this](Index w, double least) {
-        // The certificates were evaluated at site(w), so far from the fixed position.
-        const double off = at_fixed_ ? 0.0 : distance_upper<d>(position_[at(w)], fixed_[at(w)]);
-        const double rest = least - off;
-        lower(w, off == 0.0 ? rest : rest - least * 0x1p-50);
-    });
+    least_.take([this](Index w, double least) { lower(w, least); });
 }
 
 template <int d>
 void Filter_each<d>::refresh(std::span<const Index> cells, Move_report& report) {
     resize();
-    repair_.begin(site());
+    repair_.begin(fixed_);
     repair_.suspect_cells(cells);
     (void)repair_.evaluate();
     update();
@@ -107,7 +102,7 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
     const std::array<Index, 1> movers{h};
     const Coordinates<d> old_fixed = fixed_[at(h)];
     fixed_[at(h)] = position_[at(h)];
-    repair_.begin(site(), false);
+    repair_.begin(fixed_, false);
     auto outcome = Repair<d>::Outcome::flipped;
     const bool held = repair_.star_holds(h, least_);
     bool holds = held;
@@ -117,12 +112,10 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
     }
     if (!holds) {
         try {
-            outcome = repair_.mend(site(), movers);
+            outcome = repair_.mend(fixed_, movers);
         } catch (const Error&) {
             fixed_[at(h)] = old_fixed;
-            if (!at_fixed_) throw;
             // Two vertices at one place among the fixed positions need not be so among the moving ones.
-            embedding_.rebuild(position_);
             outcome = Repair<d>::Outcome::rebuilt;
         }
     }
@@ -139,11 +132,11 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
         ++report.requeued;
     }
     if (outcome == Repair<d>::Outcome::rebuilt) {
-        if (at_fixed_) embedding_.rebuild(position_);
+        embedding_.rebuild(position_);
         settle(position_, report);
         return;
     }
-    embedding_.set_point(h, site()[at(h)]);
+    embedding_.set_point(h, fixed_[at(h)]);
     epsilon_[at(h)] = unlimited;
     threshold_[at(h)] = 0.0;
     if (held) lower_points();
@@ -155,7 +148,6 @@ void Filter_each<d>::move(Index v, const Coordinates<d>& p, Move_report& report)
     const Coordinates<d> old = position_[at(v)];
     position_[at(v)] = p;
     if (passes(v)) {
-        if (!at_fixed_) embedding_.set_point(v, p);
         ++report.moves.asked;
         ++report.moves.within_tolerance;
         return;

@@ -10,7 +10,8 @@
 
 namespace annulus {
 
-/// The strategy `filter-each`: the paper's filtering algorithm (its 3.2), one vertex at a time.
+/// The paper's filtering algorithm (its 3.2), one vertex at a time: `filter-each` with tolerances nobody proved. (Certified
+/// ones are kept by Filter.)
 ///
 /// Every vertex has a fixed position f, a moving position m, a tolerance eps and D = |m - f|. A vertex with D < eps is
 /// only written. One that fails enters a queue; each vertex h taken from it gets f = m, D = 0, and the certificates
@@ -18,16 +19,12 @@ namespace annulus {
 /// lower the eps of their points, and whoever no longer has D < eps enters the queue. Every vertex enters at most once
 /// a call (its D is 0 from then on), so the queue ends.
 ///
-/// Where certificates are evaluated depends on the kind of tolerance. `certified`: at the moving positions, where the
-/// triangulation is Delaunay at all times; a certificate with tolerance s evaluated where w is at distance D_w from
-/// f_w allows w no more than s - D_w from f_w. `paper` and `floating`: at the fixed positions, as the paper does, so
-/// that a tolerance that is too large gives a wrong answer at the moving positions but never breaks the triangulation
-/// CGAL works on.
+/// Certificates are evaluated at the fixed positions, where the triangulation is Delaunay at all times: a tolerance that is
+/// too large gives a wrong answer at the moving positions but never breaks the triangulation CGAL works on.
 template <int d>
 class Filter_each {
   public:
-    Filter_each(Embedding<d>& embedding, Tolerance_kind kind)
-        : embedding_(embedding), repair_(embedding, kind, true), at_fixed_(kind != Tolerance_kind::certified) {}
+    Filter_each(Embedding<d>& embedding, Tolerance_kind kind) : embedding_(embedding), repair_(embedding, kind, true) {}
 
     /// As in Filter.
     void report_changes(bool on) { report_changes_ = on; }
@@ -43,8 +40,6 @@ class Filter_each {
     };
     [[nodiscard]] Snapshot save() const { return {position_, fixed_, epsilon_, threshold_}; }
     void restore(const Snapshot& s);
-    /// Where CGAL's object is Delaunay.
-    [[nodiscard]] const std::vector<Coordinates<d>>& sites() const { return at_fixed_ ? fixed_ : position_; }
 
     [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
     [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const { return fixed_[at(v)]; }
@@ -56,8 +51,6 @@ class Filter_each {
         const Coordinates<d>& p = position_[at(v)];
         return squared_distance<d>(p, fixed_[at(v)]) < threshold_[at(v)] || p == fixed_[at(v)];
     }
-    /// Where the triangulation is Delaunay.
-    [[nodiscard]] std::vector<Coordinates<d>>& site() { return at_fixed_ ? fixed_ : position_; }
     void resize();
     void lower(Index v, double tolerance);
     void update();
@@ -67,7 +60,6 @@ class Filter_each {
     Embedding<d>& embedding_;
     Repair<d> repair_;
     bool report_changes_ = false;
-    bool at_fixed_;
     std::vector<Coordinates<d>> position_;
     std::vector<Coordinates<d>> fixed_;
     std::vector<double> epsilon_;

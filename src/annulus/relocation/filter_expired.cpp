@@ -15,7 +15,7 @@ Expiry expiry_of(Index v, const std::array<Index, k>& point, const std::array<Ex
 }
 
 template <int d>
-void Filter<d>::look_at(Index id, Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x) {
+void Filter<d>::look_at(Index id, Index v, double reading, List& list, std::span<const Coordinates<d>> x) {
     const Index i = id >> 1;
     if (id & 1) {
         if (at(i) >= cell_record_.size() || !table_.is_cell(i)) return;
@@ -45,32 +45,47 @@ void Filter<d>::look_at(Index id, Index v, double reading, Expiry_list& list, st
     }
 }
 
-/// Looks at every certificate of v and fills the list anew. First all expiries are fetched, so that the loads overlap;
+/// Looks at every certificate of v and fills the list anew. First all records are fetched, so that the loads overlap;
 /// then they are sorted out.
 template <int d>
-void Filter<d>::tour(Index v, double reading, Expiry_list& list, std::span<const Coordinates<d>> x) {
+void Filter<d>::tour(Index v, double reading, List& list, std::span<const Coordinates<d>> x) {
     ++tours_;
     list.clear();
     certificates_.clear();
+    listed_.clear();
+    listed_id_.clear();
     for_each_certificate(
         table_, v,
         [&](Index h) {
-            const Index c = table_.cell_of(h);
-            certificates_.push_back(
-                {cell_record_[at(c)].expiry[static_cast<std::size_t>(table_.slot_of(h))], id_of_cell(c)});
+            const Cell_record& r = cell_record_[at(table_.cell_of(h))];
+            __builtin_prefetch(&r);
+            certificates_.push_back(2 * static_cast<std::uint32_t>(h) + 1);
         },
         [&](Index h) {
             const Index f = table_.facet(h);
             const Facet_record& r = facet_record_[at(f)];
-            certificates_.push_back({expiry_of(v, r.point, r.expiry), id_of_facet(f)});
+            __builtin_prefetch(&r);
+            __builtin_prefetch(&r.point.back());
+            certificates_.push_back(2 * static_cast<std::uint32_t>(f));
         });
-    for (const auto& [expiry, id] : certificates_) {
+    for (const std::uint32_t k : certificates_) {
+        const Index i = static_cast<Index>(k >> 1);
+        Index id = id_of_facet(i);
+        Expiry expiry;
+        if (k & 1) {
+            id = id_of_cell(table_.cell_of(i));
+            expiry = cell_record_[at(table_.cell_of(i))].expiry[static_cast<std::size_t>(table_.slot_of(i))];
+        } else {
+            expiry = expiry_of(v, facet_record_[at(i)].point, facet_record_[at(i)].expiry);
+        }
         if (expiry.reached(reading)) {
             look_at(id, v, reading, list, x);
         } else {
-            list.put_new(id, expiry);
+            listed_.push_back(expiry);
+            listed_id_.push_back(id);
         }
     }
+    list.put_new(listed_, listed_id_);
 }
 
 template <int d>
@@ -90,7 +105,7 @@ void Filter<d>::find_expired(std::span<const Coordinates<d>> x) {
     for (const Index v : failed_) before_.push_back({vertex_[at(v)], list_[at(v)]});
     for (const Index v : failed_) anchor(v, x);
     for (const Index v : failed_) {
-        Expiry_list& list = list_[at(v)];
+        List& list = list_[at(v)];
         list.take_reached(list.base, [&](Index id) { look_at(id, v, list.base, list, x); });
         if (list.rest().reached(list.base)) tour(v, list.base, list, x);
     }

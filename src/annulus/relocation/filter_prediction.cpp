@@ -15,6 +15,7 @@ struct Prices<2> {
     static constexpr double failure = 0.4;
     static constexpr double evaluation = 0.6;
     static constexpr double signs = 0.11;    // of all signs, a vertex
+    static constexpr double star = 0.5;      // of the signs around a vertex that moves alone
     static constexpr double settling = 0.8;  // a vertex
     // Of a certificate that the outlook lets expire, which is more than do.
     static constexpr double resting = 0.74;
@@ -25,6 +26,7 @@ struct Prices<3> {
     static constexpr double failure = 4.0;
     static constexpr double evaluation = 1.0;
     static constexpr double signs = 1.2;
+    static constexpr double star = 5.5;
     static constexpr double settling = 12.0;
     static constexpr double resting = 2.5;
     static constexpr double predicted = 2.5;
@@ -43,23 +45,36 @@ bool Filter<d>::too_dear() const {
 }
 
 template <int d>
-void Filter<d>::note_expenses(std::uint64_t evaluated) {
-    spent_ += failed_.size();
-    const double price = Prices<d>::failure * static_cast<double>(failed_.size()) +
-                         Prices<d>::evaluation * static_cast<double>(evaluated);
-    overdraft_ += std::max(0.0, price - Prices<d>::signs * static_cast<double>(embedding_.vertices()));
+void Filter<d>::note_expenses(bool each) {
+    spent_ += failures_;
+    const double price =
+        Prices<d>::failure * static_cast<double>(failures_) + Prices<d>::evaluation * static_cast<double>(evaluated_);
+    const double signs = each ? Prices<d>::star : Prices<d>::signs;
+    if (failures_ > 0) overdraft_ += std::max(0.0, price - signs * static_cast<double>(embedding_.vertices()));
+    failures_ = evaluated_ = 0;
 }
 
 /// Displacements of two consecutive steps are compared once as much was spent on failures as is worth a look (rent or
 /// buy), and from time to time while no tolerances are kept.
 template <int d>
-void Filter<d>::note_displacements(std::span<const Coordinates<d>> x) {
+void Filter<d>::note_displacements(std::span<const Coordinates<d>> x, bool each) {
     this_step_.clear();
-    if (tracks_ ? spent_ < patience * x.size() : untracked_ % check_interval > 1) return;
+    if (tracks_ ? each || spent_ < patience * x.size() : untracked_ % check_interval > 1) return;
     this_step_.resize(x.size());
     for (std::size_t v = 0; v < x.size(); ++v)
         if (table_.corner_of(static_cast<Index>(v)) != none)
             for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) this_step_[v][k] = x[v][k] - position_[v][k];
+}
+
+template <int d>
+void Filter<d>::end_timestamp(bool each, Move_report& report) {
+    note_expenses(each);
+    if (each) {
+        const double settling = Prices<d>::settling * static_cast<double>(embedding_.vertices());
+        if (!tracks_) ++untracked_;
+        else if (overdraft_ > settling) stop_tracking();
+    }
+    reconsider(each, report);
 }
 
 /// By a sample of facets. At rest a certificate of tolerance s expires after s / max |u| steps. Under a prediction its term
@@ -103,7 +118,7 @@ auto Filter<d>::outlook(double pace, Move_report& report) -> Outlook {
 
 /// With two consecutive displacements at hand: how to go on.
 template <int d>
-void Filter<d>::reconsider(Move_report& report) {
+void Filter<d>::reconsider(bool each, Move_report& report) {
     if (this_step_.empty()) {
         last_step_.clear();
         return;
@@ -126,8 +141,8 @@ void Filter<d>::reconsider(Move_report& report) {
     const double certificates = d == 2 ? 5.0 : 20.0;
     const double at_rest = Prices<d>::resting * certificates * o.resting;
     const double on_course = Prices<d>::predicted * certificates * o.predicted;
-    if (!tracks_ && std::min(at_rest, on_course) > Prices<d>::signs) return;
-    const bool predict = on_course < at_rest;
+    const bool predict = !each && on_course < at_rest;
+    if (!tracks_ && (predict ? on_course : at_rest) > (each ? Prices<d>::star : Prices<d>::signs)) return;
     if (predict) {
         prediction_.adopt(this_step_, vertex_, reach());
         settle_here(report);

@@ -26,8 +26,8 @@ namespace annulus {
 /// Vertices have an index in input order and a CGAL handle; no move, whatever the strategy, invalidates either.
 /// Removing a vertex leaves its index vacant; the next insertion takes the index vacated last.
 ///
-/// Errors are annulus::Error; the object is as it was before the call that threw, except that in space tolerances may have
-/// been computed anew and measured from other fixed positions. Every function that takes a handle throws
+/// Errors are annulus::Error; the object is as it was before the call that threw, except that in space, and under
+/// `filter-each` in a move_all, tolerances may have been computed anew and measured from other fixed positions. Every function that takes a handle throws
 /// unknown_vertex for a null one, the vertex at infinity, and a vertex of another triangulation. The handle of a vertex that
 /// was removed dangles and must not be used.
 template <class Cgal>
@@ -131,8 +131,12 @@ class Moving_delaunay {
         for (; first != last; ++first) x.push_back(Cgal::coordinates(*first));
         return x;
     }
-    [[nodiscard]] bool filters() const { return strategy_ == Strategy::filter; }
-    [[nodiscard]] bool filters_each() const { return strategy_ == Strategy::filter_each; }
+    /// One of the filters is at work, and which: a certified one has the expiries of Filter, for single moves too.
+    [[nodiscard]] bool filters() const {
+        return strategy_ == Strategy::filter ||
+               (strategy_ == Strategy::filter_each && options_.tolerance == Tolerance_kind::certified);
+    }
+    [[nodiscard]] bool filters_each() const { return strategy_ == Strategy::filter_each && !filters(); }
     [[nodiscard]] std::size_t position_count() const { return positions().size(); }
     [[nodiscard]] Coordinates<d> fixed_coordinates(Index v) const {
         return filters() ? filter_.fixed_position(v) : filters_each() ? filter_each_.fixed_position(v) : plain_[at(v)];
@@ -153,8 +157,8 @@ class Moving_delaunay {
     Options options_;
     Strategy strategy_;
     Cgal embedding_;
-    Filter<d> filter_;
-    Filter_each<d> filter_each_;
+    Filter<d> filter_;                   // of `filter`, and of `filter-each` when certified
+    Filter_each<d> filter_each_;         // of `filter-each` otherwise
     std::vector<Coordinates<d>> plain_;  // positions, for strategies that keep no tolerances
     std::vector<Index> vacant_;
     std::vector<Index> index_of_input_;

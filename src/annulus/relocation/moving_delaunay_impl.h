@@ -163,14 +163,16 @@ void Moving_delaunay<Cgal>::try_move_each(std::span<const Coordinates<d>> x, Mov
     for (bool progress = true; progress && !waiting.empty();) {
         refused.clear();
         for (const Index i : waiting) {
-            if (filters_each() && embedding_.dimension() != d) {
+            if (strategy_ == Strategy::filter_each && embedding_.dimension() != d) {
                 // Single moves of a flat set are rebuilds: do them all at once.
                 report.moves = {};
                 rebuild_all(x, report);
                 return;
             }
             try {
-                filters_each() ? filter_each_.move(i, x[at(i)], report) : move_plain(i, x[at(i)], report);
+                filters()        ? filter_.move_one(i, x[at(i)], report)
+                : filters_each() ? filter_each_.move(i, x[at(i)], report)
+                                 : move_plain(i, x[at(i)], report);
             } catch (const Error& e) {
                 if (e.code() != Error_code::collision) throw;
                 refused.push_back(i);
@@ -186,17 +188,23 @@ void Moving_delaunay<Cgal>::try_move_each(std::span<const Coordinates<d>> x, Mov
 
 template <class Cgal>
 void Moving_delaunay<Cgal>::move_each(std::span<const Coordinates<d>> x, Move_report& report) {
-    const std::vector<Coordinates<d>> old = plain_;
+    const std::vector<Coordinates<d>> old(positions().begin(), positions().end());
     const auto saved = filter_each_.save();
+    if (filters()) filter_.begin_each(x);
     try {
         try_move_each(x, report);
     } catch (const Error&) {
-        embedding_.rebuild(
-            filters_each() ? (options_.tolerance == Tolerance_kind::certified ? saved.position : saved.fixed) : old);
-        plain_ = old;
-        filter_each_.restore(saved);
+        embedding_.rebuild(filters_each() ? saved.fixed : old);
+        if (filters()) {
+            Move_report nobody_asked;
+            filter_.settle(old, nobody_asked);
+        } else {
+            if (!filters_each()) plain_ = old;
+            filter_each_.restore(saved);
+        }
         throw;
     }
+    if (filters()) filter_.end_each(report);
 }
 
 /// CGAL inserts into and removes from Delaunay triangulations only; tolerances that are not certified may have left
@@ -215,14 +223,14 @@ Move_report Moving_delaunay<Cgal>::move_all(std::span<const Coordinates<d>> poin
         throw Error(Error_code::wrong_size, "move_all takes " + std::to_string(index_bound()) + " points, not " +
                                                 std::to_string(points.size()));
     // The filter looks at every position anyway and finds out itself.
-    if (!filters() || embedding_.dimension() != d)
+    if (strategy_ != Strategy::filter || embedding_.dimension() != d)
         for (std::size_t i = 0; i < points.size(); ++i)
             if (embedding_.handle(static_cast<Index>(i)) != Vertex_handle()) require_in_domain(points[i]);
     Move_report report;
     if (strategy_ == Strategy::hybrid && steps_++ % 4 == 0) consider_switch(points);
     if (strategy_ == Strategy::rebuild || strategy_ == Strategy::hybrid || (filters() && embedding_.dimension() != d)) {
         rebuild_all(points, report);
-    } else if (filters()) {
+    } else if (strategy_ == Strategy::filter) {
         filter_.move_all(points, report);
     } else {
         move_each(points, report);

@@ -16,7 +16,7 @@ enum class Strategy : std::uint8_t {
     relocate_flips,  ///< one vertex at a time: flips when no incident cell inverts, else relocate (paper 3.1)
     in_place,        ///< one vertex at a time: written in place when no topological change is needed, else relocate
     filter,          ///< whole timestamps: only certificates whose tolerance expired are evaluated
-    filter_each,     ///< the paper's algorithm (3.2), one vertex at a time
+    filter_each,     ///< one vertex at a time, Delaunay after each; uncertified: the paper's algorithm (3.2)
     hybrid,          ///< rebuild until 75 % of a sample stays within tolerance, then filter (paper 4.2)
 };
 

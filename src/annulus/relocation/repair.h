@@ -83,6 +83,8 @@ class Repair {
     /// The same for every certificate of the triangulation, none of which need be named: those that clearly hold are
     /// not kept, so `facets()` and `cells()` lack them.
     [[nodiscard]] bool evaluate_everything();
+    /// The same for every certificate that contains v, the only vertex that moved.
+    [[nodiscard]] bool evaluate_star(Index v);
 
     /// Whether flips reached a triangulation all of whose certificates hold.
     enum class Progress { done, stuck };
@@ -134,6 +136,7 @@ class Repair {
     void evaluate_stale(std::vector<S>& suspects);
     template <class S>
     void decide(S& s);
+    [[nodiscard]] std::uint64_t ask_signs(Index c);
     /// The certificate does not hold. A degenerate sphere is decided by the perturbation, once its cells are positive.
     [[nodiscard]] bool violated(const Facet_suspect& s) const;
     [[nodiscard]] bool violated(const Cell_suspect& s) const { return s.verdict.sign <= 0; }
@@ -210,16 +213,12 @@ bool Repair<2>::unfold(Index c);
 template <>
 Repair<2>::Progress Repair<2>::run_flips();
 template <>
-bool Repair<2>::evaluate_everything();
-template <>
 bool Repair<2>::border_winds_once() const;
 template <>
 void Repair<2>::flip(Index h);
 template <>
 void Repair<2>::take_back_flips();
 
-template <>
-bool Repair<3>::evaluate_everything();
 template <>
 bool Repair<3>::unfold(Index c);
 template <>

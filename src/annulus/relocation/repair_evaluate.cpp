@@ -4,8 +4,6 @@
 
 #include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/certificate/batch.h>
-#include <annulus/certificate/circumcircle_2.h>
-#include <annulus/certificate/circumsphere_3.h>
 #include <annulus/triangulation/degenerate.h>
 
 #include <algorithm>
@@ -209,90 +207,6 @@ bool Repair<d>::star_holds(Index v, Least_tolerance& least) {
     report_.evaluated += counts.total();
     report_.arithmetic += counts;
     return true;
-}
-
-/// Signs alone, triangle by triangle. Every edge is asked from both sides, because which side is to ask would be a branch
-/// that no processor predicts, dearer than the answer.
-template <>
-bool Repair<2>::evaluate_everything() {
-    const auto& t = embedding_.table();
-    everything_ = true;
-    std::uint64_t held = 0;
-    for (Index c = 0; c < t.cell_bound(); ++c) {
-        if (!t.is_cell(c)) continue;
-        const std::array<Index, 3> v = cell_points(t, c);
-        if (v[0] < 0 || v[1] < 0 || v[2] < 0) {
-            for (int i = 0; i < 3; ++i) {
-                const Index h = t.corner(c, i);
-                if (h < t.twin(h) && t.is_infinite(t.cell_of(t.twin(h)))) suspect_facet(t.facet(h));  // a ridge
-            }
-            continue;
-        }
-        const Circumcircle_2 circle(x_[at(v[0])], x_[at(v[1])], x_[at(v[2])]);
-        const bool positive = circle.positive();
-        const auto opposite = [&](int i) { return t.vertex(t.twin(t.corner(c, i))); };
-        // At infinity a corner stands in, of which nothing can be said.
-        const auto excludes = [&](int i) { return circle.excludes(x_[at(opposite(i) < 0 ? v[0] : opposite(i))]); };
-        const std::array<bool, 3> outside{excludes(0), excludes(1), excludes(2)};
-        if (positive + outside[0] + outside[1] + outside[2] == 4) [[likely]] {
-            held += 5;  // a cell and half of three facets, twice
-            continue;
-        }
-        held += positive ? 2 : 0;
-        if (!positive) suspect_cell(c);
-        for (int i = 0; i < 3; ++i) {
-            if (opposite(i) == infinite) continue;
-            if (positive && outside[static_cast<std::size_t>(i)]) {
-                ++held;
-            } else {
-                suspect_facet(t.facet(t.corner(c, i)));
-            }
-        }
-    }
-    report_.evaluated += held / 2;
-    report_.arithmetic.filter += held / 2;
-    return evaluate();
-}
-
-/// The same of space, tetrahedron by tetrahedron.
-template <>
-bool Repair<3>::evaluate_everything() {
-    const auto& t = embedding_.table();
-    everything_ = true;
-    std::uint64_t held = 0;
-    for (Index c = 0; c < t.cell_bound(); ++c) {
-        if (!t.is_cell(c)) continue;
-        const Cell_points<3> v = cell_points(t, c);
-        if (v[0] < 0 || v[1] < 0 || v[2] < 0 || v[3] < 0) {
-            for (int i = 0; i <= 3; ++i) {
-                const Index h = t.corner(c, i);
-                if (v[static_cast<std::size_t>(i)] != infinite && h < t.twin(h)) suspect_facet(t.facet(h));  // a ridge
-            }
-            continue;
-        }
-        const Circumsphere_3 sphere(x_[at(v[0])], x_[at(v[1])], x_[at(v[2])], x_[at(v[3])]);
-        const bool positive = sphere.positive();
-        const auto opposite = [&](int i) { return t.vertex(t.twin(t.corner(c, i))); };
-        const auto excludes = [&](int i) { return sphere.excludes(x_[at(opposite(i) < 0 ? v[0] : opposite(i))]); };
-        const std::array<bool, 4> outside{excludes(0), excludes(1), excludes(2), excludes(3)};
-        if (positive + outside[0] + outside[1] + outside[2] + outside[3] == 5) [[likely]] {
-            held += 6;  // a cell and half of four facets, twice
-            continue;
-        }
-        held += positive ? 2 : 0;
-        if (!positive) suspect_cell(c);
-        for (int i = 0; i <= 3; ++i) {
-            if (opposite(i) == infinite) continue;
-            if (positive && outside[static_cast<std::size_t>(i)]) {
-                ++held;
-            } else {
-                suspect_facet(t.facet(t.corner(c, i)));
-            }
-        }
-    }
-    report_.evaluated += held / 2;
-    report_.arithmetic.filter += held / 2;
-    return evaluate();
 }
 
 template class Repair<2>;
