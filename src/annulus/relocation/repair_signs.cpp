@@ -39,7 +39,7 @@ std::uint64_t Repair<d>::ask_signs(Index c) {
         // At infinity a corner stands in, of which nothing can be said.
         const std::array<bool, d + 1> outside{
             sphere.excludes(x_[static_cast<std::size_t>(opposite[i] < 0 ? v[0] : opposite[i])])...};
-        if (positive && (outside[i] & ...)) [[likely]]
+        if ((int{positive} + ... + int{outside[i]}) == d + 2) [[likely]]
             return std::uint64_t{d + 3};
         if (!positive) suspect_cell(c);
         std::uint64_t clear = positive ? 2 : 0;
