@@ -7,6 +7,7 @@
    - drop_kept   an entry may be taken off when its certificate is put back or gone
    - below_rest_listed   what expires below `rest` is on the list: no tour is needed while the reading stays below
    - tour_kept   a tour makes the list anew from any list of all certificates
+   - tour_below_kept   and so does one that lists only what is below some bound, whatever the bound (`put_new` of many)
    - sorted_put, fits    the list stays sorted and within its capacity
 
    Two programs: `put_new` ignores what is not below `rest`, `put_sorted` takes it in and lets the last entry fall out. Expiries are real numbers here; in
@@ -127,6 +128,26 @@ Proof.
   intros P. induction all as [|c all IH]; [intros []|]. intros [E|H]; simpl.
   - subst c. destruct P as [Q|Q]; rewrite Q; [apply put_new_kept|apply put_sorted_kept]; right; (split; [reflexivity|lra]).
   - destruct P as [Q|Q]; rewrite Q in *; [apply put_new_kept|apply put_sorted_kept]; left; now apply IH.
+Qed.
+
+(* What is not below a bound is left to `rest`. *)
+Definition put_below bound c e (l : expiries) : expiries :=
+  if Rlt_dec e bound then put_sorted c e l else {| entries := entries l; rest := Rmin (rest l) e |}.
+
+Theorem put_below_kept bound c e l d : (kept own l d \/ (d = c /\ e <= own c)) -> kept own (put_below bound c e l) d.
+Proof.
+  unfold put_below. destruct (Rlt_dec e bound) as [_|_]; [apply put_sorted_kept|]. intros [[(x & I & L)|L]|[-> L]].
+  - left. now exists x.
+  - right. simpl. apply Rle_trans with (rest l); [apply Rmin_l|exact L].
+  - right. simpl. apply Rle_trans with e; [apply Rmin_r|exact L].
+Qed.
+
+Theorem tour_below_kept bound top all d : In d all ->
+  kept own (fold_right (fun c l => put_below bound c (own c) l) (cleared top) all) d.
+Proof.
+  induction all as [|c all IH]; [intros []|]. intros [E|H]; simpl; apply put_below_kept.
+  - subst c. right. split; [reflexivity|lra].
+  - left. now apply IH.
 Qed.
 End programs.
 
