@@ -20,7 +20,8 @@ enum class Second_look : std::uint8_t {
     safe_region,    ///< every point is still on its side of the certificate's standard delimiter (paper 2.3 and 3.2)
 };
 
-/// The strategy `filter`: a whole timestamp at a time, only certificates that expired are evaluated.
+/// The strategy `filter`: a whole timestamp at a time, only certificates that expired are evaluated. And `filter-each`, one
+/// vertex at a time (`move_one`), with certified tolerances.
 ///
 /// Every vertex has an odometer: `base` is an upper bound of the length of the path of its fixed positions since the
 /// last settling, and its reading is base + |moving - fixed|. A certificate evaluated when its points read r_i and
@@ -33,10 +34,12 @@ enum class Second_look : std::uint8_t {
 /// docs/theory.md.
 ///
 /// While so many certificates expire at every step (the first steps of an optimisation) that the signs of all of them cost
-/// less than the tolerances of these, tolerances are not kept at all (`tracks`).
+/// less than the tolerances of these, tolerances are not kept at all (`tracks`); single moves then ask for the signs around
+/// the vertex.
 ///
 /// When a motion goes on as it did the step before, fixed positions move along with it (Prediction): coherent drift
-/// then wears out no tolerance. Predictions are taken up and dropped as they prove themselves (`reconsider`).
+/// then wears out no tolerance. Predictions are taken up and dropped as they prove themselves (`reconsider`); there are none
+/// for single moves.
 template <int d>
 class Filter {
   public:
