@@ -141,7 +141,6 @@ struct State_of {
     Cells_of<d> cells;
     std::size_t vertices = 0;
     bool keeps_tolerances = false;
-    bool renews_tolerances = false;  ///< when a call fails
 };
 using State = State_of<2>;
 
@@ -160,9 +159,7 @@ template <class Moving>
     }
     s.cells = cells_of(dt.triangulation());
     s.vertices = dt.number_of_vertices();
-    const bool each = dt.strategy() == Strategy::filter_each;
-    s.keeps_tolerances = dt.strategy() == Strategy::filter || each;
-    s.renews_tolerances = d == 3 || (each && dt.options().tolerance == Tolerance_kind::certified);
+    s.keeps_tolerances = dt.strategy() == Strategy::filter || dt.strategy() == Strategy::filter_each;
     return s;
 }
 
@@ -176,16 +173,14 @@ template <int d>
                       [](double a, double b) { return a == b || std::fabs(a - b) <= 0x1p-8 * std::max(a, b); });
 }
 
-/// In space a call that fails after flips were taken back evaluates what came back under other numbers where the vertices are
-/// (Filter::renew_restored), and a timestamp of single moves that fails evaluates everything where the vertices were:
-/// references and tolerances may be others then, and as right.
+/// Empty, or what a call that failed has changed. If it `renews` tolerances, they and the references may be others, and as right.
 template <int d>
-[[nodiscard]] std::string difference(const State_of<d>& before, const State_of<d>& after) {
+[[nodiscard]] std::string difference(const State_of<d>& before, const State_of<d>& after, bool renews) {
     std::string s;
     if (before.positions != after.positions) s += " positions";
-    if (!before.renews_tolerances && before.fixed != after.fixed) s += " fixed-positions";
+    if (!renews && before.fixed != after.fixed) s += " fixed-positions";
     if (before.cgal_points != after.cgal_points) s += " CGAL-points";
-    if (!before.renews_tolerances && !same_tolerances(before, after)) s += " tolerances";
+    if (!renews && !same_tolerances(before, after)) s += " tolerances";
     if (before.handles != after.handles) s += " handles";
     if (before.cells != after.cells) s += " cells";
     if (before.vertices != after.vertices) s += " number-of-vertices";
@@ -253,7 +248,7 @@ class Session_of {
             }
             if (!refusal) throw Fault{std::string("a legal call threw: ") + e.what()};
             if (*refusal != e.code()) throw Fault{std::string("a bad call threw the wrong code: ") + e.what()};
-            const std::string changed = difference(before, state_of(*dt_));
+            const std::string changed = difference(before, state_of(*dt_), renews_tolerances(o.kind, e.code()));
             if (!changed.empty()) throw Fault{"a failed call changed:" + changed};
             return;
         }
@@ -344,6 +339,15 @@ class Session_of {
     }
     [[nodiscard]] bool live(Index v) const {
         return v >= 0 && static_cast<std::size_t>(v) < sites_.size() && sites_[static_cast<std::size_t>(v)];
+    }
+
+    /// Whether a call that fails may leave other tolerances. A move that finds its place taken may have flipped by then: in
+    /// space, what comes back when the flips are undone has other numbers and is evaluated anew (Filter::renew_restored).
+    /// A timestamp of single moves may have gone half way: everything is evaluated where it was.
+    [[nodiscard]] bool renews_tolerances(Kind kind, Error_code code) const {
+        if (code != Error_code::collision) return false;
+        const bool each = setting_.strategy == Strategy::filter_each && certified();
+        return (kind == Kind::move && d == 3) || (kind == Kind::move_all && (d == 3 || each));
     }
 
     [[nodiscard]] std::optional<Error_code> expected_refusal(const Operation_of<d>& o) const {

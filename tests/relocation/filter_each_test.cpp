@@ -72,7 +72,6 @@ TEMPLATE_TEST_CASE("filter-each keeps tolerances while they pay", "[relocation]"
             check();
             CHECK(dt.tolerance(v) >= 0);
             for (int step = 0; step < 25; ++step) (void)shake(dt, 0.1, random);
-            p[0] = 0.03125;
             const auto w =
                 dt.insert(typename TestType::Point(dt.position(v)) + (dt.position(dt.vertex(1)) - dt.position(v)) / 3);
             check();

@@ -112,11 +112,15 @@ Points_3 point_set(Set_3 set, std::size_t n, Random& random) {
         exponent = integer(random, -400, 400);
     }
     std::set<Place> seen;
+    Points_3 unscaled;  // some families continue from the points they have
     Points_3 points;
     for (std::size_t attempts = 0; points.size() < n; ++attempts) {
-        Place p = attempts < 20 * n ? point_of(set, points, random) : uniform(random);
-        for (double& c : p) c = std::ldexp(c + 0.0, exponent);
-        if (seen.insert(p).second) points.push_back(p);
+        const Place p = attempts < 20 * n ? point_of(set, unscaled, random) : uniform(random);
+        Place scaled = p;
+        for (double& c : scaled) c = std::ldexp(c + 0.0, exponent);
+        if (!seen.insert(scaled).second) continue;  // after scaling: the least numbers may vanish
+        unscaled.push_back(p);
+        points.push_back(scaled);
     }
     return points;
 }

@@ -3,19 +3,16 @@
 """Runs `annulus degeneracy` and looks at what comes out. usage: test_degeneracy.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import json
-import os
 import random
-import sys
-import unittest
 import xml.etree.ElementTree
 
-import test_tool
+import tool
 
 GRID = [(x, y) for x in range(6) for y in range(6)]
 LATTICE = [(x, y, z) for x in range(3) for y in range(3) for z in range(3)]
 
 
-class Degeneracy(test_tool.ToolTest):
+class Degeneracy(tool.ToolTest):
     def csv(self, name, points):
         head = "x,y,z\n" if len(points[0]) == 3 else "x,y\n"
         return self.write(name, head + "".join(",".join(repr(c) for c in p) + "\n" for p in points))
@@ -151,15 +148,5 @@ class Degeneracy(test_tool.ToolTest):
             self.assertEqual(there["bicells"]["below"], here["bicells"]["below"])
 
 
-def main():
-    tools = [a.split("=", 1)[1] for a in sys.argv[1:] if a.startswith("--tool=")]
-    if not tools:
-        print(__doc__, file=sys.stderr)
-        return 2
-    test_tool.TOOL = os.path.abspath(tools[0])
-    unittest.main(argv=[sys.argv[0]] + [a for a in sys.argv[1:] if not a.startswith("--tool=")])
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    tool.main(__doc__)

@@ -5,17 +5,13 @@
 import csv
 import json
 import math
-import os
-import sys
-import unittest
 import xml.etree.ElementTree
 from collections import Counter
 from itertools import combinations
 from pathlib import Path
 
-import test_tool
+import tool
 
-MESHES = None
 FILES = {"summary.json", "iterations.csv", "dihedral.csv", "final.mesh", "domain.mesh", "final.vtu", "report.html"}
 
 CUBE = "OFF\n8 6 0\n" + "".join(f"{x} {y} {z}\n" for x in (0, 2) for y in (0, 1) for z in (0, 1)) + \
@@ -38,7 +34,7 @@ def volume(a, b, c, d):
     return dot(minus(b, a), cross(minus(c, a), minus(d, a))) / 6
 
 
-class Nodt(test_tool.ToolTest):
+class Nodt(tool.ToolTest):
     def nodt(self, *words, out="out"):
         done = self.succeed("nodt", *words, "--output", out)
         self.assertEqual({p.name for p in (self.here / out).iterdir()}, FILES)
@@ -161,7 +157,7 @@ class Nodt(test_tool.ToolTest):
 
     def test_every_strategy_ends_with_the_same_mesh(self):
         meshes = set()
-        for strategy in test_tool.STRATEGIES:
+        for strategy in tool.STRATEGIES:
             with self.subTest(strategy=strategy):
                 self.nodt("--sphere", "--vertices", "200", "--iterations", "6", "--audit", "2", "--strategy", strategy)
                 summary = self.summary("out")
@@ -239,7 +235,7 @@ class Nodt(test_tool.ToolTest):
         self.refuse(3, "nodt", "--surface", "missing.off", "--vertices", "100")
 
     def surface_of_paper(self, name, vertices, exact_volume, relative):
-        self.nodt("--surface", MESHES / name, "--vertices", vertices, "--iterations", "2")
+        self.nodt("--surface", Path(tool.OPTIONS["meshes"]) / name, "--vertices", vertices, "--iterations", "2")
         summary = self.summary("out")
         self.assertLess(abs(summary["vertices"] - vertices), 0.1 * vertices)
         self.assertEqual(summary["audit"]["failed"], 0)
@@ -258,17 +254,5 @@ class Nodt(test_tool.ToolTest):
         self.assertIn("labelled in the image", (self.here / "out" / "report.html").read_text(encoding="utf-8"))
 
 
-def main():
-    global MESHES
-    values = dict(a[2:].split("=", 1) for a in sys.argv[1:] if a.startswith(("--tool=", "--meshes=")))
-    if set(values) != {"tool", "meshes"}:
-        print(__doc__, file=sys.stderr)
-        return 2
-    test_tool.TOOL = os.path.abspath(values["tool"])
-    MESHES = Path(values["meshes"]).resolve()
-    unittest.main(argv=[sys.argv[0]] + [a for a in sys.argv[1:] if not a.startswith(("--tool=", "--meshes="))])
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    tool.main(__doc__, "meshes")

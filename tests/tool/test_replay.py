@@ -2,12 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs `annulus replay` and looks at what comes out. usage: test_replay.py --tool=PATH [CLASS[.METHOD]...]"""
 
-import os
 import random
-import sys
-import unittest
 
-import test_tool
+import tool
 
 
 def wander(frames, points, seed, step):
@@ -36,10 +33,10 @@ def as_csv(frames, seed=0):
     return "frame,id,x,y\n" + "\n".join(rows) + "\n"
 
 
-class Replay(test_tool.ToolTest):
+class Replay(tool.ToolTest):
     def check(self, name, last, *words):
         self.succeed("replay", name, "--audit", "1", "--output", "out", "--quiet", *words)
-        self.assertEqual({p.name for p in (self.here / "out").iterdir()}, test_tool.RUN_FILES)
+        self.assertEqual({p.name for p in (self.here / "out").iterdir()}, tool.RUN_FILES)
         self.assertEqual(sorted(self.mesh("out")[0]), sorted(last))
         if len(last) > 2:
             self.succeed("audit", "out/final.mesh")
@@ -52,7 +49,7 @@ class Replay(test_tool.ToolTest):
         self.assertTrue(any(set(a) - set(b) for a, b in zip(frames, frames[1:])))
         self.write("walk.csv", as_csv(frames))
         asked = sum(len(set(a) & set(b)) for a, b in zip(frames, frames[1:]))
-        for strategy in test_tool.STRATEGIES:
+        for strategy in tool.STRATEGIES:
             with self.subTest(strategy=strategy):
                 summary = self.check("walk.csv", frames[-1].values(), "--strategy", strategy)
                 self.assertEqual(summary["iterations"], 24)
@@ -72,7 +69,7 @@ class Replay(test_tool.ToolTest):
     def test_everything_leaves_and_other_points_come(self):
         frames = [{i: (i % 3, i // 3 + 0.1 * i) for i in range(6)}, {i: (i % 2 + 0.01 * i, i) for i in range(10, 18)}]
         self.write("a.csv", as_csv(frames))
-        for strategy in test_tool.STRATEGIES:
+        for strategy in tool.STRATEGIES:
             with self.subTest(strategy=strategy):
                 self.check("a.csv", frames[1].values(), "--strategy", strategy)
 
@@ -89,7 +86,7 @@ class Replay(test_tool.ToolTest):
     def solid(self, name, *words):
         """final.mesh of a replay in space: points and tetrahedra."""
         self.succeed("replay", name, "--audit", "1", "--output", "out", "--quiet", *words)
-        self.assertEqual({p.name for p in (self.here / "out").iterdir()}, test_tool.RUN_FILES)
+        self.assertEqual({p.name for p in (self.here / "out").iterdir()}, tool.RUN_FILES)
         summary = self.summary("out")
         self.assertEqual((summary["dimension"], summary["audit"]["failed"]), (3, 0))
         text = (self.here / "out" / "final.mesh").read_text(encoding="utf-8").split()
@@ -103,7 +100,7 @@ class Replay(test_tool.ToolTest):
         text = "frame,id,x,y,z\n" + "".join(
             f"{f},{i},{x!r},{y!r},{z!r}\n" for f, frame in enumerate(frames) for i, (x, y, z) in frame.items())
         self.write("walk.csv", text)
-        for strategy in test_tool.STRATEGIES:
+        for strategy in tool.STRATEGIES:
             for words in ((), ("--dim", "3")):
                 with self.subTest(strategy=strategy, words=words):
                     points, cells = self.solid("walk.csv", "--strategy", strategy, *words)
@@ -155,15 +152,5 @@ class Replay(test_tool.ToolTest):
         self.refuse(2, "replay", "a.xyz", "--dim", "4")
 
 
-def main():
-    tools = [a.split("=", 1)[1] for a in sys.argv[1:] if a.startswith("--tool=")]
-    if not tools:
-        print(__doc__, file=sys.stderr)
-        return 2
-    test_tool.TOOL = os.path.abspath(tools[0])
-    unittest.main(argv=[sys.argv[0]] + [a for a in sys.argv[1:] if not a.startswith("--tool=")])
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    tool.main(__doc__)

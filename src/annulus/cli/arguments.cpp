@@ -2,8 +2,16 @@
 #include <annulus/cli/arguments.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/io/input_error.h>
+
+#include <cstdio>
 
 namespace annulus::cli {
+
+void Common_arguments::say_merged(const std::string& file, std::uint64_t count) const {
+    if (count > 0 && !quiet)
+        std::fprintf(stderr, "annulus: %s: merged %s\n", file.c_str(), counted(count, "duplicate point").c_str());
+}
 
 void add_common(CLI::App& app, Common_arguments& a, const std::string& files, bool motion) {
     app.add_option("-o,--output", a.output, "Write " + files + " to this directory")

@@ -20,6 +20,9 @@ struct Common_arguments {
     std::uint64_t seed = 1;
     int threads = 1;
     bool quiet = false;
+
+    /// Says on standard error that `count` duplicate points of the file were merged, if there were any.
+    void say_merged(const std::string& file, std::uint64_t count) const;
 };
 
 /// What every subcommand that runs a motion takes.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/arithmetic/domain.h>
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
 #include <annulus/cli/result_files.h>
@@ -13,7 +12,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <numeric>
 
 namespace annulus::cli {
 
@@ -26,38 +24,13 @@ struct Degeneracy_call {
     bool ignore_z = false;
 };
 
-/// The distinct points in the order of the file.
-template <int d>
-std::vector<Coordinates<d>> distinct(const Point_file<d>& file) {
-    std::vector<Coordinates<d>> x = file.points;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        for (double& c : x[i]) c += 0.0;  // no two zeros
-        if (!in_domain(x[i]))
-            throw file.fault(i, Error_code::out_of_domain, "coordinate out of domain", "magnitudes of at most 2^500");
-    }
-    std::vector<std::size_t> order(x.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(),
-              [&x](std::size_t i, std::size_t j) { return x[i] != x[j] ? x[i] < x[j] : i < j; });
-    std::vector<char> repeated(x.size(), 0);
-    for (std::size_t k = 1; k < order.size(); ++k) repeated[order[k]] = x[order[k]] == x[order[k - 1]] ? 1 : 0;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < x.size(); ++i)
-        if (repeated[i] == 0) x[kept++] = x[i];
-    x.resize(kept);
-    if (kept < 2)
-        throw file.fault(file.points.size() - 1, Error_code::too_few, counted(kept, "distinct point") + " in the file",
-                         "at least 2");
-    return x;
-}
-
 template <class Embedding_of_cgal, int d>
 Degeneracy_record study(const Point_file<d>& file) {
     Degeneracy_record r;
     r.file = file.name;
     r.dimension = d;
     r.points = file.points.size();
-    const std::vector<Coordinates<d>> x = distinct(file);
+    const std::vector<Coordinates<d>> x = distinct_points(file, 2);
     r.vertices = x.size();
     const auto begin = Clock::now();
     Embedding_of_cgal embedding;
@@ -135,9 +108,7 @@ int run(const Degeneracy_call& a, const std::string& command) {
     Degeneracy_record r = plane != nullptr ? study<Cgal_embedding_2<No_info>>(*plane)
                                            : study<Cgal_embedding_3<No_info>>(std::get<Point_file<3>>(file));
     r.command = command;
-    if (r.points > r.vertices && !a.common.quiet)
-        std::fprintf(stderr, "annulus: %s: merged %s\n", a.file.c_str(),
-                     counted(r.points - r.vertices, "duplicate point").c_str());
+    a.common.say_merged(a.file, r.points - r.vertices);
     if (!a.common.output.empty()) {
         Result_files out(a.common.output);
         out.write("degeneracy.json", write_json(degeneracy_json(r)));

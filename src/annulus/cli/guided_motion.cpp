@@ -12,9 +12,7 @@ Guided_lloyd::Guided_lloyd(const Lloyd_arguments& arguments, const Common_argume
     : scene_(make_scene(arguments, common.seed)),
       guide_(scene_.points),
       lloyd_(scene_.domain, scene_.density, common.threads) {
-    if (scene_.merged > 0 && !common.quiet)
-        std::fprintf(stderr, "annulus: %s: merged %s\n", arguments.input.c_str(),
-                     counted(scene_.merged, "duplicate point").c_str());
+    common.say_merged(arguments.input, scene_.merged);
 }
 
 Way Guided_lloyd::next(std::span<Coordinates<2>> target) {

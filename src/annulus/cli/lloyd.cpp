@@ -25,9 +25,7 @@ int run(const Lloyd_call& a, const std::string& command) {
     const auto begin = Clock::now();
     const Options options = options_of(a.tracking, a.common);
     const Lloyd_scene scene = make_scene(a.lloyd, a.common.seed);
-    if (scene.merged > 0 && !a.common.quiet)
-        std::fprintf(stderr, "annulus: %s: merged %s\n", a.lloyd.input.c_str(),
-                     counted(scene.merged, "duplicate point").c_str());
+    a.common.say_merged(a.lloyd.input, scene.merged);
     if (!a.common.output.empty()) require_writable(a.common.output);
     Tracker_2 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.lloyd.iterations, a.tracking.audit,
                       !a.common.output.empty());

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <numbers>
 
 namespace annulus::cli {
@@ -110,21 +109,11 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
         return {*domain, density, std::move(points), 0};
     }
     const Point_file<2> file = read_points<2>(a.input, {.ignore_z = a.ignore_z});
-    std::map<Coordinates<2>, std::size_t> seen;
-    std::vector<Coordinates<2>> points;
-    for (std::size_t i = 0; i < file.points.size(); ++i) {
-        Coordinates<2> p = file.points[i];
-        for (double& c : p) c += 0.0;
-        if (!in_domain(p))
-            throw file.fault(i, Error_code::out_of_domain, "coordinate out of domain", "magnitudes of at most 2^500");
-        if (domain && !domain->contains(p))
+    std::vector<Coordinates<2>> points = distinct_points(file, 3);
+    for (std::size_t i = 0; domain && i < file.points.size(); ++i)
+        if (!domain->contains(file.points[i]))
             throw file.fault(i, Error_code::out_of_domain, "point outside the domain",
                              "points in the " + (a.domain.empty() ? std::string("disc") : a.domain));
-        if (seen.emplace(p, i).second) points.push_back(p);
-    }
-    if (points.size() < 3)
-        throw file.fault(file.points.size() - 1, Error_code::too_few,
-                         counted(points.size(), "distinct point") + " in the file", "at least 3");
     const std::uint64_t merged = file.points.size() - points.size();
     if (!domain) {
         try {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/arithmetic/domain.h>
 #include <annulus/io/point_formats.h>
 #include <annulus/io/read_points.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace annulus {
 
@@ -67,7 +69,33 @@ std::variant<Point_file<2>, Point_file<3>> read_points_of_any_dimension(const st
     return points_of<2>(source, std::move(raw), options);
 }
 
+template <int d>
+std::vector<Coordinates<d>> distinct_points(const Point_file<d>& file, std::size_t at_least) {
+    std::vector<Coordinates<d>> x = file.points;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        for (double& c : x[i]) c += 0.0;  // no two zeros
+        if (!in_domain(x[i]))
+            throw file.fault(i, Error_code::out_of_domain, "coordinate out of domain", "magnitudes of at most 2^500");
+    }
+    std::vector<std::size_t> order(x.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&x](std::size_t i, std::size_t j) { return x[i] != x[j] ? x[i] < x[j] : i < j; });
+    std::vector<char> repeated(x.size(), 0);
+    for (std::size_t k = 1; k < order.size(); ++k) repeated[order[k]] = x[order[k]] == x[order[k - 1]] ? 1 : 0;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (repeated[i] == 0) x[kept++] = x[i];
+    x.resize(kept);
+    if (kept < at_least)
+        throw file.fault(file.points.size() - 1, Error_code::too_few, counted(kept, "distinct point") + " in the file",
+                         "at least " + std::to_string(at_least));
+    return x;
+}
+
 template Point_file<2> read_points<2>(const std::filesystem::path&, const Read_options&);
 template Point_file<3> read_points<3>(const std::filesystem::path&, const Read_options&);
+template std::vector<Coordinates<2>> distinct_points<2>(const Point_file<2>&, std::size_t);
+template std::vector<Coordinates<3>> distinct_points<3>(const Point_file<3>&, std::size_t);
 
 }  // namespace annulus

@@ -44,7 +44,14 @@ template <int d>
 [[nodiscard]] std::variant<Point_file<2>, Point_file<3>> read_points_of_any_dimension(const std::filesystem::path& file,
                                                                                       const Read_options& options = {});
 
+/// The points of a file without repetitions, each where it stands first; no -0. Throws Input_error for a point outside the
+/// domain of the library and for fewer than `at_least` distinct ones. O(n log n).
+template <int d>
+[[nodiscard]] std::vector<Coordinates<d>> distinct_points(const Point_file<d>& file, std::size_t at_least);
+
 extern template Point_file<2> read_points<2>(const std::filesystem::path&, const Read_options&);
 extern template Point_file<3> read_points<3>(const std::filesystem::path&, const Read_options&);
+extern template std::vector<Coordinates<2>> distinct_points<2>(const Point_file<2>&, std::size_t);
+extern template std::vector<Coordinates<3>> distinct_points<3>(const Point_file<3>&, std::size_t);
 
 }  // namespace annulus

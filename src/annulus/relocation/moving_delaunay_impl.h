@@ -188,19 +188,22 @@ void Moving_delaunay<Cgal>::try_move_each(std::span<const Coordinates<d>> x, Mov
 
 template <class Cgal>
 void Moving_delaunay<Cgal>::move_each(std::span<const Coordinates<d>> x, Move_report& report) {
-    const std::vector<Coordinates<d>> old(positions().begin(), positions().end());
-    const auto saved = filter_each_.save();
+    typename Filter_each<d>::Snapshot each;
+    std::vector<Coordinates<d>> old;
+    if (filters_each()) each = filter_each_.save();
+    else old.assign(positions().begin(), positions().end());
     if (filters()) filter_.begin_each(x);
     try {
         try_move_each(x, report);
     } catch (const Error&) {
-        embedding_.rebuild(filters_each() ? saved.fixed : old);
+        embedding_.rebuild(filters_each() ? each.fixed : old);
         if (filters()) {
             Move_report nobody_asked;
             filter_.settle(old, nobody_asked);
+        } else if (filters_each()) {
+            filter_each_.restore(each);
         } else {
-            if (!filters_each()) plain_ = old;
-            filter_each_.restore(saved);
+            plain_ = std::move(old);
         }
         throw;
     }

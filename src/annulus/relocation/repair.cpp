@@ -48,51 +48,28 @@ void Repair<d>::assign_places() {
     for (std::size_t i = 0; i < cells_.size(); ++i) place_of_cell_[at(cells_[i].id)] = static_cast<Index>(i + 1);
 }
 
-/// Where facet f is, or is put, among the suspects.
+/// Where a facet or a cell is, or is put, among the suspects of its kind.
 template <int d>
-typename Repair<d>::Facet_suspect& Repair<d>::suspected_facet(Index f) {
+template <class Suspects>
+typename Suspects::value_type& Repair<d>::suspected(Suspects& suspects, std::vector<Index>& places, Index id) {
     assign_places();
-    if (at(f) >= place_of_facet_.size()) place_of_facet_.resize(at(f) + 1, 0);
-    Index& place = place_of_facet_[at(f)];
+    if (at(id) >= places.size()) places.resize(at(id) + 1, 0);
+    Index& place = places[at(id)];
     if (place == 0) {
-        facets_.emplace_back();
-        place = static_cast<Index>(facets_.size());
+        suspects.emplace_back();
+        place = static_cast<Index>(suspects.size());
     }
-    return facets_[at(place - 1)];
-}
-
-template <int d>
-typename Repair<d>::Cell_suspect& Repair<d>::suspected_cell(Index c) {
-    assign_places();
-    if (at(c) >= place_of_cell_.size()) place_of_cell_.resize(at(c) + 1, 0);
-    Index& place = place_of_cell_[at(c)];
-    if (place == 0) {
-        cells_.emplace_back();
-        place = static_cast<Index>(cells_.size());
-    }
-    return cells_[at(place - 1)];
+    return suspects[at(place - 1)];
 }
 
 /// Facet f, seen from half-facet h.
 template <int d>
 void Repair<d>::describe(Facet_suspect& s, Index f, Index h) const {
-    const auto& t = embedding_.table();
     s.id = f;
     s.stale = true;
-    s.kind = facet_kind(t, h);
-    if (s.kind == Facet_kind::empty_sphere) {
-        s.point = bicell_points(t, h);
-        return;
-    }
-    s.point.fill(none);
-    if (s.kind == Facet_kind::ridge) {
-        const Cell_points<d> ridge = ridge_vertex_last(t, h, ridge_points(t, h));
-        std::copy(ridge.begin(), ridge.end(), s.point.begin());
-    } else if (kind_ == Tolerance_kind::paper) {
-        const Cell_points<d> slab = slab_points(t, h);
-        std::copy(slab.begin(), slab.end(), s.point.begin());
-        s.kind = Facet_kind::slab;
-    }
+    const Facet_certificate<d> facet = facet_certificate(embedding_.table(), h, kind_ == Tolerance_kind::paper);
+    s.kind = facet.kind;
+    s.point = facet.point;
 }
 
 template <int d>
@@ -106,7 +83,7 @@ void Repair<d>::describe(Cell_suspect& s, Index c) const {
 
 template <int d>
 void Repair<d>::suspect_facet(Index f, Facet_kind kind, const Facet_points<d>& points) {
-    Facet_suspect& s = suspected_facet(f);
+    Facet_suspect& s = suspected(facets_, place_of_facet_, f);
     s.id = f;
     s.stale = true;
     s.point = points;
@@ -115,12 +92,12 @@ void Repair<d>::suspect_facet(Index f, Facet_kind kind, const Facet_points<d>& p
 
 template <int d>
 void Repair<d>::suspect_facet(Index f) {
-    describe(suspected_facet(f), f, embedding_.table().half(f));
+    describe(suspected(facets_, place_of_facet_, f), f, embedding_.table().half(f));
 }
 
 template <int d>
 void Repair<d>::suspect_cell(Index c) {
-    describe(suspected_cell(c), c);
+    describe(suspected(cells_, place_of_cell_, c), c);
 }
 
 template <int d>
@@ -141,11 +118,11 @@ void Repair<d>::suspect_star(Index v) {
         t, v,
         [&](Index h) {
             const Index c = t.cell_of(h);
-            describe(alone ? cells_.emplace_back() : suspected_cell(c), c);
+            describe(alone ? cells_.emplace_back() : suspected(cells_, place_of_cell_, c), c);
         },
         [&](Index h) {
             const Index f = t.facet(h);
-            describe(alone ? facets_.emplace_back() : suspected_facet(f), f, h);
+            describe(alone ? facets_.emplace_back() : suspected(facets_, place_of_facet_, f), f, h);
         });
 }
 

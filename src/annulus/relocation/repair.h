@@ -117,8 +117,8 @@ class Repair {
     [[nodiscard]] Tolerance_kind kind() const { return kind_; }
 
   private:
-    [[nodiscard]] Facet_suspect& suspected_facet(Index f);
-    [[nodiscard]] Cell_suspect& suspected_cell(Index c);
+    template <class Suspects>
+    [[nodiscard]] typename Suspects::value_type& suspected(Suspects& suspects, std::vector<Index>& places, Index id);
     void describe(Facet_suspect& s, Index f, Index h) const;
     void describe(Cell_suspect& s, Index c) const;
     void assign_places();
@@ -137,6 +137,7 @@ class Repair {
     template <class S>
     void decide(S& s);
     [[nodiscard]] std::uint64_t ask_signs(Index c);
+    void count_clear(std::uint64_t halves);
     /// The certificate does not hold. A degenerate sphere is decided by the perturbation, once its cells are positive.
     [[nodiscard]] bool violated(const Facet_suspect& s) const;
     [[nodiscard]] bool violated(const Cell_suspect& s) const { return s.verdict.sign <= 0; }

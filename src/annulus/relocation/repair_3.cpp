@@ -125,8 +125,8 @@ Repair<3>::Progress Repair<3>::run_flips() {
     const auto& t = embedding_.table();
     stuck_.clear();
     std::size_t budget = 16 + 16 * inverted_.size();
-    std::vector<Index>
-        waiting;  // what no flip could mend: first inverted cells, then violated facets. Others may help them
+    // What no flip could mend, though others may help: first inverted cells, then violated facets.
+    std::vector<Index> waiting;
     bool flipped = false;
     while (!inverted_.empty() || (flipped && !waiting.empty())) {
         if (inverted_.empty()) {

@@ -16,14 +16,6 @@ namespace {
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-template <int d, std::size_t k, std::size_t n>
-Tuple<d, static_cast<int>(k)> tuple(const std::array<Index, n>& point,
-                                    std::span<const Coordinates<d>> x) requires(k <= n) {
-    Tuple<d, static_cast<int>(k)> t{};
-    for (std::size_t i = 0; i < k; ++i) t[i] = &x[at(point[i])];
-    return t;
-}
-
 }  // namespace
 
 template <int d>

@@ -14,32 +14,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-template <int d, std::size_t k, std::size_t n>
-Tuple<d, static_cast<int>(k)> tuple(const std::array<Index, n>& point, std::span<const Coordinates<d>> x) {
-    Tuple<d, static_cast<int>(k)> t{};
-    for (std::size_t i = 0; i < k; ++i) t[i] = &x[at(point[i])];
-    return t;
-}
-
 template <int d>
-struct Points_of_facet {
-    Facet_kind kind;
-    Facet_points<d> point;  ///< padded with `none`
-};
-
-template <int d>
-Points_of_facet<d> points_of_facet(const Cell_table<d>& t, Index f) {
-    const Index h = t.half(f);
-    Points_of_facet<d> p{facet_kind(t, h), {}};
-    if (p.kind == Facet_kind::empty_sphere) {
-        p.point = bicell_points(t, h);
-        return p;
-    }
-    const Cell_points<d> x =
-        p.kind == Facet_kind::ridge ? ridge_vertex_last(t, h, ridge_points(t, h)) : slab_points(t, h);
-    p.point.fill(none);
-    std::copy(x.begin(), x.end(), p.point.begin());
-    return p;
+Facet_certificate<d> certificate_of(const Cell_table<d>& t, Index f) {
+    return facet_certificate(t, t.half(f), true);
 }
 
 }  // namespace
@@ -51,7 +28,7 @@ void Paper_tolerance<d>::take_least() {
     for (Index i = 0; i < t_.facet_bound(); ++i) {
         if (!t_.is_facet(i)) continue;
         const Half_width& h = paper_[at(i)];
-        for (const Index v : points_of_facet(t_, i).point) {
+        for (const Index v : certificate_of(t_, i).point) {
             if (v == none) continue;
             Half_width& l = least_[at(v)];
             l.lower = std::min(l.lower, h.lower);
@@ -67,7 +44,7 @@ template <class Visit>
 void Paper_tolerance<d>::for_each_certificate(Visit visit) {
     for (Index i = 0; i < t_.facet_bound(); ++i) {
         if (!t_.is_facet(i) || own_[at(i)] != 0) continue;
-        const Points_of_facet<d> p = points_of_facet(t_, i);
+        const Facet_certificate<d> p = certificate_of(t_, i);
         if (p.kind == Facet_kind::empty_sphere) {
             visit(facet_[at(i)], std::span<const Index>(p.point), [&](std::span<const Coordinates<d>> x) {
                 return enclose_exactly(tuple<d, d + 2>(p.point, x)).least;
@@ -105,7 +82,7 @@ void Paper_tolerance<d>::refine(std::span<const Coordinates<d>> x) {
     if (!any) return;
     for (Index i = 0; i < t_.facet_bound(); ++i) {
         if (!t_.is_facet(i) || paper_[at(i)].stage == Stage::exact) continue;
-        const Points_of_facet<d> p = points_of_facet(t_, i);
+        const Facet_certificate<d> p = certificate_of(t_, i);
         if (std::none_of(p.point.begin(), p.point.end(), [&](Index v) {
                 return v != none && open[at(v)] != 0 && paper_[at(i)].lower <= least_[at(v)].upper;
             }))

@@ -104,6 +104,39 @@ inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0
     return {x[0], x[1], x[2], t.vertex(t.twin(h)), x[3]};
 }
 
+/// The certificate that a facet owns; `point` is padded with `none`, and empty of a border.
+template <int d>
+struct Facet_certificate {
+    Facet_kind kind;
+    Facet_points<d> point;
+};
+
+/// The certificate of half-facet h. A border owns a slab if there are `slabs`, which are the paper's.
+template <int d>
+[[nodiscard]] Facet_certificate<d> facet_certificate(const Cell_table<d>& t, Index h, bool slabs) {
+    Facet_certificate<d> f{facet_kind(t, h), {}};
+    if (f.kind == Facet_kind::empty_sphere) {
+        f.point = bicell_points(t, h);
+        return f;
+    }
+    f.point.fill(none);
+    if (f.kind == Facet_kind::border && slabs) f.kind = Facet_kind::slab;
+    if (f.kind == Facet_kind::border) return f;
+    const Cell_points<d> x =
+        f.kind == Facet_kind::ridge ? ridge_vertex_last(t, h, ridge_points(t, h)) : slab_points(t, h);
+    std::copy(x.begin(), x.end(), f.point.begin());
+    return f;
+}
+
+/// The first k of `point`, where they are in x.
+template <int d, std::size_t k, std::size_t n>
+[[nodiscard]] Tuple<d, static_cast<int>(k)> tuple(const std::array<Index, n>& point,
+                                                  std::span<const Coordinates<d>> x) requires(k <= n) {
+    Tuple<d, static_cast<int>(k)> t{};
+    for (std::size_t i = 0; i < k; ++i) t[i] = &x[static_cast<std::size_t>(point[i])];
+    return t;
+}
+
 /// Visits every certificate that contains v: on_cell(h) with the corner of v in each of its cells, on_facet(k) with a
 /// half-facet of each facet whose bi-cell contains it, once. O(degree).
 template <class On_cell, class On_facet>

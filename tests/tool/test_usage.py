@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Help, version and wrong usage. usage: test_usage.py --tool=PATH [CLASS[.METHOD]...]"""
+
+import json
+
+import tool
+from tool import STRATEGIES, TRIANGLE, ToolTest
+
+
+class Usage(ToolTest):
+    def test_help(self):
+        top = self.succeed("--help").stdout
+        for name in ("lloyd", "compare", "audit", "counterexample"):
+            self.assertIn(name, top)
+            text = self.succeed(name, "--help").stdout
+            self.assertIn("Usage:", text)
+        for option in ("--points", "--input", "--density", "--domain", "--radius", "--iterations", "--strategy",
+                       "--tolerance", "--audit", "--output", "--seed", "--threads", "--quiet"):
+            self.assertIn(option, self.succeed("lloyd", "--help").stdout)
+        self.assertIn("--strategies", self.succeed("compare", "--help").stdout)
+        self.assertIn("--points", self.succeed("compare", "--", "lloyd", "--help").stdout)
+        self.assertIn("--sphere", self.succeed("compare", "--", "nodt", "--help").stdout)
+
+    def test_every_subcommand_takes_the_common_options(self):
+        for name in ("lloyd", "compare", "audit", "counterexample"):
+            text = self.succeed(name, "--help").stdout
+            for option in ("--seed", "--output", "--threads", "--quiet"):
+                self.assertIn(option, text, name)
+        common = ["--seed", "3", "--threads", "2", "--quiet", "--output"]
+        self.succeed("lloyd", "--points", "20", "--iterations", "1", *common, "lloyd")
+        self.succeed("compare", *common, "compare", "--", "lloyd", "--points", "20", "--iterations", "1")
+        self.succeed("counterexample", *common, "example")
+        done = self.succeed("audit", "lloyd/final.mesh", *common, "audit")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+        audit = json.loads((self.here / "audit" / "audit.json").read_text(encoding="utf-8"))
+        self.assertIs(audit["delaunay"], True)
+        self.assertEqual((audit["dimension"], audit["vertices"], audit["first_fault"]), (2, 20, ""))
+        self.assertEqual(set(audit["faults"].values()), {0})
+
+    def test_help_names_every_strategy(self):
+        text = self.succeed("lloyd", "--help").stdout
+        for name in STRATEGIES:
+            self.assertIn(name, text)
+
+    def test_version(self):
+        self.assertRegex(self.succeed("--version").stdout, r"\Aannulus \d+\.\d+\.\d+\n\Z")
+
+    def test_wrong_usage(self):
+        self.xyz("three.xyz", TRIANGLE)
+        for words in (
+            [],
+            ["nonsense"],
+            ["lloyd"],
+            ["lloyd", "--nonsense"],
+            ["lloyd", "--points", "2"],
+            ["lloyd", "--points", "0"],
+            ["lloyd", "--points", "ten"],
+            ["lloyd", "--points", "1000000000000"],
+            ["lloyd", "--points", "10", "--input", "three.xyz"],
+            ["lloyd", "--points", "10", "--ignore-z"],
+            ["lloyd", "--points", "10", "--density", "x3"],
+            ["lloyd", "--points", "10", "--strategy", "magic"],
+            ["lloyd", "--points", "10", "--tolerance", "magic"],
+            ["lloyd", "--points", "10", "--threads", "0"],
+            ["lloyd", "--points", "10", "--radius", "0"],
+            ["lloyd", "--points", "10", "--radius", "-1"],
+            ["lloyd", "--points", "10", "--iterations", "1.5"],
+            ["lloyd", "--points", "10", "surplus"],
+            ["lloyd", "--points", "10", "--output", ""],
+            ["audit"],
+            ["audit", "x.mesh", "--output", ""],
+            ["counterexample", "--output", ""],
+            ["compare", "--output", "", "--", "lloyd", "--points", "10"],
+            ["compare"],
+            ["compare", "--"],
+            ["compare", "--", "audit", "x.mesh"],
+            ["compare", "--", "lloyd"],
+            ["compare", "--", "lloyd", "--points", "10", "--output", "out"],
+            ["compare", "--strategies", "filter,magic", "--", "lloyd", "--points", "10"],
+            ["compare", "--strategies", "filter,filter", "--", "lloyd", "--points", "10"],
+            ["compare", "--strategies", "filter:magic", "--", "lloyd", "--points", "10"],
+        ):
+            with self.subTest(words=words):
+                self.refuse(2, *words)
+
+    def test_negative_counts_are_wrong_usage(self):
+        for option in ("--iterations", "--audit", "--seed"):
+            with self.subTest(option=option):
+                self.refuse(2, "lloyd", "--points", "10", option, "-1", timeout=5)
+
+    def test_a_radius_that_is_no_number_is_refused(self):
+        for radius in ("nan", "inf", "-inf"):
+            with self.subTest(radius=radius):
+                line = self.refuse(2, "lloyd", "--points", "10", "--iterations", "1", "--radius", radius)
+                self.assertLess(len(line), 200)
+
+
+if __name__ == "__main__":
+    tool.main(__doc__)

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What every test of the built tool shares: running it in a directory of its own, and looking at what comes out."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+OPTIONS = {}  # given on the command line; "tool" always
+STRATEGIES = ["rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "hybrid"]
+RUN_FILES = {"summary.json", "iterations.csv", "final.mesh", "final.vtu", "report.html"}
+SUMMARY = {
+    "seconds": {"triangulation", "motion", "total"},
+    "moves": {"asked", "within_tolerance", "kept_in_place", "flipped", "reinserted", "rebuilt"},
+    "arithmetic": {"filter", "interval", "exact"},
+    "audit": {"checked", "failed"},
+}
+SUMMARY_PLAIN = {"command", "dimension", "vertices", "iterations", "strategy", "tolerance", "threads", "seed"}
+
+TRIANGLE = [(0, 0), (1, 0), (0, 1)]
+GRID = [(x, y) for x in range(6) for y in range(6)]
+SPREAD = [(0, 0), (1, 0.125), (0.25, 1), (0.75, 0.875), (0.5, 0.375)]
+
+
+class ToolTest(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.here = Path(scratch.name)
+
+    def run_tool(self, *words, timeout=60):
+        return subprocess.run([OPTIONS["tool"], *map(str, words)], cwd=self.here, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=timeout, check=False)
+
+    def succeed(self, *words):
+        done = self.run_tool(*words)
+        self.assertEqual(done.returncode, 0, f"{words}: {done.stderr}")
+        return done
+
+    def refuse(self, status, *words, timeout=20):
+        """Exit status, nothing on standard output, exactly one line on standard error; returns that line."""
+        before = self.listing()
+        try:
+            done = self.run_tool(*words, timeout=timeout)
+        except subprocess.TimeoutExpired:
+            self.fail(f"{words}: still running after {timeout} s, expected exit status {status}")
+        self.assertEqual(done.returncode, status, f"{words}: {done.stdout}{done.stderr}")
+        self.assertEqual(done.stdout, "", words)
+        self.assertRegex(done.stderr, r"\Aannulus: [^\n]+\n\Z", words)
+        self.assertEqual(self.listing(), before, f"{words} left something behind")
+        return done.stderr.rstrip("\n")
+
+    def listing(self):
+        return sorted(str(p.relative_to(self.here)) for p in self.here.rglob("*"))
+
+    def write(self, name, content):
+        path = self.here / name
+        if isinstance(content, bytes):
+            path.write_bytes(content)
+        else:
+            path.write_text(content, encoding="utf-8")
+        return name
+
+    def xyz(self, name, points):
+        return self.write(name, "".join(" ".join(repr(c) for c in p) + "\n" for p in points))
+
+    def summary(self, directory):
+        return json.loads((self.here / directory / "summary.json").read_text(encoding="utf-8"))
+
+    def mesh(self, directory):
+        """Points and triangles of final.mesh."""
+        words = (self.here / directory / "final.mesh").read_text(encoding="utf-8").split()
+        at = words.index("Vertices")
+        count = int(words[at + 1])
+        points = [(float(words[at + 2 + 3 * i]), float(words[at + 3 + 3 * i])) for i in range(count)]
+        at = words.index("Triangles")
+        cells = [tuple(int(w) - 1 for w in words[at + 2 + 4 * i:at + 5 + 4 * i]) for i in range(int(words[at + 1]))]
+        return points, cells
+
+
+def main(usage, *more):
+    """Takes --tool=PATH and a --NAME=PATH for each name of `more`. The rest goes to unittest."""
+    names = ("tool", *more)
+    ours = tuple(f"--{name}=" for name in names)
+    OPTIONS.update(a[2:].split("=", 1) for a in sys.argv[1:] if a.startswith(ours))
+    if set(OPTIONS) != set(names):
+        print(usage, file=sys.stderr)
+        sys.exit(2)
+    OPTIONS.update({name: os.path.abspath(path) for name, path in OPTIONS.items()})
+    unittest.main(argv=[sys.argv[0]] + [a for a in sys.argv[1:] if not a.startswith(ours)])
