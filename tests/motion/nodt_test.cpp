@@ -143,7 +143,7 @@ Points targets_by_definition(const Domain_3& domain, const std::vector<char>& on
             for (const auto& [w, ends] : link[v]) nearest = std::min(nearest, distance(x[v], p(w)));
             Vector way;
             for (std::size_t k = 0; k < 3; ++k) way[k] = flat[v][k] / area[v] - x[v][k];
-            const Real length = std::sqrt(dot(way, way)), share = std::min(Real{1}, nearest / 10 / length);
+            const Real length = std::sqrt(dot(way, way)), share = std::min(Real{0.75}, nearest / 10 / length);
             for (std::size_t k = 0; k < 3; ++k) at[k] = static_cast<double>(x[v][k] + share * way[k]);
             target[v] = domain.project(at);
         }
@@ -359,6 +359,29 @@ TEST_CASE("vertices of the surface go by a tenth of the way to their nearest nei
         full += went > 0.07 * nearest;
     }
     CHECK(full > 0);
+}
+
+TEST_CASE("a perturbed mesh of the sphere comes to rest", "[motion][nodt]") {
+    Points points = round_octahedron(2).points;
+    points.push_back({0, 0, 0});
+    const Ball_3 ball(1);
+    const Points noise = random_points(points.size(), 5);
+    for (std::size_t v = 0; v + 1 < points.size(); ++v) {
+        Coordinates<3> p = points[v];
+        for (std::size_t k = 0; k < 3; ++k) p[k] += 0.02 * noise[v][k];
+        points[v] = ball.project(p);
+    }
+    const Nodt_3 nodt(ball, Sizing_3(ball), vertices_on_surface(ball, points));
+    Points target(points.size());
+    double first = 0, last = 0;
+    for (int step = 0; step < 300; ++step) {
+        const Cells_3 cells = cells_of(points);
+        last = nodt.step(cells, cells_inside(ball, cells, points), points, target).mean_displacement;
+        if (step == 0) first = last;
+        points.swap(target);
+    }
+    CHECK(first > 1e-3);
+    CHECK(last < 1e-3 * first);
 }
 
 TEST_CASE("graded sizing pulls vertices towards where edges are to be short", "[motion][nodt]") {

@@ -64,12 +64,12 @@ double distance(const Coordinates<3>& p, const Coordinates<3>& q) {
     return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
 }
 
-/// q, or where it is farther than that, the point at this distance from p towards q.
-Coordinates<3> towards(const Coordinates<3>& p, const Coordinates<3>& q, double most) {
-    const double d = distance(p, q);
-    if (d <= most) return q;
+/// This share of the way from p to q, but no farther than `most`.
+Coordinates<3> towards(const Coordinates<3>& p, const Coordinates<3>& q, double share, double most) {
+    const double way = distance(p, q);
+    if (share * way > most) share = most / way;
     Coordinates<3> x;
-    for (std::size_t k = 0; k < 3; ++k) x[k] = p[k] + most / d * (q[k] - p[k]);
+    for (std::size_t k = 0; k < 3; ++k) x[k] = p[k] + share * (q[k] - p[k]);
     return x;
 }
 
@@ -187,7 +187,7 @@ Nodt_step Nodt_3::step(const Cells_3& cells, std::span<const char> inside, std::
                 double nearest = std::numeric_limits<double>::infinity();
                 for (const auto& [a, b] : surface.around(static_cast<Index>(v)))
                     nearest = std::min(nearest, distance(position[v], position[at(a)]));
-                wanted = domain_.project(towards(position[v], wanted, surface_stride * nearest));
+                wanted = domain_.project(towards(position[v], wanted, surface_relaxation, surface_stride * nearest));
             } else if (good) {
                 good = domain_.contains(wanted);
             }

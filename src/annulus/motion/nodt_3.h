@@ -38,16 +38,20 @@ struct Nodt_step {
 /// volume / mu³; a target outside of the domain is refused, and the vertex rests in this step. A vertex of the surface
 /// wants to go to the mean of the circumcentres of its surface facets, weighted with area / mu². It rests unless these
 /// facets are a disc around it: where features are thinner than the mesh, sheets of facets touch, and their mean is the
-/// place of none. It goes towards that mean by at most a tenth (`surface_stride`) of the distance to its nearest neighbour
-/// on the surface, and from there to the nearest point of the surface: whether a flat cell at the surface is of the
-/// domain changes the mean by a tenth of an edge at once, and vertices that follow such jumps at full stride never come
-/// to rest. mu is the sizing (its mean over the corners of a cell or facet).
+/// place of none. It goes three quarters of the way to that mean (`surface_relaxation`), by at most a tenth
+/// (`surface_stride`) of the distance to its nearest neighbour on the surface, and from there to the nearest point of the
+/// surface. All vertices go at once, and neighbours who go against each other all the way exchange their places for ever:
+/// on the regular triangular lattice this mode is multiplied by -1 a step, on curved surfaces by less, and grows. Three
+/// quarters of the way damp all that full steps multiply by more than -5/3. A tenth of an edge is what the mean changes by
+/// at once when a flat cell at the surface enters or leaves the domain; vertices that follow such jumps never come to rest.
+/// mu is the sizing (its mean over the corners of a cell or facet).
 ///
 /// Locks: given an angle, a vertex rests while every dihedral angle of its cells of the domain is between it and 180
 /// degrees less it. This is judged in every step from the cells as they are, so a vertex is free again as soon as a move
 /// nearby has spoilt one of them.
 class Nodt_3 {
   public:
+    static constexpr double surface_relaxation = 0.75;
     static constexpr double surface_stride = 0.1;
 
     /// `domain` must outlive this. `on_surface` has a flag for every vertex. `threads` >= 1, 0 < lock_degrees < 70.5 (the
