@@ -361,6 +361,24 @@ TEST_CASE("vertices of the surface go by a tenth of the way to their nearest nei
     CHECK(full > 0);
 }
 
+TEST_CASE("rows of a regular lattice that go against each other are damped", "[motion][nodt]") {
+    const double off = 0.02;
+    const Surface_3 surface(box({6, 6, 1}));
+    Points points;
+    for (int row = -3; row <= 3; ++row)
+        for (int k = -4; k <= 4; ++k)
+            points.push_back({row % 2 == 0 ? k : k + 0.5, std::sqrt(0.75) * row + (row % 2 == 0 ? off : -off), 1});
+    const std::size_t middle = points.size() / 2;
+    points.push_back({0, 0, -1});
+    const Cells_3 cells = cells_of(points);
+    Points target(points.size());
+    (void)Nodt_3(surface, Sizing_3(surface), vertices_on_surface(surface, points))
+        .step(cells, std::vector<char>(cells.size(), 1), points, target);
+    // The mean is the mirror image of the place; three quarters of the way there.
+    CHECK(distance(points[middle], {0, off, 1}) < 1e-15);
+    CHECK(distance(target[middle], {0, -off / 2, 1}) < 1e-12);
+}
+
 TEST_CASE("vertices of the surface do not exchange their places for ever", "[motion][nodt]") {
     const Ball_3 ball(1);
     Points points = round_octahedron(3).points;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/guided_motion.h>
 
-#include <annulus/io/input_error.h>
-
-#include <cstdio>
 #include <utility>
 
 namespace annulus::cli {

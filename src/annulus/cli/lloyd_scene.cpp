@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/lloyd_scene.h>
 
-#include <annulus/arithmetic/domain.h>
 #include <annulus/certificate/ladder.h>
 #include <annulus/io/read_points.h>
 #include <annulus/motion/sampling_2.h>

@@ -41,9 +41,12 @@ struct Nodt_step {
 /// place of none. It goes three quarters of the way to that mean (`surface_relaxation`), by at most a tenth
 /// (`surface_stride`) of the distance to its nearest neighbour on the surface, and from there to the nearest point of the
 /// surface. All vertices go at once, and neighbours who go against each other all the way exchange their places for ever:
-/// on the regular triangular lattice this mode is multiplied by -1 a step, on curved surfaces by less, and grows. Three
-/// quarters of the way damp all that full steps multiply by more than -5/3. A tenth of an edge is what the mean changes by
-/// at once when a flat cell at the surface enters or leaves the domain; vertices that follow such jumps never come to rest.
+/// on the regular triangular lattice this mode is multiplied by -1 a step. (Rows that go against each other are a above and b
+/// below one of their vertices. The triangles of its star above have areas a/2 and circumcentres at heights
+/// (a² + 1/4) / 2a, (a² - 1/4) / 2a, (a² - 1/4) / 2a, so the mean of all six is at (a - b) / 2: where the row would be
+/// mirrored in the middle.) On curved surfaces such modes may be multiplied by less than -1, and grow. Three quarters of the
+/// way damp all that full steps multiply by more than -5/3. A tenth of an edge is what the mean changes by at once when a
+/// flat cell at the surface enters or leaves the domain; vertices that follow such jumps never come to rest.
 /// mu is the sizing (its mean over the corners of a cell or facet).
 ///
 /// Locks: given an angle, a vertex rests while every dihedral angle of its cells of the domain is between it and 180
