@@ -20,13 +20,16 @@ if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE} ${CMAKE_CXX_FLAGS_RELWITHDEBIN
     message(FATAL_ERROR "annulus proves its answers under IEEE arithmetic: build it without ${CMAKE_MATCH_0}")
 endif()
 
-# The whole fuzz build is instrumented, the library included; the fuzz targets add libFuzzer's main when they link.
+# All of it is instrumented, the library included, so that one build serves tests and fuzzing; the fuzz targets add
+# libFuzzer's main when they link.
 if(ANNULUS_BUILD_FUZZ)
     if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
         message(FATAL_ERROR "ANNULUS_BUILD_FUZZ needs clang++ for libFuzzer; the compiler is ${CMAKE_CXX_COMPILER_ID}")
     endif()
-    add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
-    add_link_options(-fsanitize=address,undefined)
+    set(annulus_sanitizers address,undefined,float-cast-overflow)
+    add_compile_options(-fsanitize=fuzzer-no-link,${annulus_sanitizers} -fno-sanitize-recover=all
+                        -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${annulus_sanitizers})
 endif()
 
 # Linked privately by the project's own targets. Other people's headers come from imported targets, which CMake treats

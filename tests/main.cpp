@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the tests with a random seed for Catch and RapidCheck, printed first so that a failure can be repeated:
-// set ANNULUS_TEST_SEED to it. `--rng-seed` and a `seed=` in RC_PARAMS go before it.
+// set ANNULUS_TEST_SEED to it. `--rng-seed` and a `seed=` in RC_PARAMS go before it. ANNULUS_TEST_MULTIPLIER makes every
+// property and every loop over repeats(n) so many times longer or shorter; a `max_success=` in RC_PARAMS goes before it.
 #define CATCH_CONFIG_RUNNER
+#include <support/repeats.h>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdint>
@@ -24,10 +26,13 @@ std::uint32_t seed_of_this_run() {
 }
 
 // RapidCheck reads RC_PARAMS once, at the first property.
-void give_rapidcheck_a_seed(std::uint32_t seed) {
+void give_rapidcheck_its_parameters(std::uint32_t seed) {
     std::string parameters = environment("RC_PARAMS");
-    if (parameters.find("seed=") == std::string::npos)
-        parameters += (parameters.empty() ? "seed=" : " seed=") + std::to_string(seed);
+    const auto add = [&parameters](const std::string& name, const std::string& value) {
+        if (parameters.find(name) == std::string::npos) parameters += (parameters.empty() ? name : " " + name) + value;
+    };
+    add("seed=", std::to_string(seed));
+    add("max_success=", std::to_string(annulus::repeats(100)));
     setenv("RC_PARAMS", parameters.c_str(), 1);
 }
 
@@ -43,7 +48,7 @@ int main(int argc, char* argv[]) {
     const Catch::ConfigData& config = session.configData();
     const bool lists = config.listTests || config.listTags || config.listReporters || config.listTestNamesOnly;
     if (!lists && !config.showHelp && !config.libIdentify) {
-        give_rapidcheck_a_seed(seed);
+        give_rapidcheck_its_parameters(seed);
         std::cout << "seeds: ANNULUS_TEST_SEED=" << seed << " (--rng-seed " << config.rngSeed << ", RC_PARAMS=\""
                   << environment("RC_PARAMS") << "\")" << std::endl;
     }

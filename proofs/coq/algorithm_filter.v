@@ -1,201 +1,269 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The strategy `filter` (docs/theory.md 5.1 to 5.3; src/annulus/relocation/filter.cpp) as a transition system: odometers, expiries, a
-   step that evaluates some certificates and leaves the others alone.
+(* The strategy `filter` (docs/theory.md 5.1 to 5.3; src/annulus/relocation/filter*.cpp, second_look.cpp) as a program: odometers, expiries, lists, what is
+   looked at, what is written, rebase, undoing. Definitions only: algorithm_step.v proves what they keep, algorithm_run.v what follows for any
+   sequence of calls.
 
-   - travelled          an odometer bounds the way since any earlier anchoring
-   - every_certificate_holds   after a step every certificate holds, evaluated or not
-   - step_preserves     the invariants hold again
-   - filter_is_right    by induction: after any number of steps
-
-   Positions are of any metric space. A certificate may count on others (an empty circle on its two triangles); that is
-   well-founded. What a record promises is `sound`: the certificate holds while each of its points is within an allowance of
-   its reference, or at it. For evaluated certificates the allowance is the tolerance, for all points; unequal moves give
-   two allowances, a kept circle one for each point: all are records like any other here.
-   Numbers are real: of the rounded ones the step asks only that they err on the side that is named.
-
-   Not in this model: that Repair makes the violated ones hold (it is part of the hypothesis `written`: a record of the step is
-   sound at the new placement), and that all certificates together say Delaunay (theory 1). *)
-Require Import Reals Lra Wellfounded.
+   Functions have the names of the code, and do what it does, one after another. Expiries are the 32 bits of the code (upper_half.v), lists those of
+   algorithm_list.v. What the program is given is in the classes below: positions of any metric space, arithmetic that errs on the side that is named
+   (`laws`; filter_doubles.v shows that of the code), certificates and what a tolerance promises (`evaluated`), and Repair, which
+   may do anything to the mesh that `repaired` allows. Of a record `reference`, `origin` and `allowance` are not in the code: they say what
+   its expiries mean, and nothing is computed from them. *)
+Require Import Reals ZArith List Bool.
+From Annulus Require Import algorithm_list upper_half.
+Import ListNotations.
 Open Scope R_scope.
 
-Section filter.
-Variables (position vertex certificate : Type).
-Variable dist : position -> position -> R.
-Hypothesis dist_nonneg : forall a b, 0 <= dist a b.
-Hypothesis dist_zero : forall a, dist a a = 0.
-Hypothesis dist_triangle : forall a b c, dist a c <= dist a b + dist b c.
+Inductive second_looks := off | unequal_moves | safe_region.
 
+Class world := {
+  position : Type;
+  vertex : Type;
+  certificate : Type;
+  same_vertex : forall v w : vertex, {v = w} + {v <> w};
+  same_position : forall p q : position, {p = q} + {p <> q};
+  dist : position -> position -> R;
+  points : certificate -> list vertex;
+  holds : certificate -> (vertex -> position) -> Prop;
+  counts_on : certificate -> certificate -> Prop;    (* counts_on d c: c is certified given that d holds *)
+  two_sided : certificate -> bool;                   (* an empty circle: *)
+  inside : certificate -> vertex -> bool;            (* which of its points belong inside *)
+  capacity : nat;                                    (* of lists *)
+  stamps : Z;                                        (* that tell steps apart: Horizons *)
+  worn : R -> expiry_list -> bool;                   (* whether an odometer is to start again: commit() *)
+  chosen : second_looks;
+  around : (Z -> option certificate) -> vertex -> list Z;   (* for_each_certificate *)
+  (* arithmetic *)
+  valid : position -> Prop;                          (* in the coordinate domain *)
+  number : R -> Prop;                                (* a double *)
+  reading_of : R -> position -> position -> R;       (* base, fixed, moving *)
+  below : position -> position -> R -> bool;         (* the comparison of squares with a threshold *)
+  threshold : Z -> R -> R;                           (* earliest, base *)
+  sum_lower : R -> R -> R;
+  less : Z -> R -> R }.                              (* what is left of an expiry, rounded down *)
+
+Section program.
+Context {W : world}.
 Definition placement := vertex -> position.
-Variable has : certificate -> vertex -> Prop.              (* the points of a certificate *)
-Variable holds : certificate -> placement -> Prop.
-Variable counts_on : certificate -> certificate -> Prop.   (* counts_on d c: c is certified given that d holds *)
-Hypothesis counts_on_wf : well_founded counts_on.
+
+Class laws := {
+  dist_nonneg : forall a b, 0 <= dist a b;
+  dist_zero : forall a, dist a a = 0;
+  dist_triangle : forall a b c, dist a c <= dist a b + dist b c;
+  counts_on_wf : well_founded counts_on;
+  local : forall c m m', (forall v, In v (points c) -> m v = m' v) -> holds c m -> holds c m';
+  stamps_pos : (0 < stamps)%Z;
+  around_all : forall mesh v i c, (forall j d, mesh j = Some d -> is_id j) -> mesh i = Some c -> In v (points c) -> In i (around mesh v);
+  around_ids : forall mesh v i, In i (around mesh v) -> is_id i;
+  number_zero : number 0;
+  reading_above : forall b f p, number b -> 0 <= b -> valid f -> valid p ->
+    number (reading_of b f p) /\ b + dist f p <= reading_of b f p;
+  threshold_below : forall e b f p, (0 <= e <= never)%Z -> number b -> 0 <= b -> valid f -> valid p ->
+    below f p (threshold e b) = true -> b + dist f p < value e;
+  sum_lower_below : forall b t, number b -> number t -> 0 <= b -> 0 <= t -> sum_lower b t <= b + t;
+  less_below : forall e b, (0 <= e <= never)%Z -> number b -> 0 <= b ->
+    (value e <= b -> less e b <= 0) /\ (b <= value e -> less e b <= value e - b) }.
+
+(* ---- What a record may promise ---- *)
 
 (* Near its reference, or at it (tolerance 0: only at it). *)
 Definition near (m reference : placement) (allowance : vertex -> R) (v : vertex) : Prop :=
   dist (reference v) (m v) < allowance v \/ m v = reference v.
-
 Definition sound (c : certificate) (reference : placement) (allowance : vertex -> R) : Prop :=
-  forall m, (forall v, has c v -> near m reference allowance v) -> (forall d, counts_on d c -> holds d m) -> holds c m.
+  forall m, (forall v, In v (points c) -> near m reference allowance v) -> (forall d, counts_on d c -> holds d m) -> holds c m.
+(* Unequal moves: a width that the two sides share. *)
+Definition wide (c : certificate) (reference : placement) (t : R) : Prop :=
+  forall allowance, (forall v, In v (points c) -> 0 <= allowance v) ->
+    (forall v w, In v (points c) -> In w (points c) -> inside c v = true -> inside c w = false -> allowance v + allowance w <= 2 * t) ->
+    sound c reference allowance.
 
+(* ---- State ---- *)
+
+Record odometer := {
+  fixed : position;
+  base : R;                   (* length of the path of fixed positions since it was 0, or more *)
+  room : R;                   (* threshold of the step test *)
+  listing : expiry_list;
+  stamp : Z }.
+Record written := {
+  expiry : vertex -> Z;
+  tolerance : R;              (* for second looks *)
+  reference : placement;
+  origin : vertex -> R;       (* base of the point right after the record was made *)
+  allowance : vertex -> R }.
 Record state := {
   moving : placement;
-  fixed : placement;
-  base : vertex -> R;                          (* odometer: length of the path of fixed positions, or more *)
-  current : certificate -> Prop;               (* those of the triangulation *)
-  reference : certificate -> placement;        (* where the record was made *)
-  reading : certificate -> vertex -> R;        (* base of the point right after that *)
-  allowance : certificate -> vertex -> R;
-  expiry : certificate -> vertex -> R;
-  earliest : vertex -> R }.
+  at_ : vertex -> odometer;
+  mesh : Z -> option certificate;
+  record : Z -> written;
+  epoch : Z;                  (* the stamp of this step: stamp_ *)
+  anchored : list vertex }.   (* in this step *)
 
-Record invariant (s : state) : Prop := {
-  records : forall c, current s c -> sound c (reference s c) (allowance s c);
-  closed : forall c d, current s c -> counts_on d c -> current s d;
-  path : forall c v, current s c -> has c v -> dist (reference s c v) (fixed s v) <= base s v - reading s c v;
-  expires : forall c v, current s c -> has c v -> expiry s c v <= reading s c v + allowance s c v;
-  listed : forall c v, current s c -> has c v -> earliest s v <= expiry s c v;
-  rests : forall c v, current s c -> has c v -> near (fixed s) (reference s c) (allowance s c) v;
-  placed : forall c v, current s c -> has c v -> near (moving s) (reference s c) (allowance s c) v }.
+Definition set {A B} (same : forall a b : A, {a = b} + {a <> b}) (f : A -> B) (a : A) (b : B) : A -> B :=
+  fun x => if same a x then b else f x.
+Definition set_at (s : state) v o : state :=
+  {| moving := moving s; at_ := set same_vertex (at_ s) v o; mesh := mesh s; record := record s; epoch := epoch s; anchored := anchored s |}.
+Definition set_record (s : state) i r : state :=
+  {| moving := moving s; at_ := at_ s; mesh := mesh s; record := set Z.eq_dec (record s) i r; epoch := epoch s; anchored := anchored s |}.
+Definition set_listing (o : odometer) l : odometer :=
+  {| fixed := fixed o; base := base o; room := room o; listing := l; stamp := stamp o |}.
+Definition set_stamp (o : odometer) e : odometer :=
+  {| fixed := fixed o; base := base o; room := room o; listing := listing o; stamp := e |}.
+Definition set_room (o : odometer) : odometer :=   (* set_threshold *)
+  {| fixed := fixed o; base := base o; room := threshold (earliest (listing o)) (base o); listing := listing o; stamp := stamp o |}.
 
-(* 5.1: what an odometer says. *)
-Lemma travelled : forall s, invariant s -> forall c v p, current s c -> has c v ->
-  dist (reference s c v) p <= base s v + dist (fixed s v) p - reading s c v.
-Proof.
-  intros s I c v p C H. generalize (path s I c v C H) (dist_triangle (reference s c v) (fixed s v) p). lra.
-Qed.
+Definition reading (s : state) (v : vertex) (p : position) : R := reading_of (base (at_ s v)) (fixed (at_ s v)) p.
+Definition has (s : state) (i : Z) (v : vertex) : bool :=
+  match mesh s i with Some c => if in_dec same_vertex v (points c) then true else false | None => false end.
 
-Theorem holds_everywhere : forall s, invariant s -> forall c, current s c -> holds c (moving s).
-Proof.
-  intros s I c. induction c as [c IH] using (well_founded_ind counts_on_wf). intro C.
-  apply (records s I c C).
-  - intros v H. exact (placed s I c v C H).
-  - intros d D. apply IH; [exact D|exact (closed s I c d C D)].
-Qed.
+(* ---- A step to x ---- *)
 
-(* The test of a step, and what it has to imply: docs/theory.md 4.1, the comparison of squares. *)
-Definition passes (s : state) (m : placement) (v : vertex) : Prop :=
-  base s v + dist (fixed s v) (m v) < earliest s v \/ m v = fixed s v.
+Definition passes (s : state) (x : placement) (v : vertex) : bool :=
+  below (fixed (at_ s v)) (x v) (room (at_ s v)) || (if same_position (x v) (fixed (at_ s v)) then true else false).
+Definition find_failed (s : state) (x : placement) (movers : list vertex) : list vertex := filter (fun v => negb (passes s x v)) movers.
 
-(* A step to m. `anchored`: vertices whose fixed position becomes m. `written`: certificates that were evaluated, created by
-   repair, or proved around m by a kept circle; `renewed`: those whose expiries were changed without a new reference. *)
-Record step (s : state) (m : placement) (anchored : vertex -> Prop) (written renewed : certificate -> Prop) (t : state) : Prop := {
-  to : moving t = m;
-  anchored_or_not : forall v, anchored v \/ ~ anchored v;
-  anchors : forall v, anchored v -> fixed t v = m v /\ base s v + dist (fixed s v) (m v) <= base t v;
-  others : forall v, ~ anchored v -> fixed t v = fixed s v /\ base t v = base s v;
-  failures : forall v, ~ anchored v -> passes s m v;
-  written_or_not : forall c, current t c -> written c \/ (current s c /\ ~ written c);
-  still_closed : forall c d, current t c -> counts_on d c -> current t d;
-  (* A written record: sound at m, all its points anchored. *)
-  written_record : forall c, current t c -> written c ->
-    reference t c = m /\ sound c m (allowance t c) /\
-    forall v, has c v -> anchored v /\ reading t c v = base t v /\ expiry t c v <= base t v + allowance t c v;
-  (* A renewed record: the old reference, other allowances, nothing expired. *)
-  renewed_record : forall c, current t c -> ~ written c -> renewed c ->
-    reference t c = reference s c /\ reading t c = reading s c /\ sound c (reference s c) (allowance t c) /\
-    forall v, has c v -> expiry t c v <= reading t c v + allowance t c v /\
-                         base s v + dist (fixed s v) (m v) < expiry t c v;
-  (* A record left alone: no point failed and found it expired. A point that passes need not be asked. *)
-  kept_record : forall c, current t c -> ~ written c -> ~ renewed c ->
-    reference t c = reference s c /\ reading t c = reading s c /\ allowance t c = allowance s c /\ expiry t c = expiry s c /\
-    forall v, has c v -> passes s m v \/ base s v + dist (fixed s v) (m v) < expiry s c v;
-  renewed_or_not : forall c, renewed c \/ ~ renewed c;
-  relisted : forall c v, current t c -> has c v -> earliest t v <= expiry t c v }.
+Definition begin_anchoring (s : state) : state :=
+  {| moving := moving s; mesh := mesh s; record := record s; anchored := [];
+     at_ := if (epoch s =? stamps)%Z then fun v => set_stamp (at_ s v) 0 else at_ s;
+     epoch := if (epoch s =? stamps)%Z then 1 else epoch s + 1 |}.
 
-Section one.
-Variables (s t : state) (m : placement) (anchored : vertex -> Prop) (written renewed : certificate -> Prop).
-Hypothesis I : invariant s.
-Hypothesis S : step s m anchored written renewed t.
+Definition anchor (x : placement) (s : state) (v : vertex) : state :=
+  let o := at_ s v in
+  if (stamp o =? epoch s)%Z then s
+  else
+    let t := set_at s v (if same_position (x v) (fixed o) then set_stamp o (epoch s)
+                         else {| fixed := x v; base := reading s v (x v); room := room o; listing := listing o; stamp := epoch s |}) in
+    {| moving := moving t; at_ := at_ t; mesh := mesh t; record := record t; epoch := epoch t; anchored := v :: anchored t |}.
 
-(* Where a certificate that was not evaluated has its points after the step. *)
-Lemma kept_near : forall c v, current t c -> ~ written c -> has c v -> near m (reference t c) (allowance t c) v.
-Proof.
-  intros c v C W H. destruct (written_or_not _ _ _ _ _ _ S c C) as [N|[C' _]]; [contradiction|].
-  destruct (renewed_or_not _ _ _ _ _ _ S c) as [N|N].
-  - destruct (renewed_record _ _ _ _ _ _ S c C W N) as (Er & Eb & _ & K). destruct (K v H) as [X L].
-    left. rewrite Er. rewrite Eb in X. generalize (travelled s I c v (m v) C' H). lra.
-  - destruct (kept_record _ _ _ _ _ _ S c C W N) as (Er & _ & Ea & _ & K). unfold near. rewrite Er, Ea.
-    assert (E := expires s I c v C' H). assert (T := travelled s I c v (m v) C' H).
-    destruct (K v H) as [[P|P]|P].
-    + left. generalize (listed s I c v C' H). lra.
-    + rewrite P. exact (rests s I c v C' H).
-    + left. lra.
-Qed.
+(* A second look that succeeded. Unequal: new expiries for the old reference, and what they allow; safe: how far from x. *)
+Inductive renewal := unequal (new allowed : vertex -> R) | safe (far : vertex -> R).
+Definition renewed_expiry (k : renewal) (b : R) (v : vertex) : Z :=
+  match k with unequal new _ => lower (new v) | safe far => lower (sum_lower b (far v)) end.
+Variable second_look : state -> placement -> Z -> option renewal.
 
-Lemma at_reference : forall c v, current t c -> written c -> near m (reference t c) (allowance t c) v.
-Proof. intros c v C W. right. now rewrite (proj1 (written_record _ _ _ _ _ _ S c C W)). Qed.
+Definition is_expired (s : state) (i : Z) (v : vertex) : bool := has s i v && (expiry (record s i) v <=? lower (base (at_ s v)))%Z.
+Definition renewals := list (Z * certificate * renewal).
+(* The list so far, suspects, renewals. *)
+Definition look_at s x v (found : expiry_list * list Z * renewals) (i : Z) : expiry_list * list Z * renewals :=
+  let '(l, suspects, renewed) := found in
+  match mesh s i with
+  | None => found
+  | Some c =>
+      if negb (has s i v) then found
+      else if negb (is_expired s i v) then (put i (expiry (record s i) v) l, suspects, renewed)
+      else match second_look s x i with
+           | Some k => (put i (renewed_expiry k (base (at_ s v)) v) l, suspects, (i, c, k) :: renewed)
+           | None => (l, i :: suspects, renewed)
+           end
+  end.
+Definition own (s : state) (v : vertex) (i : Z) : Z := if has s i v then expiry (record s i) v else never.
+Definition tour s x v (found : expiry_list * list Z * renewals) : expiry_list * list Z * renewals :=
+  let '(_, suspects, renewed) := found in
+  let (expired, others) := partition (fun i => is_expired s i v) (around (mesh s) v) in
+  let '(l, suspects, renewed) := fold_left (look_at s x v) expired (cleared capacity, suspects, renewed) in
+  (put_many capacity (map (fun i => (own s v i, i)) others) l, suspects, renewed).
+Definition examine (s : state) (x : placement) (v : vertex) : expiry_list * list Z * renewals :=
+  let now := lower (base (at_ s v)) in
+  let (visited, l) := take now (listing (at_ s v)) in
+  let found := fold_left (look_at s x v) visited (l, [], []) in
+  if (rest (fst (fst found)) <=? now)%Z then tour s x v found else found.
 
-Lemma all_near : forall c v, current t c -> has c v -> near m (reference t c) (allowance t c) v.
-Proof.
-  intros c v C H. destruct (written_or_not _ _ _ _ _ _ S c C) as [W|[_ W]]; [now apply at_reference|now apply kept_near].
-Qed.
+(* Those that failed are anchored, then looked at: which depends on no other list. *)
+Definition find_expired (s : state) (x : placement) (failed : list vertex) : state * list Z * renewals :=
+  let t := fold_left (anchor x) failed (begin_anchoring s) in
+  ({| moving := moving t; mesh := mesh t; record := record t; epoch := epoch t; anchored := anchored t;
+      at_ := fun v => if in_dec same_vertex v failed then set_listing (at_ t v) (fst (fst (examine t x v))) else at_ t v |},
+   flat_map (fun v => snd (fst (examine t x v))) failed, flat_map (fun v => snd (examine t x v)) failed).
 
-Theorem step_preserves : invariant t.
-Proof.
-  split.
-  - intros c C. destruct (written_or_not _ _ _ _ _ _ S c C) as [W|[C' W]].
-    + destruct (written_record _ _ _ _ _ _ S c C W) as (E & K & _). now rewrite E.
-    + destruct (renewed_or_not _ _ _ _ _ _ S c) as [N|N].
-      * destruct (renewed_record _ _ _ _ _ _ S c C W N) as (E & _ & K & _). now rewrite E.
-      * destruct (kept_record _ _ _ _ _ _ S c C W N) as (E & _ & A & _). rewrite E, A. exact (records s I c C').
-  - exact (still_closed _ _ _ _ _ _ S).
-  - intros c v C H. destruct (written_or_not _ _ _ _ _ _ S c C) as [W|[C' W]].
-    + destruct (written_record _ _ _ _ _ _ S c C W) as (E & _ & K). destruct (K v H) as (A & B & _).
-      destruct (anchors _ _ _ _ _ _ S v A) as [F _]. rewrite E, F, B, dist_zero. lra.
-    + assert (E : reference t c = reference s c /\ reading t c = reading s c).
-      { destruct (renewed_or_not _ _ _ _ _ _ S c) as [N|N].
-        - destruct (renewed_record _ _ _ _ _ _ S c C W N) as (X & Y & _). now split.
-        - destruct (kept_record _ _ _ _ _ _ S c C W N) as (X & Y & _). now split. }
-      destruct E as [-> ->]. destruct (anchored_or_not _ _ _ _ _ _ S v) as [A|A].
-      * destruct (anchors _ _ _ _ _ _ S v A) as [-> B]. generalize (travelled s I c v (m v) C' H). lra.
-      * destruct (others _ _ _ _ _ _ S v A) as [-> ->]. exact (path s I c v C' H).
-  - intros c v C H. destruct (written_or_not _ _ _ _ _ _ S c C) as [W|[C' W]].
-    + destruct (written_record _ _ _ _ _ _ S c C W) as (_ & _ & K). destruct (K v H) as (_ & -> & E). exact E.
-    + destruct (renewed_or_not _ _ _ _ _ _ S c) as [N|N].
-      * destruct (renewed_record _ _ _ _ _ _ S c C W N) as (_ & _ & _ & K). exact (proj1 (K v H)).
-      * destruct (kept_record _ _ _ _ _ _ S c C W N) as (_ & -> & -> & -> & _). exact (expires s I c v C' H).
-  - exact (relisted _ _ _ _ _ _ S).
-  - (* A fixed position is the present one, or the old one. *)
-    intros c v C H. destruct (anchored_or_not _ _ _ _ _ _ S v) as [A|A].
-    + unfold near. rewrite (proj1 (anchors _ _ _ _ _ _ S v A)). exact (all_near c v C H).
-    + unfold near. rewrite (proj1 (others _ _ _ _ _ _ S v A)).
-      destruct (written_or_not _ _ _ _ _ _ S c C) as [W|[C' W]].
-      * destruct (written_record _ _ _ _ _ _ S c C W) as (_ & _ & K). now destruct (K v H) as (B & _).
-      * destruct (renewed_or_not _ _ _ _ _ _ S c) as [N|N].
-        -- destruct (renewed_record _ _ _ _ _ _ S c C W N) as (-> & E & _ & K). destruct (K v H) as [X L]. rewrite E in X.
-           left. generalize (path s I c v C' H) (dist_nonneg (fixed s v) (m v)). lra.
-        -- destruct (kept_record _ _ _ _ _ _ S c C W N) as (-> & _ & -> & _). exact (rests s I c v C' H).
-  - intros c v C H. rewrite (to _ _ _ _ _ _ S). exact (all_near c v C H).
-Qed.
+(* After a failure: what was kept of those that failed. *)
+Definition undo_anchoring (before t : state) (failed : list vertex) : state :=
+  {| moving := moving t; mesh := mesh t; record := record t; epoch := epoch t; anchored := anchored t;
+     at_ := fun v => if in_dec same_vertex v failed then at_ before v else at_ t v |}.
 
-Theorem every_certificate_holds : forall c, current t c -> holds c m.
-Proof. rewrite <- (to _ _ _ _ _ _ S). exact (holds_everywhere t step_preserves). Qed.
-End one.
+(* ---- Repair: what it promises ---- *)
 
-Inductive reachable (s : state) : state -> Prop :=
-  | here : reachable s s
-  | further : forall t u m anchored written renewed, reachable s t -> step t m anchored written renewed u -> reachable s u.
+Record verdict := { id : Z; of : certificate; bound : R }.
+Record evaluated (x : placement) (k : verdict) : Prop := {
+  bound_sound : sound (of k) x (fun _ => bound k);
+  bound_wide : two_sided (of k) = true -> wide (of k) x (bound k);
+  bound_pos : 0 <= bound k;
+  bound_number : number (bound k) }.
+(* From mesh to mesh': what is neither evaluated nor changed was no suspect; vertices put back have all their certificates evaluated. *)
+Record repaired (x : placement) (old new : Z -> option certificate) (suspects : list Z) (verdicts : list verdict) (reinserted : list vertex) : Prop := {
+  verdicts_right : forall k, In k verdicts -> new (id k) = Some (of k) /\ evaluated x k;
+  others_untouched : forall i c, new i = Some c -> In i (map id verdicts) \/
+    (old i = Some c /\ ~ In i suspects /\ forall v, In v (points c) -> ~ In v reinserted);
+  all_ids : forall i c, new i = Some c -> is_id i;
+  all_counted_on : forall i c d, new i = Some c -> counts_on d c -> exists j, new j = Some d }.
 
-Theorem filter_is_right : forall s t, invariant s -> reachable s t -> invariant t /\ forall c, current t c -> holds c (moving t).
-Proof.
-  intros s t I R. assert (J : invariant t).
-  { induction R as [|t u m anchored written renewed R IH S]; [exact I|exact (step_preserves _ _ _ _ _ _ IH S)]. }
-  split; [exact J|exact (holds_everywhere t J)].
-Qed.
+(* ---- What is written down ---- *)
 
-(* After a settling: everything anchored and written here. *)
-Theorem settled : forall s, (forall v, fixed s v = moving s v) -> (forall c, current s c -> reference s c = moving s) ->
-  (forall c, current s c -> sound c (moving s) (allowance s c)) -> (forall c d, current s c -> counts_on d c -> current s d) ->
-  (forall c v, current s c -> has c v -> reading s c v = base s v /\ expiry s c v <= base s v + allowance s c v /\
-                                         earliest s v <= expiry s c v) -> invariant s.
-Proof.
-  intros s F R K D L. split; trivial.
-  - intros c C. rewrite (R c C). exact (K c C).
-  - intros c v C H. rewrite (R c C), F, dist_zero. destruct (L c v C H) as [-> _]. lra.
-  - intros c v C H. destruct (L c v C H) as (-> & E & _). exact E.
-  - intros c v C H. now destruct (L c v C H) as (_ & _ & E).
-  - intros c v C H. right. now rewrite F, (R c C).
-  - intros c v C H. right. now rewrite (R c C).
-Qed.
-End filter.
+Definition put_at (i e : Z) (v : vertex) (s : state) : state := set_at s v (set_listing (at_ s v) (put i e (listing (at_ s v)))).
+
+(* A certificate at x, and how far each point may go from there: commit_points, and commit_renewals with a safe region. *)
+Definition write_point x i (far : vertex -> R) (s : state) (v : vertex) : state :=
+  let s := anchor x s v in put_at i (lower (sum_lower (base (at_ s v)) (far v))) v s.
+Definition write_at x i c (far : vertex -> R) (t : R) (s : state) : state :=
+  let s := fold_left (write_point x i far) (points c) s in
+  set_record s i {| expiry := fun v => lower (sum_lower (base (at_ s v)) (far v)); tolerance := t;
+                    reference := x; origin := fun v => base (at_ s v); allowance := far |}.
+Definition commit_evaluated x (s : state) (k : verdict) : state := write_at x (id k) (of k) (fun _ => bound k) (bound k) s.
+
+Definition renew_point i (new : vertex -> R) (s : state) (v : vertex) : state :=
+  let t := put_at i (lower (new v)) v s in
+  if (stamp (at_ t v) =? epoch t)%Z then t else set_at t v (set_room (at_ t v)).
+Definition commit_renewal x (s : state) (n : Z * certificate * renewal) : state :=
+  let '(i, c, k) := n in
+  match mesh s i, k with
+  | None, _ => s
+  | _, unequal new allowed =>
+      let t := fold_left (renew_point i new) (points c) s in
+      set_record t i {| expiry := fun v => lower (new v); tolerance := 0;
+                        reference := reference (record s i); origin := origin (record s i); allowance := allowed |}
+  | _, safe far => write_at x i c far (tolerance (record s i)) s
+  end.
+
+Definition shifted (e : Z) (b : R) : Z := lower (less e b).
+Definition rebase (s : state) (v : vertex) : state :=
+  let o := at_ s v in
+  let b := base o in
+  let shift i := let r := record s i in
+    if has s i v then
+      {| expiry := set same_vertex (expiry r) v (shifted (expiry r v) b);
+         tolerance := if Rlt_dec (value (expiry r v)) b then 0 else tolerance r;
+         reference := reference r; origin := set same_vertex (origin r) v (origin r v - b); allowance := allowance r |}
+    else r in
+  let relist l i := if has s i v then put i (shifted (expiry (record s i) v) b) l else l in
+  {| moving := moving s; mesh := mesh s; epoch := epoch s; anchored := anchored s; record := shift;
+     at_ := set same_vertex (at_ s) v {| fixed := fixed o; base := 0; room := room o; stamp := stamp o;
+                                         listing := fold_left relist (around (mesh s) v) (cleared capacity) |} |}.
+Definition finish (s : state) (v : vertex) : state :=
+  let s := if worn (base (at_ s v)) (listing (at_ s v)) then rebase s v else s in set_at s v (set_room (at_ s v)).
+
+Definition with_mesh (s : state) (m : Z -> option certificate) (reinserted : list vertex) : state :=
+  {| moving := moving s; mesh := m; record := record s; epoch := epoch s; anchored := anchored s;
+     at_ := fun v => if in_dec same_vertex v reinserted then set_listing (at_ s v) (cleared capacity) else at_ s v |}.
+Definition move_to (x : placement) (s : state) : state :=
+  {| moving := x; at_ := at_ s; mesh := mesh s; record := record s; epoch := epoch s; anchored := anchored s |}.
+Definition commit x (s : state) (renewed : renewals) (m : Z -> option certificate) (verdicts : list verdict) (reinserted : list vertex) : state :=
+  let s := fold_left (commit_renewal x) renewed (with_mesh s m reinserted) in
+  let s := fold_left (commit_evaluated x) verdicts s in
+  move_to x (fold_left finish (anchored s) s).
+
+(* ---- Everything anew, insertion ---- *)
+
+Definition fresh_point (i : Z) (t : R) (s : state) (v : vertex) : state :=
+  set_at s v (set_listing (at_ s v) (put_new i (lower (sum_lower (base (at_ s v)) t)) (listing (at_ s v)))).
+Definition write_fresh x (s : state) (k : verdict) : state :=
+  let s := fold_left (fresh_point (id k) (bound k)) (points (of k)) s in
+  set_record s (id k) {| expiry := fun v => lower (sum_lower (base (at_ s v)) (bound k)); tolerance := bound k;
+                         reference := x; origin := fun v => base (at_ s v); allowance := fun _ => bound k |}.
+Definition settle (x : placement) (s : state) (m : Z -> option certificate) (verdicts : list verdict) : state :=
+  let t := fold_left (write_fresh x) verdicts
+    {| moving := x; mesh := m; record := record s; epoch := epoch s; anchored := [];
+       at_ := fun v => {| fixed := x v; base := 0; room := 0; listing := cleared capacity; stamp := 0 |} |} in
+  {| moving := x; mesh := mesh t; record := record t; epoch := epoch t; anchored := []; at_ := fun v => set_room (at_ t v) |}.
+Definition place (s : state) (n : vertex * position) : state :=
+  let (v, p) := n in
+  move_to (set same_vertex (moving s) v p)
+    (set_at s v {| fixed := p; base := base (at_ s v); room := 0; listing := cleared capacity; stamp := stamp (at_ s v) |}).
+End program.

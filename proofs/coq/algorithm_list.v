@@ -1,201 +1,356 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The expiry list of a vertex (docs/theory.md 5.2, (I3); src/annulus/relocation/expiry_list.h): a few entries, sorted, and `rest`, a bound for all others.
+(* The expiry list of a vertex (docs/theory.md 5.2, (I3); src/annulus/relocation/expiry_list.h) as the program has it: an array of
+   `capacity` integers, each an expiry of 32 bits above an id of 32, in order, empty places at the end, and `rest`, a bound for all
+   others.
 
-   - kept        the invariant: each certificate of the vertex is listed with an expiry not above its own, or `rest` is not above it
-   - earliest_below   so `earliest` is not above any expiry: what algorithm_filter.v asks for under `listed`, `relisted`
-   - put_kept, put_new_kept   `put` and `put_new` keep it for all others and establish it for the certificate that is put
-   - drop_kept   an entry may be taken off when its certificate is put back or gone
-   - below_rest_listed   what expires below `rest` is on the list: no tour is needed while the reading stays below
-   - tour_kept   a tour makes the list anew from any list of all certificates
-   - tour_below_kept   and so does one that lists only what is below some bound, whatever the bound (`put_new` of many)
-   - sorted_put, fits    the list stays sorted and within its capacity
+   - kept        the invariant: a certificate is listed with an expiry not above its own, or `rest` is not above it
+   - put_new_kept, put_kept, put_many_kept    put, put_new, put_new of many keep it for all others and establish it
+     for what is put
+   - put_many_kept_any    whatever the bound that is found by counting
+   - take_kept, take_finds   take_reached visits every certificate that expired, unless `rest` has expired too; what it does not
+     visit stays listed
+   - earliest_below, below_rest    nothing expires before `earliest`; what is kept and has expired while `rest` has not is an entry
+   - put_proper, put_new_proper, put_many_proper, take_proper, cleared_proper    entries are as many as ever, in order, in range
+   - run         a sequence of operations, with the numbers of the code, for traces
 
-   Two programs: `put_new` ignores what is not below `rest`, `put_sorted` takes it in and lets the last entry fall out. Expiries are real numbers here; in
-   the code 32 bits whose order is theirs. *)
-Require Import Reals Lra List Lia Arith.
+   Expiries are compared as their bits; upper_half.v shows that this is the order of the numbers. *)
+Require Import ZArith List Sorting.Sorted Bool Lia.
 Import ListNotations.
-Open Scope R_scope.
+Open Scope Z_scope.
 
-Section list.
-Variable certificate : Type.
-Hypothesis same : forall a b : certificate, {a = b} + {a <> b}.
+Definition never : Z := 2047 * 2 ^ 20.   (* the upper half of infinity *)
+Definition none : Z := 2 ^ 32 - 1.       (* no id *)
+Definition entry (expiry id : Z) : Z := expiry * 2 ^ 32 + id.
+Definition expiry_of (e : Z) : Z := e / 2 ^ 32.
+Definition id_of (e : Z) : Z := e mod 2 ^ 32.
+Definition vacant : Z := entry never none.
+Definition is_id (i : Z) : Prop := 0 <= i < none.
+
+Record expiry_list := { entries : list Z; rest : Z }.
+
+(* ---- The program ---- *)
+
+Section program.
 Variable capacity : nat.
 
-Record expiries := { entries : list (certificate * R); rest : R }.
+Definition cleared : expiry_list := {| entries := repeat vacant capacity; rest := never |}.
 
-Definition kept (own : certificate -> R) (l : expiries) (c : certificate) : Prop :=
-  (exists e, In (c, e) (entries l) /\ e <= own c) \/ rest l <= own c.
+Definition earliest (l : expiry_list) : Z := Z.min (rest l) (expiry_of (hd vacant (entries l))).
 
-Definition least (l : list (certificate * R)) (r : R) : R := fold_right (fun x m => Rmin (snd x) m) r l.
-Definition earliest (l : expiries) : R := least (entries l) (rest l).
-
-Lemma least_below l r : least l r <= r /\ forall c e, In (c, e) l -> least l r <= e.
-Proof.
-  induction l as [|[d x] l [A B]]; simpl; [split; [lra|intros _ _ []]|]. split.
-  - apply Rle_trans with (least l r); [apply Rmin_r|exact A].
-  - intros c e [E|H]; [injection E as -> ->; apply Rmin_l|]. apply Rle_trans with (least l r); [apply Rmin_r|now apply B with c].
-Qed.
-
-Theorem earliest_below own l c : kept own l c -> earliest l <= own c.
-Proof.
-  unfold earliest. destruct (least_below (entries l) (rest l)) as [A B].
-  intros [(e & H & L)|L]; [generalize (B c e H)|]; lra.
-Qed.
-
-Theorem below_rest_listed own l c reading : kept own l c -> own c <= reading -> reading < rest l ->
-  exists e, In (c, e) (entries l) /\ e <= reading.
-Proof. intros [(e & H & L)|L] A B; [exists e; split; [exact H|lra]|lra]. Qed.
-
-(* In its place among entries in order. *)
-Fixpoint insert (c : certificate) (e : R) (l : list (certificate * R)) : list (certificate * R) :=
+(* put_new: the entry goes through the array and is exchanged with whatever is above it. *)
+Fixpoint exchange (moving : Z) (l : list Z) : list Z * Z :=
   match l with
-  | [] => [(c, e)]
-  | x :: l' => if Rlt_dec e (snd x) then (c, e) :: l else x :: insert c e l'
+  | [] => ([], moving)
+  | e :: l => if moving <? e then let (m, out) := exchange e l in (moving :: m, out)
+              else let (m, out) := exchange moving l in (e :: m, out)
   end.
+Definition put_new (id expiry : Z) (l : expiry_list) : expiry_list :=
+  let (m, out) := exchange (entry expiry id) (entries l) in {| entries := m; rest := Z.min (rest l) (expiry_of out) |}.
 
-Definition remove (c : certificate) (l : list (certificate * R)) := filter (fun x => if same (fst x) c then false else true) l.
+(* put: from where the entry of `id` is, each place takes what is in the next one. *)
+Fixpoint close_gap (id : Z) (found : bool) (l : list Z) : list Z :=
+  match l with
+  | [] => []
+  | e :: l' => let found := found || (id_of e =? id) in (if found then hd vacant l' else e) :: close_gap id found l'
+  end.
+Definition put (id expiry : Z) (l : expiry_list) : expiry_list :=
+  put_new id expiry {| entries := close_gap id false (entries l); rest := rest l |}.
 
-(* The last entry falls out of a list that is too long. *)
-Definition overflow (l : list (certificate * R)) (r : R) : expiries :=
-  if le_lt_dec (length l) capacity then {| entries := l; rest := r |}
-  else match rev l with
-       | [] => {| entries := l; rest := r |}
-       | x :: l' => {| entries := rev l'; rest := Rmin r (snd x) |}
-       end.
+(* put_new of many: expiries not below the bound are left to `rest`. *)
+Definition put_below (bound : Z) (l : expiry_list) (x : Z * Z) : expiry_list :=
+  if fst x <? bound then put_new (snd x) (fst x) l else {| entries := entries l; rest := Z.min (rest l) (fst x) |}.
+(* The bound: no more than `capacity` are below low; more are below high, or it is never. *)
+Fixpoint search (rounds : nat) (expiries : list Z) (low high step : Z) : Z :=
+  match rounds with
+  | O => low
+  | S rounds =>
+      if 1 <? high - low then
+        let bound := low + Z.min step ((high - low) / 2) in
+        let below := length (filter (fun e => e <? bound) expiries) in
+        if Nat.ltb capacity below then search rounds expiries low bound (Z.min (4 * step) (2 ^ 28))
+        else if Nat.ltb (Nat.div2 capacity) below then bound
+        else search rounds expiries bound high (Z.min (4 * step) (2 ^ 28))
+      else low
+  end.
+Definition bound_of (expiries : list Z) : Z :=
+  if Nat.leb (length expiries) capacity then never
+  else search 64 expiries (fold_left Z.min expiries never) never (2 ^ 12).
+Definition put_many (new : list (Z * Z)) (l : expiry_list) : expiry_list :=
+  fold_left (put_below (bound_of (map fst new))) new l.
 
-Definition put_sorted c e (l : expiries) : expiries := overflow (insert c e (entries l)) (rest l).
-Definition put_new c e (l : expiries) : expiries := if Rlt_dec e (rest l) then put_sorted c e l else l.
-Definition put (program : certificate -> R -> expiries -> expiries) c e (l : expiries) : expiries :=
-  program c e {| entries := remove c (entries l); rest := rest l |}.
-Definition cleared (top : R) : expiries := {| entries := []; rest := top |}.
+(* take_reached, for a reading whose bits are `reading`: the ids it visits, and what stays. *)
+Definition is_reached (reading e : Z) : bool := (e <? (reading + 1) * 2 ^ 32) && (e <? vacant).
+Definition take (reading : Z) (l : expiry_list) : list Z * expiry_list :=
+  let count := length (filter (is_reached reading) (entries l)) in
+  (map id_of (firstn count (entries l)), {| entries := skipn count (entries l) ++ repeat vacant count; rest := rest l |}).
 
-Lemma in_insert c e l x : In x (insert c e l) <-> x = (c, e) \/ In x l.
+(* ---- What is true of it ---- *)
+
+Definition ordered := StronglySorted Z.le.
+Record tidy (l : expiry_list) : Prop := { full : length (entries l) = capacity; in_order : ordered (entries l) }.
+Definition kept (l : expiry_list) (id own : Z) : Prop :=
+  (exists e, In e (entries l) /\ id_of e = id /\ expiry_of e <= own) \/ rest l <= own.
+
+Lemma entry_expiry expiry id : is_id id -> expiry_of (entry expiry id) = expiry.
 Proof.
-  induction l as [|y l IH]; simpl; [intuition congruence|].
-  destruct (Rlt_dec e (snd y)); simpl; [intuition congruence|]. rewrite IH. tauto.
+  intros [A B]. unfold expiry_of, entry, none in *. rewrite Z.div_add_l by lia. rewrite Z.div_small by lia. lia.
+Qed.
+Lemma entry_id expiry id : is_id id -> id_of (entry expiry id) = id.
+Proof.
+  intros [A B]. unfold id_of, entry, none in *. rewrite Z.add_comm, Z.mod_add by lia. apply Z.mod_small. lia.
+Qed.
+Lemma expiry_le e f : e <= f -> expiry_of e <= expiry_of f.
+Proof. intro H. apply Z.div_le_mono; lia. Qed.
+Lemma entry_parts e : e = entry (expiry_of e) (id_of e).
+Proof. unfold entry, expiry_of, id_of. generalize (Z.div_mod e (2 ^ 32) ltac:(lia)). lia. Qed.
+Lemma id_bounds e : 0 <= id_of e < 2 ^ 32.
+Proof. apply Z.mod_pos_bound. lia. Qed.
+
+(* Nothing is lost on the way through the array. *)
+Lemma exchange_in l : forall moving m out, exchange moving l = (m, out) -> forall x, In x (moving :: l) <-> In x m \/ x = out.
+Proof.
+  induction l as [|e l IH]; intros moving m out; simpl; [intro E; inversion E; subst; intro x; simpl; intuition congruence|].
+  destruct (moving <? e); destruct (exchange _ l) as [m' out'] eqn:F; intro E; inversion E; subst; intro x; specialize (IH _ _ _ F x);
+    simpl in *; intuition (subst; tauto).
 Qed.
 
-Lemma overflow_kept own l r c : kept own {| entries := l; rest := r |} c -> kept own (overflow l r) c.
+Lemma exchange_length l : forall moving, length (fst (exchange moving l)) = length l.
 Proof.
-  unfold overflow. destruct (le_lt_dec (length l) capacity) as [_|_]; [trivial|].
-  destruct (rev l) as [|x l'] eqn:E; [trivial|]. intros [(e & H & L)|L]; simpl in *.
-  - rewrite in_rev, E in H. destruct H as [->|H].
-    + right. simpl. apply Rle_trans with e; [apply Rmin_r|exact L].
-    + left. exists e. split; [simpl; now apply -> in_rev|exact L].
-  - right. simpl. apply Rle_trans with r; [apply Rmin_l|exact L].
+  induction l as [|e l IH]; intro moving; simpl; [reflexivity|].
+  destruct (moving <? e); destruct (exchange _ l) as [m out] eqn:F; simpl; f_equal; [rewrite <- (IH e)|rewrite <- (IH moving)]; now rewrite F.
 Qed.
 
-Section programs.
-Variable own : certificate -> R.
-
-(* For every certificate that was kept, and for the one that is put. *)
-Lemma put_sorted_kept c e l d : (kept own l d \/ (d = c /\ e <= own c)) -> kept own (put_sorted c e l) d.
+Lemma exchange_ordered l : forall moving m out, ordered l -> exchange moving l = (m, out) -> ordered m.
 Proof.
-  intro H. apply overflow_kept. destruct H as [[(x & I & L)|L]|[-> L]].
-  - left. exists x. split; [apply in_insert; now right|exact L].
-  - now right.
-  - left. exists e. split; [apply in_insert; now left|exact L].
+  induction l as [|e l IH]; intros moving m out O; simpl; [intro E; inversion E; constructor|]. inversion O as [|? ? O' B]; subst.
+  rewrite Forall_forall in B.
+  destruct (moving <? e) eqn:L; [apply Z.ltb_lt in L|apply Z.ltb_ge in L]; destruct (exchange _ l) as [m' out'] eqn:F; intro E;
+    inversion E; subst; (constructor; [now apply (IH _ _ _ O' F)|]); apply Forall_forall; intros x H;
+    destruct (exchange_in l _ _ _ F x) as [_ K]; destruct (K (or_introl H)) as [->|K']; try (specialize (B _ K')); lia.
 Qed.
 
-Theorem put_new_kept c e l d : (kept own l d \/ (d = c /\ e <= own c)) -> kept own (put_new c e l) d.
+Lemma put_new_tidy id expiry l : tidy l -> tidy (put_new id expiry l).
 Proof.
-  unfold put_new. destruct (Rlt_dec e (rest l)) as [_|N]; [apply put_sorted_kept|].
-  intros [K|[-> L]]; [exact K|right; lra].
+  intros [A B]. unfold put_new. destruct (exchange (entry expiry id) (entries l)) as [m out] eqn:E. split; simpl.
+  - rewrite <- A, <- (exchange_length (entries l) (entry expiry id)). now rewrite E.
+  - exact (exchange_ordered _ _ _ _ B E).
 Qed.
 
-Lemma remove_kept c l d : d <> c -> kept own l d -> kept own {| entries := remove c (entries l); rest := rest l |} d.
+Theorem put_new_kept id expiry l i own : is_id id -> kept l i own \/ (i = id /\ expiry <= own) -> kept (put_new id expiry l) i own.
 Proof.
-  intros N [(e & H & L)|L]; [left|now right]. exists e. split; [|exact L].
-  apply filter_In. split; [exact H|]. simpl. destruct (same d c); [contradiction|reflexivity].
+  intros I H. unfold put_new. destruct (exchange (entry expiry id) (entries l)) as [m out] eqn:E.
+  assert (K : (exists e, In e (entry expiry id :: entries l) /\ id_of e = i /\ expiry_of e <= own) \/ rest l <= own).
+  { destruct H as [[(e & A & B)|H]|[-> H]]; [left; exists e; simpl; tauto|now right|].
+    left. exists (entry expiry id). rewrite entry_id, entry_expiry by exact I. simpl. tauto. }
+  unfold kept. simpl. destruct K as [(e & A & B & C)|K]; [|right; lia].
+  apply (exchange_in _ _ _ _ E) in A. destruct A as [A|A]; [left; now exists e|right; subst; lia].
 Qed.
 
-Theorem put_kept program c e l d : program = put_new \/ program = put_sorted ->
-  ((d <> c /\ kept own l d) \/ (d = c /\ e <= own c)) -> kept own (put program c e l) d.
+Lemma close_gap_length id l : forall found, length (close_gap id found l) = length l.
+Proof. induction l as [|e l IH]; intro found; simpl; [reflexivity|]. now rewrite IH. Qed.
+
+Lemma close_gap_in id l : forall found e, In e (close_gap id found l) -> In e l \/ e = vacant.
 Proof.
-  intros P H. assert (K : kept own {| entries := remove c (entries l); rest := rest l |} d \/ (d = c /\ e <= own c)).
-  { destruct H as [[N K]|K]; [left; now apply remove_kept|now right]. }
-  destruct P as [Q|Q]; rewrite Q; [now apply put_new_kept|now apply put_sorted_kept].
+  induction l as [|x l IH]; intros found e; simpl; [tauto|]. intros [H|H]; [|destruct (IH _ _ H); tauto].
+  destruct (found || _); [|tauto]. destruct l; simpl in *; [right|]; intuition.
 Qed.
 
-(* What is taken off, with all it has there: the others keep their entries. *)
-Theorem drop_kept c l d : d <> c -> kept own l d -> kept own {| entries := remove c (entries l); rest := rest l |} d.
-Proof. apply remove_kept. Qed.
-
-(* A tour: all certificates of the vertex put on an empty list. *)
-Theorem tour_kept program top all d : program = put_new \/ program = put_sorted -> In d all ->
-  kept own (fold_right (fun c l => program c (own c) l) (cleared top) all) d.
+(* All but one entry of `id` stay. *)
+Lemma close_gap_others id l : forall found e, In e l -> id_of e <> id -> In e (close_gap id found l) \/ (found = true /\ hd vacant l = e).
 Proof.
-  intros P. induction all as [|c all IH]; [intros []|]. intros [E|H]; simpl.
-  - subst c. destruct P as [Q|Q]; rewrite Q; [apply put_new_kept|apply put_sorted_kept]; right; (split; [reflexivity|lra]).
-  - destruct P as [Q|Q]; rewrite Q in *; [apply put_new_kept|apply put_sorted_kept]; left; now apply IH.
+  induction l as [|x l IH]; intros found e; simpl; [tauto|]. intros [->|H] N.
+  - destruct found; [right; split; reflexivity|]. left. left.
+    destruct (id_of e =? id) eqn:Q; [apply Z.eqb_eq in Q; contradiction|reflexivity].
+  - left. destruct (IH (found || (id_of x =? id)) e H N) as [K|[K E]]; [now right|left]. now rewrite K.
 Qed.
 
-(* What is not below a bound is left to `rest`. *)
-Definition put_below bound c e (l : expiries) : expiries :=
-  if Rlt_dec e bound then put_sorted c e l else {| entries := entries l; rest := Rmin (rest l) e |}.
-
-Theorem put_below_kept bound c e l d : (kept own l d \/ (d = c /\ e <= own c)) -> kept own (put_below bound c e l) d.
+Lemma close_gap_ordered id l : forall found, (forall e, In e l -> e <= vacant) -> ordered l -> ordered (close_gap id found l).
 Proof.
-  unfold put_below. destruct (Rlt_dec e bound) as [_|_]; [apply put_sorted_kept|]. intros [[(x & I & L)|L]|[-> L]].
-  - left. now exists x.
-  - right. simpl. apply Rle_trans with (rest l); [apply Rmin_l|exact L].
-  - right. simpl. apply Rle_trans with e; [apply Rmin_r|exact L].
+  induction l as [|x l IH]; intros found V O; simpl; [constructor|]. inversion O as [|? ? O' B]; subst. rewrite Forall_forall in B.
+  constructor; [apply IH; [intros e H; apply V; now right|exact O']|]. apply Forall_forall. intros e H.
+  destruct (found || (id_of x =? id)) eqn:F.
+  - (* what is behind the next one *)
+    clear IH. revert H. destruct l as [|y l]; [intros []|]. simpl. inversion O' as [|? ? O'' B']; subst. rewrite Forall_forall in B'.
+    intros [<-|H].
+    + destruct l as [|z l]; simpl; [apply V; simpl; tauto|apply B'; now left].
+    + apply close_gap_in in H. destruct H as [H| ->]; [now apply B'|apply V; simpl; tauto].
+  - apply close_gap_in in H. destruct H as [H| ->]; [now apply B|apply V; simpl; tauto].
 Qed.
 
-Theorem tour_below_kept bound top all d : In d all ->
-  kept own (fold_right (fun c l => put_below bound c (own c) l) (cleared top) all) d.
-Proof.
-  induction all as [|c all IH]; [intros []|]. intros [E|H]; simpl; apply put_below_kept.
-  - subst c. right. split; [reflexivity|lra].
-  - left. now apply IH.
-Qed.
-End programs.
+(* Nothing is above an empty place. *)
+Definition in_range (l : expiry_list) : Prop := 0 <= rest l /\ forall e, In e (entries l) -> 0 <= e <= vacant.
 
-(* Order: the first entry is the least, and `earliest` need look at no other. *)
-Fixpoint sorted (l : list (certificate * R)) : Prop :=
-  match l with [] => True | x :: l' => (forall y, In y l' -> snd x <= snd y) /\ sorted l' end.
+Lemma entry_range expiry id : is_id id -> 0 <= expiry <= never -> 0 <= entry expiry id <= vacant.
+Proof. unfold vacant, entry, is_id, none. nia. Qed.
 
-Lemma sorted_insert c e l : sorted l -> sorted (insert c e l).
+Lemma put_new_range id expiry l : is_id id -> 0 <= expiry <= never -> in_range l -> in_range (put_new id expiry l).
 Proof.
-  induction l as [|x l IH]; simpl; [intros _; split; [intros _ []|trivial]|]. intros [A B].
-  destruct (Rlt_dec e (snd x)) as [L|L].
-  - simpl. split; [|now split]. intros y [<-|H]; [simpl; lra|]. generalize (A y H). simpl. lra.
-  - simpl. split; [|now apply IH]. intros y H. apply in_insert in H. destruct H as [->|H]; [simpl; lra|now apply A].
+  intros I N [A B]. unfold put_new. destruct (exchange (entry expiry id) (entries l)) as [m out] eqn:E.
+  assert (C : forall e, In e m \/ e = out -> 0 <= e <= vacant).
+  { intros e H. destruct (exchange_in _ _ _ _ E e) as [_ K]. destruct (K H) as [<-|K']; [now apply entry_range|now apply B]. }
+  split; simpl.
+  - apply Z.min_glb; [exact A|]. apply Z.div_pos; [now apply C; right|lia].
+  - intros e H. apply C. now left.
 Qed.
 
-Lemma sorted_prefix l x : sorted (l ++ [x]) -> sorted l.
+Definition proper (l : expiry_list) : Prop := tidy l /\ in_range l.
+
+Theorem put_new_proper id expiry l : is_id id -> 0 <= expiry <= never -> proper l -> proper (put_new id expiry l).
+Proof. intros I N [A B]. split; [now apply put_new_tidy|now apply put_new_range]. Qed.
+
+Theorem put_proper id expiry l : is_id id -> 0 <= expiry <= never -> proper l -> proper (put id expiry l).
 Proof.
-  induction l as [|y l IH]; simpl; [trivial|]. intros [A B]. split; [|now apply IH].
-  intros z H. apply A, in_or_app. now left.
+  intros I N [[A C] [D B]]. apply put_new_proper; trivial. split; [split|split]; simpl; trivial.
+  - now rewrite close_gap_length.
+  - apply close_gap_ordered; [intros e H; now apply B|exact C].
+  - intros e H. apply close_gap_in in H. destruct H as [H| ->]; [now apply B|unfold vacant, entry, never, none; lia].
 Qed.
 
-Theorem sorted_put c e l : sorted (entries l) -> sorted (entries (put_sorted c e l)).
+Theorem put_kept id expiry l i own : is_id id -> (i <> id /\ kept l i own) \/ (i = id /\ expiry <= own) -> kept (put id expiry l) i own.
 Proof.
-  intro H. apply (sorted_insert c e) in H. unfold put_sorted, overflow.
-  destruct (le_lt_dec _ capacity) as [_|_]; [exact H|].
-  destruct (rev (insert c e (entries l))) as [|x l'] eqn:E; [exact H|].
-  assert (F : insert c e (entries l) = rev l' ++ [x]) by (rewrite <- (rev_involutive (insert c e (entries l))), E; reflexivity).
-  rewrite F in H. simpl. now apply sorted_prefix with x.
+  intros I H. apply put_new_kept; [exact I|]. destruct H as [[N [(e & A & B & C)|H]]|H]; [left|left; now right|now right].
+  left. exists e. split; [|tauto]. simpl. subst i. destruct (close_gap_others id (entries l) false e A N) as [K|[K _]]; [exact K|discriminate].
 Qed.
 
-Theorem earliest_is_first x l r : sorted (x :: l) -> earliest {| entries := x :: l; rest := r |} = Rmin (snd x) r.
+Lemma repeat_in {A} (x y : A) n : In y (repeat x n) -> y = x.
+Proof. apply repeat_spec. Qed.
+
+Lemma ordered_vacant l n : (forall e, In e l -> e <= vacant) -> ordered l -> ordered (l ++ repeat vacant n).
 Proof.
-  intros [A _]. unfold earliest. simpl.
-  assert (H : forall l, (forall y, In y l -> snd x <= snd y) -> Rmin (snd x) (least l r) = Rmin (snd x) r).
-  { clear. induction l as [|y l IH]; intro A; [reflexivity|]. simpl. rewrite Rmin_assoc, (Rmin_left (snd x)).
-    - apply IH. intros z H. apply A. now right.
-    - apply A. now left. }
-  now apply H.
+  intros V. induction 1 as [|x l O IH B]; simpl.
+  - induction n as [|n IH]; simpl; constructor; [exact IH|]. apply Forall_forall. intros y H. apply repeat_in in H. lia.
+  - constructor; [apply IH; intros e H; apply V; now right|]. rewrite Forall_forall in B. apply Forall_forall. intros y H.
+    apply in_app_iff in H. destruct H as [H|H]; [now apply B|]. apply repeat_in in H. subst. apply V. now left.
 Qed.
 
-Lemma length_insert c e l : length (insert c e l) = S (length l).
-Proof. induction l as [|x l IH]; simpl; [reflexivity|]. destruct (Rlt_dec e (snd x)); simpl; [reflexivity|now rewrite IH]. Qed.
-
-Theorem fits c e l : (length (entries l) <= capacity)%nat -> (length (entries (put_sorted c e l)) <= capacity)%nat.
+Theorem cleared_proper : proper cleared.
 Proof.
-  intro H. unfold put_sorted, overflow. destruct (le_lt_dec _ capacity) as [L|_]; [exact L|].
-  destruct (rev (insert c e (entries l))) as [|x l'] eqn:E.
-  - apply (f_equal (@length _)) in E. rewrite rev_length, length_insert in E. discriminate.
-  - apply (f_equal (@length _)) in E. rewrite rev_length, length_insert in E. simpl in *. rewrite rev_length. lia.
+  split; [split|split]; simpl.
+  - apply repeat_length.
+  - change (repeat vacant capacity) with ([] ++ repeat vacant capacity). apply ordered_vacant; [intros _ []|constructor].
+  - unfold never. lia.
+  - intros e H. apply repeat_in in H. subst. unfold vacant, entry, never, none. lia.
 Qed.
-End list.
+
+Lemma put_below_kept bound l x i own : is_id (snd x) -> kept l i own \/ (i = snd x /\ fst x <= own) -> kept (put_below bound l x) i own.
+Proof.
+  intros I H. unfold put_below. destruct (fst x <? bound); [now apply put_new_kept|].
+  destruct H as [[(e & A)|H]|[_ H]]; [left; now exists e| |]; right; simpl; lia.
+Qed.
+
+Lemma put_below_proper bound l x : is_id (snd x) -> 0 <= fst x <= never -> proper l -> proper (put_below bound l x).
+Proof. intros I N S. unfold put_below. destruct (fst x <? bound); [now apply put_new_proper|]. destruct S as [[A B] [C D]]. split; [now split|]. split; [simpl; lia|exact D]. Qed.
+
+Theorem put_many_kept_any bound new : forall l i own, (forall x, In x new -> is_id (snd x)) ->
+  kept l i own \/ (exists x, In x new /\ snd x = i /\ fst x <= own) -> kept (fold_left (put_below bound) new l) i own.
+Proof.
+  induction new as [|x new IH]; intros l i own I H; simpl.
+  - destruct H as [H|(x & [] & _)]. exact H.
+  - apply IH; [intros y Y; apply I; now right|]. destruct H as [H|(y & [->|Y] & H)].
+    + left. apply put_below_kept; [apply I; now left|now left].
+    + left. apply put_below_kept; [apply I; now left|]. right. split; [now symmetry|apply H].
+    + right. now exists y.
+Qed.
+
+Theorem put_many_kept new l i own : (forall x, In x new -> is_id (snd x)) ->
+  kept l i own \/ (exists x, In x new /\ snd x = i /\ fst x <= own) -> kept (put_many new l) i own.
+Proof. apply put_many_kept_any. Qed.
+
+Theorem put_many_proper new l : (forall x, In x new -> is_id (snd x) /\ 0 <= fst x <= never) -> proper l -> proper (put_many new l).
+Proof.
+  unfold put_many. generalize (bound_of (map fst new)). intro bound. revert l.
+  induction new as [|x new IH]; intros l H S; simpl; [exact S|]. apply IH; [intros y Y; apply H; now right|].
+  destruct (H x (or_introl eq_refl)). now apply put_below_proper.
+Qed.
+
+(* What is below a bound comes first. *)
+Lemma reached_first reading l : ordered l ->
+  firstn (length (filter (is_reached reading) l)) l = filter (is_reached reading) l /\
+  skipn (length (filter (is_reached reading) l)) l = filter (fun e => negb (is_reached reading e)) l.
+Proof.
+  induction 1 as [|x l O [IH IH'] B]; simpl; [easy|]. destruct (is_reached reading x) eqn:R; simpl; [rewrite IH, IH'; easy|].
+  assert (N : forall e, In e l -> is_reached reading e = false).
+  { intros e H. rewrite Forall_forall in B. specialize (B e H). unfold is_reached in *. apply andb_false_iff in R. apply andb_false_iff.
+    destruct R as [R|R]; [left|right]; apply Z.ltb_ge in R; apply Z.ltb_ge; lia. }
+  assert (E : filter (is_reached reading) l = []).
+  { clear - N. induction l as [|y l IH]; simpl; [easy|]. rewrite N by now left. apply IH. intros; apply N; now right. }
+  rewrite E in *. simpl in *. now rewrite <- IH'.
+Qed.
+
+Lemma take_proper reading l : proper l -> proper (snd (take reading l)).
+Proof.
+  intros [[A O] [B0 B]]. unfold take. simpl. destruct (reached_first reading _ O) as [_ E].
+  assert (V : forall e, In e (skipn (length (filter (is_reached reading) (entries l))) (entries l)) -> 0 <= e <= vacant).
+  { intros e H. rewrite E in H. apply filter_In in H. now apply B. }
+  assert (L : (length (filter (is_reached reading) (entries l)) <= length (entries l))%nat).
+  { clear. induction (entries l) as [|x m IH]; simpl; [lia|]. destruct (is_reached reading x); simpl; lia. }
+  split; [split|split]; simpl; trivial.
+  - rewrite app_length, repeat_length, skipn_length, <- A. lia.
+  - apply ordered_vacant; [intros e H; now apply V|]. rewrite E. clear - O. induction O as [|x m O IH F]; simpl; [constructor|].
+    destruct (negb _); [|exact IH]. constructor; [exact IH|]. rewrite Forall_forall in *. intros y H. apply filter_In in H. now apply F.
+  - intros e H. apply in_app_iff in H. destruct H as [H|H]; [now apply V|]. apply repeat_in in H. subst. unfold vacant, entry, never, none. lia.
+Qed.
+
+(* What is not visited stays. *)
+Theorem take_kept reading l i own : proper l -> kept l i own -> In i (fst (take reading l)) \/ kept (snd (take reading l)) i own.
+Proof.
+  intros [[_ O] _] [(e & A & B & C)|H]; [|right; now right]. unfold take. simpl. destruct (reached_first reading _ O) as [E F].
+  destruct (is_reached reading e) eqn:R.
+  - left. rewrite E. apply in_map_iff. exists e. split; [exact B|]. now apply filter_In.
+  - right. left. exists e. split; [|tauto]. simpl. apply in_app_iff. left. rewrite F. apply filter_In. now rewrite R.
+Qed.
+
+(* What has expired is visited, unless all that is not listed may have. *)
+Theorem take_finds reading l i own : proper l -> is_id i -> own <= never -> kept l i own -> own <= reading ->
+  In i (fst (take reading l)) \/ rest l <= reading.
+Proof.
+  intros [[_ O] _] I N [(e & A & B & C)|H] L; [left|right; lia]. unfold take. simpl. destruct (reached_first reading _ O) as [E _].
+  rewrite E. apply in_map_iff. exists e. split; [exact B|]. apply filter_In. split; [exact A|].
+  generalize (entry_parts e) (id_bounds e). unfold is_id in I. rewrite B. intros P Q. unfold is_reached, vacant, entry in *.
+  apply andb_true_iff. rewrite !Z.ltb_lt. nia.
+Qed.
+
+Theorem earliest_below l i own : proper l -> kept l i own -> earliest l <= own.
+Proof.
+  intros [[_ O] _] [(e & A & _ & C)|H]; unfold earliest; [|lia]. apply Z.le_trans with (expiry_of e); [|exact C].
+  apply Z.le_trans with (expiry_of (hd vacant (entries l))); [lia|]. apply expiry_le.
+  destruct O as [|x m O B]; [destruct A|]. simpl. destruct A as [->|A]; [lia|]. rewrite Forall_forall in B. now apply B.
+Qed.
+
+Theorem earliest_range l : proper l -> 0 <= earliest l.
+Proof.
+  intros [_ [A B]]. unfold earliest. apply Z.min_glb; [exact A|]. apply Z.div_pos; [|lia].
+  destruct (entries l) as [|e m]; simpl; [unfold vacant, entry, never, none; lia|]. apply B. now left.
+Qed.
+
+Theorem below_rest l i own reading : kept l i own -> own <= reading -> reading < rest l ->
+  exists e, In e (entries l) /\ id_of e = i /\ expiry_of e <= reading.
+Proof. intros [(e & A & B & C)|H] L M; [exists e; repeat split; trivial; lia|lia]. Qed.
+End program.
+
+(* ---- It can be run: ids and expiries (bits) in, bits out ---- *)
+
+Inductive operation := Clear | Put (id expiry : Z) | Put_new (id expiry : Z) | Put_many (new : list (Z * Z)) | Take (reading : Z).
+Definition apply_operation (capacity : nat) (l : expiry_list) (o : operation) : expiry_list :=
+  match o with
+  | Clear => cleared capacity
+  | Put id expiry => put id expiry l
+  | Put_new id expiry => put_new id expiry l
+  | Put_many new => put_many capacity new l
+  | Take reading => snd (take reading l)
+  end.
+(* rest, then the entries in use: (expiry, id). *)
+Definition shown (l : expiry_list) : Z * list (Z * Z) :=
+  (rest l, map (fun e => (expiry_of e, id_of e)) (filter (fun e => negb (e =? vacant)) (entries l))).
+Definition run (capacity : nat) (os : list operation) : Z * list (Z * Z) := shown (fold_left (apply_operation capacity) os (cleared capacity)).
+
+Example example_full : run 2 [Put 7 30; Put 8 10; Put 9 20] = (30, [(10, 8); (20, 9)]).
+Proof. vm_compute. reflexivity. Qed.
+Example example_moved : run 2 [Put 7 30; Put 8 10; Put 8 40; Put 9 20] = (40, [(20, 9); (30, 7)]).
+Proof. vm_compute. reflexivity. Qed.
+Example example_taken : run 2 [Put 7 30; Put 8 10; Put 9 20; Take 20] = (30, []).
+Proof. vm_compute. reflexivity. Qed.
+Example example_visited : fst (take 20 (fold_left (apply_operation 2) [Put 7 30; Put 8 10; Put 9 20] (cleared 2))) = [8; 9].
+Proof. vm_compute. reflexivity. Qed.
+Example example_many : run 2 [Put_many [(30, 1); (10, 2); (50, 3); (20, 4); (40, 5)]] = (30, [(10, 2); (20, 4)]).
+Proof. vm_compute. reflexivity. Qed.

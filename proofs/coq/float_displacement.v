@@ -216,37 +216,33 @@ Proof.
   rewrite <- (sqrt_square r) by lra. apply sqrt_lt_1_alt. lra.
 Qed.
 
-(* Filter::set_threshold and passes: earliest - (base + slack), less a margin, as the radius. *)
-Definition threshold (earliest base slack : R) : R :=
-  squared_threshold_lower (fmul (fsub earliest (sum_upper base slack)) (1 - 8 * u)).
+(* Filter::set_threshold and passes: earliest - base, less a margin, as the radius. *)
+Definition threshold (earliest base : R) : R := squared_threshold_lower (fmul (fsub earliest base) (1 - 8 * u)).
 
-Lemma threshold_passes A sq earliest base slack : squares_close A sq -> sqrt A <= bpow radix2 510 ->
-  F earliest -> F base -> F slack -> 0 <= base -> 0 <= slack ->
-  sq < threshold earliest base slack -> base + slack + sqrt A < earliest.
+Lemma threshold_passes A sq earliest base : squares_close A sq -> sqrt A <= bpow radix2 510 -> F earliest -> F base ->
+  sq < threshold earliest base -> base + sqrt A < earliest.
 Proof.
-  intros C D Fe Fb Fs B0 S0 L. generalize (threshold_sound _ _ _ C D L). intro R.
-  generalize (sum_upper_sound base slack Fb Fs B0 S0) u_bounds. intros Hs U.
-  set (s := sum_upper base slack) in *.
-  assert (P : 0 < fmul (fsub earliest s) (1 - 8 * u)) by (generalize (sqrt_pos A); lra).
-  destruct (Rlt_le_dec (bpow radix2 (-450)) (fmul (fsub earliest s) (1 - 8 * u))) as [N | N].
-  - assert (x0 : 0 < fsub earliest s).
-    { destruct (Rlt_le_dec 0 (fsub earliest s)) as [? | X]; [assumption | exfalso].
-      assert (fmul (fsub earliest s) (1 - 8 * u) <= 0); [| lra]. rewrite <- rnd_0. apply rnd_le.
-      assert (0 <= - fsub earliest s * (1 - 8 * u)) by (apply Rmult_le_pos; lra). lra. }
-    assert (y0 : 0 < earliest - s).
+  intros C D Fe Fb L. generalize (threshold_sound _ _ _ C D L). intro R. generalize u_bounds. intro U.
+  assert (P : 0 < fmul (fsub earliest base) (1 - 8 * u)) by (generalize (sqrt_pos A); lra).
+  destruct (Rlt_le_dec (bpow radix2 (-450)) (fmul (fsub earliest base) (1 - 8 * u))) as [N | N].
+  - assert (x0 : 0 < fsub earliest base).
+    { destruct (Rlt_le_dec 0 (fsub earliest base)) as [? | X]; [assumption | exfalso].
+      assert (fmul (fsub earliest base) (1 - 8 * u) <= 0); [| lra]. rewrite <- rnd_0. apply rnd_le.
+      assert (0 <= - fsub earliest base * (1 - 8 * u)) by (apply Rmult_le_pos; lra). lra. }
+    assert (y0 : 0 < earliest - base).
     { apply rnd_gt; [exact F_0 | exact x0]. }
-    assert (X : fsub earliest s <= (earliest - s) * (1 + u)).
-    { unfold fsub, Rminus. apply rnd_add_le; [exact Fe | apply F_opp, F_rnd |]. fold (earliest - s). lra. }
-    assert (N' : bpow radix2 (-450) <= fsub earliest s * (1 - 8 * u)).
+    assert (X : fsub earliest base <= (earliest - base) * (1 + u)).
+    { unfold fsub, Rminus. apply rnd_add_le; [exact Fe | now apply F_opp |]. fold (earliest - base). lra. }
+    assert (N' : bpow radix2 (-450) <= fsub earliest base * (1 - 8 * u)).
     { left. apply rnd_gt; [apply F_bpow; lia | exact N]. }
-    assert (Y : fmul (fsub earliest s) (1 - 8 * u) <= fsub earliest s * (1 - 8 * u) * (1 + u)).
+    assert (Y : fmul (fsub earliest base) (1 - 8 * u) <= fsub earliest base * (1 - 8 * u) * (1 + u)).
     { apply rnd_normal_le. apply Rle_trans with (2 := N'). apply bpow_le. lia. }
-    assert (Z : fsub earliest s * (1 - 8 * u) * (1 + u) <= (earliest - s) * (1 + u) * (1 - 8 * u) * (1 + u)).
+    assert (Z : fsub earliest base * (1 - 8 * u) * (1 + u) <= (earliest - base) * (1 + u) * (1 - 8 * u) * (1 + u)).
     { apply Rmult_le_compat_r; [lra |]. apply Rmult_le_compat_r; lra. }
-    assert (W : (earliest - s) * ((1 + u) * (1 - 8 * u) * (1 + u)) <= (earliest - s) * 1).
+    assert (W : (earliest - base) * ((1 + u) * (1 - 8 * u) * (1 + u)) <= (earliest - base) * 1).
     { apply Rmult_le_compat_l; [lra | unfold u; lra]. }
     lra.
-  - exfalso. unfold threshold, squared_threshold_lower in L. fold s in L.
+  - exfalso. unfold threshold, squared_threshold_lower in L.
     destruct Rlt_dec; [lra |]. destruct C as (_ & ? & _). lra.
 Qed.
 
@@ -284,22 +280,19 @@ Proof.
   apply domain_3; now apply domain_difference.
 Qed.
 
-Theorem passes_2_sound ax ay bx by' earliest base slack :
-  in_domain ax -> in_domain ay -> in_domain bx -> in_domain by' ->
-  F earliest -> F base -> F slack -> 0 <= base -> 0 <= slack ->
-  squared_distance_2 ax ay bx by' < threshold earliest base slack -> base + slack + distance_2 ax ay bx by' < earliest.
+Theorem passes_2_sound ax ay bx by' earliest base : in_domain ax -> in_domain ay -> in_domain bx -> in_domain by' ->
+  F earliest -> F base -> squared_distance_2 ax ay bx by' < threshold earliest base -> base + distance_2 ax ay bx by' < earliest.
 Proof.
-  intros A B C D Fe Fb Fs B0 S0. apply threshold_passes; try assumption; [apply squares_2; unfold in_domain in *; tauto |].
+  intros A B C D Fe Fb. apply threshold_passes; try assumption; [apply squares_2; unfold in_domain in *; tauto |].
   generalize (domain_3 (ax - bx) (ay - by') 0). rewrite Rmult_0_l, Rplus_0_r, Rabs_R0. intro H.
   apply H; try (now apply domain_difference). apply bpow_ge_0.
 Qed.
 
-Theorem passes_3_sound ax ay az bx by' bz earliest base slack :
+Theorem passes_3_sound ax ay az bx by' bz earliest base :
   in_domain ax -> in_domain ay -> in_domain az -> in_domain bx -> in_domain by' -> in_domain bz ->
-  F earliest -> F base -> F slack -> 0 <= base -> 0 <= slack ->
-  squared_distance_3 ax ay az bx by' bz < threshold earliest base slack ->
-  base + slack + distance_3 ax ay az bx by' bz < earliest.
+  F earliest -> F base -> squared_distance_3 ax ay az bx by' bz < threshold earliest base ->
+  base + distance_3 ax ay az bx by' bz < earliest.
 Proof.
-  intros A B C D E G Fe Fb Fs B0 S0. apply threshold_passes; try assumption; [apply squares_3; unfold in_domain in *; tauto |].
+  intros A B C D E G Fe Fb. apply threshold_passes; try assumption; [apply squares_3; unfold in_domain in *; tauto |].
   apply domain_3; now apply domain_difference.
 Qed.

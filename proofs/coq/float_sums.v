@@ -91,6 +91,37 @@ Proof.
     + generalize (abs_le_both _ _ _ (sum_half_ulp a b)). fold s. generalize (ulp_ge_0 radix2 fexp64 s). lra.
 Qed.
 
+(* Filter::rebase: a difference that is not negative, rounded down; none that is negative becomes positive. *)
+Definition difference_lower (a b : R) : R := let s := fsub a b in fsub s (fmul s ulp52).
+
+Theorem difference_lower_sound a b : F a -> F b -> b <= a -> difference_lower a b <= a - b.
+Proof.
+  intros Fa Fb D. unfold difference_lower. cbv zeta. set (s := fsub a b).
+  assert (S0 : 0 <= s) by (apply rnd_pos; lra). assert (Fs : F s) by apply F_rnd.
+  assert (T0 : 0 <= fmul s ulp52) by (apply fmul_pos; [exact S0 | left; apply ulp52_pos]). generalize u_bounds. intro U.
+  destruct (Rlt_le_dec s (bpow radix2 (-1022))) as [L | L].
+  - assert (E : s = a - b).
+    { unfold s, fsub. apply rnd_F. unfold Rminus. apply FLT_format_plus_small; auto with typeclass_instances; [now apply F_opp |].
+      fold (a - b). rewrite Rabs_pos_eq by lra. generalize (rnd_sub_result a b Fa Fb). fold (fsub a b). fold s. intro H.
+      apply abs_le_both in H. rewrite Rabs_pos_eq in H by exact S0. apply Rle_trans with (2 * bpow radix2 (-1022)).
+      - assert (u * s <= 1 * s) by (apply Rmult_le_compat_r; lra). lra.
+      - change 2 with (bpow radix2 1). rewrite <- bpow_plus. apply bpow_le. lia. }
+    rewrite <- E. apply Rle_trans with (rnd s); [apply rnd_le; lra | rewrite rnd_F by exact Fs; apply Rle_refl].
+  - generalize (bpow_gt_0 radix2 (-1022)). intro P. apply Rle_trans with (s - ulp64 s).
+    + rewrite <- (rnd_F (s - ulp64 s)) by (apply F_sub_ulp; [exact Fs | lra]). apply rnd_le. generalize (ulp_le_product s L). lra.
+    + assert (H : Rabs (fadd a (- b) - (a + - b)) <= / 2 * ulp64 (fadd a (- b))) by apply sum_half_ulp.
+      change (fadd a (- b)) with s in H. apply abs_le_both in H. generalize (ulp_ge_0 radix2 fexp64 s). lra.
+Qed.
+
+Theorem difference_lower_clips a b : a <= b -> difference_lower a b <= 0.
+Proof.
+  intro D. unfold difference_lower. cbv zeta. set (s := fsub a b). generalize u_bounds. intro U.
+  assert (S0 : s <= 0) by (rewrite <- rnd_0; apply rnd_le; lra). assert (Fs : F s) by apply F_rnd.
+  assert (T : s <= fmul s ulp52).
+  { rewrite <- (rnd_F s Fs) at 1. apply rnd_le. unfold ulp52. assert (0 <= - s * (1 - 2 * u)) by (apply Rmult_le_pos; lra). lra. }
+  rewrite <- rnd_0. apply rnd_le. lra.
+Qed.
+
 (* ---- Sums of magnitudes ---- *)
 
 Definition grow : R := 1 + 16 * u.   (* 1 + 2^-49 *)

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_fault.h"
+#include "gzip.h"
 #include "temporary_directory.h"
 
 #include <annulus/io/read_image.h>
 
-#include <zlib.h>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 
 using namespace annulus;
 using annulus_test::expect_fault;
+using annulus_test::gzip;
 using annulus_test::Temporary_directory;
 
 namespace {
@@ -24,21 +25,6 @@ std::string inr(const std::string& fields, const std::string& data) {
 const std::string fields =
     "XDIM=3\nYDIM=2\nZDIM=2\nVDIM=1\nTYPE=unsigned fixed\nPIXSIZE=8 bits\nCPU=decm\nVX=0.5\nVY=1\nVZ=2\n";
 const std::string data{"\0\1\2\3\4\5\6\7\10\11\12\13", 12};
-
-std::string gzip(const std::string& text) {
-    z_stream s{};
-    REQUIRE(deflateInit2(&s, 9, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) == Z_OK);
-    std::string out(text.size() + 1000, '\0');
-    std::string in = text;
-    s.next_in = reinterpret_cast<Bytef*>(in.data());
-    s.avail_in = static_cast<uInt>(in.size());
-    s.next_out = reinterpret_cast<Bytef*>(out.data());
-    s.avail_out = static_cast<uInt>(out.size());
-    REQUIRE(deflate(&s, Z_FINISH) == Z_STREAM_END);
-    out.resize(s.total_out);
-    deflateEnd(&s);
-    return out;
-}
 
 /// The line on which the header ends.
 std::uint64_t last(const std::string& text) {
@@ -55,8 +41,9 @@ void refuse(const std::string& name, const std::string& content, std::uint64_t l
 TEST_CASE("a labelled image, plain and packed, in one gzip member or two", "[io][image]") {
     const Temporary_directory directory;
     const std::string text = inr(fields, data);
-    for (const auto& file : {directory.file("a.inr", text), directory.file("b.inr.gz", gzip(text)),
-                             directory.file("c.inr.gz", gzip(text.substr(0, 100)) + gzip(text.substr(100)))}) {
+    for (const auto& file :
+         {directory.file("a.inr", text), directory.file("A.Inr", text), directory.file("b.inr.gz", gzip(text)),
+          directory.file("C.INR.GZ", gzip(text.substr(0, 100)) + gzip(text.substr(100)))}) {
         const Labelled_image image = read_image(file);
         CHECK(image.size == std::array<std::size_t, 3>{3, 2, 2});
         CHECK(image.spacing == Coordinates<3>{0.5, 1, 2});
@@ -75,7 +62,8 @@ TEST_CASE("images that are not what they say are refused", "[io][image]") {
         return inr(f.replace(f.find(from), from.size(), to), data);
     };
     refuse("a.inr", text.substr(0, text.size() - 1), end, "11 bytes after its header");
-    refuse("a.inr", text + "x", end, "13 bytes after its header");
+    refuse("a.inr", text + "x", end, "more than 12 bytes after its header");
+    refuse("a.inr", text + std::string(1 << 20, 'x'), end, "more than 12 bytes after its header");
     refuse("a.inr", text.substr(0, 60), 6, "ends within its header");
     refuse("a.inr", "P5\n", 1, "begins with 'P5'");
     refuse("a.inr", changed("8 bits", "16 bits"), 7, "PIXSIZE is '16 bits'");
@@ -95,4 +83,17 @@ TEST_CASE("images that are not what they say are refused", "[io][image]") {
     damaged[packed.size() - 6] = static_cast<char>(damaged[packed.size() - 6] ^ 1);  // of the checksum
     refuse("a.inr.gz", damaged, 0, "damaged");
     refuse("a.vtk", text, 0, "unknown extension");
+    refuse("a.gz", packed, 0, "unknown extension");
+    refuse("a.inr", "", 1, "is empty");
+    refuse("a.inr", "#INRIMAGE-4#{\n" + std::string(1 << 20, '\n'), (1 << 16) - 13, "longer than 64 KiB");
+}
+
+TEST_CASE("nothing is unpacked beyond what the header announces", "[io][image]") {
+    // The checksum at the end is wrong: who unpacks all of it sees that, who stops where he should does not.
+    std::string bomb = gzip(inr(fields, data) + std::string(1 << 22, '\0'));
+    bomb[bomb.size() - 6] = static_cast<char>(bomb[bomb.size() - 6] ^ 1);
+    refuse("bomb.inr.gz", bomb, last(inr(fields, data)), "more than 12 bytes after its header");
+    std::string no_header = gzip(std::string(1 << 22, '\0'));
+    no_header[no_header.size() - 6] = static_cast<char>(no_header[no_header.size() - 6] ^ 1);
+    refuse("bomb.inr.gz", no_header, 1, "begins with");
 }

@@ -137,6 +137,12 @@ TEST_CASE("ply: faults of the header name its line") {
     refuse("ply\nformat ascii 1.0\nelement vertex 1\nproperty float y\nend_header\n1\n", 5, "no property x");
     refuse("ply\nformat ascii 1.0\nelement vertex 1\nproperty list uchar int x\nend_header\n", 5,
            "no plain property x");
+    refuse(
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float x\nproperty float y\nend_header\n1 "
+        "2 3\n",
+        7, "no plain property x");
+    refuse("ply\nformat ascii 1.0\nelement vertex 1\n" + xyz + "element vertex 1\nend_header\n1 2 3\n", 8,
+           "2 elements vertex");
 }
 
 TEST_CASE("ply: faults of ascii records name their line") {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_fault.h"
+#include "gzip.h"
 #include "temporary_directory.h"
 
 #include <annulus/io/read_points.h>
@@ -10,6 +11,7 @@
 
 using namespace annulus;
 using annulus_test::expect_fault;
+using annulus_test::gzip;
 using annulus_test::Temporary_directory;
 
 namespace {
@@ -75,6 +77,56 @@ TEST_CASE("csv: columns by name or by place, three separators, quotes") {
     CHECK(named.points == Points_2{{1, 2}, {3, 4}});
     CHECK(named.lines == Lines{3, 5});
     CHECK(accept<3>("a.csv", "z,y,x\n3,2,1\n").points == Points_3{{1, 2, 3}});
+}
+
+TEST_CASE("csv: lines that begin with # are comments before the first row only, and may be the header") {
+    const auto named = accept<2>("a.csv", "# mine\nname,x,y\n#5,1,2\n#6,3,4\n");
+    CHECK(named.points == Points_2{{1, 2}, {3, 4}});
+    CHECK(accept<2>("a.csv", "# made by savetxt\n# y,x,mass\n2,1,9\n4,3,9\n").points == Points_2{{1, 2}, {3, 4}});
+    CHECK(accept<2>("a.csv", "#y;x\n2;1\n").points == Points_2{{1, 2}});
+    CHECK(accept<2>("a.csv", "# y,x\nx,y\n1,2\n").points == Points_2{{1, 2}});
+    refuse<2>("a.csv", "1,2\n# a word\n3,4\n", 2, "has 1 column");
+    refuse<2>("a.csv", "1,2\n#3,4\n", 2, "x is not a number: '#3'");
+    refuse<2>("a.csv", "# y,x,mass\n1,2\n", 2, "has 2 columns");
+}
+
+TEST_CASE("csv: frames of a motion are not points of one set") {
+    CHECK(accept<2>("a.csv", "frame,id,x,y\n7,1,1,2\n7,1,3,4\n").points == Points_2{{1, 2}, {3, 4}});
+    refuse<2>("a.csv", "frame,id,x,y\n7,1,1,2\n8,1,3,4\n", 3, "a second frame after frame 7");
+}
+
+TEST_CASE("what gzip packed is read in every format, damaged or cut off it is refused") {
+    const Temporary_directory directory;
+    const auto read = [](const auto& file) { (void)read_points<2>(file); };
+    CHECK(accept<2>("A.XYZ.GZ", gzip("1 2\n") + gzip("3 4\n")).points == Points_2{{1, 2}, {3, 4}});
+    CHECK(accept<2>("a.csv.gz", gzip("\xef\xbb\xbfx,y\n1,2\n")).points == Points_2{{1, 2}});
+    CHECK(accept<3>("a.off.gz", gzip("OFF\n1 0 0\n1 2 3\n")).points == Points_3{{1, 2, 3}});
+    const std::string long_text = [] {
+        std::string text;
+        for (int i = 0; i < 40'000; ++i) text += std::to_string(i) + " " + std::to_string(i * 7919 % 40'000) + "\n";
+        return text;
+    }();
+    const auto many = accept<2>("a.xyz.gz", gzip(long_text.substr(0, 100'000)) + gzip(long_text.substr(100'000)));
+    REQUIRE(many.points.size() == 40'000);
+    CHECK(many.points.back() == Coordinates<2>{39'999, 39'999 * 7919 % 40'000});
+    const std::string packed = gzip(long_text);
+    expect_fault(directory.file("a.xyz.gz", packed.substr(0, packed.size() / 2)), 0, "is cut off", read);
+    expect_fault(directory.file("a.xyz.gz", packed.substr(0, packed.size() - 1)), 0, "is cut off", read);
+    expect_fault(directory.file("a.xyz.gz", packed.substr(0, 1)), 0, "is cut off", read);
+    expect_fault(directory.file("a.xyz.gz", packed + "and more"), 0, "damaged", read);
+    expect_fault(directory.file("a.xyz.gz", "1 2\n"), 0, "no gzip file", read);
+    expect_fault(directory.file("a.xyz.gz", ""), 1, "is empty", read);
+    expect_fault(directory.file("a.xyz.gz", gzip("")), 1, "is empty", read);
+    expect_fault(directory.file("a.gz", gzip("1 2\n")), 0, "has no extension", read);
+    expect_fault(directory.file("a.txt.gz", gzip("1 2\n")), 0, "unknown extension '.txt'", read);
+}
+
+TEST_CASE("a small file that unpacks without end is refused before it fills the memory") {
+    std::string bomb;
+    const std::string member = gzip(std::string(1 << 20, '\n'));
+    for (int i = 0; i < 100; ++i) bomb += member;
+    bomb.back() ^= 1;  // not looked at
+    refuse<2>("a.xyz.gz", bomb, 0, "more than 100 times its size");
 }
 
 TEST_CASE("off: comments, counts on the first line, variants with more columns, faces") {
@@ -173,6 +225,7 @@ TEST_CASE("files that end early or hold more than they announce are refused") {
     refuse<3>("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n", 5, "ends after 0 of 1 faces");
     refuse<3>("a.off", "OFF\n2 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 5, "");
     refuse<3>("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", 6, "2 indices for a face of 3");
+    refuse<3>("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n0\n", 6, "0 indices for a face of 0");
     refuse<3>("a.off", "OFF\n1 0 0\n0 0 0\n1 0 0\n", 4, "there is more");
     refuse<3>("a.off", "OFF\n", 1, "ends after its keyword");
     const std::string mesh = "MeshVersionFormatted 2\nDimension 2\nVertices\n";
@@ -217,6 +270,7 @@ TEST_CASE("files of another kind are refused") {
     refuse<2>("a.mesh", "MeshVersionFormatted 9\n", 1, "has version 9");
     refuse<2>("a.mesh", "MeshVersionFormatted 2\nDimension 4\n", 2, "has dimension 4");
     refuse<2>("a.mesh", "MeshVersionFormatted 2\nVertices\n1\n1 2 0\n", 2, "before Dimension");
+    refuse<2>("a.mesh", "MeshVersionFormatted 2\nDimension 2\nDimension 2\n", 3, "a second Dimension");
 }
 
 TEST_CASE("a message stays on one line whatever the file and its name hold") {

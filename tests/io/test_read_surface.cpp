@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_fault.h"
+#include "gzip.h"
 #include "temporary_directory.h"
 
 #include <annulus/io/read_surface.h>
@@ -8,10 +9,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cstring>
 
 using namespace annulus;
 using annulus_test::expect_fault;
+using annulus_test::gzip;
 using annulus_test::Temporary_directory;
 
 namespace {
@@ -79,6 +82,10 @@ TEST_CASE("a tetrahedron in every format of surfaces", "[io][surface]") {
     check_tetrahedron(accept("a.ply", ply + "7 3 0 2 1\n7 3 0 1 3\n7 3 0 3 2\n7 3 1 2 3\n"));
     check_tetrahedron(accept("a.stl", stl(false)), 8);
     check_tetrahedron(accept("a.stl", stl(true)), 8);
+    std::string capitals = stl(false);
+    for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    check_tetrahedron(accept("A.STL", capitals), 8);
+    check_tetrahedron(accept("a.stl.gz", gzip(stl(true))), 8);
     std::string binary =
         "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
         "property double z\nelement face 4\nproperty list uchar uint vertex_index\nend_header\n";
@@ -135,7 +142,8 @@ TEST_CASE("faces that are wrong are refused with their line", "[io][surface]") {
     refuse("a.stl", "solid x\nfacet normal 0 0 0\nvertex 0 0 0\n", 3, "ends within a facet");
     refuse("a.stl", "solid x\nvertex 0 0 0\n", 2, "outside of any facet");
     refuse("a.stl", "solid x\nfacett\n", 2, "unknown word 'facett'");
-    refuse("a.stl", stl(true).substr(0, 200).replace(0, 5, "SOLID"), 0, "200 bytes for 4 binary triangles");
+    refuse("a.stl", stl(true).substr(0, 200), 0, "200 bytes for 4 binary triangles");
+    refuse("a.stl", stl(true).substr(0, 200).replace(0, 5, "other"), 0, "200 bytes for 4 binary triangles");
     refuse("a.stl", "x", 1, "neither ASCII nor binary");
     refuse("a.xyz", "0 0 0\n", 0, "unknown extension");
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "temporary_directory.h"
 #include "well_formed.h"
 
 #include <annulus/arithmetic/error.h>
@@ -9,10 +10,14 @@
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
 
+#include <clocale>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 
 using namespace annulus;
+using annulus_test::Temporary_directory;
 using annulus_test::well_formed;
 
 namespace {
@@ -208,7 +213,48 @@ TEST_CASE("numbers are readable") {
     CHECK(readable(-2.5) == "−2.5");
     CHECK(readable(1e-7) == "10⁻⁷");
     CHECK(readable(1.5e12) == "1.5·10¹²");
+    CHECK(readable(1e7) == "10⁷");
+    CHECK(readable(9990000) == "9,990,000");
     CHECK(readable(100) == "100");
     CHECK(grouped(1234567) == "1,234,567");
     CHECK(grouped(999) == "999");
+}
+
+TEST_CASE("a linear axis has ticks at steps of one, two or five") {
+    const auto labels = [](double upper) {
+        std::string all;
+        const Axis_range range({"", Scale::linear}, {0, upper});
+        for (const Tick& t : range.ticks()) all += t.label + " ";
+        return all;
+    };
+    CHECK(labels(5) == "0 1 2 3 4 5 ");
+    CHECK(labels(10) == "0 2 4 6 8 10 ");
+    CHECK(labels(22) == "0 5 10 15 20 25 ");
+    CHECK(labels(40) == "0 10 20 30 40 ");
+}
+
+TEST_CASE("numbers for people do not follow the locale of the host", "[io][report]") {
+    const Temporary_directory directory;
+    const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+    if (std::setlocale(LC_NUMERIC, "de_DE.UTF-8") == nullptr) {  // few machines have one: it is made
+        const std::string made = (directory.path() / "de_DE.UTF-8").string();
+        if (std::system(("localedef -i de_DE -f UTF-8 " + made + " >/dev/null 2>&1").c_str()) == 0) {
+            ::setenv("LOCPATH", directory.path().c_str(), 1);
+            (void)std::setlocale(LC_NUMERIC, "de_DE.UTF-8");
+            ::unsetenv("LOCPATH");
+        }
+    }
+    const std::string word = readable(0.0125), large = readable(1.25e9), ticks = report_html(full_report());
+    const double half = 0.5;
+    char text[8];
+    std::snprintf(text, sizeof text, "%.1f", half);
+    std::setlocale(LC_NUMERIC, before.c_str());
+    if (std::string(text) != "0,5") {
+        WARN("no locale with a decimal comma here");
+        return;
+    }
+    CHECK(word == readable(0.0125));
+    CHECK(word == "0.0125");
+    CHECK(large == readable(1.25e9));
+    CHECK(ticks == report_html(full_report()));
 }

@@ -77,6 +77,21 @@ TEST_CASE("a graded mesh is coarser in the depth", "[motion][mesh]") {
     CHECK(deep(graded) < 0.5 * deep(constant));
 }
 
+TEST_CASE("refinement ends beside sharp edges, and where it would need too much", "[motion][mesh]") {
+    // Mesh_3 refined for ever for angles here.
+    const Surface_3 sharp({{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 4}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+    const auto points = initial_mesh(sharp, Sizing_3(sharp), 600, 1);
+    CHECK(std::abs(static_cast<double>(points.size()) - 600) < 60);
+    // A plate a millionth as thick as wide: at the size that its volume asks for it has vertices without end.
+    const Surface_3 plate(box({1, 1, 1e-6}));
+    try {
+        const auto p = initial_mesh(plate, Sizing_3(plate), 20, 1);
+        CHECK(p.size() < 2200);
+    } catch (const Error& e) {
+        CHECK((e.code() == Error_code::too_few || e.code() == Error_code::bad_input));
+    }
+}
+
 TEST_CASE("fewer than four vertices are no mesh", "[motion][mesh]") {
     const Ball_3 ball(1);
     CHECK_THROWS_AS(initial_mesh(ball, Sizing_3(ball), 3, 1), Error);

@@ -4,6 +4,7 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/motion/ball_3.h>
 #include <annulus/motion/surface_3.h>
+#include <annulus/motion/surface_faults.h>
 
 #include <catch2/catch.hpp>
 
@@ -130,6 +131,103 @@ TEST_CASE("an open surface and one that is turned in places are refused", "[moti
     std::swap(turned.triangles[3][1], turned.triangles[3][2]);
     twice.triangles.push_back(twice.triangles[0]);
     for (const auto& s : {open, turned, twice, Triangle_surface{}}) CHECK_THROWS_AS(Surface_3(s), Error);
+}
+
+TEST_CASE("edges of a surface that is not closed are found with their triangles", "[motion][surface]") {
+    using Kind = Edge_fault::Kind;
+    const Triangle_surface whole = box({1, 1, 1});
+    CHECK(!edge_fault(whole.triangles));
+    auto t = whole.triangles;
+    std::swap(t[3][1], t[3][2]);
+    REQUIRE(edge_fault(t));
+    CHECK(edge_fault(t)->kind == Kind::turned);
+    CHECK((edge_fault(t)->triangle == 3 || edge_fault(t)->other == 3));
+    t = whole.triangles;
+    t.push_back(t[5]);
+    CHECK(edge_fault(t)->kind == Kind::crowded);
+    CHECK(edge_fault(t)->count == 3);
+    CHECK(edge_fault(t)->triangle == 12);
+    t = whole.triangles;
+    t.erase(t.begin());
+    CHECK(edge_fault(t)->kind == Kind::open);
+    CHECK(edge_fault(t)->triangle == 0);
+}
+
+TEST_CASE("two boxes cross where their sides say", "[motion][surface]") {
+    const Coordinates<3> half{0.75, 0.5, 0.25};
+    std::size_t crossed = 0;
+    auto shifts = random_points(600, 21);
+    for (std::size_t i = 0; i < 60; ++i)  // sides, edges and corners that touch
+        for (std::size_t k = 0; k < 3; ++k)
+            if ((i >> k & 1) != 0) shifts[i][k] = std::copysign(k == i % 3 ? 1.0 : 0.5, shifts[i][k]);
+    for (const auto& shift : shifts) {
+        Triangle_surface s = box(half), other = s;
+        bool meet = true;
+        for (std::size_t k = 0; k < 3; ++k) meet = meet && std::abs(2 * half[k] * shift[k]) <= 2 * half[k];
+        for (auto& p : other.points)
+            for (std::size_t k = 0; k < 3; ++k) p[k] += 2 * half[k] * shift[k];
+        s.points.insert(s.points.end(), other.points.begin(), other.points.end());
+        for (const auto& t : other.triangles) s.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
+        crossed += meet;
+        CHECK(crossing_triangles(s).has_value() == meet);
+    }
+    CHECK(crossed > 100);
+}
+
+TEST_CASE("a surface that crosses itself is refused, unless it may", "[motion][surface]") {
+    CHECK(!crossing_triangles(dented(0.25)));
+    for (const double depth : {0.4, 0.6}) {
+        const Triangle_surface crossing = dented(depth);  // triangles that share corners, too
+        CHECK(crossing_triangles(crossing));
+        CHECK_THROWS_WITH(Surface_3(crossing), Catch::StartsWith("it crosses or touches itself near ("));
+        CHECK_NOTHROW(Surface_3(crossing, true));
+    }
+    // One on the other: all edges are in two triangles.
+    const Triangle_surface flat{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
+    CHECK(!edge_fault(flat.triangles));
+    CHECK(crossing_triangles(flat));
+    // Folded at an edge: the tetrahedron 0 1 2 3 with corner 3 in the plane of the others and on their side.
+    Triangle_surface folded = box({1, 1, 1});
+    folded.points[7] = {0, 0, -1};
+    CHECK(crossing_triangles(folded));
+    folded = box({1, 1, 1});
+    folded.points[7] = {-1, -1, 0};  // on an edge: that triangle has no area
+    folded.points[3] = {-1, -1, 0.5};
+    CHECK_THROWS_AS(Surface_3(folded), Error);
+    folded.points[7] = {-1, -1, std::nan("")};
+    CHECK_THROWS_AS(Surface_3(folded), Error);
+}
+
+TEST_CASE("lengths that CGAL's constructions cannot bear are refused, small coordinates are zeros",
+          "[motion][surface]") {
+    const auto code = [](double scale, double shift) {
+        Triangle_surface s = box({1, 1, 1});
+        for (auto& p : s.points)
+            for (double& x : p) x = scale * (x + shift);
+        try {
+            const Surface_3 surface(s);
+            CHECK(surface.contains({scale * shift, scale * shift, scale * shift}));
+            const auto p = surface.project({scale * shift, scale * shift, scale * (shift + 3)});
+            CHECK(p[2] == Approx(scale * (shift + 1)));
+            return true;
+        } catch (const Error& e) {
+            CHECK(e.code() == Error_code::out_of_domain);
+            return false;
+        }
+    };
+    for (const double scale : {1e-29, 1.0, 1e11}) CHECK(code(scale, 0));
+    for (const double scale : {1e-31, 1e13, 1e-300, 1e300}) CHECK(!code(scale, 0));
+    CHECK(code(1, 1e7));
+    CHECK(!code(1, 1e8));
+    Triangle_surface s = round_octahedron(0);
+    for (auto& p : s.points)
+        for (double& x : p)
+            if (x == 0) x = 1e-320;
+    const Surface_3 surface(s);  // CGAL's nearest point was no number
+    for (const auto& p : random_points(50, 22)) CHECK(std::isfinite(surface.project(p)[0]));
+    const double nan = std::nan("");
+    CHECK(!surface.crossing({0, 0, 0}, {nan, 0, 0}));
+    CHECK(!surface.crossing({0, 0, 0}, {std::numeric_limits<double>::infinity(), 0, 0}));
 }
 
 TEST_CASE("two boxes that touch in a corner are one surface", "[motion][surface]") {

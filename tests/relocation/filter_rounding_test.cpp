@@ -22,8 +22,6 @@ namespace {
 REVEAL(List, &Filter<2>::list_);
 REVEAL(Facet_records, &Filter<2>::facet_record_);
 REVEAL(Cell_records, &Filter<2>::cell_record_);
-REVEAL(Prediction_of, &Filter<2>::prediction_);
-REVEAL(Vertices, &Filter<2>::vertex_);
 REVEAL(Examination, &Filter<2>::repair_);
 REVEAL(Reading, &Filter<2>::reading);
 REVEAL(Slack, &Filter<2>::slack);
@@ -37,45 +35,33 @@ REVEAL(Commit_renewals, &Filter<2>::commit_renewals);
 
 struct Filter_session : Session<Filter<2>> {
     explicit Filter_session(Random& random, Second_look look = Second_look::off) : Session(random, look) {}
-    /// Positions are predicted from now on, slowly, and some time has passed.
-    void predict(Random& random) {
-        std::vector<Point> moves(points.size());
-        for (Point& m : moves) m = {0x1p-30 * between(random, -1, 1), 0x1p-30 * between(random, -1, 1)};
-        (*this)[Prediction_of{}].adopt(moves, (*this)[Vertices{}],
-                                       std::ldexp(1.0 + unit(random), integer(random, 0, 20)));
-        (*this)[Prediction_of{}].advance(1000);
-    }
 };
 
 double odd(Random& random, int exponent) { return std::ldexp(1.0 + unit(random), exponent); }
 
 }  // namespace
 
-TEST_CASE("A reading is at least base, slack and displacement", "[relocation][rounding]") {
+TEST_CASE("A reading is at least base and displacement", "[relocation][rounding]") {
     REQUIRE(rc::check("of every magnitude", [](const Seed& seed) {
         Random random = seed.random();
         Filter_session s(random);
-        if (random() % 2 == 0) s.predict(random);
         for (int i = 0; i < 200; ++i) {
             const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
             const Point f = s.filter.fixed_position(v);
             const double way = std::ldexp(1.0, -integer(random, 0, 80));
             const Point x{f[0] + way * between(random, -1, 1), f[1] + way * between(random, -1, 1)};
             s[List{}][at(v)].base = random() % 4 == 0 ? 0.0 : odd(random, integer(random, -40, 3));
-            const double slack = s[Prediction_of{}].slack();
-            const Rational left = Rational(s.call(Reading{}, v, x)) - Rational(s[List{}][at(v)].base) - Rational(slack);
+            const Rational left = Rational(s.call(Reading{}, v, x)) - Rational(s[List{}][at(v)].base);
             RC_ASSERT(left >= 0);
             RC_ASSERT(left * left >= exact_squared_distance(x, f));
         }
     }));
 }
 
-TEST_CASE("What a vertex may move, and what passes, is below earliest expiry less base and slack",
-          "[relocation][rounding]") {
+TEST_CASE("What a vertex may move, and what passes, is below earliest expiry less base", "[relocation][rounding]") {
     REQUIRE(rc::check("where the difference rounds up", [](const Seed& seed) {
         Random random = seed.random();
         Filter_session s(random);
-        if (random() % 2 == 0) s.predict(random);
         for (int i = 0; i < 200; ++i) {
             const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
             auto& list = s[List{}][at(v)];
@@ -83,8 +69,7 @@ TEST_CASE("What a vertex may move, and what passes, is below earliest expiry les
             list.clear();
             const double span = std::ldexp(1.0 + unit(random), -integer(random, 0, 40));
             list.put_new(0, Expiry::lower(random() % 8 == 0 ? list.base : list.base + span));
-            const Rational room =
-                Rational(list.earliest().reading()) - Rational(list.base) - Rational(s[Prediction_of{}].slack());
+            const Rational room = Rational(list.earliest().reading()) - Rational(list.base);
             const double tolerance = s.call(Slack{}, v);
             RC_ASSERT(Rational(tolerance) <= room || tolerance <= 0.0);
             s.call(Set_threshold{}, v);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Programs that once went wrong: what fuzz/moves_2.cpp and the property tests printed, made small.
-#include "../../fuzz/common/program.h"
+#include <common/operation.h>
 
 #include <catch2/catch.hpp>
 
@@ -10,13 +10,16 @@ using namespace annulus::oracle;
 namespace {
 
 /// The same under every way to keep a triangulation right.
-void holds_everywhere(Program program) {
-    for (const Setting& setting : certified_settings) {
+template <int d>
+void holds_under_all(Program_of<d> program) {
+    for (const Setting& setting : certified_settings_of<d>()) {
         program.setting = setting;
         INFO(as_code(program));
         CHECK(run(program) == "");
     }
 }
+void holds_everywhere(const Program& program) { holds_under_all(program); }
+void holds_everywhere_in_space(const Program_3& program) { holds_under_all(program); }
 
 }  // namespace
 
@@ -109,4 +112,38 @@ TEST_CASE("filter with the paper's tolerances inserts and removes without crash 
                {{4, 8}, {9, 5}, {15, 6}, {9, 11}, {15, 1}, {14, 3}, {5, 6}, {6, 14}},
                {move_all({{0, 0}, {9, 5}, {4, 2}, {9, 11}, {15, 1}, {10, 0}, {5, 6}, {11, 14}}), move(6, {11, 3}),
                 move(3, {4, 7}), move(1, {3, 4}), remove(5)}}) == "");
+}
+
+TEST_CASE("Positions given back to an object whose strategy changes meanwhile are still there", "[finds]") {
+    // hybrid handed them to the filter first and read them afterwards.
+    using Do = Calls<2>;
+    holds_everywhere({{}, {{0, 0}, {9, 1}, {1, 8}, {7, 7}, {4, 3}}, {Do::stay(), Do::stay()}});
+    using Do_3 = Calls<3>;
+    holds_everywhere_in_space(
+        {{}, {{0, 0, 0}, {9, 1, 0}, {1, 8, 1}, {0, 1, 9}, {7, 7, 8}, {4, 3, 2}}, {Do_3::stay(), Do_3::stay()}});
+}
+
+TEST_CASE("Cells that came while no tolerances were kept have records when tolerances are taken up again", "[finds]") {
+    // They were written beyond the end of the records.
+    holds_everywhere_in_space(
+        {{},
+         {{-0x1.7560c894b1fa6p-1, 0x1.ea924903790bap-1, 0x1.6dae031715b3ep-12},
+          {-0x1.c6202ff9adb5p-4, -0x1.385f9db61dp-3, 0x1.f72a636e9343p-44},
+          {0x1.4d6e0198227p-5, -0x1.c3786d475b10ep-1, -0x1.642d72e5111d8p-18},
+          {0x1.06c7ad7ebe35ep-1, -0x1.0d8479e095a78p-2, -0x1.43665090b5a4p-17},
+          {0x1.b17670e3aaea4p-2, 0x1.fa0e19aa76974p-2, 0x1.871c2127a823cp-31},
+          {-0x1.ad21b265f8aecp-1, 0x1.261e499533abcp-1, -0x1.292931e29c81ap-12},
+          {-0x1.7231eae345d6p-2, -0x1.a2b9bca62fa9cp-2, 0x1.025ce5b23e85ap-46},
+          {-0x1.31bbb25d6d71p-3, -0x1.53d62c33c4cdep-1, -0x1.98b9a7693c9bcp-36},
+          {0x1.9dc300c513f64p-2, -0x1.d4906fa52cc1p-4, 0x1.49f8ef22c6b44p-39},
+          {-0x1.862577826abfp-2, 0x1.2d2bdfc9df44p-5, 0x1.dfc95066b6c5ep-31}},
+         {Calls<3>::steady(Motion::breathing, 6, 0x1p-7, 51U),
+          Calls<3>::move_some(4, {-0x1.ad21b265f8aecp-1, 0x1.261e499533abcp-1, -0x1.292931e29c81ap-12}),
+          Calls<3>::steady(Motion::breathing, 5, 0x1p-7, 52U),
+          Calls<3>::move_some(4, {-0x1.31bbb25d6d71p-3, -0x1.53d62c33c4cdep-1, -0x1.98b9a7693c9bcp-36}),
+          Calls<3>::steady(Motion::breathing, 13, 0x1p-7, 81U), Calls<3>::steady(Motion::few, 4, 0x1p-7, 99U),
+          Calls<3>::steady(Motion::breathing, 9, 0x1p-7, 5U),
+          Calls<3>::move_some(7, {-0x1.7231eae345d6p-2, -0x1.a2b9bca62fa9cp-2, 0x1.025ce5b23e85ap-46}),
+          Calls<3>::steady(Motion::breathing, 12, 0x1p-7, 61U), Calls<3>::stay(),
+          Calls<3>::steady(Motion::breathing, 13, 0x1p-7, 36U)}});
 }

@@ -1,365 +1,345 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole programs of calls on point sets of every family: after each call the audit, CGAL and a rebuild must agree.
-#include "../../fuzz/common/program.h"
+// Whole programs of calls on point sets of every family, in the plane and in space: after each call the audit, CGAL and a rebuild must
+// agree. What goes wrong is printed as a small program (fuzz/common/shrink.h).
+#include <common/operation.h>
 
-#include <rapidcheck.h>
-#include <support/arbitrary.h>
-#include <catch2/catch.hpp>
+#include <support/cases.h>
+
+#include <cmath>
+#include <iostream>
 
 using namespace annulus;
 using namespace annulus::oracle;
-using annulus::testing::Family;
-using annulus::testing::Random;
+using namespace annulus::testing;
 
 namespace {
 
-Position random_place(Family family, Random& random) {
-    // Three points, not one: some families need them to be what they are.
-    return annulus::testing::point_set(family, 3, random)[random() % 3];
-}
+constexpr std::array paces{0x1p-40, 0x1p-30, 0x1p-20, 0x1p-14, 0x1p-10, 0x1p-8, 0x1p-6, 0x1p-4, 0x1p-3, 0.5};
+constexpr std::array shares{0.1, 0.5, 0.9, 0.99, 0.9999, 1.0001, 1.01, 1.3, 3.0, 10.0};
 
-/// Moves between the places of a pool that is used again and again, so that vertices return and meet.
-Program program_of(Setting setting, Family family, std::uint64_t seed, int most, int calls) {
-    Random random(seed);
-    const auto number = [&](std::size_t bound) { return static_cast<std::size_t>(random() % bound); };
-    const auto n = static_cast<std::size_t>(annulus::testing::integer(random, 0, most));
-    std::vector<Position> pool = annulus::testing::point_set(family, n + n / 2 + 3, random);
-    if (number(4) == 0) pool.push_back(random_place(family, random));  // may be one that is there
-    Program program{setting, {pool.begin(), pool.begin() + static_cast<std::ptrdiff_t>(n)}, {}};
-    std::size_t bound = n;
-    const auto place = [&] { return pool[number(pool.size())]; };
-    const auto near = [&](Position p) {
-        for (double& c : p) {
-            const double other = pool[number(pool.size())][0];
-            c += (other - c) * std::ldexp(1.0, -static_cast<int>(number(60)));
+template <int d>
+class Author {
+  public:
+    using Do = Calls<d>;
+
+    Author(Set_of<d> set, std::uint64_t seed, int most) : set_(set), random_(seed) {
+        n_ = static_cast<std::size_t>(integer(random_, 0, most));
+        pool_ = point_set(set, n_ + n_ / 2 + 3, random_);
+    }
+
+    /// Moves between the places of a pool that is used again and again, so that vertices return and meet; motions in between.
+    [[nodiscard]] Program_of<d> program(const Setting& setting, int calls, int steps) {
+        Program_of<d> program{setting, {pool_.begin(), pool_.begin() + static_cast<std::ptrdiff_t>(n_)}, {}};
+        for (int call = 0; call < calls; ++call) {
+            program.operations.push_back(operation(steps));
+            steps -= program.operations.back().times;
         }
+        return program;
+    }
+
+  private:
+    std::size_t number(std::size_t bound) { return static_cast<std::size_t>(random_() % bound); }
+    Index someone() { return static_cast<Index>(number(2 * n_ + 2)); }
+    Coordinates<d> place() { return pool_[number(pool_.size())]; }
+    Coordinates<d> near(Coordinates<d> p) {
+        const Coordinates<d> other = place();
+        const int share = -static_cast<int>(number(55));
+        for (std::size_t k = 0; k < p.size(); ++k) p[k] += std::ldexp(other[k] - p[k], share);
         return p;
-    };
-    for (int call = 0; call < calls; ++call) {
-        switch (number(10)) {
+    }
+    Points_of<d> shuffled() {
+        Points_of<d> x = pool_;
+        for (std::size_t i = x.size(); i > 1; --i) std::swap(x[i - 1], x[number(i)]);
+        return x;
+    }
+    Operation_of<d> operation(int steps) {
+        switch (number(16)) {
             case 0:
-            case 1: program.operations.push_back(move(static_cast<Index>(number(bound + 1)), place())); break;
-            case 2: {
-                const std::size_t v = number(bound + 1);
-                program.operations.push_back(move(static_cast<Index>(v), near(v < n ? pool[v] : place())));
-                break;
-            }
-            case 3:
-            case 4: {  // all take distinct places of the pool
-                std::vector<Position> x = pool;
-                for (std::size_t i = x.size(); i > 1; --i) std::swap(x[i - 1], x[number(i)]);
-                if (x.size() < bound) x = annulus::testing::point_set(family, bound, random);
-                x.resize(bound);
-                program.operations.push_back(move_all(x));
-                break;
-            }
-            case 5:
-            case 6: {  // all go home, some a little off
-                std::vector<Position> x = pool;
-                if (x.size() < bound) x = annulus::testing::point_set(family, bound, random);
-                x.resize(bound);
-                for (Position& p : x)
+            case 1: return Do::move_some(someone(), place());
+            case 2: return Do::move_some(someone(), near(place()));
+            case 3: return Do::move_most(shuffled());
+            case 4: {
+                Points_of<d> x = pool_;
+                for (auto& p : x)
                     if (number(3) == 0) p = near(p);
-                program.operations.push_back(move_all(x));
-                break;
+                return Do::move_most(x);
             }
-            case 7:
-                program.operations.push_back(insert(place()));
-                ++bound;
-                break;
-            case 8: program.operations.push_back(remove(static_cast<Index>(number(bound + 1)))); break;
-            default: program.operations.push_back(settle()); break;
+            case 10: return Do::insert_near(place());
+            case 11: return Do::remove_some(someone());
+            case 12: return Do::settle();
+            case 13: return Do::stay();
+            case 14: return Do::refused(static_cast<Refusal>(number(refusals)), someone());
+            case 15: return as_written();
+            default: break;
+        }
+        const Motion motion = all_motions[number(all_motions.size())];
+        const double pace = motion == Motion::tolerances ? shares[number(shares.size())] : paces[number(paces.size())];
+        const int most = std::max(1, std::min(steps, number(4) == 0 ? 64 : 9));
+        return Do::steady(motion, integer(random_, 1, most), pace, number(1000));
+    }
+    /// Legal or not, as it comes.
+    Operation_of<d> as_written() {
+        switch (number(4)) {
+            case 0: return Do::insert(place());
+            case 1: return Do::remove(static_cast<Index>(number(n_ + 2)));
+            case 2: {
+                Points_of<d> x = shuffled();
+                x.resize(std::min(n_, x.size()));
+                return Do::move_all(x);
+            }
+            default: return Do::move(static_cast<Index>(number(n_ + 2)), place());
         }
     }
-    return program;
+
+    Set_of<d> set_;
+    Random random_;
+    std::size_t n_;
+    Points_of<d> pool_;
+};
+
+template <int d>
+std::string run_random(const Setting& setting, Random& random, Coverage& coverage, int calls = 12) {
+    const Set_of<d> set = any_set<d>(random);
+    const int most = std::array{4, 9, 9, 30}[random() % 4];
+    return run_and_shrink(Author<d>(set, random(), most).program(setting, calls, d == 2 ? 120 : 40), d == 2 ? 2 : 1,
+                          &coverage);
 }
 
-void survives(const Setting& setting, int most, int calls) {
-    REQUIRE(rc::check([=] {
-        const Family family =
-            annulus::testing::all_families[*rc::gen::inRange<std::size_t>(0, annulus::testing::all_families.size())];
-        const Program program = program_of(setting, family, *annulus::testing::seeds(), most, calls);
-        const std::string fault = run(program);
-        if (!fault.empty()) RC_FAIL(fault + "\n" + as_code(program));
-    }));
+template <int d>
+void holds(const Program_of<d>& program) {
+    const std::string fault = run_and_shrink(program);
+    INFO(fault);
+    REQUIRE(fault.empty());
 }
 
-std::string title(const Setting& s) {
-    return std::string(name_of(s.strategy)) + ", second look " + name_as_code(s.second_look);
+/// What the filters of a dimension can do, all of it.
+template <int d>
+bool reached_everything(const Coverage& c) {
+    const Move_report& r = c.report;
+    const bool counted = r.moves.within_tolerance > 0 && r.moves.kept_in_place > 0 && r.moves.flipped > 0 &&
+                         r.moves.reinserted > 0 && r.moves.rebuilt > 0 && r.undone_flips > 0 && r.tours > 0 &&
+                         r.arithmetic.filter > 0 && r.arithmetic.interval > 0 && r.arithmetic.exact > 0 &&
+                         c.switches > 0 && c.collisions() > 0;
+    return counted && (d == 3 || (c.renewed_by_unequal_moves > 0 && c.renewed_by_safe_region > 0));
 }
 
 }  // namespace
 
-TEST_CASE("After any calls under any strategy the audit passes and the cells are those of a rebuild", "[relocation]") {
-    for (const Setting& setting : certified_settings) {
-        DYNAMIC_SECTION(title(setting)) {
-            survives(setting, 9, 20);
-            survives(setting, 40, 8);
+TEMPLATE_TEST_CASE_SIG(
+    "After any calls under any strategy the audit passes and the cells are those of a rebuild, dimension",
+    "[relocation]", ((int d), d), 2, 3) {
+    for (const Setting& setting : certified_settings_of<d>()) {
+        DYNAMIC_SECTION(name_of(setting)) {
+            Coverage coverage;
+            for_each_seed(d == 2 ? 100 : 30, [&](Random& random) {
+                const std::string fault = run_random<d>(setting, random, coverage);
+                INFO(fault);
+                REQUIRE(fault.empty());
+            });
+            std::cout << "dimension " << d << ", " << name_of(setting) << ": " << coverage.operations << " operations, "
+                      << std::lround(100.0 * coverage.legal_share()) << " % legal\n";
+            CHECK(coverage.legal_share() >= 0.8);
+            CHECK(coverage.legal_share() <= 0.98);  // some have to be refused
         }
     }
 }
 
-TEST_CASE("Points on a small grid may go anywhere and come back under any strategy", "[relocation]") {
-    for (const Setting& setting : certified_settings) {
-        DYNAMIC_SECTION(title(setting)) {
-            REQUIRE(rc::check([setting] {
-                Random random(*annulus::testing::seeds());
+TEMPLATE_TEST_CASE_SIG("Programs reach every way out of every stage, dimension", "[relocation][coverage]", ((int d), d),
+                       2, 3) {
+    Random random(Catch::rngSeed());
+    Coverage coverage;
+    for (int run = 0; run < 3000 && !reached_everything<d>(coverage); ++run)
+        for (const Setting& setting : certified_settings_of<d>()) {
+            const std::string fault = run_random<d>(setting, random, coverage);
+            if (!fault.empty()) FAIL(fault);
+        }
+    std::cout << coverage.words("dimension " + std::to_string(d) + ", ");
+    INFO(coverage.words());
+    CHECK(reached_everything<d>(coverage));
+}
+
+TEMPLATE_TEST_CASE_SIG("Points on a small grid may go anywhere and come back under any strategy, dimension",
+                       "[relocation]", ((int d), d), 2, 3) {
+    constexpr int side = d == 2 ? 5 : 3;
+    for (const Setting& setting : certified_settings_of<d>()) {
+        DYNAMIC_SECTION(name_of(setting)) {
+            for_each_seed(d == 2 ? 60 : 20, [&](Random& random) {
                 const auto number = [&](std::size_t bound) { return static_cast<std::size_t>(random() % bound); };
-                std::vector<Position> grid;
-                for (int i = 0; i < 25; ++i) grid.push_back({static_cast<double>(i % 5), static_cast<double>(i / 5)});
+                Points_of<d> grid;
+                for (int i = 0; i < (d == 2 ? side * side : side * side * side); ++i) {
+                    Coordinates<d> p{static_cast<double>(i % side), static_cast<double>(i / side % side)};
+                    p.back() = static_cast<double>(i / (d == 2 ? side : side * side));
+                    grid.push_back(p);
+                }
                 for (std::size_t i = grid.size(); i > 1; --i) std::swap(grid[i - 1], grid[number(i)]);
                 const std::size_t n = number(20);
-                Program program{setting, {grid.begin(), grid.begin() + static_cast<std::ptrdiff_t>(n)}, {}};
+                Program_of<d> program{setting, {grid.begin(), grid.begin() + static_cast<std::ptrdiff_t>(n)}, {}};
                 for (int step = 0; step < 12; ++step) {
                     if (number(2) == 0) {
-                        program.operations.push_back(move(static_cast<Index>(number(n + 1)), grid[number(25)]));
+                        program.operations.push_back(
+                            Calls<d>::move(static_cast<Index>(number(n + 1)), grid[number(grid.size())]));
                     } else if (number(4) == 0) {
-                        program.operations.push_back(move_all(program.points));
+                        program.operations.push_back(Calls<d>::move_all(program.points));
                     } else {
-                        std::vector<Position> x = grid;
-                        for (std::size_t i = 0; i < 1 + number(4); ++i) std::swap(x[number(25)], x[number(25)]);
+                        Points_of<d> x = grid;
+                        for (std::size_t i = 0; i < 1 + number(4); ++i) std::swap(x[number(n + 5)], x[number(n + 5)]);
                         x.resize(n);
-                        program.operations.push_back(move_all(x));
+                        program.operations.push_back(Calls<d>::move_all(x));
                     }
                 }
-                const std::string fault = run(program);
-                if (!fault.empty()) RC_FAIL(fault + "\n" + as_code(program));
-            }));
+                holds(program);
+            });
         }
     }
 }
 
-TEST_CASE("A grid that moves and returns a hundred times is still Delaunay", "[relocation]") {
-    std::vector<Position> home;
-    for (int i = 0; i < 49; ++i) home.push_back({static_cast<double>(i % 7), static_cast<double>(i / 7)});
-    for (const Setting& setting : certified_settings) {
-        CAPTURE(title(setting));
-        Session session(Program{setting, home, {}});
-        Random random(7);
-        for (int step = 0; step < 100; ++step) {
-            std::vector<Position> away = home;
-            for (Position& p : away)
-                for (double& c : p)
-                    if (random() % 2 == 0) c += std::ldexp(annulus::testing::between(random, -0.4, 0.4), -step % 50);
-            session.apply(move_all(away));
-            if (step % 9 == 0) session.check();
-            session.apply(move_all(home));
-            if (step % 9 == 0) session.check();
-        }
-        session.check();
-        session.apply(settle());
-        session.check_settled_tolerances();
-    }
-}
-
-TEST_CASE("Positions exchanged among vertices in one call are no collision", "[relocation]") {
-    for (const Setting& setting : certified_settings) {
-        DYNAMIC_SECTION(title(setting)) {
-            REQUIRE(rc::check([setting] {
-                const auto set = *annulus::testing::point_set_case(3, 25);
-                Random random(set.seed + 1);
-                const std::size_t n = set.points.size();
-                std::vector<Position> rotated = set.points;
+TEMPLATE_TEST_CASE_SIG("Positions exchanged among vertices in one call are no collision, dimension", "[relocation]",
+                       ((int d), d), 2, 3) {
+    for (const Setting& setting : certified_settings_of<d>()) {
+        DYNAMIC_SECTION(name_of(setting)) {
+            for_each_seed(d == 2 ? 60 : 20, [&](Random& random) {
+                const Points_of<d> home = some_points<d>(any_set<d>(random), 3, d == 2 ? 25 : 12, random);
+                Points_of<d> rotated = home;
                 std::rotate(rotated.begin(), rotated.begin() + 1, rotated.end());
-                std::vector<Position> swapped = set.points;
-                std::swap(swapped[random() % n], swapped[random() % n]);
-                std::vector<Position> shuffled = set.points;
-                for (std::size_t i = n; i > 1; --i) std::swap(shuffled[i - 1], shuffled[random() % i]);
-                const Program program{setting,
-                                      set.points,
-                                      {move_all(rotated), move_all(swapped), move_all(shuffled), move_all(set.points)}};
-                const std::string fault = run(program);
-                if (!fault.empty()) RC_FAIL(fault + "\n" + as_code(program));
-            }));
+                Points_of<d> swapped = home;
+                std::swap(swapped[random() % home.size()], swapped[random() % home.size()]);
+                Points_of<d> shuffled = home;
+                shuffle(shuffled, random);
+                using Do = Calls<d>;
+                holds<d>({setting,
+                          home,
+                          {Do::move_all(rotated), Do::move_all(swapped), Do::move_all(shuffled), Do::move_all(home)}});
+            });
         }
     }
 }
 
-TEST_CASE("A few points grow to many and shrink to none", "[relocation]") {
-    for (const Setting& setting : certified_settings) {
-        DYNAMIC_SECTION(title(setting)) {
-            REQUIRE(rc::check([setting] {
-                const auto set = *annulus::testing::point_set_case(1, 12);
-                Random random(set.seed + 1);
-                Program program{setting, {}, {}};
-                for (const Position& p : set.points) {
-                    program.operations.push_back(insert(p));
-                    program.operations.push_back(move(static_cast<Index>(random() % set.points.size()),
-                                                      set.points[random() % set.points.size()]));
+TEMPLATE_TEST_CASE_SIG("A few points grow to many and shrink to none, dimension", "[relocation]", ((int d), d), 2, 3) {
+    for (const Setting& setting : certified_settings_of<d>()) {
+        DYNAMIC_SECTION(name_of(setting)) {
+            for_each_seed(d == 2 ? 60 : 20, [&](Random& random) {
+                const Points_of<d> points = some_points<d>(any_set<d>(random), 1, 12, random);
+                Program_of<d> program{setting, {}, {}};
+                auto& calls = program.operations;
+                for (const auto& p : points) {
+                    calls.push_back(Calls<d>::insert(p));
+                    calls.push_back(
+                        Calls<d>::move_some(static_cast<Index>(random() % 12), points[random() % points.size()]));
                 }
-                for (std::size_t i = 0; i < set.points.size(); ++i) {
-                    program.operations.push_back(remove(static_cast<Index>(i)));
-                    if (random() % 3 == 0) program.operations.push_back(settle());
+                for (std::size_t i = 0; i < points.size(); ++i) {
+                    calls.push_back(Calls<d>::remove(static_cast<Index>(i)));
+                    if (random() % 3 == 0) calls.push_back(Calls<d>::settle());
                 }
-                for (const Position& p : set.points) program.operations.push_back(insert(p));
-                const std::string fault = run(program);
-                if (!fault.empty()) RC_FAIL(fault + "\n" + as_code(program));
-            }));
+                for (const auto& p : points) calls.push_back(Calls<d>::insert_near(p));
+                holds(program);
+            });
         }
     }
 }
 
-TEST_CASE("Points become collinear and leave the line again", "[relocation]") {
-    for (const Setting& setting : certified_settings) {
-        DYNAMIC_SECTION(title(setting)) {
-            REQUIRE(rc::check([setting] {
-                Random random(*annulus::testing::seeds());
+TEMPLATE_TEST_CASE_SIG("Points become collinear or coplanar and leave the line and the plane again, dimension",
+                       "[relocation]", ((int d), d), 2, 3) {
+    for (const Setting& setting : certified_settings_of<d>()) {
+        DYNAMIC_SECTION(name_of(setting)) {
+            for_each_seed(d == 2 ? 60 : 20, [&](Random& random) {
                 const std::size_t n = 1 + random() % 8;
-                const std::vector<Position> line = annulus::testing::point_set(Family::collinear, n, random);
-                const std::vector<Position> solid = annulus::testing::point_set(Family::grid, n, random);
-                Program program{setting, line, {}};
+                std::vector<Points_of<d>> places;
+                if constexpr (d == 2) {
+                    for (const Family f : {Family::collinear, Family::grid}) places.push_back(point_set(f, n, random));
+                } else {
+                    for (const Set_3 s : {Set_3::line, Set_3::plane, Set_3::lattice})
+                        places.push_back(point_set(s, n, random));
+                }
+                Program_of<d> program{setting, places[0], {}};
                 for (int step = 0; step < 6; ++step) {
-                    const auto& target = random() % 2 == 0 ? line : solid;
+                    const auto& target = places[random() % places.size()];
                     if (random() % 2 == 0) {
-                        program.operations.push_back(move_all(target));
+                        program.operations.push_back(Calls<d>::move_all(target));
                     } else {
                         for (std::size_t i = 0; i < n; ++i)
-                            program.operations.push_back(move(static_cast<Index>(i), target[i]));
+                            program.operations.push_back(Calls<d>::move(static_cast<Index>(i), target[i]));
                     }
                 }
-                const std::string fault = run(program);
-                if (!fault.empty()) RC_FAIL(fault + "\n" + as_code(program));
-            }));
+                holds(program);
+            });
         }
     }
 }
 
-TEST_CASE("A failed call leaves everything as it was, with the right code", "[relocation]") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double inf = std::numeric_limits<double>::infinity();
-    const double beyond = std::nextafter(0x1p500, inf);
-    for (const Setting& setting : certified_settings) {
-        DYNAMIC_SECTION(title(setting)) {
-            REQUIRE(rc::check([=] {
-                const auto set = *annulus::testing::point_set_case(2, 20);
-                Random random(set.seed + 1);
-                const std::size_t n = set.points.size();
-                const auto v = static_cast<Index>(random() % n);
-                const auto w = (static_cast<std::size_t>(v) + 1) % n;
-                // A drift first, so that fixed positions and tolerances are not those of a settled object.
-                std::vector<Position> drifted = annulus::testing::point_set(set.family, n, random);
-                Program program{setting, set.points, {move_all(drifted)}};
+TEMPLATE_TEST_CASE_SIG("A failed call leaves everything as it was, with the right code, dimension", "[relocation]",
+                       ((int d), d), 2, 3) {
+    for (const Setting& setting : certified_settings_of<d>()) {
+        DYNAMIC_SECTION(name_of(setting)) {
+            Coverage coverage;
+            for_each_seed(d == 2 ? 40 : 15, [&](Random& random) {
+                const Set_of<d> set = any_set<d>(random);
+                const Points_of<d> points = some_points<d>(set, 2, d == 2 ? 20 : 10, random);
+                // A drift first, so that fixed positions and tolerances are not those of a settled object; a vacancy later.
+                Program_of<d> program{setting, points, {}};
                 auto& calls = program.operations;
-                for (const double bad : {nan, inf, -inf, beyond, -beyond, 0x1p1023}) {
-                    calls.push_back(move(v, {bad, 0}));
-                    calls.push_back(insert({0, bad}));
-                    std::vector<Position> x = drifted;
-                    x[w][1] = bad;
-                    calls.push_back(move_all(x));
-                }
-                calls.push_back(move(v, drifted[w]));
-                calls.push_back(insert(drifted[w]));
-                std::vector<Position> meeting = drifted;
-                meeting[static_cast<std::size_t>(v)] = drifted[w];
-                calls.push_back(move_all(meeting));
-                std::vector<Position> elsewhere = set.points;
-                elsewhere[static_cast<std::size_t>(v)] = set.points[w];
-                calls.push_back(move_all(elsewhere));
-                for (const Index unknown : {-1, static_cast<Index>(n), 1000000, -2000000000})
-                    calls.push_back(move(unknown, {0, 0}));
-                calls.push_back(remove(static_cast<Index>(n)));
-                std::vector<Position> longer = drifted;
-                longer.push_back({0.5, 0.25});
-                calls.push_back(move_all(longer));
-                calls.push_back(move_all({drifted.begin(), drifted.end() - 1}));
-                calls.push_back(remove(v));
-                calls.push_back(move(v, {0, 0}));  // vacant now
-                calls.push_back(move_all(set.points));
-                calls.push_back(settle());
-                const std::string fault = run(program);
-                if (!fault.empty()) RC_FAIL(fault + "\n" + as_code(program));
-            }));
+                calls.push_back(Calls<d>::move_all(point_set(set, points.size(), random)));
+                calls.push_back(Calls<d>::steady(Motion::tolerances, 2, 0.5, random() % 1000));
+                const auto all = [&] {
+                    for (std::size_t why = 0; why < refusals; ++why)
+                        calls.push_back(
+                            Calls<d>::refused(static_cast<Refusal>(why), static_cast<Index>(random() % 1000)));
+                };
+                all();
+                // Back to where another was: the whole timestamp fails although each vertex alone could go.
+                Points_of<d> elsewhere = points;
+                elsewhere[0] = elsewhere[1];
+                calls.push_back(Calls<d>::move_all(elsewhere));
+                calls.push_back(Calls<d>::remove_some(static_cast<Index>(random() % 1000)));
+                all();
+                calls.push_back(Calls<d>::move_most(points));
+                calls.push_back(Calls<d>::settle());
+                const std::string fault = run_and_shrink(program, 1, &coverage);
+                INFO(fault);
+                REQUIRE(fault.empty());
+            });
+            for (const Error_code code : {Error_code::not_finite, Error_code::out_of_domain, Error_code::collision,
+                                          Error_code::wrong_size, Error_code::unknown_vertex})
+                CHECK(coverage.refused[static_cast<std::size_t>(code)] > 0);
         }
     }
 }
 
-TEST_CASE("Equal input points are refused, or merged on request", "[relocation]") {
-    REQUIRE(rc::check([] {
-        const auto set = *annulus::testing::point_set_case(4, 40, true);
-        Options options;
-        options.merge_duplicates = true;
-        const Moving_delaunay_2 dt(set.points, options);
-        const std::set<Position> distinct(set.points.begin(), set.points.end());
-        RC_ASSERT(dt.number_of_vertices() == distinct.size());
-        RC_ASSERT(dt.index_of_input().size() == set.points.size());
-        for (std::size_t i = 0; i < set.points.size(); ++i) {
-            const auto v = dt.vertex(static_cast<std::size_t>(dt.index_of_input()[i]));
-            RC_ASSERT((Position{v->point().x(), v->point().y()} == set.points[i]));
-        }
-        RC_ASSERT(dt.audit().delaunay());
-        // Program's constructor check knows whether there are duplicates.
-        for (const Setting& setting : certified_settings) RC_ASSERT(run({setting, set.points, {}}) == "");
-    }));
+TEMPLATE_TEST_CASE_SIG("Equal input points are refused, dimension", "[relocation]", ((int d), d), 2, 3) {
+    for_each_seed(30, [](Random& random) {
+        Points_of<d> points = some_points<d>(any_set<d>(random), 2, 12, random);
+        points.push_back(points[points.size() / 2]);
+        for (const Setting& setting : certified_settings_of<d>())
+            CHECK(run(Program_of<d>{setting, points, {Calls<d>::insert(points[0])}}) == "");
+    });
 }
 
-TEST_CASE("A null handle, the vertex at infinity and a stranger name no vertex", "[relocation]") {
-    const Moving_delaunay_2 other(std::vector<Position>{{0, 0}, {1, 0}, {0, 1}, {5, 5}});
-    for (const Setting& setting : certified_settings) {
-        CAPTURE(title(setting));
-        Options options;
-        options.strategy = setting.strategy;
-        Moving_delaunay_2 dt(std::vector<Position>{{0, 0}, {1, 0}, {0, 1}}, options);
-        const auto code_of = [](auto call) {
-            try {
-                call();
-            } catch (const Error& e) {
-                return e.code();
-            }
-            return Error_code::usage;
-        };
-        // Of the strangers one has an index that this triangulation has too.
-        for (const auto v : {Moving_delaunay_2::Vertex_handle(), dt.triangulation().infinite_vertex(), other.vertex(1),
-                             other.vertex(3)}) {
-            CHECK(code_of([&] { dt.move(v, {2, 2}); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { dt.remove(v); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { (void)dt.index(v); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { (void)dt.position(v); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { (void)dt.fixed_position(v); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { (void)dt.displacement(v); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { (void)dt.tolerance(v); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { (void)dt.theta(v); }) == Error_code::unknown_vertex);
+TEMPLATE_TEST_CASE_SIG("Positions that are an object's own may be given back to it, dimension", "[relocation]",
+                       ((int d), d), 2, 3) {
+    for (const Setting& setting : certified_settings_of<d>()) {
+        DYNAMIC_SECTION(name_of(setting)) {
+            for_each_seed(20, [&](Random& random) {
+                const Points_of<d> points = some_points<d>(any_set<d>(random), 0, 12, random);
+                using Do = Calls<d>;
+                holds<d>({setting,
+                          points,
+                          {Do::stay(), Do::stay(), Do::steady(Motion::own_ways, 3, 0x1p-20, 1), Do::stay(),
+                           Do::remove_some(1), Do::stay(), Do::stay(), Do::stay(), Do::stay()}});
+            });
         }
-        CHECK(code_of([&] { (void)dt.vertex(3); }) == Error_code::unknown_vertex);
-        CHECK(dt.audit().delaunay());
     }
 }
 
-TEST_CASE("Tolerances that may be wrong give no crash, and filter-each keeps CGAL's object valid", "[relocation]") {
-    for (const Strategy strategy : {Strategy::filter, Strategy::filter_each})
-        for (const Tolerance_kind kind : {Tolerance_kind::floating, Tolerance_kind::paper}) {
-            DYNAMIC_SECTION(name_of(strategy) << ", " << name_of(kind)) {
-                survives({strategy, Second_look::off, kind}, 12, 16);
-            }
-        }
-}
-
-TEST_CASE("Reported changes are the cells that were not there before", "[relocation]") {
-    for (const Setting& setting : certified_settings) {
-        DYNAMIC_SECTION(title(setting)) {
-            REQUIRE(rc::check([setting] {
-                const auto set = *annulus::testing::point_set_case(Family::uniform, 4, 25);
-                Random random(set.seed + 1);
-                Options options;
-                options.strategy = setting.strategy;
-                options.second_look = setting.second_look;
-                options.report_changes = true;
-                Moving_delaunay_2 dt(set.points, options);
-                for (int step = 0; step < 4; ++step) {
-                    const Cells before = cells_of(dt.triangulation());
-                    std::vector<Position> x(dt.positions().begin(), dt.positions().end());
-                    for (Position& p : x)
-                        for (double& c : p) c += annulus::testing::between(random, -0.1, 0.1);
-                    const auto v = static_cast<Index>(random() % x.size());
-                    Move_report report = step % 2 == 0 ? dt.move_all(x) : dt.move(v, x[static_cast<std::size_t>(v)]);
-                    std::set<Cell> listed;
-                    RC_ASSERT(report.changed.size() % 3 == 0);
-                    for (std::size_t k = 0; k + 2 < report.changed.size(); k += 3)
-                        listed.insert(canonical({report.changed[k], report.changed[k + 1], report.changed[k + 2]}));
-                    const Cells after = cells_of(dt.triangulation());
-                    for (const Cell& cell : after)
-                        if (!std::binary_search(before.begin(), before.end(), cell)) RC_ASSERT(listed.count(cell) == 1);
-                }
-            }));
+TEMPLATE_TEST_CASE_SIG(
+    "Tolerances that may be wrong give no crash, and filter-each keeps CGAL's object valid, dimension", "[relocation]",
+    ((int d), d), 2, 3) {
+    for (const Setting& setting : uncertified_settings) {
+        DYNAMIC_SECTION(name_of(setting)) {
+            Coverage coverage;
+            for_each_seed(d == 2 ? 100 : 30, [&](Random& random) {
+                const std::string fault = run_random<d>(setting, random, coverage);
+                INFO(fault);
+                REQUIRE(fault.empty());
+            });
         }
     }
 }

@@ -125,6 +125,7 @@ std::string_view name_of(Family family) {
         case Family::noisy_grid: return "noisy grid";
         case Family::cocircular_rounded: return "cocircular, rounded";
         case Family::cocircular_exact: return "cocircular, exact";
+        case Family::cocircular_near: return "cocircular, near";
         case Family::collinear: return "collinear";
         case Family::nearly_collinear: return "nearly collinear";
         case Family::clustered: return "clustered";
@@ -188,6 +189,17 @@ Points distinct_points(Family family, std::size_t n, Random& random) {
                 const Point p = pythagorean(random, primes);
                 const double k = integer(random, 1, circles);
                 return Point{centre[0] + k * p[0], centre[1] + k * p[1]};
+            });
+        }
+        case Family::cocircular_near: {
+            const double radius = std::ldexp(between(random, 1, 2), integer(random, -3, 10));
+            const Point centre = random() % 2 == 0 ? Point{0, 0} : uniform_point(random);
+            const double arc = std::ldexp(6.28, -integer(random, 0, 4));  // the smaller, the flatter
+            const int off = integer(random, 10, 40);
+            const bool alike = random() % 2 == 0;  // or each off by another power
+            return distinct(n, [&](std::size_t) {
+                const int by = alike ? off : integer(random, 10, 40);
+                return on_circle(arc * unit(random), radius * (1 + std::ldexp(between(random, -1, 1), -by)), centre);
             });
         }
         case Family::collinear: {

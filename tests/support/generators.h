@@ -50,6 +50,7 @@ enum class Family {
     noisy_grid,          ///< integer grid, each coordinate off by a few ulps
     cocircular_rounded,  ///< a circle, rounded to doubles
     cocircular_exact,    ///< exactly on one or more concentric circles (Pythagorean points)
+    cocircular_near,     ///< a circle, off by 2^-10 to 2^-40 of its radius
     collinear,           ///< exactly on one line
     nearly_collinear,    ///< a line, rounded or off by a few ulps
     clustered,           ///< clusters of clusters, down to 2^-30 of the whole
@@ -59,19 +60,13 @@ enum class Family {
     far_offset,          ///< integer spacing, far (2^40) from the origin
     mixture,             ///< parts of two or three of the above
 };
-inline constexpr std::array all_families{Family::uniform,
-                                         Family::grid,
-                                         Family::noisy_grid,
-                                         Family::cocircular_rounded,
-                                         Family::cocircular_exact,
-                                         Family::collinear,
-                                         Family::nearly_collinear,
-                                         Family::clustered,
-                                         Family::tiny,
-                                         Family::subnormal,
-                                         Family::huge,
-                                         Family::far_offset,
-                                         Family::mixture};
+inline constexpr std::array all_families{Family::uniform,          Family::grid,
+                                         Family::noisy_grid,       Family::cocircular_rounded,
+                                         Family::cocircular_exact, Family::cocircular_near,
+                                         Family::collinear,        Family::nearly_collinear,
+                                         Family::clustered,        Family::tiny,
+                                         Family::subnormal,        Family::huge,
+                                         Family::far_offset,       Family::mixture};
 [[nodiscard]] std::string_view name_of(Family family);
 
 /// Points of the family, in the coordinate domain and in random order: n distinct ones, or, with `duplicates`, n of

@@ -68,6 +68,42 @@ Place point_of(Set_3 set, const Points_3& have, Random& random) {
             for (double& c : p) c *= off;
             return p;
         }
+        case Set_3::rough_sphere: {
+            Place p = on_sphere(random);
+            if (!have.empty() && random() % 2 == 0) {  // near one that is there
+                const double share = std::ldexp(1.0, -integer(random, 1, 4));
+                for (std::size_t k = 0; k < 3; ++k) p[k] = have[0][k] + share * (p[k] - have[0][k]);
+                const double r = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+                for (double& c : p) c /= r;
+            }
+            const double off = 1.0 + std::ldexp(between(random, -1.0, 1.0), -integer(random, 10, 40));
+            for (double& c : p) c *= off;
+            return p;
+        }
+        case Set_3::subnormal: {
+            Place p{};
+            for (double& c : p)
+                c = std::ldexp(static_cast<double>(integer(random, -300, 300)), random() % 8 == 0 ? -1050 : -1074);
+            return p;
+        }
+        case Set_3::huge: {
+            Place p = uniform(random);
+            if (have.size() < 4)
+                for (std::size_t k = 0; k < 3; ++k) p[k] = (have.size() == 3 || have.size() == k) ? 1.0 : -1.0;
+            for (double& c : p) c = std::ldexp(c, 500);
+            return p;
+        }
+        case Set_3::far_offset: {
+            const bool positive = have.empty() ? random() % 2 == 0 : have[0][0] > 0.0;
+            Place p{};
+            for (double& c : p) c = (positive ? 0x1p40 : -0x1p40) + integer(random, 0, 6);
+            return p;
+        }
+        case Set_3::mixed_scales: {
+            Place p{};
+            for (double& c : p) c = any_in_domain(random);
+            return p;
+        }
         case Set_3::plane:
             return {static_cast<double>(integer(random, 0, 30)), static_cast<double>(integer(random, 0, 30)), 3.0};
         case Set_3::near_plane: {
@@ -100,15 +136,17 @@ Place point_of(Set_3 set, const Points_3& have, Random& random) {
 
 std::string_view name_of(Set_3 set) {
     constexpr std::array<std::string_view, all_sets_3.size()> names{
-        "uniform", "lattice",    "cube", "sphere",    "near-sphere", "noisy-lattice",
-        "plane",   "near-plane", "line", "clustered", "slivers",     "scaled"};
+        "uniform",       "lattice", "cube",       "sphere",       "near-sphere", "rough-sphere",
+        "noisy-lattice", "plane",   "near-plane", "line",         "clustered",   "slivers",
+        "subnormal",     "huge",    "far-offset", "mixed-scales", "scaled"};
     return names[static_cast<std::size_t>(set)];
 }
 
 Points_3 point_set(Set_3 set, std::size_t n, Random& random) {
     int exponent = 0;
     if (set == Set_3::scaled) {
-        set = all_sets_3[random() % (all_sets_3.size() - 1)];
+        do set = all_sets_3[random() % (all_sets_3.size() - 1)];
+        while (set == Set_3::subnormal || set == Set_3::huge || set == Set_3::mixed_scales);
         exponent = integer(random, -400, 400);
     }
     std::set<Place> seen;

@@ -95,6 +95,41 @@ class Audits(ToolTest):
         flat(line, [])
         self.assertIn("Edges where all points are collinear", self.refuse(3, "audit", "test.mesh"))
 
+    def space(self, points, cells):
+        self.write("space.mesh", f"MeshVersionFormatted 2\nDimension 3\nVertices\n{len(points)}\n"
+                   + "".join(f"{x!r} {y!r} {z!r} 0\n" for x, y, z in points)
+                   + f"Tetrahedra\n{len(cells)}\n" + "".join(" ".join(map(str, c)) + " 0\n" for c in cells) + "End\n")
+        return self.run_tool("audit", "space.mesh")
+
+    def test_in_space(self):
+        points = [(0, 0, 1.0), (0, 0, -1.0), (1.5, 0, 0), (-0.75, 1.25, 0), (-0.75, -1.25, 0)]
+        three = [(1, 2, 4, 3), (1, 2, 5, 4), (1, 2, 3, 5)]
+        two = [(3, 4, 5, 1), (4, 3, 5, 2)]
+        self.assertIn("5 points, 3 tetrahedra: Delaunay\n", self.space(points, three).stdout)
+        for cells in (two, three[:2], [(2, 1, 4, 3)] + three[1:]):
+            done = self.space(points, cells)
+            self.assertEqual((done.returncode, "NOT Delaunay" in done.stdout), (1, True), cells)
+        far = [(0, 0, 3.0), (0, 0, -3.0)] + points[2:]
+        self.assertEqual((self.space(far, two).returncode, self.space(far, three).returncode), (0, 1))
+        self.assertIn("5 points, 2 tetrahedra: Delaunay", self.space(far, two).stdout)
+        self.assertIn("vertex in no cell: 6", self.space(points + [(0.1, 0.1, 0.1)], three).stdout)
+
+    def test_what_nodt_writes(self):
+        self.succeed("nodt", "--sphere", "--vertices", "80", "--iterations", "3", "--output", "out", "--quiet")
+        self.assertIn("Delaunay", self.succeed("audit", "out/final.mesh", "--output", "verdict").stdout)
+        verdict = json.loads((self.here / "verdict" / "audit.json").read_text(encoding="utf-8"))
+        self.assertEqual((verdict["dimension"], verdict["delaunay"]), (3, True))
+        text = (self.here / "out" / "final.mesh").read_text(encoding="utf-8")
+        self.write("spoiled.mesh", text.replace(text.split("\n")[6], "0.1 0.2 0.3 0", 1))
+        self.assertEqual(self.run_tool("audit", "spoiled.mesh").returncode, 1)
+
+    def test_flat_in_space(self):
+        for last, word in (("1,1,0", "2 triangles"), ("3,0,0", "3 edges")):
+            rows = ["0,0,0", "1,0,0", "0,1.5,0" if "tri" in word else "2,0,0", last]
+            self.write("flat.csv", "frame,id,x,y,z\n" + "".join(f"{f},{i},{p}\n" for f in (0, 1) for i, p in enumerate(rows)))
+            self.succeed("replay", "flat.csv", "--dim", "3", "--output", "out", "--quiet")
+            self.assertIn(f"4 points, {word}: Delaunay", self.succeed("audit", "out/final.mesh").stdout)
+
     def test_a_fault_names_vertices_as_the_file_does(self):
         name = self.mesh_file(self.SQUARE, [(1, 3, 2), (1, 3, 4)])
         self.assertIn("cell not positively oriented: 1 3 2", self.run_tool("audit", name).stdout)
@@ -125,8 +160,8 @@ class Counterexample(ToolTest):
         done = self.succeed("counterexample", "--output", "out")
         self.assertIn("paper accepts, certified asks for an evaluation", done.stdout)
         self.assertIn("three cells around ab: NOT Delaunay; two cells at pqr: Delaunay", done.stdout)
-        self.assertEqual(json.loads((self.here / "out" / "counterexample.json").read_text(encoding="utf-8")),
-                         self.numbers())
+        written = json.loads((self.here / "out" / "counterexample.json").read_text(encoding="utf-8"))
+        self.assertEqual({**written, "command": "annulus counterexample --json"}, self.numbers())
         self.assertEqual(self.succeed("counterexample", "--quiet").stdout, "")
 
     def test_refusals(self):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Formats that are read, and faults in them. usage: test_inputs.py --tool=PATH [CLASS[.METHOD]...]"""
 
+import gzip
 import math
 import struct
 
@@ -63,6 +64,41 @@ class Inputs(ToolTest):
 
     def test_extension_in_capitals(self):
         self.assertEqual(self.vertices_of(self.xyz("A.XYZ", SPREAD)), 5)
+        self.write("A.CSV", "frame,id,x,y\n0,1,0,0\n0,2,1,0\n0,3,0,1\n")
+        self.succeed("replay", "A.CSV")
+        self.write("A.Off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
+        self.succeed("nodt", "--surface", "A.Off", "--vertices", "30", "--iterations", "1")
+        header = "#INRIMAGE-4#{\nXDIM=8\nYDIM=8\nZDIM=8\nVDIM=1\nTYPE=unsigned fixed\nPIXSIZE=8 bits\n"
+        image = header.ljust(252, "\n").encode() + b"##}\n" + bytes([1]) * 512
+        for name in ("A.INR", "B.Inr.GZ"):
+            self.write(name, image if name == "A.INR" else gzip.compress(image))
+            self.succeed("nodt", "--surface", name, "--vertices", "30", "--iterations", "1")
+
+    def test_packed(self):
+        rows = "".join(f"{x} {y}\n" for x, y in SPREAD).encode()
+        self.assertEqual(self.vertices_of(self.write("a.xyz.gz", gzip.compress(rows))), 5)
+        self.assertEqual(self.vertices_of(self.write("b.csv.gz", gzip.compress(rows.replace(b" ", b",")))), 5)
+        self.succeed("lloyd", "--points", "20", "--iterations", "2", "--output", "run", "--quiet")
+        mesh = (self.here / "run" / "final.mesh").read_bytes()
+        self.succeed("audit", self.write("final.mesh.gz", gzip.compress(mesh)))
+        frame = b"frame,id,x,y\n0,1,0,0\n0,2,1,0\n0,3,0,1\n"
+        self.succeed("replay", self.write("motion.csv.gz", gzip.compress(frame)))
+        self.assertIn("cut off", self.refuse(3, "replay", self.write("cut.csv.gz", gzip.compress(frame)[:-1])))
+
+    def test_extended_xyz(self):
+        # id and mass are columns of numbers too: a guess takes them for coordinates.
+        rows = "".join(f"{7 * i} 1.5 {x!r} {y!r} 0\n" for i, (x, y) in enumerate(SPREAD))
+        self.write("a.xyz", f'5\nLattice="9 0 0 0 9 0 0 0 9" Properties="id:I:1:mass:R:1:pos:R:3"\n{rows}')
+        done = self.succeed("lloyd", "--input", "a.xyz", "--ignore-z", "--iterations", "0", "--output", "out")
+        self.assertRegex(done.stderr, r"\Aannulus: a.xyz:2: Lattice ignored: [^\n]*not supported[^\n]*\n\Z")
+        self.assertEqual(sorted(self.mesh("out")[0]), sorted(SPREAD))
+        done = self.succeed("degeneracy", "a.xyz", "--ignore-z", "--output", "out")
+        self.assertIn("5 points in dimension 2", done.stdout)
+        self.assertIn("Lattice ignored", done.stderr)
+        self.succeed("compare", "--strategies", "filter", "--quiet", "--", "lloyd", "--input", "a.xyz", "--ignore-z")
+        for name in (("lloyd", "--input"), ("degeneracy",), ("replay",)):
+            self.write("b.xyz", "1\nProperties=a:S:18446744073709551615:pos:R:3\nH 0 0 0\n")
+            self.assertIn("b.xyz:2: Properties give 'a'", self.refuse(3, *name, "b.xyz"))
 
     def test_z_is_refused_or_ignored(self):
         name = self.xyz("z.xyz", [(x, y, 7) for x, y in SPREAD])
@@ -196,9 +232,9 @@ class BadInputs(ToolTest):
             self.write(name, text)
             self.assertIn(name, self.refuse(3, "audit", name))
         self.assertIn("missing.mesh", self.refuse(3, "audit", "missing.mesh"))
-        self.assertIn("3", self.refuse(3, "audit", self.write(
+        self.assertIn("solid.mesh:11: ", self.refuse(3, "audit", self.write(
             "solid.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
-                          "Tetrahedra\n1\n1 2 3 4 0\nEnd\n")))
+                          "Tetrahedra\n1\n1 2 3 5 0\nEnd\n")))
 
 
 if __name__ == "__main__":

@@ -2,17 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The files that are written: whole or absent. usage: test_outputs.py --tool=PATH [CLASS[.METHOD]...]"""
 
+import base64
 import csv
+import json
 import os
 import re
-import signal
-import subprocess
-import time
+import struct
 import xml.etree.ElementTree
 from pathlib import Path
 
 import tool
-from tool import OPTIONS, RUN_FILES, SUMMARY, SUMMARY_PLAIN, ToolTest
+from tool import RUN_FILES, SUMMARY, SUMMARY_PLAIN, ToolTest
 
 
 class Outputs(ToolTest):
@@ -83,15 +83,53 @@ class Outputs(ToolTest):
         self.assertEqual(done.stderr, "")
         self.assertIn("audit", done.stdout)
 
-    def test_existing_directory(self):
+    RUN = ["lloyd", "--points", "30", "--iterations", "2", "--quiet"]
+
+    def names(self, directory="out"):
+        return {p.name for p in (self.here / directory).iterdir()}
+
+    def test_the_same_command_twice(self):
+        for _ in range(2):
+            self.succeed(*self.RUN, "--output", "out")
+            self.assertEqual(self.names(), RUN_FILES)
+
+    def test_stale_results_do_not_survive(self):
+        self.succeed("nodt", "--sphere", "--vertices", "60", "--iterations", "1", "--output", "out", "--quiet")
+        self.succeed("audit", "out/final.mesh", "--output", "out", "--quiet")  # what belongs to the run leaves it whole
+        self.assertEqual(self.names(), RUN_FILES | {"domain.mesh", "dihedral.csv", "audit.json"})
+        self.succeed("compare", "--output", "out", "--quiet", "--", *self.RUN)
+        self.assertNotIn("domain.mesh", self.names())
+        self.assertNotIn("summary.json", self.names())
+        self.succeed(*self.RUN, "--output", "out")
+        self.assertEqual(self.names(), RUN_FILES)
+
+    def test_results_beside_other_files(self):
+        self.succeed(*self.RUN, "--output", "out")
+        (self.here / "out" / "notes.txt").write_text("mine")
+        (self.here / "out" / "domain.mesh").write_text("stale")
+        self.succeed(*self.RUN, "--seed", "4", "--output", "out")
+        self.assertEqual(self.names(), RUN_FILES | {"notes.txt"})
+        self.assertEqual(self.summary("out")["seed"], 4)
+
+    def test_a_directory_of_something_else(self):
         out = self.here / "out"
         out.mkdir()
         (out / "keep.txt").write_text("mine")
-        (out / "summary.json").write_text("older")
-        self.succeed("lloyd", "--points", "30", "--iterations", "2", "--output", "out")
+        (out / "summary.json").write_text('{"command": "something else"}')
+        for words in (self.RUN, ["compare", "--", *self.RUN], ["counterexample"]):
+            words = words[:1] + ["--output", "out"] + words[1:]
+            self.assertIn("out: holds other files; expected a new or empty directory", self.refuse(3, *words))
+        self.succeed(*self.RUN, "--output", "out", "--force")
         self.assertEqual((out / "keep.txt").read_text(), "mine")
         self.assertEqual(self.summary("out")["vertices"], 30)
-        self.assertEqual({p.name for p in out.iterdir()}, RUN_FILES | {"keep.txt"})
+        self.assertEqual(self.names(), RUN_FILES | {"keep.txt"})
+
+    def test_here(self):
+        """The working directory keeps its place: a shell stands in it."""
+        before = self.here.stat().st_ino
+        for _ in range(2):
+            self.succeed(*self.RUN, "--output", ".")
+        self.assertEqual((self.names("."), self.here.stat().st_ino), (RUN_FILES, before))
 
     def test_new_directories_on_the_way(self):
         self.succeed("lloyd", "--points", "30", "--iterations", "2", "--output", "a/b c/d", "--quiet")
@@ -107,16 +145,16 @@ class Outputs(ToolTest):
         out = self.here / "out"
         (out / "report.html").mkdir(parents=True)
         (out / "summary.json").write_text("older")
-        self.refuse(3, "lloyd", "--points", "30", "--iterations", "2", "--output", "out")
+        self.refuse(3, "lloyd", "--points", "30", "--iterations", "2", "--output", "out", "--force")
         self.assertEqual((out / "summary.json").read_text(), "older")
 
     def test_unwritable_directory(self):
         # /proc takes no new entries, not even from root.
         if not Path("/proc/self").is_dir():
             self.skipTest("no /proc")
-        self.assertIn("/proc/annulus", self.refuse(3, "lloyd", "--points", "30", "--iterations", "2",
+        self.assertIn("/proc/annulus", self.refuse(4, "lloyd", "--points", "30", "--iterations", "2",
                                                    "--output", "/proc/annulus"))
-        self.refuse(3, "compare", "--output", "/proc/annulus", "--", "lloyd", "--points", "30", "--iterations", "2")
+        self.refuse(4, "compare", "--output", "/proc/annulus", "--", "lloyd", "--points", "30", "--iterations", "2")
 
     def test_an_unwritable_directory_is_known_before_the_run(self):
         self.write("taken", "here already")
@@ -124,63 +162,40 @@ class Outputs(ToolTest):
         self.refuse(3, *motion, "--output", "taken", timeout=10)
         self.refuse(3, "compare", "--output", "taken", "--", *motion, timeout=10)
 
-    def test_an_interruption_leaves_all_or_nothing(self):
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            for directory in ("new/deep", "."):
-                with self.subTest(number=number, directory=directory):
-                    self.interrupt(number, directory)
-
-    def interrupt(self, number, directory):
-        """Sends the signal while the results are being written.
-
-        A busy machine may not look in time: then the tool has come to its end, all must be there, and another run is
-        to be caught.
-        """
-        before = self.listing()
-        out = self.here / directory
-        for _ in range(100):
-            status = self.run_and_send(number, out)
-            left = {p.name for p in out.iterdir()} if out.is_dir() else set()
-            if status == 0:
-                self.assertLessEqual(RUN_FILES, left)
-            else:
-                self.assertEqual(status, -number)
-            if RUN_FILES <= left:
-                for name in RUN_FILES:
-                    (out / name).unlink()
-                for name in sorted(set(self.listing()) - set(before), reverse=True):  # directories, inner ones first
-                    (self.here / name).rmdir()
-            self.assertEqual(self.listing(), before)
-            if status != 0:
-                return
-        self.fail("no run was seen writing its results")
-
-    def run_and_send(self, number, out):
-        """Sends the signal to a run when the first file of its results has begun to appear; returns its status."""
-        def default_action():  # whoever runs the tests may ignore the signal, as nohup and shells do for their children
-            signal.signal(number, signal.SIG_DFL)
-
-        run = subprocess.Popen([OPTIONS["tool"], "lloyd", "--points", "20000", "--iterations", "1", "--quiet", "--output",
-                                out], cwd=self.here, stdin=subprocess.DEVNULL, preexec_fn=default_action)
-        self.addCleanup(run.kill)  # nothing, once it has been waited for
-        begun = False
-        while run.poll() is None and not begun:
-            try:
-                # Later than the trial at the beginning, which is gone at once, and the new directory with it.
-                begun = any(p.name.startswith(".") and "probe" not in p.name for p in out.iterdir())
-            except FileNotFoundError:
-                pass
-            time.sleep(0.0005)
-        run.send_signal(number)
-        return run.wait(timeout=60)
-
     def test_directory_without_permission(self):
         locked = self.here / "locked"
         locked.mkdir(mode=0o500)
         self.addCleanup(locked.chmod, 0o700)
         if os.access(locked, os.W_OK):
             self.skipTest("this user may write everywhere")
-        self.refuse(3, "lloyd", "--points", "30", "--iterations", "2", "--output", "locked/out")
+        self.refuse(4, "lloyd", "--points", "30", "--iterations", "2", "--output", "locked/out")
+
+    def test_every_json_has_the_version(self):
+        version = self.succeed("--version").stdout.split()[1]
+        self.xyz("points.xyz", tool.SPREAD)
+        self.succeed(*self.RUN, "--output", "run")
+        for words in (["compare", "--output", "a", "--", *self.RUN], ["audit", "run/final.mesh", "--output", "b"],
+                      ["degeneracy", "points.xyz", "--output", "c"], ["counterexample", "--output", "d"]):
+            self.succeed(*words)
+        for file in ("run/summary.json", "a/compare.json", "b/audit.json", "c/degeneracy.json", "d/counterexample.json"):
+            content = json.loads((self.here / file).read_text(encoding="utf-8"))
+            self.assertEqual(content["version"], version, file)
+            self.assertTrue(content["command"].startswith("annulus "), file)
+
+    def test_a_replay_is_headed_by_steps_and_counts_who_is_there_at_the_end(self):
+        self.write("motion.csv", "frame,id,x,y\n0,1,0,0\n0,2,1,0\n0,3,0,1\n1,1,0,0\n1,2,1,0\n1,3,0,1\n1,4,1,1\n")
+        self.succeed("replay", "motion.csv", "--output", "out", "--quiet")
+        self.assertEqual(self.summary("out")["vertices"], 4)
+        self.assertIn("<h1>4 vertices, 1 step: filter</h1>", (self.here / "out" / "report.html").read_text(encoding="utf-8"))
+
+    def test_a_tolerance_without_end(self):
+        """Of points on a line the outer ones have no certificate: infinite, and not 0."""
+        self.xyz("line.xyz", [(i, 0) for i in range(4)])
+        self.succeed("lloyd", "--input", "line.xyz", "--iterations", "0", "--output", "out", "--quiet")
+        root = xml.etree.ElementTree.parse(self.here / "out" / "final.vtu").getroot()
+        content = base64.b64decode(next(a for a in root.iter("DataArray") if a.get("Name") == "tolerance").text)
+        values = struct.unpack(f"<{(len(content) - 8) // 8}d", content[8:])
+        self.assertIn(float("inf"), values)
 
     def test_final_mesh_has_shortest_decimals(self):
         self.succeed("lloyd", "--points", "40", "--iterations", "3", "--output", "out", "--quiet")

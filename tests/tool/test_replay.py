@@ -120,6 +120,71 @@ class Replay(tool.ToolTest):
             self.assertEqual(points, list(frames[-1].values()))
             self.assertEqual(cells > 0, frames[-1] is solid)
 
+    def test_ids_of_extended_xyz(self):
+        # The same points in another order at every step: who takes places for ids sees them all jump.
+        dice = random.Random(5)
+        points = {i: (dice.random(), dice.random()) for i in range(3, 90, 3)}
+        text = ""
+        for _ in range(6):
+            order = list(points)
+            dice.shuffle(order)
+            text += f'{len(points)}\nProperties="id:I:1:mass:R:1:pos:R:2" pbc="F F F"\n'
+            text += "".join(f"{i} 7.5 {points[i][0]!r} {points[i][1]!r}\n" for i in order)
+        self.write("a.xyz", text)
+        summary = self.check("a.xyz", points.values())
+        self.assertEqual(summary["moves"]["asked"], 5 * len(points))
+        self.assertEqual(summary["moves"]["within_tolerance"], 5 * len(points))
+
+    def test_a_periodic_box_is_announced_in_one_line(self):
+        frame = '3\nLattice="9 0 0 0 9 0 0 0 9" Properties=species:S:1:pos:R:3\nH 0 0 0\nH 1 0 0\nH 0 1 0\n'
+        self.write("a.xyz", frame * 3)
+        done = self.succeed("replay", "a.xyz", "--output", "out")
+        self.assertRegex(done.stderr, r"\Aannulus: a.xyz:2: Lattice ignored: [^\n]*not supported[^\n]*\n\Z")
+        self.assertIn("Lattice ignored", (self.here / "out" / "report.html").read_text(encoding="utf-8"))
+        self.assertEqual(self.succeed("replay", "a.xyz", "--quiet").stderr, "")
+
+    def test_frames_without_points(self):
+        cloud = {i: (i % 3 + 0.1 * (i // 3), float(i // 3)) for i in range(9)}
+        frame = "9\n\n" + "".join(f"{x!r} {y!r}\n" for x, y in cloud.values())
+        for text, last, vertices in ((("0\n\n" + frame) * 2, cloud, 9), (frame + "0\n\n", {}, 0)):
+            self.write("a.xyz", text)
+            for strategy in tool.STRATEGIES:
+                with self.subTest(strategy=strategy, last=len(last)):
+                    summary = self.check("a.xyz", last.values(), "--strategy", strategy)
+                    self.assertEqual(summary["vertices"], vertices)
+        solid = "9\n\n" + "".join(f"H {x!r} {y!r} {i * i % 5}\n" for i, (x, y) in cloud.items())
+        self.write("a.xyz", "0\n\n" + solid + "0\n\n" + solid)
+        self.assertEqual(len(self.solid("a.xyz")[0]), 9)
+
+    def test_absent_frames(self):
+        rows = "".join(f"{f},{i},{i % 3}.{f},{i // 3}\n" for f in (0, 1, 2, 4) for i in range(9))
+        self.write("a.csv", "frame,id,x,y\n" + rows)
+        line = self.refuse(3, "replay", "a.csv")
+        self.assertIn("a.csv:29: frame 4 after frame 2", line)
+        self.assertIn("--absent-frames", line)
+        done = self.succeed("replay", "a.csv", "--absent-frames", "skip")
+        self.assertIn(" 3 iterations", done.stdout)
+        self.assertIn("0 points appeared, 0 disappeared", done.stdout)
+        done = self.succeed("replay", "a.csv", "--absent-frames", "empty", "--audit", "1")
+        self.assertIn(" 4 iterations", done.stdout)
+        self.assertIn("9 points appeared, 9 disappeared", done.stdout)
+        self.refuse(2, "replay", "a.csv", "--absent-frames", "perhaps")
+
+    def test_points_at_one_place(self):
+        frames = [{1: (0, 0), 2: (1, 0), 3: (0, 1), 4: (1, 1.5)}, {1: (0, 0), 2: (1, 0), 3: (1, 0), 4: (1, 1.5)},
+                  {1: (0, 0), 2: (0, 1), 3: (1, 0), 4: (1, 1.5)}]
+        self.write("a.csv", as_csv(frames))
+        line = self.refuse(3, "replay", "a.csv")
+        self.assertRegex(line, r"a.csv:\d+: in frame 10 the point of id 3 is where that of id 2 is \(line \d+\)")
+        self.assertIn("--coincident merge", line)
+        for strategy in tool.STRATEGIES:
+            with self.subTest(strategy=strategy):
+                self.check("a.csv", frames[-1].values(), "--strategy", strategy, "--coincident", "merge")
+        done = self.succeed("replay", "a.csv", "--coincident", "merge")
+        self.assertIn("1 point appeared, 1 disappeared, 1 merged", done.stdout)
+        self.write("b.csv", as_csv(frames[1:]))
+        self.check("b.csv", frames[-1].values(), "--coincident", "merge")
+
     def test_no_z(self):
         self.write("a.csv", "frame,id,x,y\n0,1,2,3\n")
         self.assertRegex(self.refuse(3, "replay", "a.csv", "--dim", "3"), "a.csv: points have no z")
@@ -132,7 +197,7 @@ class Replay(tool.ToolTest):
     def test_bad_input(self):
         for name, text, message in (
             ("a.csv", "frame,id,x\n", "a.csv:1: .*no column y"),
-            ("b.csv", "frame,id,x,y\n0,1,2,3\n0,1,3,4\n", "b.csv:3: .*id 1 twice"),
+            ("b.csv", "frame,id,x,y\n0,1,2,3\n0,1,3,4\n", "b.csv:3: has the id 1 of line 2, in the same frame"),
             ("c.csv", "frame,id,x,y\n1,1,2,3\n0,1,3,4\n", "c.csv:3: frame 0 after frame 1"),
             ("d.csv", "frame,id,x,y\n1,1,2,3\n1,2,3\n", "d.csv:3: has 3 columns"),
             ("e.csv", "frame,id,x,y\n1,1,2,3\n1,2,nan,3\n", "e.csv:3: x is nan"),
@@ -140,10 +205,12 @@ class Replay(tool.ToolTest):
             ("g.csv", "frame,id,x,y\n0,1,2,3\n0,2,5,3\n0,3,9,1e200\n", "g.csv:4: .*out of domain"),
             ("h.csv", "frame,id,x,y\n", "h.csv:1: has no frames"),
             ("a.xyz", "2\n\n0 0\n", "a.xyz:3: the file ends after 1 of 2"),
-            ("b.xyz", "0\n\n", "b.xyz:1: a frame has no points"),
+            ("b.xyz", "0\n\n", "b.xyz:1: has no points in any frame"),
+            ("w.xyz", "1\nProperties=a:S:18446744073709551615:pos:R:3\nH 0 0 0\n", "w.xyz:2: .*'a'.* columns; expected"),
+            ("w.csv", "frame,id,x,y\n1,1,2,3\n1,2,4,3\n2,1,2,3\n4,1,2,3\n", "w.csv:5: frame 4 .*expected frame 3"),
             ("c.xyz", "1\n\n0 0\n1\n\n0 0 0\n", "c.xyz:6: a frame has a z"),
             ("d.xyz", "1\nProperties=species:S:1\nH\n", "d.xyz:2: Properties have no pos"),
-            ("a.txt", "0 0\n", "a.txt: has an unknown extension"),
+            ("a.txt", "0 0\n", "a.txt: has the unknown extension"),
         ):
             self.write(name, text)
             self.assertRegex(self.refuse(3, "replay", name), message)

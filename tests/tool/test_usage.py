@@ -3,15 +3,23 @@
 """Help, version and wrong usage. usage: test_usage.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import json
+import re
 
 import tool
 from tool import STRATEGIES, TRIANGLE, ToolTest
 
 
+SUBCOMMANDS = {"lloyd", "nodt", "replay", "compare", "audit", "degeneracy", "counterexample"}
+
+
 class Usage(ToolTest):
+    def test_these_are_all_subcommands(self):
+        top = self.succeed("--help").stdout
+        self.assertEqual(set(re.findall(r"^  ([a-z]+) ", top[top.index("Subcommands"):], re.MULTILINE)), SUBCOMMANDS)
+
     def test_help(self):
         top = self.succeed("--help").stdout
-        for name in ("lloyd", "compare", "audit", "counterexample"):
+        for name in SUBCOMMANDS:
             self.assertIn(name, top)
             text = self.succeed(name, "--help").stdout
             self.assertIn("Usage:", text)
@@ -23,14 +31,21 @@ class Usage(ToolTest):
         self.assertIn("--sphere", self.succeed("compare", "--", "nodt", "--help").stdout)
 
     def test_every_subcommand_takes_the_common_options(self):
-        for name in ("lloyd", "compare", "audit", "counterexample"):
+        for name in SUBCOMMANDS:
             text = self.succeed(name, "--help").stdout
-            for option in ("--seed", "--output", "--threads", "--quiet"):
+            for option in ("--seed", "--output", "--threads", "--quiet", "--force"):
                 self.assertIn(option, text, name)
         common = ["--seed", "3", "--threads", "2", "--quiet", "--output"]
         self.succeed("lloyd", "--points", "20", "--iterations", "1", *common, "lloyd")
         self.succeed("compare", *common, "compare", "--", "lloyd", "--points", "20", "--iterations", "1")
         self.succeed("counterexample", *common, "example")
+        self.succeed("nodt", "--sphere", "--vertices", "30", "--iterations", "1", *common, "nodt")
+        self.write("motion.csv", "frame,id,x,y\n0,1,0,0\n0,2,1,0\n0,3,0,1\n1,1,0,0\n1,2,1,0\n1,3,0,1\n")
+        self.succeed("replay", "motion.csv", *common, "replay")
+        self.xyz("three.xyz", TRIANGLE)
+        self.succeed("degeneracy", "three.xyz", *common, "degeneracy")
+        for name in SUBCOMMANDS - {"audit", "counterexample"}:
+            self.assertTrue((self.here / name).is_dir(), name)
         done = self.succeed("audit", "lloyd/final.mesh", *common, "audit")
         self.assertEqual((done.stdout, done.stderr), ("", ""))
         audit = json.loads((self.here / "audit" / "audit.json").read_text(encoding="utf-8"))
@@ -68,6 +83,13 @@ class Usage(ToolTest):
             ["lloyd", "--points", "10", "--iterations", "1.5"],
             ["lloyd", "--points", "10", "surplus"],
             ["lloyd", "--points", "10", "--output", ""],
+            ["lloyd", "--points", "10", "--domain", "three.xyz", "--radius", "2"],
+            ["lloyd", "--input", "three.xyz", "--radius", "2"],
+            ["nodt", "--sphere", "--vertices", "30", "--gradation", "2"],
+            ["nodt", "--sphere", "--vertices", "30", "--sizing", "constant", "--gradation", "2"],
+            ["nodt", "--sphere", "--vertices", "30", "--allow-crossing"],
+            ["replay"],
+            ["degeneracy"],
             ["audit"],
             ["audit", "x.mesh", "--output", ""],
             ["counterexample", "--output", ""],
@@ -77,6 +99,7 @@ class Usage(ToolTest):
             ["compare", "--", "audit", "x.mesh"],
             ["compare", "--", "lloyd"],
             ["compare", "--", "lloyd", "--points", "10", "--output", "out"],
+            ["compare", "--", "lloyd", "--points", "10", "--force"],
             ["compare", "--strategies", "filter,magic", "--", "lloyd", "--points", "10"],
             ["compare", "--strategies", "filter,filter", "--", "lloyd", "--points", "10"],
             ["compare", "--strategies", "filter:magic", "--", "lloyd", "--points", "10"],

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/arithmetic/horizons.h>
+
 #include <bit>
 #include <compare>
 #include <cstdint>
@@ -15,7 +17,7 @@ class Upper_half {
     constexpr Upper_half() = default;  // 0
     /// That of the same sign and the largest magnitude not above |x|. x is no NaN.
     [[nodiscard]] static constexpr Upper_half truncated(double x) {
-        return Upper_half(static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x) >> 32));
+        return Upper_half(static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x) >> 32) & Horizons::half_mask);
     }
     /// The largest not above x, but 0 when x is not positive (or is no number).
     [[nodiscard]] static constexpr Upper_half lower(double x) { return x > 0.0 ? truncated(x) : Upper_half(); }

@@ -13,12 +13,18 @@ void Common_arguments::say_merged(const std::string& file, std::uint64_t count) 
         std::fprintf(stderr, "annulus: %s: merged %s\n", file.c_str(), counted(count, "duplicate point").c_str());
 }
 
+void Common_arguments::say_notes(const std::vector<std::string>& notes) const {
+    for (const std::string& note : notes)
+        if (!quiet) std::fprintf(stderr, "annulus: %s\n", note.c_str());
+}
+
 void add_common(CLI::App& app, Common_arguments& a, const std::string& files, bool motion) {
     app.add_option("-o,--output", a.output, "Write " + files + " to this directory")
         ->type_name("DIR")
         ->check([](const std::string& word) {
             return word.empty() ? std::string("the name of a directory is empty") : "";
         });
+    app.add_flag("--force", a.force, "Write to a directory that holds other files than results; they stay");
     app.add_option("--seed", a.seed, motion ? "Seed of everything random" : "Taken everywhere; nothing is random here")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();

@@ -11,18 +11,21 @@
 
 namespace annulus::cli {
 
-/// Exit status of the tool.
-enum Exit : int { done = 0, audit_failed = 1, wrong_usage = 2, bad_input = 3 };
+/// Exit status of the tool. `our_fault` is the machine's too: memory, disk.
+enum Exit : int { done = 0, audit_failed = 1, wrong_usage = 2, bad_input = 3, our_fault = 4 };
 
 /// What every subcommand takes.
 struct Common_arguments {
     std::string output;
+    bool force = false;
     std::uint64_t seed = 1;
     int threads = 1;
     bool quiet = false;
 
     /// Says on standard error that `count` duplicate points of the file were merged, if there were any.
     void say_merged(const std::string& file, std::uint64_t count) const;
+    /// Says on standard error what a file says and nobody obeys, a line for each note.
+    void say_notes(const std::vector<std::string>& notes) const;
 };
 
 /// What every subcommand that runs a motion takes.

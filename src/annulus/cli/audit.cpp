@@ -6,8 +6,11 @@
 #include <annulus/io/write_json.h>
 #include <annulus/triangulation/audit.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <variant>
 
 namespace annulus::cli {
 
@@ -18,9 +21,14 @@ struct Audit_call {
     std::string file;
 };
 
-nlohmann::ordered_json json(const Mesh_file<2>& mesh, const Audit_result& r) {
-    return {{"file", mesh.name},
-            {"dimension", 2},
+bool is_audit(std::string_view name) { return name == "audit.json"; }
+
+template <int d>
+nlohmann::ordered_json json(const Mesh_file<d>& mesh, const Audit_result& r, const std::string& command) {
+    return {{"command", command},
+            {"version", ANNULUS_VERSION},
+            {"file", mesh.name},
+            {"dimension", d},
             {"vertices", mesh.points.size()},
             {"cells", mesh.cells.size()},
             {"delaunay", r.delaunay()},
@@ -33,43 +41,55 @@ nlohmann::ordered_json json(const Mesh_file<2>& mesh, const Audit_result& r) {
             {"first_fault", r.first_fault}};
 }
 
-void print(const Mesh_file<2>& mesh, const Audit_result& r) {
+/// "edge", "triangle", "tetrahedron": what the cells of the mesh are, by the corners of the first.
+template <int d>
+std::string cells_of(const Mesh_file<d>& mesh) {
+    const auto& first = mesh.cells.front();
+    const auto corners = std::find(first.begin(), first.end(), none) - first.begin();
+    if (corners == 4)
+        return std::to_string(mesh.cells.size()) + (mesh.cells.size() == 1 ? " tetrahedron" : " tetrahedra");
+    return counted(mesh.cells.size(), corners == 3 ? "triangle" : "edge");
+}
+
+template <int d>
+void print(const Mesh_file<d>& mesh, const Audit_result& r) {
     const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
-    const bool flat = mesh.cells.front()[2] == none;
-    std::printf("%s, %s: %s\n", counted(mesh.points.size(), "point").c_str(),
-                counted(mesh.cells.size(), flat ? "edge" : "triangle").c_str(),
+    std::printf("%s, %s: %s\n", counted(mesh.points.size(), "point").c_str(), cells_of(mesh).c_str(),
                 r.delaunay() ? "Delaunay" : "NOT Delaunay");
-    std::printf("inverted %llu, edges violated %llu, border not convex %llu, topology %llu; cocircular %llu\n",
-                count(r.inverted_cells), count(r.violated_facets), count(r.concave_ridges), count(r.topological_faults),
-                count(r.degenerate_facets));
+    std::printf("inverted %llu, %s violated %llu, border not convex %llu, topology %llu; %s %llu\n",
+                count(r.inverted_cells), d == 2 ? "edges" : "facets", count(r.violated_facets), count(r.concave_ridges),
+                count(r.topological_faults), d == 2 ? "cocircular" : "cospherical", count(r.degenerate_facets));
     if (!r.delaunay()) std::printf("first: %s (vertices counted from 1, as in the file)\n", r.first_fault.c_str());
 }
 
-int run(const Audit_call& a) {
-    const auto mesh = read_mesh(a.file);
-    const auto* plane = std::get_if<Mesh_file<2>>(&mesh);
-    if (plane == nullptr)
-        throw Input_error(Error_code::bad_input, a.file, 0, "a mesh of dimension 3", "dimension 2 in this version");
-    const Audit_result r = audit(Audit_input<2>{plane->points, plane->cells}, 1);
+template <int d>
+int judge(const Mesh_file<d>& mesh, const Audit_call& a, const std::string& command) {
+    const Audit_result r = audit(Audit_input<d>{mesh.points, mesh.cells}, 1);
     if (!a.common.output.empty()) {
-        Result_files out(a.common.output);
-        out.write("audit.json", write_json(json(*plane, r)));
+        Result_files out(a.common, is_audit);
+        out.write("audit.json", write_json(json(mesh, r, command)));
         out.commit();
     }
-    if (!a.common.quiet) print(*plane, r);
+    if (!a.common.quiet) print(mesh, r);
     return r.delaunay() ? done : audit_failed;
+}
+
+int run(const Audit_call& a, const std::string& command) {
+    return std::visit([&](const auto& mesh) { return judge(mesh, a, command); }, read_mesh(a.file));
 }
 
 }  // namespace
 
-Run add_audit_command(CLI::App& app, const Invocation&) {
+Run add_audit_command(CLI::App& app, const Invocation& invocation) {
     auto* sub =
         app.add_subcommand("audit", "Exact verdict: is this Medit mesh the Delaunay triangulation of its points?");
     const auto a = std::make_shared<Audit_call>();
-    sub->add_option("FILE", a->file, "A .mesh file with vertices and triangles (edges where the points are collinear)")
+    sub->add_option(
+           "FILE", a->file,
+           "A .mesh file with vertices and triangles, or tetrahedra (edges, triangles where all points are flat)")
         ->required();
     add_common(*sub, a->common, "audit.json", false);
-    return [a] { return run(*a); };
+    return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }
 
 }  // namespace annulus::cli

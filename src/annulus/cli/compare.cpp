@@ -63,7 +63,7 @@ void compare_ends(const std::deque<Tracker<Moving>>& trackers, Comparison_record
 }
 
 template <class Motion>
-void write_comparison(const std::string& directory, const Motion& motion,
+void write_comparison(const Common_arguments& arguments, const Motion& motion,
                       const std::deque<Tracker<typename Motion::Moving>>& trackers, const Comparison_record& comparison,
                       std::optional<Picture> before) {
     Report report;
@@ -76,7 +76,7 @@ void write_comparison(const std::string& directory, const Motion& motion,
     report.after = motion.picture(shown.triangulation(), "After " + counted(shown.record().iterations, "iteration"));
     report.annulus_widths = shown.widths();
     report.comparison = comparison;
-    Result_files out(directory);
+    Result_files out(arguments, is_result, comparison.interrupted);
     out.write("compare.json", write_json(compare_json(comparison)));
     for (const Run_record& run : comparison.runs) {
         std::string name = run.strategy;
@@ -124,32 +124,43 @@ int compare(const Compare_call& a, const Invocation& invocation, Motion& motion,
     constexpr std::size_t recording_bytes = std::size_t{256} << 20;
     const std::size_t block = std::max<std::size_t>(1, recording_bytes / (n * sizeof(Coordinates<d>)));
     Recording<d> rec;
-    Progress progress("compare", iterations * trackers.size(), a.common.quiet);
-    for (std::uint64_t done_steps = 0; done_steps < iterations;) {
+    std::optional<Interruption_guard> guard;
+    if (files) guard.emplace();
+    bool stopped = false;
+    std::optional<Progress> progress(std::in_place, "compare", iterations * trackers.size(), a.common.quiet);
+    for (std::uint64_t done_steps = 0; done_steps < iterations && !stopped;) {
         const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(block, iterations - done_steps));
         rec.positions.resize(now * n);
         rec.ways.resize(now);
         rec.seconds.resize(now);
-        for (std::size_t k = 0; k < now; ++k) {
+        for (std::size_t k = 0; k < now && !stopped; ++k) {
             const auto start = Clock::now();
             rec.ways[k] = motion.next(std::span<Coordinates<d>>(rec.positions.data() + k * n, n));
             rec.seconds[k] = since(start);
+            stopped = Interruption_guard::interrupted();
         }
         for (std::size_t t = 0; t < trackers.size(); ++t)
-            for (std::size_t k = 0; k < now; ++k) {
+            for (std::size_t k = 0; k < now && !stopped; ++k) {
                 const std::span<const Coordinates<d>> x(rec.positions.data() + k * n, n);
                 trackers[t].step(x, rec.seconds[k], rec.ways[k].mean, rec.ways[k].max);
-                progress.show(done_steps * trackers.size() + t * now + k + 1, a.strategies[t]);
+                progress->show(done_steps * trackers.size() + t * now + k + 1, a.strategies[t]);
+                stopped = Interruption_guard::interrupted();
             }
         done_steps += now;
     }
+    progress.reset();
     Comparison_record comparison;
     for (auto& t : trackers) {
         t.finish(command_line(invocation.words), common.seed, since(begin));
         comparison.runs.push_back(t.record());
+        comparison.interrupted = comparison.interrupted || t.record().interrupted;
     }
-    compare_ends(trackers, comparison);
-    if (files) write_comparison(a.common.output, motion, trackers, comparison, std::move(before));
+    if (!comparison.interrupted) compare_ends(trackers, comparison);
+    if (files) write_comparison(a.common, motion, trackers, comparison, std::move(before));
+    if (comparison.interrupted) {
+        say_interrupted(a.common, comparison.runs.front().iterations, iterations);
+        return done;
+    }
     if (!a.common.quiet) print(comparison);
     const bool audits = std::all_of(comparison.runs.begin(), comparison.runs.end(),
                                     [](const Run_record& r) { return r.audit.failed == 0; });
@@ -178,8 +189,9 @@ int run(const Compare_call& a, const Invocation& invocation) {
     } catch (const CLI::Success& e) {  // --help
         return inner.exit(e);
     }
-    if (!common.output.empty())
-        throw CLI::ValidationError("--output", "belongs before --: compare writes one report for all strategies");
+    if (!common.output.empty() || common.force)
+        throw CLI::ValidationError(common.force ? "--force" : "--output",
+                                   "belongs before --: compare writes one report for all strategies");
 
     const auto begin = Clock::now();
     const CLI::App& chosen = *inner.get_subcommands().front();
@@ -188,7 +200,7 @@ int run(const Compare_call& a, const Invocation& invocation) {
     common.quiet = common.quiet || a.common.quiet;
     for (const std::string& name : a.strategies)
         (void)options_of(variant(tracking, name), common);  // wrong usage first
-    if (!a.common.output.empty()) require_writable(a.common.output);
+    if (!a.common.output.empty()) require_writable(a.common);
     if (&chosen == lloyd_command) {
         Guided_lloyd motion(lloyd, common);
         return compare(a, invocation, motion, lloyd.iterations, tracking, common, begin);

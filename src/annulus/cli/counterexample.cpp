@@ -91,8 +91,10 @@ Result study(double delta) {
     return r;
 }
 
-nlohmann::ordered_json json(const Result& r) {
-    return {{"delta", r.delta},
+nlohmann::ordered_json json(const Result& r, const std::string& command) {
+    return {{"command", command},
+            {"version", ANNULUS_VERSION},
+            {"delta", r.delta},
             {"tolerance", {{"paper", r.paper}, {"certified", r.certified.tolerance}, {"exact", r.exact}}},
             {"stage", name_of(r.certified.stage)},
             {"theta_min", r.theta},
@@ -125,7 +127,7 @@ void print(const Result& r) {
 
 }  // namespace
 
-Run add_counterexample_command(CLI::App& app, const Invocation&) {
+Run add_counterexample_command(CLI::App& app, const Invocation& invocation) {
     struct Arguments {
         Common_arguments common;
         double delta = 0.01;
@@ -140,12 +142,12 @@ Run add_counterexample_command(CLI::App& app, const Invocation&) {
         ->capture_default_str();
     sub->add_flag("--json", a->json, "Print JSON instead of text");
     add_common(*sub, a->common, "counterexample.json", false);
-    return [a] {
+    return [a, command = command_line(invocation.words)] {
         if (std::isnan(a->delta)) throw Error(Error_code::usage, "--delta: not a number");
         const Result r = study(a->delta);
-        const std::string text = write_json(json(r));
+        const std::string text = write_json(json(r, command));
         if (!a->common.output.empty()) {
-            Result_files out(a->common.output);
+            Result_files out(a->common, [](std::string_view name) { return name == "counterexample.json"; });
             out.write("counterexample.json", text);
             out.commit();
         }

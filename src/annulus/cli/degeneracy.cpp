@@ -98,8 +98,10 @@ void print(const Degeneracy_record& r) {
     std::printf("time           triangulation %.3f s, analysis %.3f s\n", r.seconds_triangulation, r.seconds_analysis);
 }
 
+bool is_degeneracy(std::string_view name) { return name == "degeneracy.json" || name == "degeneracy.html"; }
+
 int run(const Degeneracy_call& a, const std::string& command) {
-    if (!a.common.output.empty()) require_writable(a.common.output);
+    if (!a.common.output.empty()) require_writable(a.common, is_degeneracy);
     std::variant<Point_file<2>, Point_file<3>> file;
     if (a.dimension == 2) file = read_points<2>(a.file, {.ignore_z = a.ignore_z});
     else if (a.dimension == 3) file = read_points<3>(a.file);
@@ -109,8 +111,9 @@ int run(const Degeneracy_call& a, const std::string& command) {
                                            : study<Cgal_embedding_3<No_info>>(std::get<Point_file<3>>(file));
     r.command = command;
     a.common.say_merged(a.file, r.points - r.vertices);
+    std::visit([&](const auto& points) { a.common.say_notes(points.notes); }, file);
     if (!a.common.output.empty()) {
-        Result_files out(a.common.output);
+        Result_files out(a.common, is_degeneracy);
         out.write("degeneracy.json", write_json(degeneracy_json(r)));
         out.write("degeneracy.html", degeneracy_html(r));
         out.commit();

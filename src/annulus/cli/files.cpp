@@ -36,7 +36,7 @@ std::pair<std::vector<double>, std::vector<double>> vertex_fields(const Moving& 
     for (std::size_t i = 0; i < m.tolerance.size(); ++i) {
         const auto v = dt.vertex(i);
         if (v == decltype(v)()) continue;
-        fields.first.push_back(std::isfinite(m.tolerance[i]) ? m.tolerance[i] : 0.0);
+        fields.first.push_back(m.tolerance[i]);  // infinite where nothing can fail
         fields.second.push_back(dt.theta(v));
     }
     return fields;
@@ -49,8 +49,8 @@ std::string title_of(const Run_record& run, const std::string& step, const std::
            (run.iterations == 1 ? ": " : "s: ") + names;
 }
 
-void write_run(const std::string& directory, const Tracker_2& tracker, std::optional<Picture> before,
-               std::vector<std::string> notes) {
+void write_run(const Common_arguments& arguments, const Tracker_2& tracker, const std::string& step,
+               std::optional<Picture> before, std::vector<std::string> notes) {
     const Run_record& run = tracker.record();
     const Audit_input<2> in = tracker.triangulation().audit_input();
     const auto cells = triangles(in);
@@ -59,14 +59,14 @@ void write_run(const std::string& directory, const Tracker_2& tracker, std::opti
     const std::vector<Vtu_field> fields{{"tolerance", std::move(tolerance)}, {"theta", std::move(theta)}};
 
     Report report;
-    report.title = title_of(run, "Lloyd iteration", run.strategy);
+    report.title = title_of(run, step, run.strategy);
     report.run = run;
     report.before = std::move(before);
     report.after = picture_of(tracker.triangulation(), "After " + counted(run.iterations, "iteration"));
     report.annulus_widths = tracker.widths();
     report.notes = std::move(notes);
 
-    Result_files out(directory);
+    Result_files out(arguments, is_result, run.interrupted);
     out.write("summary.json", write_json(summary_json(run)));
     out.write("iterations.csv", write_csv(iterations_table(run)));
     out.write("final.mesh", write_mesh<2>(in.points, in.cells));
@@ -75,8 +75,9 @@ void write_run(const std::string& directory, const Tracker_2& tracker, std::opti
     out.commit();
 }
 
-void write_run(const std::string& directory, const Tracker_3& tracker, const Mesh_3& mesh, bool domain,
-               std::optional<Picture> before, std::optional<Picture> after, std::vector<std::string> notes) {
+void write_run(const Common_arguments& arguments, const Tracker_3& tracker, const std::string& step, const Mesh_3& mesh,
+               bool domain, std::optional<Picture> before, std::optional<Picture> after,
+               std::vector<std::string> notes) {
     const Run_record& run = tracker.record();
     const Moving_delaunay_3& dt = tracker.triangulation();
     const Audit_input<3> in = dt.audit_input();  // the simplices of a flat set, if it is one
@@ -87,10 +88,10 @@ void write_run(const std::string& directory, const Tracker_3& tracker, const Mes
     for (std::size_t c = 0; c < cell.size(); ++c) {
         flag.push_back(mesh.inside[c] != 0 ? 1 : 0);
         if (mesh.inside[c] != 0) inside.push_back(cell[c]);
-        double most = -1;  // the largest cosine
+        double most = -1;  // the largest cosine; a facet without area is an angle of 0
         const auto x = [&](std::size_t i) { return in.points[static_cast<std::size_t>(cell[c][i])]; };
         for (const double cosine : dihedral_cosines(x(0), x(1), x(2), x(3)))
-            most = std::max(most, std::min(cosine, 1.0));
+            most = std::max(most, std::isnan(cosine) ? 1.0 : std::min(cosine, 1.0));
         least_angle.push_back(std::acos(most) * 180 / std::numbers::pi);
     }
     const Measures m = dt.measure();
@@ -106,14 +107,14 @@ void write_run(const std::string& directory, const Tracker_3& tracker, const Mes
     }
 
     Report report;
-    report.title = run.command;
+    report.title = title_of(run, step, run.strategy);
     report.run = run;
     report.before = std::move(before);
     report.after = std::move(after);
     report.annulus_widths = tracker.widths();
     report.notes = std::move(notes);
 
-    Result_files out(directory);
+    Result_files out(arguments, is_result, run.interrupted);
     out.write("summary.json", write_json(summary_json(run)));
     out.write("iterations.csv", write_csv(iterations_table(run)));
     if (domain) {
@@ -124,6 +125,12 @@ void write_run(const std::string& directory, const Tracker_3& tracker, const Mes
     out.write("final.vtu", write_vtu<3>(in.points, cell, point_fields, cell_fields));
     out.write("report.html", report_html(report));
     out.commit();
+}
+
+void say_interrupted(const Common_arguments& a, std::uint64_t done_steps, std::uint64_t steps) {
+    std::fprintf(stderr, "annulus: interrupted after %llu of %llu steps; what was done is in %s\n",
+                 static_cast<unsigned long long>(done_steps), static_cast<unsigned long long>(steps),
+                 partial(a.output).c_str());
 }
 
 template <class Moving>

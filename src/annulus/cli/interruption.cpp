@@ -13,13 +13,16 @@ static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may use l
 
 extern "C" void annulus_note_signal(int signal) { noted.store(signal); }
 
+bool watched = false;  // by a guard
+
 }  // namespace
 
-Interruption_guard::Interruption_guard() noexcept {
-    noted.store(0);
+Interruption_guard::Interruption_guard() noexcept : outermost_(!watched) {
+    if (!outermost_) return;
+    watched = true;
     struct sigaction note {};
     note.sa_handler = annulus_note_signal;
-    note.sa_flags = SA_RESTART;
+    note.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
     sigemptyset(&note.sa_mask);
     for (std::size_t i = 0; i < signals.size(); ++i) {
         sigaction(signals[i], nullptr, &before_[i]);
@@ -28,10 +31,15 @@ Interruption_guard::Interruption_guard() noexcept {
 }
 
 Interruption_guard::~Interruption_guard() {
+    if (!outermost_) return;
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
-    if (noted.load() != 0) raise(noted.load());
+    watched = false;
 }
 
-bool Interruption_guard::interrupted() const noexcept { return noted.load() != 0; }
+bool Interruption_guard::interrupted() noexcept { return noted.load() != 0; }
+
+void Interruption_guard::end_if_interrupted() noexcept {
+    if (noted.load() != 0) raise(noted.load());
+}
 
 }  // namespace annulus::cli

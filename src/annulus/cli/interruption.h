@@ -7,9 +7,9 @@
 
 namespace annulus::cli {
 
-/// While one of these lives, SIGHUP, SIGINT and SIGTERM are only noted. Its destructor gives them back their meaning and
-/// raises the one that came, if one did: the process ends by it, after whatever was declared later has cleaned up.
-/// Signals that were ignored (nohup) stay so. One at a time, and briefly: nobody likes a program that does not stop.
+/// While one of these lives, the first SIGHUP, SIGINT or SIGTERM is only noted; the same signal again ends the process at
+/// once: nobody likes a program that does not stop. Signals that were ignored (nohup) stay so. Inside of another one it
+/// does nothing.
 class Interruption_guard {
   public:
     Interruption_guard() noexcept;
@@ -18,11 +18,14 @@ class Interruption_guard {
     Interruption_guard& operator=(const Interruption_guard&) = delete;
 
     /// Has a signal come?
-    [[nodiscard]] bool interrupted() const noexcept;
+    [[nodiscard]] static bool interrupted() noexcept;
+    /// Ends the process by the signal that was noted, as if nobody had waited; returns if there was none.
+    static void end_if_interrupted() noexcept;
 
   private:
     static constexpr std::array<int, 3> signals{SIGHUP, SIGINT, SIGTERM};
     std::array<struct sigaction, 3> before_{};
+    bool outermost_;
 };
 
 }  // namespace annulus::cli

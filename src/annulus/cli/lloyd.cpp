@@ -26,7 +26,8 @@ int run(const Lloyd_call& a, const std::string& command) {
     const Options options = options_of(a.tracking, a.common);
     const Lloyd_scene scene = make_scene(a.lloyd, a.common.seed);
     a.common.say_merged(a.lloyd.input, scene.merged);
-    if (!a.common.output.empty()) require_writable(a.common.output);
+    a.common.say_notes(scene.notes);
+    if (!a.common.output.empty()) require_writable(a.common);
     Tracker_2 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.lloyd.iterations, a.tracking.audit,
                       !a.common.output.empty());
     std::optional<Picture> before;
@@ -35,9 +36,11 @@ int run(const Lloyd_call& a, const std::string& command) {
     const Lloyd_2 lloyd(scene.domain, scene.density, a.common.threads);
     Neighbours_2 neighbours;
     std::vector<Coordinates<2>> target(scene.points.size());
+    std::optional<Interruption_guard> guard;  // what there is so far is worth files, if they are asked for
+    if (!a.common.output.empty()) guard.emplace();
     {
         Progress progress("lloyd", a.lloyd.iterations, a.common.quiet);
-        for (std::uint64_t i = 1; i <= a.lloyd.iterations; ++i) {
+        for (std::uint64_t i = 1; i <= a.lloyd.iterations && !Interruption_guard::interrupted(); ++i) {
             const auto start = Clock::now();
             const Moving_delaunay_2& dt = tracker.triangulation();
             if (tracker.cells_changed()) dt.embedding().neighbours(neighbours);
@@ -50,9 +53,13 @@ int run(const Lloyd_call& a, const std::string& command) {
     }
     tracker.finish(command, a.common.seed, since(begin));
     if (!a.common.output.empty()) {
-        std::vector<std::string> notes;
+        std::vector<std::string> notes = scene.notes;
         if (scene.merged > 0) notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
-        write_run(a.common.output, tracker, std::move(before), std::move(notes));
+        write_run(a.common, tracker, "Lloyd iteration", std::move(before), std::move(notes));
+    }
+    if (tracker.record().interrupted) {
+        say_interrupted(a.common, tracker.record().iterations, a.lloyd.iterations);
+        return done;
     }
     if (!a.common.quiet) {
         print_summary(tracker);

@@ -93,6 +93,11 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
     if (a.points == 0 && a.input.empty())
         throw Error(Error_code::usage, "say how many points with --points N, or name a file with --input FILE");
     const Density density = parse_density(a.density);
+    const bool named = a.domain == "disc" || a.domain == "square";
+    if (a.radius != 0 && !named && !(a.domain.empty() && a.input.empty()))
+        throw Error(Error_code::usage, a.domain.empty()
+                                           ? "--radius needs --domain disc or square when points come from a file"
+                                           : "--radius is for --domain disc or square, not for a polygon");
     if (!std::isfinite(a.radius)) throw Error(Error_code::usage, "--radius must be a finite number");
     const double radius = a.radius > 0 ? a.radius : density == Density::sin2 ? 2 * std::numbers::pi : 1.0;
     std::optional<Domain_2> domain;
@@ -121,7 +126,7 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
             throw file.fault(0, Error_code::out_of_domain, e.what(), "lengths between 1e-100 and 1e100");
         }
     }
-    return {*domain, density, std::move(points), merged};
+    return {*domain, density, std::move(points), merged, file.notes};
 }
 
 }  // namespace annulus::cli

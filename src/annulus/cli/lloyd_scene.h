@@ -29,6 +29,7 @@ struct Lloyd_scene {
     Density density;
     std::vector<Coordinates<2>> points;  ///< distinct, in the domain
     std::uint64_t merged = 0;            ///< duplicates of the input that were merged
+    std::vector<std::string> notes{};    ///< what the input says and nobody obeys
     /// Mean spacing: the square root of area per point, the unit of length of the paper's figures.
     [[nodiscard]] double spacing() const;
 };

@@ -3,6 +3,8 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
+#include <annulus/cli/interruption.h>
+#include <annulus/cli/process.h>
 
 #include <CLI/CLI.hpp>
 
@@ -10,6 +12,9 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <new>
+#include <stdexcept>
+#include <string>
 
 namespace annulus::cli {
 
@@ -20,6 +25,40 @@ int complain(std::string message, int status) {
     std::replace(message.begin(), message.end(), '\n', ' ');
     std::fprintf(stderr, "annulus: %s\n", message.c_str());
     return status;
+}
+
+int status_of(Error_code code) {
+    switch (code) {
+        case Error_code::usage: return wrong_usage;
+        case Error_code::not_finite:
+        case Error_code::out_of_domain:
+        case Error_code::collision:
+        case Error_code::too_few:
+        case Error_code::too_large:
+        case Error_code::bad_input: return bad_input;
+        case Error_code::wrong_size:
+        case Error_code::unknown_vertex:
+        case Error_code::environment: break;
+    }
+    return our_fault;
+}
+
+/// Runs what throws; every exception is one line on standard error and a status.
+template <class Call>
+int guarded(const Call& call) {
+    try {
+        return call();
+    } catch (const CLI::ParseError& e) {
+        return complain(std::string(e.what()) + " (see annulus --help)", wrong_usage);
+    } catch (const Error& e) {
+        return complain(e.what(), status_of(e.code()));
+    } catch (const std::bad_alloc&) {
+        return complain("out of memory", our_fault);
+    } catch (const std::length_error&) {  // more than any memory has
+        return complain("out of memory", our_fault);
+    } catch (const std::exception& e) {
+        return complain(e.what(), our_fault);
+    }
 }
 
 int run(int argc, char** argv) {
@@ -44,26 +83,25 @@ int run(int argc, char** argv) {
     commands["audit"] = add_audit_command(app, invocation);
     commands["degeneracy"] = add_degeneracy_command(app, invocation);
     commands["counterexample"] = add_counterexample_command(app, invocation);
+    std::reverse(outer.begin(), outer.end());
     try {
-        std::reverse(outer.begin(), outer.end());
         app.parse(outer);
-        require_sound_environment();
-        return commands.at(app.get_subcommands().front()->get_name())();
     } catch (const CLI::Success& e) {  // --help, --version
         return app.exit(e);
-    } catch (const CLI::ParseError& e) {
-        return complain(std::string(e.what()) + " (see annulus --help)", wrong_usage);
-    } catch (const Error& e) {
-        return complain(e.what(), e.code() == Error_code::usage ? wrong_usage : bad_input);
-    } catch (const std::bad_alloc&) {
-        return complain("out of memory", bad_input);
-    } catch (const std::exception& e) {
-        return complain(e.what(), bad_input);
     }
+    require_sound_environment();
+    return commands.at(app.get_subcommands().front()->get_name())();
 }
 
 }  // namespace
 
 }  // namespace annulus::cli
 
-int main(int argc, char** argv) { return annulus::cli::run(argc, argv); }
+int main(int argc, char** argv) {
+    using namespace annulus::cli;
+    prepare_process();
+    int status = guarded([&] { return run(argc, argv); });
+    if (status == done || status == audit_failed) status = guarded([&] { return finish_output(), status; });
+    Interruption_guard::end_if_interrupted();
+    return status;
+}

@@ -42,7 +42,7 @@ int run(const Nodt_call& a, const std::string& command) {
     const auto begin = Clock::now();
     const Options options = options_of(a.tracking, a.common);
     const bool files = !a.common.output.empty();
-    if (files) require_writable(a.common.output);
+    if (files) require_writable(a.common);
     const Nodt_scene scene = make_scene(a.nodt, a.common.seed);
     const Domain_3& domain = *scene.domain;
     Tracker_3 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.nodt.iterations, a.tracking.audit,
@@ -55,9 +55,11 @@ int run(const Nodt_call& a, const std::string& command) {
 
     const Nodt_3 nodt(domain, scene.sizing, vertices_on_surface(domain, scene.points), a.nodt.lock, a.common.threads);
     std::vector<Coordinates<3>> target(scene.points.size());
+    std::optional<Interruption_guard> guard;
+    if (files) guard.emplace();
     {
         Progress progress("nodt", a.nodt.iterations, a.common.quiet);
-        for (std::uint64_t i = 1; i <= a.nodt.iterations; ++i) {
+        for (std::uint64_t i = 1; i <= a.nodt.iterations && !Interruption_guard::interrupted(); ++i) {
             auto start = Clock::now();
             const Nodt_step step = nodt.step(mesh.cells, mesh.inside, mesh.points, target);
             tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
@@ -74,8 +76,12 @@ int run(const Nodt_call& a, const std::string& command) {
     }
     tracker.finish(command, a.common.seed, since(begin));
     if (files)
-        write_run(a.common.output, tracker, mesh, true, std::move(before),
-                  mesh.cut("after " + counted(a.nodt.iterations, "iteration")), scene.notes);
+        write_run(a.common, tracker, "natural ODT iteration", mesh, true, std::move(before),
+                  mesh.cut("after " + counted(tracker.record().iterations, "iteration")), scene.notes);
+    if (tracker.record().interrupted) {
+        say_interrupted(a.common, tracker.record().iterations, a.nodt.iterations);
+        return done;
+    }
     if (!a.common.quiet) {
         print_summary(tracker);
         if (files) std::printf("written to     %s\n", a.common.output.c_str());

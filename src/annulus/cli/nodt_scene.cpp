@@ -2,6 +2,7 @@
 #include <annulus/cli/nodt_scene.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/io/file_bytes.h>
 #include <annulus/io/read_image.h>
 #include <annulus/io/read_surface.h>
 #include <annulus/motion/ball_3.h>
@@ -18,6 +19,9 @@ void add_nodt(CLI::App& app, Nodt_arguments& a) {
         app.add_option("--surface", a.surface,
                        "Closed surface: a .off, .obj, .ply or .stl file, or a labelled image, .inr or .inr.gz")
             ->type_name("FILE");
+    app.add_flag("--allow-crossing", a.allow_crossing,
+                 "Take a surface that crosses itself: inside is where a ray leaves it an odd number of times")
+        ->needs(surface);
     auto* sphere = app.add_flag("--sphere", a.sphere, "The unit sphere");
     surface->excludes(sphere);
     app.add_option("-n,--vertices", a.vertices, "Start from a mesh with about N vertices")
@@ -29,9 +33,9 @@ void add_nodt(CLI::App& app, Nodt_arguments& a) {
     app.add_option("--sizing", a.sizing, "Edges as long everywhere, or longer away from the surface")
         ->check(CLI::IsMember({"constant", "graded"}))
         ->capture_default_str();
-    app.add_option("--gradation", a.gradation, "Graded: 1 + this much more at the depth of the ball of the same volume")
-        ->check(CLI::Range(0.0, 100.0))
-        ->capture_default_str();
+    app.add_option("--gradation", a.gradation,
+                   "With --sizing graded: 1 + this much more at the depth of the ball of the same volume (2)")
+        ->check(CLI::Range(0.0, 100.0));
     app.add_option("--lock", a.lock,
                    "Vertices rest while the dihedral angles of their cells are between this and 180 degrees less it")
         ->type_name("DEGREES")
@@ -42,7 +46,7 @@ double Nodt_scene::spacing() const { return std::cbrt(domain->volume() / static_
 
 namespace {
 
-bool is_image(const std::string& file) { return file.ends_with(".inr") || file.ends_with(".inr.gz"); }
+bool is_image(const std::string& file) { return format_extension(file) == ".inr"; }
 
 std::unique_ptr<const Domain_3> surface_domain(const Nodt_arguments& a, std::vector<std::string>& notes) {
     Triangle_surface surface;
@@ -60,12 +64,7 @@ std::unique_ptr<const Domain_3> surface_domain(const Nodt_arguments& a, std::vec
         if (file.merged > 0) notes.push_back(counted(file.merged, "duplicate point") + " of the surface merged.");
         surface = std::move(file.surface);
     }
-    for (const auto& p : surface.points)
-        for (const double x : p)
-            if (!(std::abs(x) <= 1e100))
-                throw Input_error(Error_code::out_of_domain, a.surface, 0, "a coordinate is too large",
-                                  "at most 1e100");
-    return std::make_unique<Surface_3>(surface);
+    return std::make_unique<Surface_3>(surface, a.allow_crossing);
 }
 
 }  // namespace
@@ -73,14 +72,23 @@ std::unique_ptr<const Domain_3> surface_domain(const Nodt_arguments& a, std::vec
 Nodt_scene make_scene(const Nodt_arguments& a, std::uint64_t seed) {
     if (!a.sphere && a.surface.empty())
         throw Error(Error_code::usage, "say what to mesh with --surface FILE or --sphere");
+    if (a.gradation && a.sizing != "graded") throw Error(Error_code::usage, "--gradation is for --sizing graded");
     if (a.vertices == 0) throw Error(Error_code::usage, "say how many vertices with --vertices N");
     std::vector<std::string> notes;
-    std::unique_ptr<const Domain_3> domain;
-    if (a.sphere) domain = std::make_unique<Ball_3>(1);
-    else domain = surface_domain(a, notes);
-    const Sizing_3 sizing(*domain, a.sizing == "graded" ? a.gradation : 0);
-    std::vector<Coordinates<3>> points = initial_mesh(*domain, sizing, a.vertices, seed);
-    return {std::move(domain), sizing, std::move(points), std::move(notes)};
+    try {
+        std::unique_ptr<const Domain_3> domain;
+        if (a.sphere) domain = std::make_unique<Ball_3>(1);
+        else domain = surface_domain(a, notes);
+        const Sizing_3 sizing(*domain, a.sizing == "graded" ? a.gradation.value_or(2) : 0);
+        std::vector<Coordinates<3>> points = initial_mesh(*domain, sizing, a.vertices, seed);
+        return {std::move(domain), sizing, std::move(points), std::move(notes)};
+    } catch (const Input_error&) {
+        throw;
+    } catch (const Error& e) {
+        const bool crosses = std::string_view(e.what()).starts_with("it crosses");
+        throw Input_error(e.code(), a.sphere ? "--sphere" : a.surface, 0, e.what(),
+                          crosses ? "a surface that does not, or --allow-crossing" : "");
+    }
 }
 
 }  // namespace annulus::cli

@@ -15,11 +15,12 @@ namespace annulus::cli {
 /// The arguments that say which mesh to optimise.
 struct Nodt_arguments {
     std::string surface;
+    bool allow_crossing = false;
     bool sphere = false;
     std::uint64_t vertices = 0;
     std::uint64_t iterations = 100;
     std::string sizing = "constant";
-    double gradation = 2;
+    std::optional<double> gradation;
     std::optional<double> lock;
 };
 

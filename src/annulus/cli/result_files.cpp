@@ -1,24 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/arithmetic/error.h>
 #include <annulus/cli/result_files.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
 
 namespace annulus::cli {
 
-/// The message is not seen: the guard ends the process while the exception is on its way.
-void Result_files::stop_if_interrupted() const {
-    if (guard_.interrupted()) throw Error(Error_code::bad_input, "interrupted");
+namespace {
+
+/// These tell what a directory holds. Each states its command.
+constexpr std::array<std::string_view, 5> heads{"summary.json", "compare.json", "audit.json", "degeneracy.json",
+                                                "counterexample.json"};
+constexpr std::array<std::string_view, 7> others{"iterations.csv", "dihedral.csv", "final.mesh",     "domain.mesh",
+                                                 "final.vtu",      "report.html",  "degeneracy.html"};
+
+template <std::size_t n>
+bool is_one_of(const std::array<std::string_view, n>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void Result_files::write(std::string_view name, std::string_view content) {
-    stop_if_interrupted();
-    out_.write(name, content);
+/// Has annulus written to this directory? A summary.json of something else does not say so.
+bool holds_results(const std::filesystem::path& directory) {
+    return std::any_of(heads.begin(), heads.end(), [&](std::string_view name) {
+        std::string begin(4096, '\0');
+        std::ifstream file(directory / name, std::ios::binary);
+        file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+        return begin.find("\"command\": \"annulus ") != std::string::npos;
+    });
 }
 
-void Result_files::commit() {
-    stop_if_interrupted();
-    out_.commit();
+std::string directory_of(const Common_arguments& a, bool interrupted) {
+    return interrupted ? partial(a.output) : a.output;
 }
 
-void require_writable(const std::string& directory) { Result_files(directory).write("probe", ""); }
+}  // namespace
+
+bool is_result(std::string_view name) {
+    return is_one_of(heads, name) || is_one_of(others, name) ||
+           (name.starts_with("iterations-") && name.ends_with(".csv"));
+}
+
+Result_files::Result_files(const Common_arguments& a, Output_directory::Replaced replaced, bool interrupted)
+    : out_(directory_of(a, interrupted), replaced, a.force || holds_results(directory_of(a, interrupted))) {}
+
+void require_writable(const Common_arguments& arguments, Output_directory::Replaced replaced) {
+    Result_files(arguments, replaced).write("probe", "");
+}
+
+std::string partial(const std::string& directory) {
+    std::filesystem::path path(directory);
+    if (!path.has_filename()) path = path.parent_path();  // "out/"
+    if (path.filename() == "." || path.filename() == "..") path = std::filesystem::weakly_canonical(path);
+    return path.string() + ".partial";
+}
 
 }  // namespace annulus::cli

@@ -1,31 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/cli/arguments.h>
 #include <annulus/cli/interruption.h>
 #include <annulus/io/output_directory.h>
 
-#include <string>
 #include <string_view>
 
 namespace annulus::cli {
 
-/// What a subcommand writes, all of it or nothing, also when it is interrupted meanwhile: a signal before `commit` takes
-/// everything back, one during it waits until all files are in place; then the process ends by it.
+/// Names of the files that any subcommand writes.
+[[nodiscard]] bool is_result(std::string_view name);
+
+/// What a subcommand writes to --output, all of it or nothing: a signal that comes meanwhile waits until all is in place.
+/// A directory with files in it is refused, unless annulus has written results there, or with --force.
 class Result_files {
   public:
-    explicit Result_files(const std::string& directory) : out_(directory) {}
-    void write(std::string_view name, std::string_view content);
-    void commit();
+    /// `replaced` are the earlier results that these make obsolete. An interrupted run writes to DIR.partial.
+    explicit Result_files(const Common_arguments& arguments, Output_directory::Replaced replaced = is_result,
+                          bool interrupted = false);
+    void write(std::string_view name, std::string_view content) { out_.write(name, content); }
+    void commit() { out_.commit(); }
 
   private:
-    void stop_if_interrupted() const;
-
     Interruption_guard guard_;  // first, so that it goes last
     Output_directory out_;
 };
 
-/// Throws Error(bad_input) when `directory` cannot be written to: better known before a long run than after it. Leaves
-/// nothing behind.
-void require_writable(const std::string& directory);
+/// Throws when --output cannot be written to: better known before a long run than after it. Leaves nothing behind.
+void require_writable(const Common_arguments& arguments, Output_directory::Replaced replaced = is_result);
+
+/// The name of the directory that an interrupted run writes to: DIR.partial.
+[[nodiscard]] std::string partial(const std::string& directory);
 
 }  // namespace annulus::cli

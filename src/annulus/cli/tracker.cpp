@@ -140,7 +140,10 @@ void Tracker<Moving>::audit() {
 template <class Moving>
 void Tracker<Moving>::finish(const std::string& command, std::uint64_t seed, double total_seconds) {
     if (record_.iterations == 0 && audit_every_ > 0) audit();
+    record_.vertices = dt_.number_of_vertices();  // as the files have them; a replay may have begun with others
     record_.command = command;
+    record_.vertices = dt_.number_of_vertices();  // replay adds and removes
+    record_.interrupted = record_.iterations < iterations_;
     record_.seed = seed;
     record_.seconds.total = total_seconds;
     record_.moves = moves_of(totals_.moves);

@@ -2,8 +2,8 @@
 #include <annulus/io/axis_ticks.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 
@@ -21,9 +21,9 @@ std::string power_of_ten(int n) {
 }
 
 std::string in_digits(double value, int decimals) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, std::fabs(value));
-    std::string out(text);
+    char text[800];  // any double; no host's locale
+    std::string out(text,
+                    std::to_chars(text, text + sizeof text, std::fabs(value), std::chars_format::fixed, decimals).ptr);
     const auto dot = std::min(out.find('.'), out.size());
     for (std::size_t i = dot; i > 3;) {
         i -= 3;
@@ -124,8 +124,10 @@ std::string readable(double value) {
     if (std::isinf(value)) return value < 0 ? "−∞" : "∞";
     if (value == 0) return "0";
     char text[32];
-    std::snprintf(text, sizeof text, "%.2e", value);  // rounds to three digits before the exponent is read
-    const double rounded = std::strtod(text, nullptr);
+    // Rounds to three digits before the exponent is read.
+    const char* end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 2).ptr;
+    double rounded = value;
+    std::from_chars(text, end, rounded);
     const int exponent = static_cast<int>(std::floor(std::log10(std::fabs(rounded)) + 1e-9));
     if (exponent >= 7 || exponent < -4) {
         const double lead = rounded / std::pow(10., exponent);

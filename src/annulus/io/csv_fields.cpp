@@ -5,18 +5,19 @@
 
 namespace annulus {
 
-namespace {
-
-std::string_view trimmed(std::string_view text) {
+std::string_view csv_trimmed(std::string_view text) {
     const auto first = text.find_first_not_of(" \t");
     if (first == std::string_view::npos) return {};
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+namespace {
+
 /// Numbers need no quotes and no coordinate holds a separator, but some programs quote every field.
 std::string_view unquoted(std::string_view text) {
-    text = trimmed(text);
-    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') return trimmed(text.substr(1, text.size() - 2));
+    text = csv_trimmed(text);
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
+        return csv_trimmed(text.substr(1, text.size() - 2));
     return text;
 }
 
@@ -48,9 +49,9 @@ bool is_csv_header(const std::vector<std::string_view>& fields) {
     });
 }
 
-bool next_csv_row(Line_reader& reader) {
+bool next_csv_line(Line_reader& reader) {
     while (reader.next_line())
-        if (const auto text = trimmed(reader.line()); !text.empty() && text[0] != '#') return true;
+        if (!csv_trimmed(reader.line()).empty()) return true;
     return false;
 }
 

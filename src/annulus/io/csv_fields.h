@@ -17,7 +17,10 @@ void split_csv(std::string_view line, char separator, std::vector<std::string_vi
 /// A header has names only. What begins like a number is none, so that `1 2` is not taken for the name of a column.
 [[nodiscard]] bool is_csv_header(const std::vector<std::string_view>& fields);
 
-/// Goes to the next line that is neither blank nor a comment; false at the end.
-bool next_csv_row(Line_reader& reader);
+/// Goes to the next line that is not blank; false at the end.
+bool next_csv_line(Line_reader& reader);
+
+/// A text without the blanks around it.
+[[nodiscard]] std::string_view csv_trimmed(std::string_view text);
 
 }  // namespace annulus

@@ -51,6 +51,7 @@ double share(std::uint64_t part, std::uint64_t all) {
 
 Json degeneracy_json(const Degeneracy_record& r) {
     Json json{{"command", r.command},
+              {"version", ANNULUS_VERSION},
               {"file", r.file},
               {"dimension", r.dimension},
               {"points", r.points},

@@ -2,12 +2,14 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/io/output_directory.h>
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
-#include <fstream>
+#include <cstdio>
+#include <cstdlib>
 #include <system_error>
 
 namespace annulus {
@@ -16,122 +18,176 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail(const fs::path& path, const std::string& what) {
+constexpr std::string_view private_prefix = ".annulus-";
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& what) {
     throw Error(Error_code::bad_input, path.string() + ": " + what);
 }
+[[noreturn]] void fail(const fs::path& path, const std::string& what, std::error_code code) {
+    throw std::system_error(code, path.string() + ": " + what);
+}
+std::error_code last_error() { return {errno, std::generic_category()}; }
 
-std::string reason(const std::error_code& code) { return code.message(); }
+void write_all(const fs::path& file, std::string_view content) {
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor < 0) throw last_error();
+    while (!content.empty()) {
+        const ssize_t done = ::write(descriptor, content.data(), content.size());
+        if (done < 0 && errno == EINTR) continue;
+        if (done < 0) {
+            const std::error_code why = last_error();
+            ::close(descriptor);
+            throw why;
+        }
+        content.remove_prefix(static_cast<std::size_t>(done));
+    }
+    if (::close(descriptor) != 0) throw last_error();  // a full disk may show only here
+}
+
+/// A directory with a name of its own in `parent`, or an error.
+fs::path private_directory_in(const fs::path& parent, std::error_code& code) {
+    std::string name = (parent / (std::string(private_prefix) + "XXXXXX")).string();
+    code.clear();
+    if (::mkdtemp(name.data()) == nullptr) code = last_error();
+    return name;
+}
+
+/// Something is mounted there: it cannot be renamed.
+bool is_mount_point(const fs::path& path) {
+    struct statx s {};
+    if (::statx(AT_FDCWD, path.c_str(), 0, 0, &s) != 0) return true;
+    return (s.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
+}
 
 }  // namespace
 
-Output_directory::Output_directory(fs::path path) : path_(std::move(path)) {
-    if (path_.empty()) fail("''", "cannot be the output directory");
-    // A trailing slash would make the last component empty.
-    if (!path_.has_filename()) path_ = path_.parent_path();
+Output_directory::Output_directory(fs::path path, Replaced replaced, bool may_hold_files)
+    : path_(std::move(path)), replaced_(replaced) {
+    if (path_.empty()) refuse("''", "cannot be the output directory");
+    if (!path_.has_filename()) path_ = path_.parent_path();  // a trailing slash made the last component empty
     std::error_code code;
-    std::vector<fs::path> missing;
-    for (fs::path p = path_; !p.empty() && !fs::exists(p, code); p = p.parent_path()) missing.push_back(p);
-    std::reverse(missing.begin(), missing.end());
-    for (const fs::path& p : missing) {
-        if (fs::create_directory(p, code)) {
-            made_.push_back(p);
-        } else if (code) {
-            remove_directories();
-            fail(p, "cannot be made: " + reason(code));
-        }
-    }
-    if (!fs::is_directory(path_, code)) {
-        remove_directories();
-        fail(path_, "is not a directory");
+    exists_ = fs::exists(fs::symlink_status(path_, code));
+    if (code && code != std::errc::no_such_file_or_directory && code != std::errc::not_a_directory)
+        fail(path_, "cannot be looked at", code);
+    try {
+        if (exists_) look_at_what_is_there(may_hold_files);
+        else make_parents();
+        make_room_for_content();
+    } catch (...) {
+        clean_up();
+        throw;
     }
 }
 
-Output_directory::~Output_directory() {
-    take_back();
-    remove_directories();
+Output_directory::~Output_directory() { clean_up(); }
+
+void Output_directory::look_at_what_is_there(bool may_hold_files) {
+    std::error_code code;
+    if (!fs::is_directory(path_, code)) refuse(path_, "is not a directory");
+    const fs::path target = fs::canonical(path_, code);  // a link to a directory stays a link
+    if (code) fail(path_, "cannot be looked at", code);
+    fs::directory_iterator entry(target, code);
+    if (code) fail(path_, "cannot be looked at", code);
+    for (; entry != fs::directory_iterator(); entry.increment(code)) {
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with(private_prefix)) continue;  // of a run that was killed
+        if (!may_hold_files)
+            refuse(path_,
+                   "holds other files; expected a new or empty directory, or one with results of annulus (or --force)");
+        one_by_one_ = one_by_one_ || !replaced_(name) || entry->is_directory(code);
+    }
+    if (code) fail(path_, "cannot be looked at", code);
+    target_ = target;
+    one_by_one_ = one_by_one_ || target_ == fs::current_path(code) || is_mount_point(target_);
+}
+
+void Output_directory::make_parents() {
+    if (path_.filename() == "." || path_.filename() == "..") refuse(path_, "is not there");
+    target_ = fs::absolute(path_);
+    std::error_code code;
+    std::vector<fs::path> missing;
+    for (fs::path p = target_.parent_path(); !fs::exists(p, code) && p != p.parent_path(); p = p.parent_path())
+        missing.push_back(p);
+    for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
+        if (fs::create_directory(*p, code)) made_.push_back(*p);
+        else if (code == std::errc::not_a_directory) refuse(p->parent_path(), "is not a directory");
+        else if (code) fail(*p, "cannot be made", code);
+    }
+    if (!fs::is_directory(target_.parent_path(), code)) refuse(path_.parent_path(), "is not a directory");
+}
+
+void Output_directory::make_room_for_content() {
+    std::error_code code;
+    fs::path made;
+    if (!one_by_one_) made = private_directory_in(target_.parent_path(), code);
+    if (exists_ && (one_by_one_ || code)) {  // its parent may be closed to us, and it open
+        one_by_one_ = true;
+        made = private_directory_in(target_, code);
+    }
+    if (code) fail(path_, exists_ ? "cannot be written to" : "cannot be made", code);
+    private_ = made;
+    content_ = private_ / "content";
+    if (::mkdir(content_.c_str(), 0777) != 0) fail(path_, "cannot be made", last_error());
+    struct stat old {};
+    if (exists_ && ::stat(target_.c_str(), &old) == 0) fs::permissions(content_, fs::perms(old.st_mode & 07777), code);
 }
 
 void Output_directory::write(std::string_view name, std::string_view content) {
     const fs::path plain(name);
-    if (name.empty() || plain.filename() != plain || name == "." || name == "..")
-        fail(path_ / plain, "is not a plain file name");
-    const fs::path final_name = path_ / plain;
-    auto known = std::find_if(files_.begin(), files_.end(), [&](const File& f) { return f.final_name == final_name; });
-    if (known == files_.end()) {
-        files_.push_back({final_name, unused_name(name), {}, false, false});
-        known = files_.end() - 1;
+    if (name.empty() || plain.filename() != plain || name == "." || name == ".." ||
+        std::find(files_.begin(), files_.end(), plain) != files_.end())
+        refuse(path_ / plain, "is not a plain and new file name");
+    try {
+        write_all(content_ / plain, content);
+    } catch (const std::error_code& why) {
+        std::error_code ignored;
+        fs::remove(content_ / plain,
+                   ignored);  // half a file must not be there for a commit that comes in spite of this
+        fail(path_ / plain, "cannot be written", why);
     }
-    errno = 0;
-    std::ofstream out(known->temporary, std::ios::binary | std::ios::trunc);
-    out.write(content.data(), static_cast<std::streamsize>(content.size()));
-    out.close();  // a full disk may show only here
-    if (out) return;
-    const std::string why = errno != 0 ? std::strerror(errno) : "unknown error";
-    // Half a file must not be there for a commit that comes in spite of this.
-    std::error_code ignored;
-    fs::remove(known->temporary, ignored);
-    files_.erase(known);
-    fail(final_name, "cannot be written: " + why);
+    files_.push_back(plain);
 }
 
 void Output_directory::commit() {
-    try {
-        for (File& file : files_) put_in_place(file);
-    } catch (...) {
-        take_back();
-        throw;
+    if (content_.empty()) return;
+    if (!exists_) {
+        // An empty directory that has come meanwhile is replaced, any other is not.
+        if (::rename(content_.c_str(), target_.c_str()) != 0) fail(path_, "cannot be put in its place", last_error());
+    } else if (one_by_one_ ||
+               ::renameat2(AT_FDCWD, content_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) != 0) {
+        replace_one_by_one();  // also where the file system cannot exchange
     }
-    std::error_code ignored;
-    for (const File& file : files_)
-        if (file.has_backup) fs::remove(file.backup, ignored);
-    files_.clear();
     made_.clear();
+    clean_up();  // what has been exchanged is there now
 }
 
-fs::path Output_directory::unused_name(std::string_view name) {
-    fs::path candidate;
+void Output_directory::replace_one_by_one() {
     std::error_code code;
-    do {
-        candidate = path_ / ("." + std::string(name) + "." + std::to_string(::getpid()) + "." +
-                             std::to_string(names_++) + ".tmp");
-    } while (fs::exists(fs::symlink_status(candidate, code)));
-    return candidate;
-}
-
-/// Renaming over a file is atomic, so a reader sees the old file or the new one and never none.
-void Output_directory::put_in_place(File& file) {
-    std::error_code code;
-    const auto status = fs::symlink_status(file.final_name, code);
-    if (fs::is_directory(status)) fail(file.final_name, "is a directory; expected a file or nothing");
-    if (fs::exists(status)) {
-        file.backup = unused_name(file.final_name.filename().string());
-        fs::create_hard_link(file.final_name, file.backup, code);
-        if (code) fs::rename(file.final_name, file.backup, code);  // where there are no hard links
-        if (code) fail(file.final_name, "cannot be replaced: " + reason(code));
-        file.has_backup = true;
+    for (const fs::path& name : files_)
+        if (fs::is_directory(fs::symlink_status(target_ / name, code)))
+            refuse(path_ / name, "is a directory; expected a file or nothing");
+    const auto remove = [&](const fs::path& file) {
+        if (!fs::remove(file, code) && code) fail(file, "cannot be replaced", code);
+    };
+    if (!files_.empty()) remove(target_ / files_.front());
+    std::vector<fs::path> stale;
+    for (const auto& entry : fs::directory_iterator(target_, code)) {
+        const fs::path name = entry.path().filename();
+        const bool is_new = std::find(files_.begin(), files_.end(), name) != files_.end();
+        if (replaced_(name.string()) && !is_new && !entry.is_directory(code)) stale.push_back(entry.path());
     }
-    fs::rename(file.temporary, file.final_name, code);
-    if (code) fail(file.final_name, "cannot be written: " + reason(code));
-    file.in_place = true;
-}
-
-void Output_directory::take_back() noexcept {
-    std::error_code ignored;
-    for (const File& file : files_) {
-        if (file.has_backup) {
-            fs::rename(file.backup, file.final_name, ignored);
-            // Renaming between two names of one file does nothing, and leaves both.
-            fs::remove(file.backup, ignored);
-        } else if (file.in_place) {
-            fs::remove(file.final_name, ignored);
-        }
-        fs::remove(file.temporary, ignored);
+    for (const fs::path& file : stale) remove(file);
+    for (auto name = files_.rbegin(); name != files_.rend(); ++name) {
+        fs::rename(content_ / *name, target_ / *name, code);
+        if (code) fail(path_ / *name, "cannot be put in its place", code);
     }
-    files_.clear();
 }
 
-void Output_directory::remove_directories() noexcept {
+void Output_directory::clean_up() noexcept {
     std::error_code ignored;
+    if (!private_.empty()) fs::remove_all(private_, ignored);
+    private_.clear();
+    content_.clear();
     // Only directories that are empty go: somebody else may have begun to use them.
     for (auto p = made_.rbegin(); p != made_.rend(); ++p) fs::remove(*p, ignored);
     made_.clear();

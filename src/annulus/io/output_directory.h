@@ -8,45 +8,50 @@
 
 namespace annulus {
 
-/// The directory a run writes to: its files appear all together on `commit()`, or not at all.
+/// The directory a run writes to: it appears as a whole on `commit()`, or not at all.
 ///
-/// Content goes to temporary names beside the final ones and is renamed at the end. Without a commit the destructor
-/// removes it, and the directories that the constructor made. Faults throw Error(bad_input, "PATH: ...").
+/// Content goes to a fresh directory that nobody else can enter (mkdtemp), beside the one to be written where that can
+/// be. The commit renames it, in exchange for an older one. Where the directory that is there cannot be renamed (it is
+/// the working directory or a mount point, or holds other files, which stay), its files are replaced one by one, each at
+/// once: the first that was written is taken away first and comes last, so that where it is all others are.
+///
+/// Refusals throw Error(bad_input), what the system cannot do std::system_error; both say "PATH: ...".
 class Output_directory {
   public:
-    /// Makes the directory and its parents where they are missing.
-    explicit Output_directory(std::filesystem::path path);
+    /// Names of files that a commit replaces or, where it has none of that name, takes away: those of earlier results.
+    using Replaced = bool (*)(std::string_view name);
+
+    /// Makes missing parents. Throws when the directory is there and not empty, unless it `may_hold_files`.
+    Output_directory(std::filesystem::path path, Replaced replaced, bool may_hold_files);
+    /// Without a commit nothing is left, parents included.
     ~Output_directory();
     Output_directory(const Output_directory&) = delete;
     Output_directory& operator=(const Output_directory&) = delete;
 
-    /// Writes one file; `name` is a plain file name. Writing a name again replaces what was written before.
+    /// Writes one file; `name` is a plain file name that was not written before.
     void write(std::string_view name, std::string_view content);
 
-    /// Puts every file in its place, replacing older ones. When one cannot be, those already in place are taken back,
-    /// older files are as they were, and nothing new is left. A second call has nothing to do.
+    /// Puts the directory in its place. A second call has nothing to do. When it throws, older results are as they were, but for those replaced one by one, which may be in part.
     void commit();
 
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
   private:
-    struct File {
-        std::filesystem::path final_name;
-        std::filesystem::path temporary;
-        std::filesystem::path backup;  ///< a second name of the older file while it may be needed again
-        bool has_backup = false;
-        bool in_place = false;
-    };
+    void look_at_what_is_there(bool may_hold_files);
+    void make_parents();
+    void make_room_for_content();
+    void replace_one_by_one();
+    void clean_up() noexcept;
 
-    [[nodiscard]] std::filesystem::path unused_name(std::string_view name);
-    void put_in_place(File& file);
-    void take_back() noexcept;
-    void remove_directories() noexcept;
-
-    std::filesystem::path path_;
-    std::vector<std::filesystem::path> made_;  ///< directories, outermost first
-    std::vector<File> files_;
-    unsigned names_ = 0;
+    std::filesystem::path path_;    ///< as it was given
+    std::filesystem::path target_;  ///< absolute, without links
+    Replaced replaced_;
+    bool exists_ = false;
+    bool one_by_one_ = false;
+    std::vector<std::filesystem::path> made_;   ///< parents, outermost first
+    std::filesystem::path private_;             ///< of mode 0700, so that no link can be laid in our way
+    std::filesystem::path content_;             ///< in it, with the mode of the result
+    std::vector<std::filesystem::path> files_;  ///< plain names, in the order of writing
 };
 
 }  // namespace annulus

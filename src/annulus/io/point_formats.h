@@ -5,6 +5,7 @@
 #include <annulus/io/text_input.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace annulus {
@@ -16,13 +17,13 @@ struct Raw_points {
     std::vector<Coordinates<3>> points;
     std::vector<std::uint64_t> lines;  ///< where each point stands: line, or record in a binary file, from 1
     bool has_z = false;
+    std::vector<std::string> notes{};  ///< what the file says and nobody obeys; each a line with the file's name
 };
 
-/// `x y [z]` a line, further columns ignored; or XYZ: a count, a comment, then `[Element] x y [z]` lines.
+/// The only frame of XYZ, or rows `x y [z] ...`; see Xyz_frames.
 [[nodiscard]] Raw_points read_xyz(const Source& source);
 
-/// Values separated by comma, semicolon or tab. With a header the columns named x, y, z (either case) are used, else
-/// the first two or three.
+/// Values separated by comma, semicolon or tab, of one frame; see Csv_frames.
 [[nodiscard]] Raw_points read_csv(const Source& source);
 
 /// Vertices of an OFF surface, colours, normals and texture coordinates of its variants ignored; its faces when asked.

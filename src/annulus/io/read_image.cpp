@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/io/gunzip.h>
+#include <annulus/io/file_bytes.h>
 #include <annulus/io/read_image.h>
 #include <annulus/io/text_input.h>
 
@@ -10,6 +10,7 @@ namespace annulus {
 namespace {
 
 constexpr std::uint64_t most_voxels = std::uint64_t{1} << 32;
+constexpr std::size_t longest_header = 1 << 16;
 
 /// KEY=value, and the line of each.
 struct Header {
@@ -23,7 +24,10 @@ Header header_of(const Source& source, Line_reader& reader) {
     if (!reader.next_line() || reader.line() != "#INRIMAGE-4#{")
         reader.fail("begins with " + shown(reader.line()), "#INRIMAGE-4#{");
     while (true) {
-        if (!reader.next_line()) reader.fail("the file ends within its header", "##}");
+        if (!reader.next_line())
+            reader.fail(source.content.size() < longest_header ? "the file ends within its header"
+                                                               : "the header is longer than 64 KiB",
+                        "##}");
         const std::string_view line = reader.line();
         if (line == "##}") break;
         const std::size_t equals = line.find('=');
@@ -40,11 +44,13 @@ Header header_of(const Source& source, Line_reader& reader) {
 }  // namespace
 
 Labelled_image read_image(const std::filesystem::path& file) {
-    Source source = load_file(file);
-    const std::string name = file.filename().string();
-    if (name.ends_with(".gz")) source = gunzip(source, most_voxels);
-    else if (!name.ends_with(".inr"))
-        throw Input_error(Error_code::bad_input, source.name, 0, "has an unknown extension", ".inr or .inr.gz");
+    if (format_extension(file) != ".inr")
+        throw Input_error(Error_code::bad_input, file.string(), 0, "has an unknown extension", ".inr or .inr.gz");
+    File_bytes bytes(file);
+    Source source{bytes.name(), {}};
+    // The header decides how much there may be: nothing is unpacked beyond that.
+    while (source.content.size() < longest_header && bytes.more(source.content)) continue;
+    if (source.content.empty()) throw Input_error(Error_code::bad_input, source.name, 1, "is empty", "data");
     Line_reader reader(source);
     const Header header = header_of(source, reader);
     const auto get = [&](std::string_view key) -> const std::string& {
@@ -74,12 +80,16 @@ Labelled_image read_image(const std::filesystem::path& file) {
         if (!(image.spacing[k] > 1e-100 && image.spacing[k] < 1e100))
             reader.fail(length + " is " + get(length), "an edge length, between 1e-100 and 1e100");
     }
-    const std::size_t bytes = source.content.size() - header.length;
-    if (bytes != voxels)
-        reader.fail("has " + std::to_string(bytes) + " bytes after its header",
+    const std::uint64_t most = header.length + voxels;
+    while (source.content.size() <= most && bytes.more(source.content)) continue;
+    if (source.content.size() != most)
+        reader.fail("has " +
+                        (source.content.size() > most ? "more than " + std::to_string(voxels)
+                                                      : std::to_string(source.content.size() - header.length)) +
+                        " bytes after its header",
                     std::to_string(voxels) + ", one a voxel");
     const auto* first = reinterpret_cast<const std::uint8_t*>(source.content.data() + header.length);
-    image.label.assign(first, first + bytes);
+    image.label.assign(first, first + voxels);
     return image;
 }
 

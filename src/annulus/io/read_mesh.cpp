@@ -10,12 +10,15 @@ namespace annulus {
 
 namespace {
 
-/// The edges of points on a line, which have no triangles.
-Medit_cells<3> padded(Medit_cells<2>&& edges) {
-    Medit_cells<3> cells;
-    cells.lines = std::move(edges.lines);
-    for (const auto& [a, b] : edges.cells) cells.cells.push_back({a, b, none});
-    return cells;
+/// The simplices of flat points, which have no solid cells.
+template <std::size_t corners>
+void take_if_empty(Medit_cells<corners>& cells, Medit_cells<corners - 1>&& flat) {
+    if (!cells.cells.empty()) return;
+    cells.lines = std::move(flat.lines);
+    for (const auto& c : flat.cells) {
+        std::copy(c.begin(), c.end(), cells.cells.emplace_back().begin());
+        cells.cells.back().back() = none;
+    }
 }
 
 template <int d, std::size_t corners>
@@ -25,10 +28,10 @@ Mesh_file<d> mesh_of(std::string name, Medit_content&& content, Medit_cells<corn
         throw Input_error(Error_code::bad_input, std::move(name), content.last_line, "has no points",
                           "a section Vertices");
     if (cells.cells.empty())
-        throw Input_error(
-            Error_code::bad_input, std::move(name), content.last_line,
-            d == 2 ? "has no triangles" : "has no tetrahedra",
-            d == 2 ? "a section Triangles, or Edges where all points are collinear" : "a section Tetrahedra");
+        throw Input_error(Error_code::bad_input, std::move(name), content.last_line,
+                          d == 2 ? "has no triangles" : "has no tetrahedra",
+                          d == 2 ? "a section Triangles, or Edges where all points are collinear"
+                                 : "a section Tetrahedra, or Triangles where all points are coplanar");
     Mesh_file<d> mesh;
     mesh.name = std::move(name);
     mesh.points.reserve(content.points.size());
@@ -48,8 +51,9 @@ Mesh_file<d> mesh_of(std::string name, Medit_content&& content, Medit_cells<corn
 std::variant<Mesh_file<2>, Mesh_file<3>> read_mesh(const std::filesystem::path& file) {
     const Source source = load_file(file);
     Medit_content content = parse_medit(source);
-    if (content.dimension == 2 && content.triangles.cells.empty()) content.triangles = padded(std::move(content.edges));
+    take_if_empty(content.triangles, std::move(content.edges));
     if (content.dimension == 2) return mesh_of<2>(source.name, std::move(content), std::move(content.triangles));
+    take_if_empty(content.tetrahedra, std::move(content.triangles));
     return mesh_of<3>(source.name, std::move(content), std::move(content.tetrahedra));
 }
 

@@ -14,8 +14,8 @@
 namespace annulus {
 
 /// A mesh from a file: triangles in two dimensions, tetrahedra in three, in the order and orientation of the file.
-/// Coordinates are finite; indices are from 0, name points, and differ within a cell. A file of dimension 2 without
-/// triangles gives its edges, padded with `none`: the triangulation of points on a line.
+/// Coordinates are finite; indices are from 0, name points, and differ within a cell. A file without them gives its
+/// triangles or else its edges, padded with `none`: the triangulation of points in a plane or on a line.
 template <int d>
 struct Mesh_file {
     std::string name;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/arithmetic/domain.h>
+#include <annulus/io/distinct.h>
+#include <annulus/io/file_bytes.h>
 #include <annulus/io/point_formats.h>
 #include <annulus/io/read_points.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace annulus {
 
@@ -13,9 +14,7 @@ namespace {
 using Reader = Raw_points (*)(const Source&);
 
 Reader reader_of(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    const std::string extension = format_extension(file);
     if (extension == ".xyz") return read_xyz;
     if (extension == ".csv") return read_csv;
     if (extension == ".off") return [](const Source& source) { return read_off(source); };
@@ -50,6 +49,7 @@ Point_file<d> points_of(const Source& source, Raw_points raw, const Read_options
         result.points.push_back(q);
     }
     result.lines = std::move(raw.lines);
+    result.notes = std::move(raw.notes);
     return result;
 }
 
@@ -77,15 +77,10 @@ std::vector<Coordinates<d>> distinct_points(const Point_file<d>& file, std::size
         if (!in_domain(x[i]))
             throw file.fault(i, Error_code::out_of_domain, "coordinate out of domain", "magnitudes of at most 2^500");
     }
-    std::vector<std::size_t> order(x.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(),
-              [&x](std::size_t i, std::size_t j) { return x[i] != x[j] ? x[i] < x[j] : i < j; });
-    std::vector<char> repeated(x.size(), 0);
-    for (std::size_t k = 1; k < order.size(); ++k) repeated[order[k]] = x[order[k]] == x[order[k - 1]] ? 1 : 0;
+    const std::vector<std::size_t> first = first_at_place<d>(x);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < x.size(); ++i)
-        if (repeated[i] == 0) x[kept++] = x[i];
+        if (first[i] == i) x[kept++] = x[i];
     x.resize(kept);
     if (kept < at_least)
         throw file.fault(file.points.size() - 1, Error_code::too_few, counted(kept, "distinct point") + " in the file",

@@ -25,6 +25,8 @@ struct Point_file {
     std::vector<Coordinates<d>> points;
     /// Where each point stands: its line, or the number of its record in a binary file, from 1.
     std::vector<std::uint64_t> lines;
+    /// What the file says and nobody obeys, a periodic box; each a line with the file's name.
+    std::vector<std::string> notes;
 
     /// A fault found later in point i (a duplicate, a point outside the domain), reported like the reader's own.
     [[nodiscard]] Input_error fault(std::size_t i, Error_code code, std::string what, std::string expected) const {
@@ -32,7 +34,8 @@ struct Point_file {
     }
 };
 
-/// Reads points by the extension of the file: .xyz, .csv, .off, .ply, .mesh (either case); see point_formats.h.
+/// Reads points by the extension of the file: .xyz, .csv, .off, .ply, .mesh (either case), and .gz after it; see
+/// point_formats.h. A file of several frames is refused.
 ///
 /// Decimals are rounded correctly. d is 2 or 3. Throws Input_error for everything that is wrong with the file, which
 /// includes having no points, a z coordinate when d is 2 (unless ignored), and none when d is 3. Linear in the size of

@@ -43,13 +43,20 @@ void read_binary(const Source& source, Raw_points& raw, Raw_faces& faces) {
     }
 }
 
+std::string lower(std::string_view word) {
+    std::string result(word);
+    for (char& c : result)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return result;
+}
+
 void read_ascii(const Source& source, Raw_points& raw, Raw_faces& faces) {
     Line_reader reader(source);
     std::size_t corners = 0;
     bool in_facet = false;
     while (reader.next_record()) {
         const auto& fields = reader.fields();
-        const std::string_view word = fields[0];
+        const std::string word = lower(fields[0]);
         if (word == "facet") {
             if (in_facet) reader.fail("a facet begins within another", "endfacet");
             in_facet = true;
@@ -67,7 +74,7 @@ void read_ascii(const Source& source, Raw_points& raw, Raw_faces& faces) {
             in_facet = false;
             faces.close(reader.number());
         } else if (word != "solid" && word != "endsolid" && word != "outer" && word != "endloop") {
-            reader.fail("unknown word " + shown(word), "facet, vertex, endfacet or another word of ASCII STL");
+            reader.fail("unknown word " + shown(fields[0]), "facet, vertex, endfacet or another word of ASCII STL");
         }
     }
     if (in_facet) reader.fail("the file ends within a facet", "endfacet");
@@ -82,7 +89,7 @@ Raw_points read_stl(const Source& source, Raw_faces& faces) {
     const std::size_t size = source.content.size();
     if (size >= head && size == head + record * static_cast<std::uint64_t>(count_of(source.content))) {
         read_binary(source, raw, faces);
-    } else if (source.content.starts_with("solid")) {
+    } else if (lower(source.content.substr(0, 5)) == "solid" && source.content.find('\0') == std::string::npos) {
         read_ascii(source, raw, faces);
     } else if (size >= head) {
         throw Input_error(Error_code::bad_input, source.name, 0,

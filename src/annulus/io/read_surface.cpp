@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/io/file_bytes.h>
 #include <annulus/io/read_surface.h>
 #include <annulus/io/surface_formats.h>
+#include <annulus/motion/surface_faults.h>
 
 #include <algorithm>
 #include <map>
@@ -11,9 +13,7 @@ namespace annulus {
 namespace {
 
 Raw_points read_raw(const std::filesystem::path& file, const Source& source, Raw_faces& faces) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    const std::string extension = format_extension(file);
     if (extension == ".off") return read_off(source, &faces);
     if (extension == ".obj") return read_obj(source, faces);
     if (extension == ".ply") return read_ply(source, &faces);
@@ -49,35 +49,22 @@ class Numbering {
     std::uint64_t merged_ = 0;
 };
 
-struct Half_edge {
-    Index from, to;
-    std::uint64_t line;
-};
-
-/// Every edge once in each direction.
-void require_closed(const std::string& name, std::vector<Half_edge> edges) {
-    const auto ends = [](const Half_edge& e) { return std::pair(std::min(e.from, e.to), std::max(e.from, e.to)); };
-    std::sort(edges.begin(), edges.end(), [&](const Half_edge& a, const Half_edge& b) {
-        return ends(a) != ends(b) ? ends(a) < ends(b) : a.line < b.line;
-    });
-    const Half_edge* open = nullptr;
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t next = i + 1;
-        while (next < edges.size() && ends(edges[next]) == ends(edges[i])) ++next;
-        if (next - i > 2)
-            throw Input_error(Error_code::bad_input, name, edges[i + 2].line,
-                              "an edge is in " + std::to_string(next - i) + " triangles", "a closed surface: two");
-        if (next - i == 2 && edges[i].from == edges[i + 1].from)
-            throw Input_error(
-                Error_code::bad_input, name, edges[i + 1].line,
-                "a triangle is turned against the one beside it, at line " + std::to_string(edges[i].line),
+/// Every edge once in each direction. `lines` are those of the triangles.
+void require_closed(const std::string& name, const Triangle_surface& surface, const std::vector<std::uint64_t>& lines) {
+    const auto fault = edge_fault(surface.triangles);
+    if (!fault) return;
+    const auto fail = [&](const std::string& what, const std::string& expected) {
+        throw Input_error(Error_code::bad_input, name, lines[fault->triangle], what, expected);
+    };
+    switch (fault->kind) {
+        case Edge_fault::Kind::open: return fail("an edge is in one triangle only: a hole", "a closed surface");
+        case Edge_fault::Kind::crowded:
+            return fail("an edge is in " + std::to_string(fault->count) + " triangles", "a closed surface: two");
+        case Edge_fault::Kind::turned:
+            return fail(
+                "a triangle is turned against the one beside it, at line " + std::to_string(lines[fault->other]),
                 "all counter-clockwise from outside");
-        if (next - i == 1 && (open == nullptr || edges[i].line < open->line)) open = &edges[i];
-        i = next;
     }
-    if (open != nullptr)
-        throw Input_error(Error_code::bad_input, name, open->line, "an edge is in one triangle only: a hole",
-                          "a closed surface");
 }
 
 }  // namespace
@@ -95,7 +82,7 @@ Surface_file read_surface(const std::filesystem::path& file) {
     if (faces.size() == 0) fail(1, "has no faces", "a closed surface");
 
     Numbering number(raw, surface);
-    std::vector<Half_edge> edges;
+    std::vector<std::uint64_t> lines;
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const auto corners = faces.of(f);
         if (corners.size() < 3) fail(faces.lines[f], "a face of " + counted(corners.size(), "corner"), "at least 3");
@@ -109,10 +96,10 @@ Surface_file read_surface(const std::filesystem::path& file) {
             if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
                 fail(faces.lines[f], "a triangle has two corners at one point", "three different points");
             surface.triangles.push_back(t);
-            for (std::size_t i = 0; i < 3; ++i) edges.push_back({t[i], t[(i + 1) % 3], faces.lines[f]});
+            lines.push_back(faces.lines[f]);
         }
     }
-    require_closed(source.name, std::move(edges));
+    require_closed(source.name, surface, lines);
     result.merged = number.merged();
     const double volume = enclosed_volume(surface);
     if (!(volume > 0 || volume < 0)) fail(1, "encloses no volume", "a surface around something");

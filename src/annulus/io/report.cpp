@@ -80,8 +80,9 @@ void append_pictures(std::string& out, const Report& report) {
 
 void append_comparison(std::string& out, const Comparison_record& comparison) {
     out += "<h2>Strategies compared</h2>\n";
-    out += comparison.agree ? "<p class=\"verdict good\">All strategies agree.</p>\n"
-                            : "<p class=\"verdict bad\">The strategies disagree.</p>\n";
+    if (!comparison.interrupted)
+        out += comparison.agree ? "<p class=\"verdict good\">All strategies agree.</p>\n"
+                                : "<p class=\"verdict bad\">The strategies disagree.</p>\n";
     for (const std::string& line : comparison.disagreements) out += "<p>" + escaped(line) + "</p>\n";
     if (comparison.runs.empty()) return;
     const auto fastest = std::min_element(
@@ -111,6 +112,9 @@ void append_comparison(std::string& out, const Comparison_record& comparison) {
 std::string report_html(const Report& report) {
     const Run_record& run = report.run;
     std::string out = page_head(report.title, run.command);
+    if (run.interrupted)
+        out += "<p class=\"verdict bad\">The run was interrupted after " + grouped(run.iterations) +
+               " iterations; this is what it had.</p>\n";
     if (run.audit.failed > 0)
         out += "<p class=\"verdict bad\">" + grouped(run.audit.failed) + " of " + grouped(run.audit.checked) +
                " audits failed: the triangulation was not Delaunay.</p>\n";

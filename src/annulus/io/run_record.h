@@ -73,6 +73,7 @@ struct Run_record {
     int dimension = 2;
     std::uint64_t vertices = 0;
     std::uint64_t iterations = 0;
+    bool interrupted = false;  ///< before the last step that was asked for
     std::string strategy;
     std::string tolerance;
     unsigned threads = 1;
@@ -92,6 +93,7 @@ struct Comparison_record {
     std::vector<Run_record> runs;
     bool agree = true;
     std::vector<std::string> disagreements;  ///< a line for each
+    bool interrupted = false;                ///< then the runs have not come equally far, and there is no verdict
 };
 
 }  // namespace annulus

@@ -59,6 +59,8 @@ Json summary_json(const Run_record& run) {
     json["arithmetic"] =
         Json{{"filter", run.arithmetic.filter}, {"interval", run.arithmetic.interval}, {"exact", run.arithmetic.exact}};
     json["audit"] = Json{{"checked", run.audit.checked}, {"failed", run.audit.failed}};
+    json["version"] = ANNULUS_VERSION;
+    if (run.interrupted) json["interrupted"] = true;
     json["memory"] = Json{{"peak_bytes", run.memory_peak_bytes}};
     json["mean_spacing"] = run.mean_spacing;
     if (run.mesh_before) {
@@ -72,13 +74,17 @@ Json summary_json(const Run_record& run) {
 
 Json compare_json(const Comparison_record& comparison) {
     Json json;
-    json["agree"] = comparison.agree;
+    if (!comparison.runs.empty()) json["command"] = comparison.runs[0].command;
+    json["version"] = ANNULUS_VERSION;
+    if (comparison.interrupted) json["interrupted"] = true;
+    else json["agree"] = comparison.agree;
     Json& strategies = json["strategies"] = Json::object();
     for (const Run_record& run : comparison.runs) {
         if (strategies.contains(run.strategy))
             throw Error(Error_code::usage, "compare_json: two runs of the strategy " + run.strategy);
         strategies[run.strategy] = summary_json(run);
     }
+    if (comparison.interrupted) return json;
     Json ratios = Json::object();
     for (const Run_record& a : comparison.runs)
         for (const Run_record& b : comparison.runs)

@@ -4,8 +4,8 @@
 #include <annulus/io/svg_plot.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace annulus {
@@ -22,9 +22,8 @@ constexpr double letter_width = 8.2;  ///< of bold text at 13 units in a wide fo
 constexpr std::size_t colours = 7;    ///< classes c0 to c6
 
 std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", value);
-    return text;
+    char text[400];  // any double; no host's locale
+    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 1).ptr};
 }
 
 /// Where the axes lie, in the units of the drawing.

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/arithmetic/coordinates.h>
+#include <annulus/io/file_bytes.h>
 #include <annulus/io/text_input.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <limits>
 #include <system_error>
 #include <utility>
@@ -42,30 +40,21 @@ bool is_large(std::string_view text) noexcept {
     return exponent + (negative ? -written : written) >= 0;
 }
 
-[[noreturn]] void fail_whole_file(const std::string& name, std::string fault, std::string expected) {
-    throw Input_error(Error_code::bad_input, name, 0, std::move(fault), std::move(expected));
-}
-
 }  // namespace
 
 Source load_file(const std::filesystem::path& file) {
-    Source source{file.string(), {}};
+    // A text of coordinates packs to a third or a tenth; what grows without end is no text.
+    constexpr std::uint64_t free = std::uint64_t{64} << 20, ratio = 100;
+    File_bytes bytes(file);
+    Source source{bytes.name(), {}};
     std::error_code code;
-    const auto status = std::filesystem::status(file, code);
-    if (status.type() == std::filesystem::file_type::not_found)
-        fail_whole_file(source.name, "does not exist", "a file");
-    if (std::filesystem::is_directory(status)) fail_whole_file(source.name, "is a directory", "a file");
-    errno = 0;
-    std::ifstream in(file, std::ios::binary);
-    if (!in) fail_whole_file(source.name, std::string("cannot be opened: ") + std::strerror(errno), "a readable file");
-    const auto size = std::filesystem::is_regular_file(status) ? std::filesystem::file_size(file, code) : 0;
-    if (!code && size > 0 && size != static_cast<std::uintmax_t>(-1)) source.content.reserve(size);
-    // By blocks until the end rather than by size: pipes have none, and a file may grow meanwhile.
-    char block[1 << 16];
-    while (in.read(block, sizeof block) || in.gcount() > 0)
-        source.content.append(block, static_cast<std::size_t>(in.gcount()));
-    if (in.bad())
-        fail_whole_file(source.name, std::string("cannot be read: ") + std::strerror(errno), "a readable file");
+    const auto size = std::filesystem::is_regular_file(file, code) ? std::filesystem::file_size(file, code) : 0;
+    if (!code && size != static_cast<std::uintmax_t>(-1)) source.content.reserve(size);
+    while (bytes.more(source.content))
+        if (bytes.packed() && source.content.size() > free + ratio * bytes.taken())
+            throw Input_error(Error_code::bad_input, source.name, 0,
+                              "grows to more than " + std::to_string(ratio) + " times its size",
+                              "text, or the file as it is when unpacked");
     if (source.content.starts_with("\xef\xbb\xbf")) source.content.erase(0, 3);
     if (source.content.empty()) throw Input_error(Error_code::bad_input, source.name, 1, "is empty", "data");
     return source;
@@ -114,7 +103,11 @@ bool Line_reader::next_record() {
 }
 
 void Line_reader::fail(std::string fault, std::string expected, Error_code code) const {
-    throw Input_error(code, name_, std::max<std::uint64_t>(number_, 1), std::move(fault), std::move(expected));
+    fail_at(number_, std::move(fault), std::move(expected), code);
+}
+
+void Line_reader::fail_at(std::uint64_t line, std::string fault, std::string expected, Error_code code) const {
+    throw Input_error(code, name_, std::max<std::uint64_t>(line, 1), std::move(fault), std::move(expected));
 }
 
 double Line_reader::real(std::string_view text, std::string_view what) const {

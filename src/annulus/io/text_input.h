@@ -17,7 +17,8 @@ struct Source {
     std::string content;
 };
 
-/// Reads a whole file. Throws Input_error when it is missing, a directory, unreadable or empty.
+/// Reads a whole file, unpacked where its name ends in .gz. Throws Input_error when it is missing, a directory, unreadable
+/// or empty, and when what is packed in it is damaged, cut off, or more than 64 MiB and a hundred times the file.
 [[nodiscard]] Source load_file(const std::filesystem::path& file);
 
 /// What a decimal number turned out to be.
@@ -50,7 +51,12 @@ class Line_reader {
     /// All that follows the current line.
     [[nodiscard]] std::string_view rest() const noexcept { return rest_; }
 
+    [[nodiscard]] const std::string& name() const noexcept { return name_; }
+
     [[noreturn]] void fail(std::string fault, std::string expected, Error_code code = Error_code::bad_input) const;
+    /// The same of a line read before.
+    [[noreturn]] void fail_at(std::uint64_t line, std::string fault, std::string expected,
+                              Error_code code = Error_code::bad_input) const;
 
     /// `text` as a finite double; `what` names it in the fault ("x").
     [[nodiscard]] double real(std::string_view text, std::string_view what) const;

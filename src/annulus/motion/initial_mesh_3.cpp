@@ -12,7 +12,10 @@
 #include <CGAL/make_mesh_3.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <unordered_set>
@@ -22,8 +25,6 @@ namespace annulus {
 namespace {
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-Coordinates<3> ours(const K::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
 /// A Domain_3 as Mesh_3 wants it (its concept MeshDomain_3): one subdomain, one surface patch.
 class Mesh_domain {
@@ -46,11 +47,19 @@ class Mesh_domain {
     using Intersection = std::tuple<Point_3, Index, int>;
     static constexpr int solid = 1, skin = 2;
 
-    Mesh_domain(const Domain_3& domain, std::uint64_t seed) : domain_(domain), seed_(seed) {}
+    /// Mesh_3 sees lengths in `unit`, a power of two. Sets `stop` after that many questions.
+    Mesh_domain(const Domain_3& domain, double unit, std::uint64_t seed, std::uint64_t questions,
+                std::atomic<bool>& stop)
+        : domain_(domain), unit_(unit), seed_(seed), left_(questions), stop_(stop) {}
+
+    [[nodiscard]] Coordinates<3> outside(const Point_3& p) const {
+        return {unit_ * p.x(), unit_ * p.y(), unit_ * p.z()};
+    }
+    [[nodiscard]] Point_3 inside(const Coordinates<3>& p) const { return {p[0] / unit_, p[1] / unit_, p[2] / unit_}; }
 
     [[nodiscard]] Bbox_3 bbox() const {
         const auto b = domain_.bounding_box();
-        return {b.lower[0], b.lower[1], b.lower[2], b.upper[0], b.upper[1], b.upper[2]};
+        return inside(b.lower).bbox() + inside(b.upper).bbox();
     }
 
     struct Construct_initial_points {
@@ -58,21 +67,23 @@ class Mesh_domain {
         template <class Out>
         Out operator()(Out out, int n = 40) const {
             for (const auto& p : domain.domain_.surface_sample(static_cast<std::size_t>(n), domain.seed_))
-                *out++ = std::pair(Point_3(p[0], p[1], p[2]), Index(skin));
+                *out++ = std::pair(domain.inside(p), Index(skin));
             return out;
         }
     };
     struct Is_in_domain {
         const Mesh_domain& domain;
         Subdomain operator()(const Point_3& p) const {
-            return domain.domain_.contains(ours(p)) ? Subdomain(solid) : Subdomain();
+            domain.count();
+            return domain.domain_.contains(domain.outside(p)) ? Subdomain(solid) : Subdomain();
         }
     };
     struct Construct_intersection {
         const Mesh_domain& domain;
         Intersection operator()(const Segment_3& s) const {
-            const auto p = domain.domain_.crossing(ours(s.source()), ours(s.target()));
-            return p ? Intersection(Point_3((*p)[0], (*p)[1], (*p)[2]), skin, 2) : Intersection(CGAL::ORIGIN, 0, 0);
+            domain.count();
+            const auto p = domain.domain_.crossing(domain.outside(s.source()), domain.outside(s.target()));
+            return p ? Intersection(domain.inside(*p), skin, 2) : Intersection(CGAL::ORIGIN, 0, 0);
         }
         Intersection operator()(const Ray_3& r) const { return clipped(r); }
         Intersection operator()(const Line_3& l) const { return clipped(l); }
@@ -110,8 +121,16 @@ class Mesh_domain {
         return {b.xmin() - m, b.ymin() - m, b.zmin() - m, b.xmax() + m, b.ymax() + m, b.zmax() + m};
     }
 
+    void count() const {
+        if (left_ == 0) stop_ = true;
+        else --left_;
+    }
+
     const Domain_3& domain_;
+    double unit_;
     std::uint64_t seed_;
+    mutable std::uint64_t left_;
+    std::atomic<bool>& stop_;
 };
 
 struct Field {
@@ -119,8 +138,9 @@ struct Field {
     using Point_3 = K::Point_3;
     using Index = int;
     const Sizing_3* sizing;
-    double unit;
-    FT operator()(const Point_3& p, int, const Index&) const { return unit * sizing->at(ours(p)); }
+    const Mesh_domain* domain;
+    double size;
+    FT operator()(const Point_3& p, int, const Index&) const { return size * sizing->at(domain->outside(p)); }
 };
 
 using Triangulation = CGAL::Mesh_triangulation_3<Mesh_domain>::type;
@@ -130,30 +150,89 @@ struct Complex : CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> {};
 [[maybe_unused]] void dump_c3t3(const Complex&, const std::string&) {}
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
-/// Refinement for angles of facets need not end where the surface has sharp edges (points coincide at last, and Mesh_3
-/// throws): then without.
-Complex refined(const Mesh_domain& domain, const Field& field, double h, std::uint64_t seed) {
-    for (const double angle : {25.0, 0.0}) {
-        CGAL::get_default_random() = CGAL::Random(static_cast<unsigned>(seed));
-        const Criteria criteria(Criteria::Facet_criteria(angle, field, 0.2 * h), Criteria::Cell_criteria(2, field));
-        try {
-            return CGAL::make_mesh_3<Complex>(domain, criteria, CGAL::parameters::no_perturb(),
-                                              CGAL::parameters::no_exude());
-        } catch (const CGAL::Failure_exception&) {
-            if (angle == 0) throw Error(Error_code::bad_input, "Mesh_3 cannot refine this domain");
-        }
+/// What is asked of shapes. Refinement for angles of facets and cells need not end next to sharp edges, which Mesh_3 does not
+/// know of: vertices come closer and closer, until points coincide and it throws. The last of these asks for sizes and
+/// distances only, so that every new vertex keeps a distance from the others.
+struct Shapes {
+    double angle;        ///< of facets, at least, in degrees
+    double radius_edge;  ///< of cells, at most; 0 is any
+};
+constexpr std::array<Shapes, 3> shapes{{{25, 2}, {0, 2}, {0, 0}}};
+
+/// CGAL says on standard error what it finds strange. Here that is either dealt with or an exception.
+class Silence {
+  public:
+    Silence() : warning_(CGAL::set_warning_handler(nothing)), error_(CGAL::set_error_handler(nothing)) {}
+    ~Silence() {
+        CGAL::set_warning_handler(warning_);
+        CGAL::set_error_handler(error_);
     }
-    return {};
+    Silence(const Silence&) = delete;
+    Silence& operator=(const Silence&) = delete;
+
+  private:
+    static void nothing(const char*, const char*, const char*, int, const char*) {}
+    CGAL::Failure_function warning_, error_;
+};
+
+/// The shortest of the edges in the mesh is this small a part of the size asked for: then shapes ask for too much.
+constexpr double wild = 0.01;
+
+bool runs_wild(const Complex& c3t3, double h) {
+    const auto& t = c3t3.triangulation();
+    return std::any_of(t.finite_edges_begin(), t.finite_edges_end(), [&](const auto& e) {
+        return CGAL::squared_distance(e.first->vertex(e.second)->point().point(),
+                                      e.first->vertex(e.third)->point().point()) < wild * wild * h * h;
+    });
 }
 
-std::vector<K::Point_3> mesh(const Domain_3& domain, const Sizing_3& sizing, double h, std::uint64_t seed) {
-    const Complex c3t3 = refined(Mesh_domain(domain, seed), Field{&sizing, h}, h, seed);
-    std::unordered_set<const void*> seen;
-    std::vector<K::Point_3> points;
-    for (auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-        for (int i = 0; i < 4; ++i)
-            if (seen.insert(&*c->vertex(i)).second) points.push_back(c->vertex(i)->point().point());
-    return points;
+struct Attempt {
+    enum class Outcome { complete, too_many, failed };
+    Outcome outcome = Outcome::failed;
+    std::vector<K::Point_3> points;  ///< of a complete one
+};
+
+/// 1, and for sizes far from it about the longest side of the box: CGAL's constructions do not bear these well.
+double unit_of(const Domain_3& domain) {
+    const auto b = domain.bounding_box();
+    const int exponent =
+        std::ilogb(std::max({b.upper[0] - b.lower[0], b.upper[1] - b.lower[1], b.upper[2] - b.lower[2]}));
+    return std::abs(exponent) <= 20 ? 1 : std::exp2(exponent);
+}
+
+/// A mesh with cells of size h and fewer vertices than `most`, if there is one. Its points are in unit_of(domain).
+Attempt mesh(const Domain_3& domain, const Sizing_3& sizing, double h, std::uint64_t seed, const Shapes& shape,
+             std::size_t most) {
+    const Silence silence;
+    std::atomic<bool> stop = false;
+    // Measured: 15 to 50 questions a vertex. Refinement that refuses each point that it thinks of asks for ever, and slowly,
+    // because everything is nearly degenerate there.
+    const double unit = unit_of(domain);
+    const Mesh_domain mesh_domain(domain, unit, seed, 25 * std::uint64_t{most}, stop);
+    h /= unit;
+    const Field field{&sizing, &mesh_domain, h};
+    CGAL::get_default_random() = CGAL::Random(static_cast<unsigned>(seed));
+    const Criteria criteria(Criteria::Facet_criteria(shape.angle, field, 0.2 * h),
+                            Criteria::Cell_criteria(shape.radius_edge, field));
+    using namespace CGAL::parameters;
+    Attempt result;
+    try {
+        const Complex c3t3 = CGAL::make_mesh_3<Complex>(
+            mesh_domain, criteria, no_perturb(), no_exude(),
+            mesh_3_options(maximal_number_of_vertices = most, pointer_to_stop_atomic_boolean = &stop));
+        if (stop) return result;
+        if (c3t3.triangulation().number_of_vertices() >= most) {
+            if (!runs_wild(c3t3, h)) result.outcome = Attempt::Outcome::too_many;
+            return result;
+        }
+        std::unordered_set<const void*> seen;
+        for (auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+            for (int i = 0; i < 4; ++i)
+                if (seen.insert(&*c->vertex(i)).second) result.points.push_back(c->vertex(i)->point().point());
+        result.outcome = Attempt::Outcome::complete;
+    } catch (const CGAL::Failure_exception&) {
+    }
+    return result;
 }
 
 }  // namespace
@@ -163,18 +242,32 @@ std::vector<Coordinates<3>> initial_mesh(const Domain_3& domain, const Sizing_3&
     if (n < 4) throw Error(Error_code::usage, "a mesh needs at least 4 vertices");
     // Of the counts so far, those around n, as logarithms of (size, count); the count falls with the size about as its
     // third power.
-    double h = 1.2 * std::cbrt(domain.volume() / static_cast<double>(n));
+    const double first = 1.2 * std::cbrt(domain.volume() / static_cast<double>(n));
+    double h = first;
+    const std::size_t most = 10 * n + 2000;
     std::optional<std::array<double, 2>> coarse, fine;
     std::vector<K::Point_3> best;
     const auto distance = [n](std::size_t count) {
         return count == 0 ? 1e9 : std::abs(std::log(static_cast<double>(count) / static_cast<double>(n)));
     };
+    bool too_many = false;
+    auto shape = shapes.begin();
     for (int tries = 0; tries < 12 && distance(best.size()) > 0.01; ++tries) {
-        std::vector<K::Point_3> points = mesh(domain, sizing, h, seed);
-        const double count = std::max(1.0, static_cast<double>(points.size())), wanted = static_cast<double>(n);
+        Attempt attempt = mesh(domain, sizing, h, seed, *shape, most);
+        if (attempt.outcome == Attempt::Outcome::failed) {
+            if (++shape == shapes.end()) throw Error(Error_code::bad_input, "Mesh_3 cannot refine this domain");
+            h = first;
+            coarse.reset();
+            fine.reset();
+            tries = -1;
+            continue;
+        }
+        too_many = attempt.outcome == Attempt::Outcome::too_many;
+        const std::size_t size = too_many ? most : attempt.points.size();
+        const double count = std::max(1.0, static_cast<double>(size)), wanted = static_cast<double>(n);
         const std::array<double, 2> now{std::log(h), std::log(count / wanted)};
         (now[1] > 0 ? fine : coarse) = now;
-        if (distance(points.size()) < distance(best.size())) best = std::move(points);
+        if (!too_many && distance(size) < distance(best.size())) best = std::move(attempt.points);
         if (coarse && fine) {
             // The false position, kept off the ends, where it would stay.
             const double t = std::clamp((*fine)[1] / ((*fine)[1] - (*coarse)[1]), 0.1, 0.9);
@@ -183,11 +276,15 @@ std::vector<Coordinates<3>> initial_mesh(const Domain_3& domain, const Sizing_3&
             h *= std::clamp(std::cbrt(count / wanted) * (now[1] > 0 ? 1.02 : 0.98), 0.4, 2.5);
         }
     }
-    if (best.size() < 4) throw Error(Error_code::too_few, "refinement found no cell in the domain");
+    if (best.size() < 4)
+        throw Error(Error_code::too_few,
+                    too_many ? "Mesh_3 needs more than " + std::to_string(most) + " vertices for features so fine"
+                             : "refinement found no cell in the domain");
     CGAL::hilbert_sort(best.begin(), best.end(), K());
     std::vector<Coordinates<3>> points;
     points.reserve(best.size());
-    for (const K::Point_3& p : best) points.push_back(ours(p));
+    const double unit = unit_of(domain);
+    for (const K::Point_3& p : best) points.push_back({unit * p.x(), unit * p.y(), unit * p.z()});
     return points;
 }
 

@@ -14,9 +14,10 @@ namespace annulus {
 /// space-filling curve; no two equal.
 ///
 /// The size of cells is searched for until the count is within 1 % of n, in at most 12 meshes, the nearest of which is
-/// taken; fine features can make that more than n. The same arguments give the same points. Throws Error(usage) for
-/// n < 4, Error(too_few) when refinement finds no cell, Error(bad_input) when it fails. For a surface that crosses itself
-/// refinement need not end. Not thread-safe: Mesh_3 uses CGAL's default random numbers, which are seeded anew.
+/// taken; fine features can make that more than n. Angles of facets are asked for, and ratios of cells, where sharp edges
+/// do not make that endless. The same arguments give the same points. Throws Error(usage) for n < 4, Error(too_few)
+/// when refinement finds no cell or needs more than 10 n + 2000 vertices, Error(bad_input) when it fails. Not
+/// thread-safe: Mesh_3 uses CGAL's default random numbers, which are seeded anew.
 [[nodiscard]] std::vector<Coordinates<3>> initial_mesh(const Domain_3& domain, const Sizing_3& sizing, std::size_t n,
                                                        std::uint64_t seed);
 

@@ -9,8 +9,9 @@
 
 namespace annulus {
 
-/// Where the points of one timestamp are. Ids differ; coordinates are finite.
+/// Where the points of one timestamp are, if there are any. Ids differ; coordinates are finite.
 struct Frame {
+    std::uint64_t number = 0;       ///< what the file calls it, or its place from 0
     std::vector<std::uint64_t> id;  ///< ascending
     std::vector<Coordinates<3>> position;
     std::vector<std::uint64_t> line;  ///< of each point in the file, from 1
@@ -20,6 +21,7 @@ struct Frame {
 struct Recorded_motion {
     std::string name;
     bool has_z = false;
+    std::vector<std::string> notes;  ///< what the file says and nobody obeys; each a line with the file's name
     std::vector<Frame> frames;
 };
 

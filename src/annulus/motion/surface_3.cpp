@@ -2,6 +2,7 @@
 #include <annulus/motion/surface_3.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/motion/surface_faults.h>
 #include <annulus/motion/voxel_marks.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -12,9 +13,10 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <random>
-#include <set>
+#include <string>
 
 namespace annulus {
 
@@ -23,28 +25,86 @@ namespace {
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<K::Point_3>;
 using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-using Aabb_tree = CGAL::AABB_tree<CGAL::AABB_traits<K, Primitive>>;
+
+bool is_finite(const Coordinates<3>& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
+
+/// A kernel in which the point of a triangle nearest to a point is always one: where the triangle is so thin, or some of its
+/// coordinates so small, that CGAL's construction ends in a quotient of zeros, it is a corner.
+struct Guarded_kernel : K {
+    struct Construct_projected_point_3 {
+        Point_3 operator()(const Triangle_3& t, const Point_3& p) const {
+            const Point_3 q = K().construct_projected_point_3_object()(t, p);
+            if (std::isfinite(q.x()) && std::isfinite(q.y()) && std::isfinite(q.z())) return q;
+            const auto compare = K().compare_distance_3_object();
+            Point_3 nearest = t[0];
+            for (const int i : {1, 2})
+                if (compare(p, t[i], nearest) == CGAL::SMALLER) nearest = t[i];
+            return nearest;
+        }
+    };
+    [[nodiscard]] Construct_projected_point_3 construct_projected_point_3_object() const { return {}; }
+};
+using Aabb_tree = CGAL::AABB_tree<CGAL::AABB_traits<Guarded_kernel, Primitive>>;
 using Side = CGAL::Side_of_triangle_mesh<Mesh, K, CGAL::Default, Aabb_tree>;
 
 K::Point_3 cgal(const Coordinates<3>& p) { return {p[0], p[1], p[2]}; }
 Coordinates<3> ours(const K::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
+/// Four digits are enough to find a place.
+std::string shortened(double x) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, 4).ptr};
+}
+
+/// CGAL makes quotients of high powers of coordinates, so these must be neither too large nor too small; and the surface be
+/// near enough to the origin that they tell the corners of small triangles apart. What is 1e-30 times as small as the
+/// surface is long becomes 0: far below what positions in doubles can tell.
+Triangle_surface in_sane_lengths(Triangle_surface s) {
+    double longest = 0, farthest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax_element(s.points.begin(), s.points.end(),
+                                                     [k](const auto& p, const auto& q) { return p[k] < q[k]; });
+        longest = std::max(longest, (*high)[k] - (*low)[k]);
+        farthest = std::max({farthest, std::abs((*high)[k]), std::abs((*low)[k])});
+    }
+    // Side_of_triangle_mesh shoots rays of length 1, and goes wrong from about 1e16 on.
+    if (!(longest >= 1e-30 && farthest <= 1e12))
+        throw Error(Error_code::out_of_domain, "its longest side is below 1e-30, or a coordinate beyond 1e12");
+    if (!(farthest <= 1e7 * longest))
+        throw Error(Error_code::out_of_domain, "it is more than 1e7 times its longest side away from the origin");
+    for (auto& p : s.points)
+        for (double& x : p)
+            if (std::abs(x) < 1e-30 * longest) x = 0;
+    return s;
+}
+
+Triangle_surface sound(const Triangle_surface& given, bool crossings) {
+    if (given.triangles.empty()) throw Error(Error_code::bad_input, "there are no triangles");
+    for (const auto& t : given.triangles)
+        for (const Index i : t)
+            if (i < 0 || static_cast<std::size_t>(i) >= given.points.size())
+                throw Error(Error_code::bad_input, "a triangle names no point");
+    for (const auto& p : given.points)
+        if (!is_finite(p)) throw Error(Error_code::not_finite, "a coordinate is not finite");
+    const Triangle_surface s = in_sane_lengths(given);
+    if (const auto fault = edge_fault(s.triangles))
+        throw Error(Error_code::bad_input, fault->kind == Edge_fault::Kind::open ? "it is not closed"
+                                           : fault->kind == Edge_fault::Kind::crowded
+                                               ? "an edge is in more than two triangles"
+                                               : "a triangle is turned against the one beside it");
+    const auto near = [&s](std::size_t t) {
+        const auto& p = s.points[static_cast<std::size_t>(s.triangles[t][0])];
+        return " near (" + shortened(p[0]) + ", " + shortened(p[1]) + ", " + shortened(p[2]) + ")";
+    };
+    if (const auto t = flat_triangle(s)) throw Error(Error_code::bad_input, "a triangle has no area" + near(*t));
+    const auto pair = crossings ? std::nullopt : crossing_triangles(s);
+    if (pair) throw Error(Error_code::bad_input, "it crosses or touches itself" + near((*pair)[0]));
+    return s;
+}
+
 /// Every triangle has corners of its own where three or more meet in a way that a halfedge structure cannot hold: the
 /// parity of crossings does not care, and closedness is checked before.
 Mesh mesh_of(const Triangle_surface& s) {
-    std::set<std::array<Index, 2>> edges;
-    for (const auto& t : s.triangles)
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Index a = t[i], b = t[(i + 1) % 3];
-            if (a < 0 || b < 0 || static_cast<std::size_t>(std::max(a, b)) >= s.points.size() || a == b ||
-                !edges.insert({a, b}).second)
-                throw Error(Error_code::bad_input, "Surface_3: an edge is in more than two triangles");
-        }
-    for (const auto& e : edges)
-        if (!edges.contains({e[1], e[0]})) throw Error(Error_code::bad_input, "Surface_3: the surface is not closed");
-    for (const auto& p : s.points)
-        for (const double x : p)
-            if (!std::isfinite(x)) throw Error(Error_code::not_finite, "Surface_3: a coordinate is not finite");
     Mesh mesh;
     std::vector<Mesh::Vertex_index> v;
     for (const auto& p : s.points) v.push_back(mesh.add_vertex(cgal(p)));
@@ -61,9 +121,9 @@ Mesh mesh_of(const Triangle_surface& s) {
 }  // namespace
 
 struct Surface_3::Tree {
-    explicit Tree(const Triangle_surface& s)
-        : surface(s),
-          mesh(mesh_of(s)),
+    Tree(const Triangle_surface& s, bool crossings)
+        : surface(sound(s, crossings)),
+          mesh(mesh_of(surface)),
           tree(faces(mesh).first, faces(mesh).second, mesh),
           box(box_of(s)),
           marks(box, std::clamp<std::size_t>(20 * s.triangles.size(), 32'768, 2'097'152)) {
@@ -79,7 +139,6 @@ struct Surface_3::Tree {
     }
 
     static Box box_of(const Triangle_surface& s) {
-        if (s.triangles.empty()) throw Error(Error_code::bad_input, "Surface_3: there are no triangles");
         Box b{s.points[0], s.points[0]};
         for (const auto& p : s.points)
             for (std::size_t k = 0; k < 3; ++k) {
@@ -117,7 +176,8 @@ struct Surface_3::Tree {
     std::vector<double> area_up_to;
 };
 
-Surface_3::Surface_3(const Triangle_surface& surface) : tree_(std::make_unique<const Tree>(surface)) {}
+Surface_3::Surface_3(const Triangle_surface& surface, bool crossings)
+    : tree_(std::make_unique<const Tree>(surface, crossings)) {}
 Surface_3::~Surface_3() = default;
 
 bool Surface_3::contains(const Coordinates<3>& p) const {
@@ -137,10 +197,18 @@ bool Surface_3::contains_by_ray(const Coordinates<3>& p) const {
 Coordinates<3> Surface_3::project(const Coordinates<3>& p) const { return ours(tree_->tree.closest_point(cgal(p))); }
 
 std::optional<Coordinates<3>> Surface_3::crossing(const Coordinates<3>& a, const Coordinates<3>& b) const {
+    if (!is_finite(a) || !is_finite(b)) return std::nullopt;
     const auto hit = tree_->tree.any_intersection(K::Segment_3(cgal(a), cgal(b)));
     if (!hit) return std::nullopt;
-    // On a segment that is long compared with the surface the rounding of a crossing is, too: back onto the surface.
-    if (const K::Point_3* p = boost::get<K::Point_3>(&hit->first)) return project(ours(*p));
+    if (const K::Point_3* p = boost::get<K::Point_3>(&hit->first)) {
+        Coordinates<3> c = ours(*p);
+        // That they meet is exact, where they do is not: nearly in the plane of the triangle it may be anywhere or no number.
+        for (std::size_t k = 0; k < 3; ++k)
+            c[k] =
+                std::isnan(c[k]) ? 0.5 * (a[k] + b[k]) : std::clamp(c[k], std::min(a[k], b[k]), std::max(a[k], b[k]));
+        // On a segment that is long compared with the surface the rounding of a crossing is, too: back onto the surface.
+        return project(c);
+    }
     if (const K::Segment_3* s = boost::get<K::Segment_3>(&hit->first))
         return ours(CGAL::midpoint(s->source(), s->target()));
     return std::nullopt;

@@ -14,9 +14,11 @@ namespace annulus {
 /// grid that the surface does not enter: such a voxel is inside or outside as a whole.
 class Surface_3 final : public Domain_3 {
   public:
-    /// Throws Error(bad_input) unless every edge is in two triangles that run through it in opposite directions, and
-    /// Error(not_finite). O(n log n).
-    explicit Surface_3(const Triangle_surface& surface);
+    /// Throws Error(bad_input) unless every edge is in two triangles that run through it in opposite directions, triangles
+    /// have area and, unless `crossings` are allowed, meet in nothing but common corners and edges; Error(not_finite); and
+    /// Error(out_of_domain) unless the longest side of its box is 1e-30 at least and 1e-7 of the largest coordinate, which is
+    /// 1e12 at most. Coordinates below 1e-30 of that side are taken for 0. O(n log n), and the pairs of triangles whose boxes meet.
+    explicit Surface_3(const Triangle_surface& surface, bool crossings = false);
     ~Surface_3() override;
 
     /// O(1) away from the surface, O(log n) expected near it. A point of the surface is not contained.

@@ -44,7 +44,7 @@ class alignas(64) Expiry_list {  // whole cache lines
         const Entry end = (Entry{Expiry::lower(reading).bits()} + 1) << 32;
         std::size_t count = 0;
         for (const Entry e : entry_) count += static_cast<std::size_t>((e < end) & (e < vacant));
-        std::array<Entry, 2 * capacity> queue;
+        std::array<Entry, 2 * capacity> queue{};
         std::copy(entry_.begin(), entry_.end(), queue.begin());
         std::fill(queue.begin() + capacity, queue.end(), vacant);
         std::copy_n(queue.begin() + static_cast<std::ptrdiff_t>(count), capacity, entry_.begin());
@@ -96,7 +96,7 @@ class alignas(64) Expiry_list {  // whole cache lines
 
     /// Upper bound of the length of the path of fixed positions since the odometer was at 0.
     double base = 0.0;
-    /// Of the step in which the vertex was anchored last (Filter::epoch_).
+    /// Of the step in which the vertex was anchored last (Filter::stamp_).
     std::uint32_t stamp = 0;
 
   private:
@@ -115,6 +115,7 @@ class alignas(64) Expiry_list {  // whole cache lines
         return none_yet;
     }();
 };
-static_assert(sizeof(Expiry_list<6>) == 64 && sizeof(Expiry_list<14>) == 128);
+static_assert(sizeof(Expiry_list<Wide_horizons::listed(2)>) == 64 &&
+              sizeof(Expiry_list<Wide_horizons::listed(3)>) == 128);
 
 }  // namespace annulus

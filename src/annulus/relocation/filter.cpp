@@ -3,10 +3,10 @@
 #include <annulus/relocation/filter.h>
 
 #include <annulus/arithmetic/domain.h>
+#include <annulus/arithmetic/error.h>
 
 #include <algorithm>
 #include <experimental/simd>
-#include <type_traits>
 
 namespace annulus {
 
@@ -18,8 +18,7 @@ double Filter<d>::tolerance(Index v) const {
 template <int d>
 void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     const bool tracked = tracks_;
-    if (!covers(p) || !tracks_)
-        settle(position_, report);  // so far out that nobody can be there: this call will not fail
+    if (!tracks_) settle(position_, report);
     try {
         move_one(v, p, report);
     } catch (...) {
@@ -44,86 +43,65 @@ void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) 
     position_[at(v)] = p;
     try {
         process(position_, movers, tracks_ ? Scope::expired : Scope::star, report);
+    } catch (const Error& e) {
+        position_[at(v)] = old;
+        if (e.code() == Error_code::collision) renew_restored();
+        throw;
     } catch (...) {
         position_[at(v)] = old;
-        renew_restored();
         throw;
     }
 }
 
-/// The one pass over all vertices. False, with `failed_` unspecified, when a coordinate is beyond what prediction or
-/// domain allow (or is none at all).
+/// The one pass over all vertices. False, with `failed_` unspecified, when a coordinate is outside the domain (or is none at
+/// all), be it at a vacant index.
 template <int d>
 bool Filter<d>::find_failed(std::span<const Coordinates<d>> x) {
     using Vector = std::experimental::fixed_size_simd<double, d>;
     constexpr std::experimental::element_aligned_tag elements;
     failed_.clear();
-    const double limit = std::min(prediction_.limit(), coordinate_limit);
     const Vertex_record<d>* const record = vertex_.data();
-    const Time now = prediction_.now();
-    const double speed = prediction_.speed();
     Vector farthest(0.0);  // by coordinate; may miss what is no number, which fails below
     bool near = true;
-    const auto pass = [&](auto predicted) {
+    if (tracks_) {
         for (std::size_t v = 0; v < x.size(); ++v) {
             const Vertex_record<d>& r = record[v];
             const Vector p(x[v].data(), elements);
             farthest = max(farthest, abs(p));
-            Vector expected(r.fixed.data(), elements);
-            if constexpr (predicted)
-                expected += static_cast<std::int32_t>(now - r.since) * speed *
-                            Vector([&r](auto k) { return static_cast<double>(r.velocity[k]); });
-            const Vector off = (p - expected) * (p - expected);
+            const Vector fixed(r.fixed.data(), elements);
+            const Vector off = (p - fixed) * (p - fixed);
             double squares = off[0];
             for (std::size_t k = 1; k < static_cast<std::size_t>(d); ++k) squares += off[k];
             if (squares < r.threshold.value()) [[likely]]
                 continue;
-            near &= within(x[v], limit);
-            if ((r.rests() && x[v] == r.fixed) || table_.corner_of(static_cast<Index>(v)) == none) continue;
+            near &= within(x[v], coordinate_limit);
+            if (x[v] == r.fixed || table_.corner_of(static_cast<Index>(v)) == none) continue;
             failed_.push_back(static_cast<Index>(v));
         }
-    };
-    if (!tracks_) {
+    } else {
         for (std::size_t v = 0; v < x.size(); ++v) {
-            near &= within(x[v], limit);
+            near &= within(x[v], coordinate_limit);
             if (x[v] != position_[v] && table_.corner_of(static_cast<Index>(v)) != none)
                 failed_.push_back(static_cast<Index>(v));
         }
-    } else if (prediction_.active()) {
-        pass(std::true_type());
-    } else {
-        pass(std::false_type());
     }
-    return near && all_of(farthest <= limit);
+    return near && all_of(farthest <= coordinate_limit);
 }
 
-/// After find_failed saw a coordinate beyond the limits: throws if it is outside the domain, and settles without a
-/// prediction if it is only beyond what that allows. What stands at a vacant index does not count.
+/// What stands at a vacant index does not count.
 template <int d>
-void Filter<d>::require_covered(std::span<const Coordinates<d>> x, Move_report& report) {
-    bool covered = true;
-    for (std::size_t v = 0; v < x.size(); ++v) {
-        if (table_.corner_of(static_cast<Index>(v)) == none) continue;
-        require_in_domain(x[v]);
-        covered &= covers(x[v]);
-    }
-    if (!covered) settle(position_, report);
+void Filter<d>::require_domain(std::span<const Coordinates<d>> x) const {
+    for (std::size_t v = 0; v < x.size(); ++v)
+        if (table_.corner_of(static_cast<Index>(v)) != none) require_in_domain(x[v]);
 }
 
 template <int d>
 void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
-    if (prediction_.now() > Prediction<d>::latest) settle(position_, report);
-    prediction_.advance(prediction_.ticks_of_step(position_, x, vertex_));
-    if (!find_failed(x)) {
-        prediction_.retreat();
-        require_covered(x, report);
-        prediction_.advance(prediction_.ticks_of_step(position_, x, vertex_));
-        (void)find_failed(x);
-    }
+    if (!find_failed(x)) require_domain(x);
     const bool everything = !tracks_ || too_dear();
     const std::size_t asked = embedding_.vertices();
-    note_displacements(x, false);
-    if (failed_.empty() && !prediction_.any_due()) {
+    note_displacements(x);
+    if (failed_.empty()) {
         report.moves.asked += asked;
         report.moves.within_tolerance += asked;
         embedding_.set_points(x);
@@ -131,18 +109,16 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
     } else {
         try {
             process(x, {}, everything ? Scope::everything : Scope::expired, report);
-        } catch (...) {
-            prediction_.retreat();
-            last_step_.clear();
-            renew_restored();
+        } catch (const Error& e) {
+            if (e.code() == Error_code::collision) renew_restored();
             throw;
         }
     }
-    prediction_.forget_due();
     end_timestamp(false, report);
 }
 
-/// Mends after `failed_` is known and commits; x is position_ with the moves made.
+/// Mends after `failed_` is known and commits; x is position_ with the moves made. Positions are written last, so that whoever
+/// meets an exception on the way (only a collision is met before anything is changed) can build anew at them.
 template <int d>
 void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index> movers, Scope scope,
                         Move_report& report) {
@@ -161,7 +137,6 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index
         if (tolerances) undo_anchoring();
         throw;
     }
-    // From here on nothing throws.
     report += repair_.report();
     if (report_changes_) repair_.list_changes(report);
     if (tolerances) {
@@ -179,16 +154,16 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, std::span<const Index
             for (const Index v : movers) embedding_.set_point(v, x[at(v)]);
         }
     }
-    if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
     if (scope == Scope::everything) {
         if (tracks_) stop_tracking();
         ++untracked_;
     } else if (tolerances && outcome == Repair<d>::Outcome::rebuilt) {
-        settle(position_, report);
+        settle(x, report);
     }
+    if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
 }
 
-/// After a call that failed. Flips of space that were taken back leave the cells that they began with, under other numbers:
+/// After a collision. Flips of space that were taken back leave the cells that they began with, under other numbers:
 /// their certificates are evaluated where the vertices are.
 template <int d>
 void Filter<d>::renew_restored() {
@@ -208,7 +183,11 @@ void Filter<d>::count(std::size_t asked, typename Repair<d>::Outcome outcome, Mo
         report.moves.rebuilt += asked;
         return;
     }
-    step_ += 2;  // its mark, and a second one
+    if (step_ >= Horizons::stamps - 3) {  // the sum would wrap before it was compared
+        std::fill(disturbed_stamp_.begin(), disturbed_stamp_.end(), 0);
+        step_ = 0;
+    }
+    step_ += 2;  // its mark, and the one above it
     std::size_t left = asked;
     const auto once = [this](Index v) {
         if (disturbed_stamp_[at(v)] == step_) return false;
@@ -224,7 +203,7 @@ void Filter<d>::count(std::size_t asked, typename Repair<d>::Outcome outcome, Mo
     for (const Index v : repair_.disturbed())
         if (disturbed_stamp_[at(v)] != step_) disturbed_stamp_[at(v)] = step_ + 1;
     for (const Index v : failed_) {
-        const std::uint64_t stamp = disturbed_stamp_[at(v)];
+        const std::uint32_t stamp = disturbed_stamp_[at(v)];
         if (stamp == step_) continue;
         ++(stamp == step_ + 1 ? report.moves.flipped : report.moves.kept_in_place);
         --left;

@@ -4,8 +4,8 @@
 #include <annulus/certificate/delimiter.h>
 #include <annulus/relocation/displacement.h>
 #include <annulus/relocation/expiry_list.h>
-#include <annulus/relocation/prediction.h>
 #include <annulus/relocation/repair.h>
+#include <annulus/relocation/vertex_record.h>
 
 #include <limits>
 #include <span>
@@ -36,10 +36,6 @@ enum class Second_look : std::uint8_t {
 /// While so many certificates expire at every step (the first steps of an optimisation) that the signs of all of them cost
 /// less than the tolerances of these, tolerances are not kept at all (`tracks`); single moves then ask for the signs around
 /// the vertex.
-///
-/// When a motion goes on as it did the step before, fixed positions move along with it (Prediction): coherent drift
-/// then wears out no tolerance. Predictions are taken up and dropped as they prove themselves (`reconsider`); there are none
-/// for single moves.
 template <int d>
 class Filter {
   public:
@@ -52,34 +48,35 @@ class Filter {
     /// Whether reports list the cells that changed.
     void report_changes(bool on) { report_changes_ = on; }
 
-    /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh.
-    /// O(n).
+    /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh. When it
+    /// throws (bad_alloc), no position was written. O(n).
     void settle(std::span<const Coordinates<d>> x, Move_report& report);
 
     /// Moves every vertex to x. Throws Error, with everything as it was: not_finite, out_of_domain, or collision when two
-    /// would coincide. Precondition: settled in dimension d.
+    /// would coincide. Anything else that is thrown (bad_alloc, Error(too_large)) leaves positions() as they were and all else
+    /// unspecified: build anew there and settle. Precondition: settled in dimension d.
     void move_all(std::span<const Coordinates<d>> x, Move_report& report);
     /// One vertex; precondition: p is in the coordinate domain.
     void move(Index v, const Coordinates<d>& p, Move_report& report);
 
-    /// A timestamp of single moves, under `filter-each`: begin_each, move_one in any order, end_each. Without a prediction,
-    /// and while so many vertices fail that the signs around a vertex cost less than its tolerances, without tolerances.
-    void begin_each(std::span<const Coordinates<d>> x) { note_displacements(x, true); }
+    /// A timestamp of single moves, under `filter-each`: begin_each, move_one in any order, end_each. While so many vertices
+    /// fail that the signs around a vertex cost less than its tolerances, without tolerances.
+    void begin_each(std::span<const Coordinates<d>> x) { note_displacements(x); }
     void move_one(Index v, const Coordinates<d>& p, Move_report& report);
     void end_each(Move_report& report) { end_timestamp(true, report); }
 
     /// To be called after cells were replaced by other hands (insertion, removal) at the present positions: evaluates
     /// the certificates of these cells.
     void refresh(std::span<const Index> cells, Move_report& report);
-    /// False when p is so far out that the rounding of predicted positions is not bounded there: settle after placing.
-    [[nodiscard]] bool covers(const Coordinates<d>& p) const { return within(p, prediction_.limit()); }
     /// The vertex takes position p as moving and fixed position; it was not in the triangulation.
     void place(Index v, const Coordinates<d>& p);
+    /// Takes back what place() did at the index that is last now, or sets positions before a settling: O(n), throws nothing.
+    void restore(std::span<const Coordinates<d>> x);
 
     [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
-    /// Where D is measured from: the fixed position, moved along with the prediction.
-    [[nodiscard]] Coordinates<d> fixed_position(Index v) const {
-        return !tracks_ ? position_[at(v)] : vertex_[at(v)].expected(prediction_.now(), prediction_.speed());
+    /// Where D is measured from.
+    [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const {
+        return !tracks_ ? position_[at(v)] : vertex_[at(v)].fixed;
     }
     /// False while the motion is so fast that tolerances would not last a step and are not kept.
     [[nodiscard]] bool tracks() const { return tracks_; }
@@ -88,9 +85,8 @@ class Filter {
     [[nodiscard]] double tolerance(Index v) const;
 
   private:
-    using Time = typename Prediction<d>::Time;
     /// One or two cache lines: around a vertex are 12 certificates in the plane, 80 in space.
-    using List = Expiry_list<d == 2 ? 6 : 14>;
+    using List = Expiry_list<Horizons::listed(d)>;
     /// The points of a facet's certificate and at which readings of each it expires. In 2D half a cache line: what is
     /// seldom asked for has arrays of its own.
     struct Facet_record {
@@ -119,33 +115,27 @@ class Filter {
         return near;
     }
     [[nodiscard]] bool passes(Index v, const Coordinates<d>& p) const {
-        const Coordinates<d> f = fixed_position(v);
-        return squared_distance<d>(p, f) < vertex_[at(v)].threshold.value() || (p == f && vertex_[at(v)].rests());
+        const Vertex_record<d>& r = vertex_[at(v)];
+        return squared_distance<d>(p, r.fixed) < r.threshold.value() || p == r.fixed;
     }
     /// Odometer reading of v at x: an upper bound.
     [[nodiscard]] double reading(Index v, const Coordinates<d>& x) const {
-        const double length = sum_upper(distance_upper<d>(x, fixed_position(v)), prediction_.slack());
-        return sum_upper(list_[at(v)].base, length);
+        return sum_upper(list_[at(v)].base, distance_upper<d>(x, vertex_[at(v)].fixed));
     }
-    /// False when a vertex went beyond the limit of the prediction or the coordinate domain.
+    /// False when a coordinate is beyond the domain, or is none.
     [[nodiscard]] bool find_failed(std::span<const Coordinates<d>> x);
-    void require_covered(std::span<const Coordinates<d>> x, Move_report& report);
-    /// Decides how to go on: with tolerances or without, with a prediction or without.
+    void require_domain(std::span<const Coordinates<d>> x) const;
+    /// Decides whether to keep tolerances again.
     void reconsider(bool each, Move_report& report);
-    /// Certificates expected to expire at the next step, of one, under each way to keep their tolerances.
-    struct Outlook {
-        double resting = 0.0;
-        double predicted = 0.0;
-    };
-    [[nodiscard]] Outlook outlook(double pace, Move_report& report);
+    /// The share of the certificates that would expire at a step like this one.
+    [[nodiscard]] double outlook(Move_report& report);
     [[nodiscard]] bool too_dear() const;
     void note_expenses(bool each);
-    void note_displacements(std::span<const Coordinates<d>> x, bool each);
+    void note_displacements(std::span<const Coordinates<d>> x);
     void end_timestamp(bool each, Move_report& report);
-    void settle_here(Move_report& report);
+    void evaluate_all(std::span<const Coordinates<d>> x, Move_report& report);
     void stop_tracking();
     void resize();
-    [[nodiscard]] double reach() const;
     /// Which certificates are evaluated: those that expired; without tolerances all those of the vertex that moved, or all.
     enum class Scope : std::uint8_t { expired, star, everything };
     void process(std::span<const Coordinates<d>> x, std::span<const Index> movers, Scope scope, Move_report& report);
@@ -169,13 +159,12 @@ class Filter {
     template <bool fresh>
     void commit_evaluated(std::span<const Coordinates<d>> x);
     template <bool fresh, class S>
-    [[nodiscard]] Time commit_points(const S& suspect, Index id, std::span<Expiry> expiry,
-                                     std::span<const Coordinates<d>> x);
+    void commit_points(const S& suspect, Index id, std::span<Expiry> expiry, std::span<const Coordinates<d>> x);
     void set_threshold(Index v) { vertex_[at(v)].threshold = Upper_half::lower(squared_threshold_lower(slack(v))); }
     /// How far v may be from its fixed position (proofs/coq/float_displacement.v, passes_2_sound).
     [[nodiscard]] double slack(Index v) const {
         const List& list = list_[at(v)];
-        return (list.earliest().reading() - sum_upper(list.base, prediction_.slack())) * (1.0 - 0x1p-50);
+        return (list.earliest().reading() - list.base) * (1.0 - 0x1p-50);
     }
     void renew_restored();
     void count(std::size_t asked, typename Repair<d>::Outcome outcome, Move_report& report);
@@ -185,13 +174,10 @@ class Filter {
     Repair<d> repair_;
     bool report_changes_ = false;
     Second_look look_;
-    bool tracks_ = true;  // tolerances; if not, records and lists are void
-    Prediction<d> prediction_;
-    std::vector<Coordinates<d>> last_step_;  // displacements of the step before, while a prediction is considered
-    std::vector<Coordinates<d>> this_step_;
-    std::uint64_t failures_ = 0;   // with tolerances, of this timestamp
-    std::uint64_t evaluated_ = 0;  // certificates, for these
-    std::uint64_t spent_ = 0;      // failures since the last settling
+    bool tracks_ = true;                        // tolerances; if not, records and lists are void
+    std::vector<Coordinates<d>> displacement_;  // of this step, while it is considered whether tolerances would last
+    std::uint64_t failures_ = 0;                // with tolerances, of this timestamp
+    std::uint64_t evaluated_ = 0;               // certificates, for these
     double overdraft_ = 0.0;       // failures, by which tracking cost more than signs alone since the last settling
     std::uint64_t untracked_ = 0;  // steps since tolerances were given up
     std::vector<Coordinates<d>> position_;
@@ -199,9 +185,7 @@ class Filter {
     std::vector<List> list_;  // by vertex
     std::vector<Facet_record> facet_record_;
     std::vector<Cell_record> cell_record_;
-    std::vector<Facet_kind> kind_;   // by facet
-    std::vector<Time> facet_until_;  // by facet and by cell: last time of the term of the record
-    std::vector<Time> cell_until_;
+    std::vector<Facet_kind> kind_;        // by facet
     std::vector<double> tolerance_;       // by facet, when there are second looks; 0: no second look
     std::vector<Delimiter_2> delimiter_;  // by facet, for the second look that needs it
     // Of one step:
@@ -212,9 +196,9 @@ class Filter {
     std::vector<Index> listed_id_;
     std::vector<Index> anchored_;
     std::vector<Renewal> renewals_;
-    std::vector<std::uint64_t> disturbed_stamp_;
-    std::uint64_t step_ = 0;   // of disturbed_stamp_
-    std::uint32_t epoch_ = 0;  // of Expiry_list::stamp
+    std::vector<std::uint32_t> disturbed_stamp_;
+    std::uint32_t step_ = 0;   // of disturbed_stamp_
+    std::uint32_t stamp_ = 0;  // of Expiry_list::stamp
     std::uint64_t tours_ = 0;
 };
 

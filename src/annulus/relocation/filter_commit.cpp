@@ -23,56 +23,38 @@ void Filter<d>::resize() {
     no_facet.point.fill(none);
     const std::size_t facets = at(table_.facet_bound());
     facet_record_.resize(facets, no_facet);
-    facet_until_.resize(facets, Prediction<d>::forever);
     kind_.resize(facets, Facet_kind::border);
     if (look_ != Second_look::off) tolerance_.resize(facets, 0.0);
     Cell_record no_cell{};
     no_cell.expiry.fill(never);
     const std::size_t cells = at(table_.cell_bound());
     cell_record_.resize(cells, no_cell);
-    cell_until_.resize(cells, Prediction<d>::forever);
 }
 
 template <int d>
 void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
+    const bool own = x.data() == position_.data();
     resize();
-    if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
-    prediction_.clear(vertex_);
-    last_step_.clear();
-    settle_here(report);
-}
-
-/// Largest magnitude of a coordinate. What stands at a vacant index does not count.
-template <int d>
-double Filter<d>::reach() const {
-    double most = 0.0;
-    for (std::size_t v = 0; v < position_.size(); ++v)
-        if (table_.corner_of(static_cast<Index>(v)) != none)
-            for (const double c : position_[v]) most = std::max(most, std::fabs(c));
-    return most;
-}
-
-/// Every certificate evaluated afresh at the present positions; the prediction stays what it is. In blocks that stay in
-/// the cache from the evaluation to the record.
-template <int d>
-void Filter<d>::settle_here(Move_report& report) {
-    spent_ = failures_ = evaluated_ = 0;
+    if (own) x = position_;
+    failures_ = evaluated_ = 0;
     overdraft_ = 0.0;
     tracks_ = true;
-    for (std::size_t v = 0; v < position_.size(); ++v) {
-        vertex_[v].fixed = position_[v];
-        vertex_[v].since = prediction_.now();
-        vertex_[v].threshold = {};
-    }
+    for (std::size_t v = 0; v < x.size(); ++v) vertex_[v] = {x[v], {}};
     std::fill(list_.begin(), list_.end(), List{});
-    if (embedding_.dimension() != d) return;
+    if (embedding_.dimension() == d) evaluate_all(x, report);
+    if (!own) std::copy(x.begin(), x.end(), position_.begin());
+}
+
+/// In blocks that stay in the cache from the evaluation to the record.
+template <int d>
+void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& report) {
     const auto in_blocks = [&](Index bound, auto suspect) {
         constexpr Index block = 512;
         for (Index first = 0; first < bound; first += block) {
-            repair_.begin(position_, false);
+            repair_.begin(x, false);
             for (Index i = first; i < std::min(bound, first + block); ++i) suspect(i);
             (void)repair_.evaluate();
-            commit_evaluated<true>(position_);
+            commit_evaluated<true>(x);
             report.evaluated += repair_.report().evaluated;
             report.arithmetic += repair_.report().arithmetic;
         }
@@ -91,17 +73,21 @@ template <int d>
 void Filter<d>::stop_tracking() {
     tracks_ = false;
     untracked_ = 0;
-    prediction_.clear(vertex_);
-    last_step_.clear();
 }
 
 template <int d>
 void Filter<d>::place(Index v, const Coordinates<d>& p) {
     resize();
     position_[at(v)] = p;
-    vertex_[at(v)] = {};
-    vertex_[at(v)].fixed = p;
+    vertex_[at(v)] = {p, {}};
     list_[at(v)].clear();
+}
+
+template <int d>
+void Filter<d>::restore(std::span<const Coordinates<d>> x) {
+    position_.resize(x.size());  // not more than there were
+    if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
+    tracks_ = false;
 }
 
 template <int d>
@@ -122,35 +108,30 @@ void Filter<d>::refresh(std::span<const Index> cells, Move_report& report) {
 template <int d>
 void Filter<d>::anchor(Index v, std::span<const Coordinates<d>> x) {
     List& list = list_[at(v)];
-    if (list.stamp == epoch_) return;
-    list.stamp = epoch_;
+    if (list.stamp == stamp_) return;
+    list.stamp = stamp_;
     anchored_.push_back(v);
     Vertex_record<d>& r = vertex_[at(v)];
-    if (r.rests() && x[at(v)] == r.fixed) return;
+    if (x[at(v)] == r.fixed) return;
     list.base = reading(v, x[at(v)]);
     r.fixed = x[at(v)];
-    r.since = prediction_.now();
 }
 
-/// Gives a certificate evaluated at x its term and expiries and tells its points.
+/// Gives a certificate evaluated at x its expiries and tells its points.
 template <int d>
 template <bool fresh, class S>
-auto Filter<d>::commit_points(const S& s, Index id, std::span<Expiry> expiry, std::span<const Coordinates<d>> x)
-    -> Time {
-    const auto term = prediction_.term(s.point, s.verdict.tolerance, std::span<const Vertex_record<d>>(vertex_));
+void Filter<d>::commit_points(const S& s, Index id, std::span<Expiry> expiry, std::span<const Coordinates<d>> x) {
     for (std::size_t k = 0; k < s.point.size(); ++k) {
         if (s.point[k] == none) continue;
         if constexpr (!fresh) anchor(s.point[k], x);
         List& list = list_[at(s.point[k])];
-        expiry[k] = Expiry::lower(sum_lower(list.base, term.tolerance));
+        expiry[k] = Expiry::lower(sum_lower(list.base, s.verdict.tolerance));
         if constexpr (fresh) {
             list.put_new(id, expiry[k]);
         } else {
             list.put(id, expiry[k]);
         }
     }
-    prediction_.schedule(id, term.until);
-    return term.until;
 }
 
 template <int d>
@@ -168,7 +149,7 @@ void Filter<d>::commit_renewals(std::span<const Coordinates<d>> x) {
             }
             r.expiry[k] = Expiry::lower(expiry);
             list_[at(v)].put(id_of_facet(renewal.facet), r.expiry[k]);
-            if (list_[at(v)].stamp != epoch_) set_threshold(v);
+            if (list_[at(v)].stamp != stamp_) set_threshold(v);
         }
     }
 }
@@ -197,16 +178,14 @@ void Filter<d>::commit_evaluated(std::span<const Coordinates<d>> x) {
         if constexpr (d == 2)
             if (look_ == Second_look::safe_region && s.kind == Facet_kind::empty_sphere)
                 keep_delimiter(s.id, s.point, x);
-        facet_until_[at(s.id)] = s.kind == Facet_kind::border ? Prediction<d>::forever
-                                                              : commit_points<fresh>(s, id_of_facet(s.id), r.expiry, x);
+        if (s.kind != Facet_kind::border) commit_points<fresh>(s, id_of_facet(s.id), r.expiry, x);
     }
     for (const auto& s : repair_.cells()) {
         if (!repair_.exists(s)) continue;
         Cell_record& r = cell_record_[at(s.id)];
         r.expiry.fill(never);
-        cell_until_[at(s.id)] = s.kind == Facet_kind::border || repair_.kind() == Tolerance_kind::paper
-                                    ? Prediction<d>::forever
-                                    : commit_points<fresh>(s, id_of_cell(s.id), r.expiry, x);
+        if (s.kind != Facet_kind::border && repair_.kind() != Tolerance_kind::paper)
+            commit_points<fresh>(s, id_of_cell(s.id), r.expiry, x);
     }
 }
 
@@ -250,7 +229,7 @@ void Filter<d>::commit(std::span<const Coordinates<d>> x) {
     commit_evaluated<false>(x);
     for (const Index v : anchored_) {
         const List& list = list_[at(v)];
-        if (list.base > 0x1p8 * (list.latest().reading() - list.base)) rebase(v);
+        if (list.base > Horizons::odometer * (list.latest().reading() - list.base)) rebase(v);
         set_threshold(v);
     }
     failed_.clear();

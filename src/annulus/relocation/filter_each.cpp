@@ -25,19 +25,24 @@ void Filter_each<d>::resize() {
 
 template <int d>
 void Filter_each<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
+    const bool own = x.data() == position_.data();
     resize();
-    if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
-    std::copy(position_.begin(), position_.end(), fixed_.begin());
+    if (own) x = position_;
+    std::copy(x.begin(), x.end(), fixed_.begin());
+    least_.clear();
     std::fill(epsilon_.begin(), epsilon_.end(), unlimited);
     std::fill(threshold_.begin(), threshold_.end(), 0.0);
+    if (embedding_.dimension() == d) {
+        repair_.begin(x);
+        repair_.suspect_everything();
+        (void)repair_.evaluate();
+        update();
+        report += repair_.report();
+    }
     queue_.clear();
     std::fill(queued_.begin(), queued_.end(), char{0});
-    if (embedding_.dimension() != d) return;
-    repair_.begin(position_);
-    repair_.suspect_everything();
-    (void)repair_.evaluate();
-    update();
-    report += repair_.report();
+    if (!own)
+        std::copy(x.begin(), x.end(), position_.begin());  // last: whoever fails before builds anew at the old ones
 }
 
 template <int d>
@@ -49,11 +54,11 @@ void Filter_each<d>::place(Index v, const Coordinates<d>& p) {
 }
 
 template <int d>
-void Filter_each<d>::restore(const Snapshot& s) {
-    position_ = s.position;
-    fixed_ = s.fixed;
-    epsilon_ = s.epsilon;
-    threshold_ = s.threshold;
+void Filter_each<d>::restore(const Snapshot& s) noexcept {
+    std::copy(s.position.begin(), s.position.end(), position_.begin());
+    std::copy(s.fixed.begin(), s.fixed.end(), fixed_.begin());
+    std::copy(s.epsilon.begin(), s.epsilon.end(), epsilon_.begin());
+    std::copy(s.threshold.begin(), s.threshold.end(), threshold_.begin());
     queue_.clear();
     std::fill(queued_.begin(), queued_.end(), char{0});
 }
@@ -154,11 +159,11 @@ void Filter_each<d>::move(Index v, const Coordinates<d>& p, Move_report& report)
     }
     try {
         process(v, report, true);
+        for (std::size_t i = 0; i < queue_.size(); ++i) process(queue_[i], report, false);
     } catch (...) {
         position_[at(v)] = old;
         throw;
     }
-    for (std::size_t i = 0; i < queue_.size(); ++i) process(queue_[i], report, false);
     queue_.clear();
 }
 

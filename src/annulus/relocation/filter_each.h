@@ -39,7 +39,9 @@ class Filter_each {
         std::vector<double> epsilon, threshold;
     };
     [[nodiscard]] Snapshot save() const { return {position_, fixed_, epsilon_, threshold_}; }
-    void restore(const Snapshot& s);
+    void restore(const Snapshot& s) noexcept;
+    /// Forgets vertices from this index on; a settling has to follow.
+    void restore_bound(std::size_t bound) { position_.resize(bound); }
 
     [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
     [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const { return fixed_[at(v)]; }

@@ -90,10 +90,11 @@ void Filter<d>::tour(Index v, double reading, List& list, std::span<const Coordi
 
 template <int d>
 void Filter<d>::begin_anchoring() {
-    if (++epoch_ == 0) {
+    if (stamp_ == Horizons::stamps) {
         for (auto& list : list_) list.stamp = 0;
-        epoch_ = 1;
+        stamp_ = 0;
     }
+    ++stamp_;
     anchored_.clear();
     before_.clear();
 }
@@ -109,14 +110,6 @@ void Filter<d>::find_expired(std::span<const Coordinates<d>> x) {
         list.take_reached(list.base, [&](Index id) { look_at(id, v, list.base, list, x); });
         if (list.rest().reached(list.base)) tour(v, list.base, list, x);
     }
-    prediction_.for_each_due([this](Index id, Time until) {
-        const Index i = id >> 1;
-        if (id & 1) {
-            if (table_.is_cell(i) && cell_until_[at(i)] == until) repair_.suspect_cell(i);
-        } else if (table_.is_facet(i) && facet_until_[at(i)] == until) {
-            repair_.suspect_facet(i, kind_[at(i)], facet_record_[at(i)].point);
-        }
-    });
 }
 
 template <int d>

@@ -27,9 +27,15 @@ namespace annulus {
 /// Removing a vertex leaves its index vacant; the next insertion takes the index vacated last.
 ///
 /// Errors are annulus::Error; the object is as it was before the call that threw, except that in space, and under
-/// `filter-each` in a move_all, tolerances may have been computed anew and measured from other fixed positions. Every function that takes a handle throws
-/// unknown_vertex for a null one, the vertex at infinity, and a vertex of another triangulation. The handle of a vertex that
-/// was removed dangles and must not be used.
+/// `filter-each` in a move_all, tolerances may have been computed anew and measured from other fixed positions. Every function
+/// that takes a handle throws unknown_vertex for a null one, the vertex at infinity, and a vertex of another triangulation.
+/// The handle of a vertex that was removed dangles and must not be used. too_large: the triangulation would have, or had for a
+/// while on the way, more cells or vertices than indices can name (horizons.h).
+///
+/// When memory runs out (std::bad_alloc) positions, indices and handles are as they were, but for `remove`, which says what
+/// holds, and the triangulation is built anew there before the exception goes on. Should even that fail, there are no
+/// cells (an audit says so) until a later call that changes something, settle() for one, has built them. GMP's allocation
+/// functions abort the process when they get nothing unless the program sets others (mp_set_memory_functions).
 template <class Cgal>
 class Moving_delaunay {
   public:
@@ -49,6 +55,7 @@ class Moving_delaunay {
         It first, It last, const Options& options = {})
         : Moving_delaunay(std::span<const Coordinates<d>>(coordinates(first, last)), options) {}
     /// The same from plain coordinates.
+    /// Throws too_large besides.
     explicit Moving_delaunay(std::span<const Coordinates<d>> points, const Options& options = {});
 
     Moving_delaunay(const Moving_delaunay&) = delete;
@@ -71,7 +78,8 @@ class Moving_delaunay {
 
     /// Inserts a vertex. Throws not_finite, out_of_domain, collision.
     Vertex_handle insert(const Point& p, Move_report* report = nullptr);
-    /// Removes a vertex; its handle dies, its index is vacant. Throws unknown_vertex.
+    /// Removes a vertex; its handle dies, its index is vacant. Throws unknown_vertex. When memory runs out the vertex may be gone:
+    /// then vertex(i) is null at its index, the last one vacated, and everything else is right.
     void remove(Vertex_handle v, Move_report* report = nullptr);
     /// Makes every fixed position the moving one and every tolerance fresh. O(n).
     Move_report settle();
@@ -143,13 +151,23 @@ class Moving_delaunay {
     }
     [[noreturn]] static void refuse_handle();
     void require_vertex(Index i) const;
+    /// Makes a call that changes something. Whatever it throws but an Error that is thrown before any change, the triangulation
+    /// is built anew at the positions of before; `fresh` is the index that the call inserts, if any.
+    template <class Call>
+    void guarded(Call call, Index fresh = none);
+    void recover(std::size_t bound, Index fresh) noexcept;
+    void require_whole();
     void settle_into(Move_report& report);
     void rebuild_all(std::span<const Coordinates<d>> x, Move_report& report);
     void move_plain(Index i, const Coordinates<d>& p, Move_report& report);
+    void move_all_unguarded(std::span<const Coordinates<d>> points, Move_report& report);
+    void move_unguarded(Index i, const Coordinates<d>& p, Move_report& report);
+    void insert_unguarded(Index i, const Coordinates<d>& x, Move_report& report);
     void move_each(std::span<const Coordinates<d>> x, Move_report& report);
     void try_move_each(std::span<const Coordinates<d>> x, Move_report& report);
+    void order_by_blockers(std::span<const Coordinates<d>> x, std::vector<Index>& waiting) const;
     void make_trusted(Move_report& report);
-    void consider_switch(std::span<const Coordinates<d>> x);
+    void consider_switch(std::span<const Coordinates<d>> x, Move_report& report);
     [[nodiscard]] double star_tolerance(Index i) const;
     void list_changes(Move_report& report, std::span<const Index> cells) const;
     void list_everything(Move_report& report) const;
@@ -164,8 +182,10 @@ class Moving_delaunay {
     std::vector<Index> index_of_input_;
     std::mt19937_64 random_;
     std::uint64_t steps_ = 0;
+    bool whole_ = true;  // false: there are positions but no cells, because memory ran out twice
 };
 
 }  // namespace annulus
 
 #include <annulus/relocation/moving_delaunay_impl.h>
+#include <annulus/relocation/moving_delaunay_moves.h>

@@ -7,12 +7,11 @@
 namespace annulus {
 
 /// A cheap proof that facet f's certificate holds at x although a tolerance failed; `renewals_` gets new expiries for
-/// commit(). Not under a prediction, where readings leave a drift out that these proofs would have to count.
+/// commit().
 template <int d>
 bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
     if constexpr (d == 2) {
-        if (kind_[at(f)] != Facet_kind::empty_sphere || !(tolerance_[at(f)] > 0.0) || prediction_.active())
-            return false;
+        if (kind_[at(f)] != Facet_kind::empty_sphere || !(tolerance_[at(f)] > 0.0)) return false;
         return look_ == Second_look::unequal_moves ? unequal_moves(f, x)
                : look_ == Second_look::safe_region ? safe_region(f, x)
                                                    : false;

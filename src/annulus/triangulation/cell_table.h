@@ -2,13 +2,16 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
+#include <annulus/arithmetic/error.h>
+#include <annulus/arithmetic/horizons.h>
+#include <annulus/triangulation/small_set.h>
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
 #include <span>
-#include <utility>
+#include <string>
 #include <vector>
 
 namespace annulus {
@@ -62,15 +65,13 @@ class Cell_table {
     }
 
     /// Calls visit(h) for each corner h whose vertex is v, which may be `infinite`. O(degree); counter-clockwise in 2D, in
-    /// no particular order in 3D. The table must not change meanwhile.
+    /// no particular order in 3D. `visit` must not change the table.
     template <class Visit>
     void for_each_corner(Index v, Visit visit) const requires(d == 3) {
-        std::vector<Index> star = std::move(star_);  // visits may nest: each has a vector of its own
-        star.clear();
+        boost::container::small_vector<Index, 64> star;
+        Small_set<Index, Index_hash> met(none);
         const auto enter = [&](Index c) {
-            char& mark = alive_[at(c)];
-            if (mark == seen) return;
-            mark = seen;
+            if (!met.insert(c)) return;
             // Its slot without branches, which nobody could predict.
             const auto is = [&](int i) { return vertex(corner(c, i)) == v ? 1 : 0; };
             star.push_back(corner(c, is(1) + 2 * is(2) + 3 * is(3)));
@@ -81,9 +82,7 @@ class Cell_table {
             for (int i = 0; i <= d; ++i)
                 if (corner(c, i) != star[k]) enter(cell_of(twin(corner(c, i))));
         }
-        for (const Index h : star) alive_[at(cell_of(h))] = 1;
         for (const Index h : star) visit(h);
-        star_ = std::move(star);
     }
     template <class Visit>
     void for_each_corner(Index v, Visit visit) const requires(d == 2) {
@@ -109,7 +108,7 @@ class Cell_table {
     void clear(std::size_t vertices);
     void set_vertex_bound(std::size_t vertices) { corner_of_vertex_.resize(vertices, none); }
 
-    /// A new cell with no vertices or twins yet.
+    /// A new cell with no vertices or twins yet. Throws Error(too_large) when its corners would have no index.
     [[nodiscard]] Index new_cell();
     void free_cell(Index c);
     void set_vertex(Index h, Index v) {
@@ -143,9 +142,7 @@ class Cell_table {
     std::vector<Index> vertex_;            // by corner
     std::vector<Index> twin_;              // by corner
     std::vector<Index> facet_;             // by corner
-    static constexpr char seen = 2;        // mark of a tour, while it lasts
-    mutable std::vector<char> alive_;      // by cell
-    mutable std::vector<Index> star_;      // of a tour
+    std::vector<char> alive_;              // by cell
     std::vector<Index> half_of_facet_;     // by facet
     std::vector<Index> corner_of_vertex_;  // by vertex
     std::vector<Index> free_cells_;
@@ -172,6 +169,8 @@ Index Cell_table<d>::new_cell() {
         free_cells_.pop_back();
     } else {
         c = cell_bound();
+        if (c >= Horizons::cells)
+            throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::cells) + " cells");
         alive_.push_back(0);
         vertex_.resize(vertex_.size() + 4, none);
         twin_.resize(twin_.size() + 4, none);

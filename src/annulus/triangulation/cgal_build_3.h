@@ -29,16 +29,23 @@ void Cgal_embedding_3<Info>::insert_sorted(T& tr, std::span<const Coordinates<3>
     using Map = typename CGAL::Pointer_property_map<Point>::type;
     const CGAL::Spatial_sort_traits_adapter_3<Kernel, Map> traits(CGAL::make_property_map(points));
     CGAL::spatial_sort(order.begin(), order.end(), traits);
-    typename T::Vertex_handle hint;
-    std::size_t count = 0;
-    for (const std::size_t i : order) {
-        const auto v = hint == typename T::Vertex_handle() ? tr.insert(points[i]) : tr.insert(points[i], hint);
-        if (tr.number_of_vertices() == count)
-            throw Error(Error_code::collision, "point " + std::to_string(i) + " has the position of another point");
-        ++count;
-        assign(v, static_cast<Index>(i));
-        hint = v;
-    }
+    bool distinct = true;
+    std::size_t last = 0;
+    cgal_3::with_sound_table([&] {
+        typename T::Vertex_handle hint;
+        std::size_t count = 0;
+        for (const std::size_t i : order) {
+            const auto v = hint == typename T::Vertex_handle() ? tr.insert(points[i]) : tr.insert(points[i], hint);
+            distinct = tr.number_of_vertices() != count;
+            last = i;
+            if (!distinct) return;
+            ++count;
+            assign(v, static_cast<Index>(i));
+            hint = v;
+        }
+    });
+    if (!distinct)
+        throw Error(Error_code::collision, "point " + std::to_string(last) + " has the position of another point");
 }
 
 template <class Info>
@@ -53,6 +60,27 @@ void Cgal_embedding_3<Info>::build(std::span<const Coordinates<3>> x) {
     handle_ = std::move(handle);
     detached_.clear();
     mirrored_ = false;
+}
+
+template <class Info>
+void Cgal_embedding_3<Info>::restore(std::span<const Coordinates<3>> x, Index fresh) {
+    if (fresh != none && at(fresh) < handle_.size()) handle_[at(fresh)] = Vertex_handle();
+    handle_.resize(x.size());
+    auto& vertices = tr_.tds().vertices();
+    for (auto it = vertices.begin(); it != vertices.end();) {
+        const Vertex_handle v = it++;
+        const bool ours = v->index() != none && at(v->index()) < handle_.size() && handle_[at(v->index())] == v;
+        if (!ours && v != tr_.infinite_vertex()) tr_.tds().delete_vertex(v);
+    }
+    rebuild(x);
+}
+
+template <class Info>
+void Cgal_embedding_3<Info>::clear_cells() noexcept {
+    tr_.tds().cells().clear();
+    tr_.tds().set_dimension(-1);
+    table_.clear(0);
+    cell_.clear();
 }
 
 template <class Info>

@@ -34,8 +34,8 @@ class Cgal_embedding_2 final : public Embedding<2> {
     void build(std::span<const Coordinates<2>> x);
     /// (Re)builds the flat mirror from CGAL's object. O(n).
     void mirror();
-    /// Forgets the mirror: the strategies that do not use it work on CGAL's object alone.
-    void drop_mirror() { mirrored_ = false; }
+    /// Forgets the mirror: strategies that do not use it work on CGAL's object alone.
+    void drop_mirror() noexcept { mirrored_ = false; }
     [[nodiscard]] bool mirrored() const { return mirrored_; }
 
     [[nodiscard]] Cell_table<2>& table() override { return mirror_.table(); }
@@ -48,6 +48,11 @@ class Cgal_embedding_2 final : public Embedding<2> {
     void set_point(Index v, const Coordinates<2>& p) override { handle_[at(v)]->set_point(point(p)); }
     void set_points(std::span<const Coordinates<2>> x) override;
     void rebuild(std::span<const Coordinates<2>> x) override;
+    /// The same after a call that failed half way: x has a position for every index there is to be, `fresh` (or `none`) is one
+    /// that the call inserted.
+    void restore(std::span<const Coordinates<2>> x, Index fresh);
+    /// No cells, until a rebuild.
+    void clear_cells() noexcept;
     /// Seconds the last rebuild spent on keeping handles valid.
     [[nodiscard]] double handle_seconds() const { return handle_seconds_; }
 
@@ -56,12 +61,12 @@ class Cgal_embedding_2 final : public Embedding<2> {
     /// Removes v; its index becomes vacant and its handle invalid.
     void remove(Index v, std::vector<Index>& changed);
 
-    /// The paper's baseline: locate, insert, remove, with v's handle kept. False when another vertex is at p.
-    [[nodiscard]] bool relocate(Index v, const Coordinates<2>& p) {
+    /// The paper's baseline: locate, insert, remove, with v's handle kept.
+    [[nodiscard]] Relocation relocate(Index v, const Coordinates<2>& p) {
         return cgal_2::relocate(tr_, handle_[at(v)], point(p));
     }
     /// Section 3.1 of the paper, as CGAL does it: flips when no incident triangle inverts, else relocation.
-    [[nodiscard]] bool relocate_by_flips(Index v, const Coordinates<2>& p) {
+    [[nodiscard]] Relocation relocate_by_flips(Index v, const Coordinates<2>& p) {
         return cgal_2::relocate_by_flips(tr_, handle_[at(v)], point(p));
     }
     /// Writes v's point when no topological change is needed. False, with nothing changed, when one is.
@@ -144,14 +149,12 @@ bool Cgal_embedding_2<Info>::detach(Index v, std::vector<Index>& changed) {
     tr_.remove(stand_in);
     // What lies inside the border now.
     std::vector<Face_handle> inside;
+    Small_set<Face_handle, Handle_hash> met{Face_handle()};
     const auto enter = [&](Face_handle g) {
-        const bool outer = std::any_of(border.begin(), border.end(), [&](const auto& b) { return b.first == g; });
-        if (!outer && std::find(inside.begin(), inside.end(), g) == inside.end()) inside.push_back(g);
+        if (met.insert(g)) inside.push_back(g);
     };
-    for (const auto& [g, i] : border) {
-        const Face_handle in = g->neighbor(i);
-        if (std::find(inside.begin(), inside.end(), in) == inside.end()) inside.push_back(in);
-    }
+    for (const auto& [g, i] : border) met.insert(g);
+    for (const auto& [g, i] : border) enter(g->neighbor(i));
     for (std::size_t k = 0; k < inside.size(); ++k)
         for (int i = 0; i <= 2; ++i) enter(inside[k]->neighbor(i));
     mirror_.table().set_absent(v);
@@ -215,6 +218,26 @@ void Cgal_embedding_2<Info>::remove(Index v, std::vector<Index>& changed) {
     tr_.remove(handle);
     handle_[at(v)] = Vertex_handle();
     if (mirrored_) mirror();
+}
+
+template <class Info>
+void Cgal_embedding_2<Info>::restore(std::span<const Coordinates<2>> x, Index fresh) {
+    if (fresh != none && at(fresh) < handle_.size()) handle_[at(fresh)] = Vertex_handle();
+    handle_.resize(x.size());
+    auto& vertices = tr_.tds().vertices();
+    for (auto it = vertices.begin(); it != vertices.end();) {
+        const Vertex_handle v = it++;
+        const bool ours = v->index() != none && at(v->index()) < handle_.size() && handle_[at(v->index())] == v;
+        if (!ours && v != tr_.infinite_vertex()) tr_.tds().delete_vertex(v);
+    }
+    rebuild(x);
+}
+
+template <class Info>
+void Cgal_embedding_2<Info>::clear_cells() noexcept {
+    tr_.tds().faces().clear();
+    tr_.tds().set_dimension(-1);
+    mirror_.clear();
 }
 
 template <class Info>

@@ -5,6 +5,7 @@
 #include <annulus/certificate/ladder.h>
 #include <annulus/certificate/theta.h>
 #include <annulus/triangulation/certificates.h>
+#include <annulus/triangulation/cgal_table_3.h>
 #include <annulus/triangulation/cgal_types_3.h>
 #include <annulus/triangulation/embedding.h>
 #include <annulus/triangulation/measures.h>
@@ -40,8 +41,8 @@ class Cgal_embedding_3 final : public Embedding<3> {
     void build(std::span<const Coordinates<3>> x);
     /// (Re)builds the flat mirror from CGAL's object. O(n).
     void mirror();
-    /// Forgets the mirror: the strategies that do not use it work on CGAL's object alone.
-    void drop_mirror() { mirrored_ = false; }
+    /// Forgets the mirror: strategies that do not use it work on CGAL's object alone.
+    void drop_mirror() noexcept { mirrored_ = false; }
     [[nodiscard]] bool mirrored() const { return mirrored_; }
 
     [[nodiscard]] Cell_table<3>& table() override { return table_; }
@@ -55,6 +56,11 @@ class Cgal_embedding_3 final : public Embedding<3> {
     void set_point(Index v, const Coordinates<3>& p) override { handle_[at(v)]->set_point(point(p)); }
     void set_points(std::span<const Coordinates<3>> x) override;
     void rebuild(std::span<const Coordinates<3>> x) override;
+    /// The same after a call that failed half way: x has a position for every index there is to be, `fresh` (or `none`) is one
+    /// that the call inserted.
+    void restore(std::span<const Coordinates<3>> x, Index fresh);
+    /// No cells, until a rebuild.
+    void clear_cells() noexcept;
     /// Seconds the last rebuild spent on keeping handles valid.
     [[nodiscard]] double handle_seconds() const { return handle_seconds_; }
 
@@ -63,11 +69,11 @@ class Cgal_embedding_3 final : public Embedding<3> {
     /// Removes v; its index becomes vacant and its handle invalid.
     void remove(Index v, std::vector<Index>& changed);
 
-    /// The paper's baseline: locate, insert, remove, with v's handle kept. False when another vertex is at p.
-    [[nodiscard]] bool relocate(Index v, const Coordinates<3>& p);
+    /// The paper's baseline: locate, insert, remove, with v's handle kept.
+    [[nodiscard]] Relocation relocate(Index v, const Coordinates<3>& p);
     /// In place where no topological change is needed, else the same: paper 3.1 has no flips in space. Not CGAL's
     /// `move_if_no_collision`, whose insertion into a star it has just made crashes on degenerate input (5.5).
-    [[nodiscard]] bool relocate_by_flips(Index v, const Coordinates<3>& p);
+    [[nodiscard]] Relocation relocate_by_flips(Index v, const Coordinates<3>& p);
     /// Writes v's point when no topological change is needed. False, with nothing changed, when one is.
     [[nodiscard]] bool update_in_place(Index v, const Coordinates<3>& p);
 
@@ -100,7 +106,15 @@ class Cgal_embedding_3 final : public Embedding<3> {
     }
     [[nodiscard]] std::vector<Cell_handle> star(Vertex_handle v) const;
     void substitute(Vertex_handle old, Vertex_handle replacement);
-    void adopt(const std::vector<Cell_handle>& cells, std::vector<Index>& changed);
+    /// A cell of CGAL's with its corners in an order that depends on its vertices alone: which they are, and its orientation.
+    struct Ordered_cell {
+        std::array<Index, 4> vertices;
+        Cell_handle cell;
+        friend bool operator<(const Ordered_cell& l, const Ordered_cell& r) { return l.vertices < r.vertices; }
+    };
+    [[nodiscard]] Ordered_cell put_in_order(Cell_handle c);
+    void put_in_order(std::vector<Cell_handle>& cells);
+    void adopt(std::vector<Cell_handle> cells, std::vector<Index>& changed);
     [[nodiscard]] std::vector<Index> cells_replaced_by(const std::vector<Cell_handle>& cells);
     Index new_cell(Cell_handle c);
     void transplant(Plain& other);

@@ -27,6 +27,11 @@ class Cgal_mirror_2 {
 
     /// Mirrors everything anew, for vertex indices below `bound`; nothing where the points are flat. O(n log n).
     void build(std::size_t bound);
+    /// Mirrors nothing.
+    void clear() noexcept {
+        table_.clear(0);
+        face_.clear();
+    }
 
     /// Mirrors a changed region: old_cells have gone or changed, faces are what fills their place now (possibly the
     /// same CGAL faces). Facets on the border of the region keep their index. The cells of `faces` join `changed`.
@@ -76,20 +81,21 @@ void Cgal_mirror_2<Tr>::build(std::size_t bound) {
 /// Gives back the facets inside the region and the cells that no face of it keeps.
 template <class Tr>
 void Cgal_mirror_2<Tr>::free_unused(const std::vector<Index>& old_cells, const std::vector<Face_handle>& faces) {
-    const auto is_old = [&](Index c) { return std::find(old_cells.begin(), old_cells.end(), c) != old_cells.end(); };
+    std::vector<Index> old = old_cells;
+    std::sort(old.begin(), old.end());
+    const auto place = [&](Index c) { return std::lower_bound(old.begin(), old.end(), c); };
+    const auto is_old = [&](Index c) { return place(c) != old.end() && *place(c) == c; };
     for (const Index c : old_cells)
         for (int i = 0; i <= 2; ++i) {
             const Index h = table_.corner(c, i);
             const Index t = table_.twin(h);
             if (h < t && is_old(table_.cell_of(t))) table_.free_facet(table_.facet(h));
         }
-    std::vector<char> kept(old_cells.size(), 0);
-    for (const Face_handle f : faces) {
-        const auto it = f->cell() == none ? old_cells.end() : std::find(old_cells.begin(), old_cells.end(), f->cell());
-        if (it != old_cells.end()) kept[static_cast<std::size_t>(it - old_cells.begin())] = 1;
-    }
-    for (std::size_t k = 0; k < old_cells.size(); ++k)
-        if (!kept[k]) table_.free_cell(old_cells[k]);
+    std::vector<char> kept(old.size(), 0);
+    for (const Face_handle f : faces)
+        if (f->cell() != none && is_old(f->cell())) kept[static_cast<std::size_t>(place(f->cell()) - old.begin())] = 1;
+    for (const Index c : old_cells)
+        if (!kept[static_cast<std::size_t>(place(c) - old.begin())]) table_.free_cell(c);
 }
 
 /// Glues the facets of `faces` as CGAL has them. `inside` are the cells of the region, sorted; null for everything.

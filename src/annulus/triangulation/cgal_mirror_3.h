@@ -16,21 +16,56 @@ void Cgal_embedding_3<Info>::mirror() {
     mirrored_ = true;
     if (tr_.dimension() != 3) return;
     // Numbered along the vertices, so that what is near in space is near in memory whenever the caller's order is.
-    std::vector<std::pair<Index, Cell_handle>> cells;
+    std::vector<Ordered_cell> cells;
+    cells.reserve(tr_.tds().number_of_cells());
     for (auto c = tr_.all_cells_begin(); c != tr_.all_cells_end(); ++c) {
         c->set_cell(none);
-        Index least = index_of(tr_, c->vertex(0));
-        for (int i = 1; i <= 3; ++i) least = std::min(least, index_of(tr_, c->vertex(i)));
-        cells.emplace_back(least, c);
+        cells.push_back(put_in_order(c));
     }
-    std::stable_sort(cells.begin(), cells.end(), [](const auto& l, const auto& r) { return l.first < r.first; });
-    for (const auto& [least, c] : cells) new_cell(c);
-    for (const auto& [least, c] : cells)
+    std::sort(cells.begin(), cells.end());
+    for (const auto& [vertices, c] : cells) new_cell(c);
+    for (const auto& [vertices, c] : cells)
         for (int i = 0; i <= 3; ++i) {
             const Index h = table_.corner(c->cell(), i);
             const Index t = table_.corner(c->neighbor(i)->cell(), tr_.tds().mirror_index(c, i));
             if (h < t) table_.glue(h, t);
         }
+}
+
+/// CGAL's removal goes through a map ordered by addresses, so in which order its cells come, and their corners, is not the same
+/// in another run of the program. Ours is: the least index first, of the others the least next; infinity is -1. The corners are
+/// turned by even permutations, so the cell stays what it is.
+template <class Info>
+auto Cgal_embedding_3<Info>::put_in_order(Cell_handle c) -> Ordered_cell {
+    std::array<Index, 4> v{};
+    for (std::size_t i = 0; i < 4; ++i) v[i] = index_of(tr_, c->vertex(static_cast<int>(i)));
+    std::array<std::size_t, 4> from{0, 1, 2, 3};
+    const auto least = static_cast<std::size_t>(std::min_element(v.begin(), v.end()) - v.begin());
+    if (least != 0) {
+        std::swap(from[0], from[least]);
+        std::swap(from[least == 1 ? 2 : 1], from[least == 3 ? 2 : 3]);
+    }
+    while (v[from[1]] > v[from[2]] || v[from[1]] > v[from[3]])
+        std::rotate(from.begin() + 1, from.begin() + 2, from.end());
+    if (from != std::array<std::size_t, 4>{0, 1, 2, 3}) {
+        std::array<Vertex_handle, 4> vertex;
+        std::array<Cell_handle, 4> neighbour;
+        for (std::size_t i = 0; i < 4; ++i) {
+            vertex[i] = c->vertex(static_cast<int>(from[i]));
+            neighbour[i] = c->neighbor(static_cast<int>(from[i]));
+        }
+        c->set_vertices(vertex[0], vertex[1], vertex[2], vertex[3]);
+        c->set_neighbors(neighbour[0], neighbour[1], neighbour[2], neighbour[3]);
+    }
+    return {{v[from[0]], v[from[1]], v[from[2]], v[from[3]]}, c};
+}
+
+template <class Info>
+void Cgal_embedding_3<Info>::put_in_order(std::vector<Cell_handle>& cells) {
+    std::vector<Ordered_cell> ordered;
+    for (const Cell_handle c : cells) ordered.push_back(put_in_order(c));
+    std::sort(ordered.begin(), ordered.end());
+    for (std::size_t k = 0; k < cells.size(); ++k) cells[k] = ordered[k].cell;
 }
 
 /// The mirror of one cell, its facets not glued yet.
@@ -73,7 +108,8 @@ std::vector<Index> Cgal_embedding_3<Info>::cells_replaced_by(const std::vector<C
 
 /// Mirrors a changed region: `cells` are what CGAL put there, new ones all. Facets on the border keep their index.
 template <class Info>
-void Cgal_embedding_3<Info>::adopt(const std::vector<Cell_handle>& cells, std::vector<Index>& changed) {
+void Cgal_embedding_3<Info>::adopt(std::vector<Cell_handle> cells, std::vector<Index>& changed) {
+    put_in_order(cells);
     const std::vector<Index> old = cells_replaced_by(cells);
     for (const Index c : old)
         for (int i = 0; i <= 3; ++i) {
@@ -167,10 +203,17 @@ void Cgal_embedding_3<Info>::replace(std::span<const Index> old, std::span<const
     }
 }
 
+/// Not CGAL's `incident_cells`, which marks the cells and so is no reading for several threads. Precondition: dimension 3.
 template <class Info>
 auto Cgal_embedding_3<Info>::star(Vertex_handle v) const -> std::vector<Cell_handle> {
-    std::vector<Cell_handle> cells;
-    tr_.incident_cells(v, std::back_inserter(cells));
+    std::vector<Cell_handle> cells{v->cell()};
+    Small_set<Cell_handle, Handle_hash> met{Cell_handle()};
+    met.insert(v->cell());
+    for (std::size_t k = 0; k < cells.size(); ++k)
+        for (int i = 0; i <= 3; ++i) {
+            const Cell_handle c = cells[k]->neighbor(i);
+            if (cells[k]->vertex(i) != v && met.insert(c)) cells.push_back(c);
+        }
     return cells;
 }
 
@@ -211,7 +254,7 @@ bool Cgal_embedding_3<Info>::detach(Index v, std::vector<Index>& changed) {
     substitute(handle, stand_in);
     handle->set_cell(Cell_handle());
     std::vector<Cell_handle> cells;
-    tr_.remove_and_give_new_cells(stand_in, std::back_inserter(cells));
+    cgal_3::with_sound_table([&] { tr_.remove_and_give_new_cells(stand_in, std::back_inserter(cells)); });
     table_.set_absent(v);
     adopt(cells, changed);
     detached_.emplace_back(v, neighbour);
@@ -232,7 +275,8 @@ bool Cgal_embedding_3<Info>::attach(Index v, const Coordinates<3>& p, std::vecto
     int j = 0;
     const Cell_handle where = tr_.locate(point(p), type, i, j, start);
     if (type == Triangulation::VERTEX) return false;
-    const Vertex_handle inserted = tr_.insert(point(p), type, where, i, j);
+    Vertex_handle inserted;
+    cgal_3::with_sound_table([&] { inserted = tr_.insert(point(p), type, where, i, j); });
     const Vertex_handle handle = handle_[at(v)];
     substitute(inserted, handle);
     handle->set_point(point(p));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/triangulation/cgal_star_2.h>
+#include <annulus/triangulation/embedding.h>
 
 #include <vector>
 
@@ -21,21 +22,14 @@ void substitute(Tr& tr, typename Tr::Vertex_handle old, typename Tr::Vertex_hand
     for (const auto g : star) g->set_vertex(g->index(old), replacement);
 }
 
-/// Section 3.1 of the paper, as CGAL does it: flips when no incident triangle inverts, else relocation. False, with
-/// nothing changed, when another vertex is at p.
+/// The paper's baseline: locate, insert, remove.
 template <class Tr>
-[[nodiscard]] bool relocate_by_flips(Tr& tr, typename Tr::Vertex_handle v, const typename Tr::Point& p) {
-    return tr.move_if_no_collision(v, p) == v;
-}
-
-/// The paper's baseline: locate, insert, remove. False, with nothing changed, when another vertex is at p.
-template <class Tr>
-[[nodiscard]] bool relocate(Tr& tr, typename Tr::Vertex_handle v, const typename Tr::Point& p) {
-    if (tr.dimension() != 2) return relocate_by_flips(tr, v, p);
+[[nodiscard]] Relocation relocate(Tr& tr, typename Tr::Vertex_handle v, const typename Tr::Point& p) {
+    if (tr.dimension() != 2) return tr.move_if_no_collision(v, p) == v ? Relocation::reinserted : Relocation::refused;
     typename Tr::Locate_type type{};
     int i = 0;
     const auto face = tr.locate(p, type, i, v->face());
-    if (type == Tr::VERTEX) return face->vertex(i) == v;
+    if (type == Tr::VERTEX) return face->vertex(i) == v ? Relocation::kept : Relocation::refused;
     const auto inserted = tr.insert(p, type, face, i);
     // The handle moves to the new star and the newcomer to the old one, where it is removed.
     const auto stand_in = tr.tds().create_vertex();
@@ -45,7 +39,22 @@ template <class Tr>
     v->set_point(p);
     tr.tds().delete_vertex(inserted);
     tr.remove(stand_in);
-    return true;
+    return Relocation::reinserted;
+}
+
+/// Section 3.1 of the paper, as CGAL does it: flips when no incident triangle inverts, else relocation. CGAL does not tell which
+/// it was, so its first question is asked beforehand.
+template <class Tr>
+[[nodiscard]] Relocation relocate_by_flips(Tr& tr, typename Tr::Vertex_handle v, const typename Tr::Point& p) {
+    bool flips = false;
+    if (tr.dimension() == 2) {
+        const typename Tr::Point old = v->point();
+        v->set_point(p);
+        flips = tr.well_oriented(v);
+        v->set_point(old);
+    }
+    if (tr.move_if_no_collision(v, p) != v) return Relocation::refused;
+    return flips ? Relocation::flipped : Relocation::reinserted;
 }
 
 /// Writes the point of v when no topological change is needed. False, with nothing changed, when one is.

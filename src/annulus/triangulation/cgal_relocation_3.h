@@ -14,7 +14,8 @@ bool Cgal_embedding_3<Info>::insert(Index v, const Coordinates<3>& p, std::vecto
     const Cell_handle where = tr_.locate(point(p), type, i, j);
     if (type == Triangulation::VERTEX) return false;
     const int before = tr_.dimension();
-    const Vertex_handle inserted = tr_.insert(point(p), type, where, i, j);
+    Vertex_handle inserted;
+    cgal_3::with_sound_table([&] { inserted = tr_.insert(point(p), type, where, i, j); });
     inserted->set_index(v);
     if (at(v) >= handle_.size()) handle_.resize(at(v) + 1);
     handle_[at(v)] = inserted;
@@ -37,19 +38,19 @@ void Cgal_embedding_3<Info>::remove(Index v, std::vector<Index>& changed) {
         handle_[at(v)] = Vertex_handle();
         return;
     }
-    tr_.remove(handle);
+    cgal_3::with_sound_table([&] { tr_.remove(handle); });
     handle_[at(v)] = Vertex_handle();
     if (mirrored_) mirror();
 }
 
 template <class Info>
-bool Cgal_embedding_3<Info>::relocate(Index v, const Coordinates<3>& p) {
+Relocation Cgal_embedding_3<Info>::relocate(Index v, const Coordinates<3>& p) {
     const Vertex_handle handle = handle_[at(v)];
     typename Triangulation::Locate_type type{};
     int i = 0;
     int j = 0;
     const Cell_handle where = tr_.locate(point(p), type, i, j, handle->cell());
-    if (type == Triangulation::VERTEX) return where->vertex(i) == handle;
+    if (type == Triangulation::VERTEX) return where->vertex(i) == handle ? Relocation::kept : Relocation::refused;
     if (tr_.dimension() != 3) {
         // CGAL's vertices of lower dimensions are few ways to get wrong: all anew.
         std::vector<Coordinates<3>> x(handle_.size());
@@ -57,9 +58,10 @@ bool Cgal_embedding_3<Info>::relocate(Index v, const Coordinates<3>& p) {
             if (handle_[k] != Vertex_handle()) x[k] = coordinates(handle_[k]->point());
         x[at(v)] = p;
         rebuild(x);
-        return true;
+        return Relocation::reinserted;
     }
-    const Vertex_handle inserted = tr_.insert(point(p), type, where, i, j);
+    Vertex_handle inserted;
+    cgal_3::with_sound_table([&] { inserted = tr_.insert(point(p), type, where, i, j); });
     // The handle moves to the new star and the newcomer to the old one, where it is removed.
     const Vertex_handle stand_in = tr_.tds().create_vertex();
     stand_in->set_point(handle->point());
@@ -67,13 +69,15 @@ bool Cgal_embedding_3<Info>::relocate(Index v, const Coordinates<3>& p) {
     substitute(inserted, handle);
     handle->set_point(point(p));
     tr_.tds().delete_vertex(inserted);
-    tr_.remove(stand_in);
-    return true;
+    std::vector<Cell_handle> cells;
+    cgal_3::with_sound_table([&] { tr_.remove_and_give_new_cells(stand_in, std::back_inserter(cells)); });
+    if (tr_.dimension() == 3) put_in_order(cells);  // what is computed from their corners is the same in another run
+    return Relocation::reinserted;
 }
 
 template <class Info>
-bool Cgal_embedding_3<Info>::relocate_by_flips(Index v, const Coordinates<3>& p) {
-    return update_in_place(v, p) || relocate(v, p);
+Relocation Cgal_embedding_3<Info>::relocate_by_flips(Index v, const Coordinates<3>& p) {
+    return update_in_place(v, p) ? Relocation::kept : relocate(v, p);
 }
 
 /// All certificates of v are evaluated; where only one vertex moves and its cells stay positive nothing can wind twice.

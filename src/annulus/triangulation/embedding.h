@@ -41,6 +41,9 @@ class Embedding_base {
     virtual void rebuild(std::span<const Coordinates<d>> x) = 0;
 };
 
+/// What a move of one vertex by CGAL came to. `refused`: another vertex is there, and nothing has changed.
+enum class Relocation { refused, kept, flipped, reinserted };
+
 template <int d>
 class Embedding;
 

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What tests, the model in fuzz/common/ and the fuzz targets share: options, two precompiled headers, and annulus-tiny.
+find_package(Catch2 2.13 REQUIRED)
+find_package(rapidcheck REQUIRED)
+
+# Optimised a little: more of their time goes into compiling than into running, and what runs long is in the library.
+add_library(annulus-test-options INTERFACE)
+target_compile_options(annulus-test-options INTERFACE $<$<CONFIG:Release>:-O1>
+    "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
+target_link_libraries(annulus-test-options INTERFACE Catch2::Catch2 rapidcheck annulus_warnings)
+
+# Precompiled headers: other people's only, which never change. annulus-headers has those of the test libraries,
+# annulus-headers-cgal CGAL's too, which cost six seconds wherever they are parsed and one to load. Whoever takes them
+# must have the same options. ccache takes files with a precompiled header if CCACHE_SLOPPINESS has pch_defines and
+# time_macros, as in the build presets, and Clang leaves out the time stamp.
+set(annulus_test_headers <catch2/catch.hpp> <rapidcheck.h>)
+set(annulus_cgal_headers
+    <boost/numeric/interval.hpp> <gmpxx.h>
+    <CGAL/Exact_predicates_inexact_constructions_kernel.h> <CGAL/Delaunay_triangulation_2.h>
+    <CGAL/Delaunay_triangulation_3.h> <CGAL/Triangulation_vertex_base_with_info_2.h>
+    <CGAL/Triangulation_vertex_base_with_info_3.h> <CGAL/Delaunay_triangulation_cell_base_3.h>
+    <CGAL/Spatial_sort_traits_adapter_2.h> <CGAL/Spatial_sort_traits_adapter_3.h> <CGAL/spatial_sort.h>)
+file(CONFIGURE OUTPUT nothing.cpp CONTENT "// Only its precompiled header is wanted.\n")
+foreach(target IN ITEMS annulus-headers annulus-headers-cgal)
+    add_library(${target} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/nothing.cpp")
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+    target_link_libraries(${target} PRIVATE annulus::annulus annulus-test-options)
+endforeach()
+target_precompile_headers(annulus-headers PRIVATE ${annulus_test_headers})
+target_precompile_headers(annulus-headers-cgal PRIVATE ${annulus_test_headers} ${annulus_cgal_headers})
+
+# What g++ believes about CGAL's and Boost's code it does not say where they are system headers, but does once they come
+# precompiled. These warnings come from the optimiser; the library, which has no precompiled header, is watched by all.
+set(annulus_quiet_about_precompiled
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-maybe-uninitialized>")
+
+# A target of tests. HEADERS: annulus-headers, or annulus-headers-cgal where most of its files include CGAL, themselves or
+# through our headers. LIBRARY: annulus::annulus or annulus-tiny.
+function(annulus_test_target target headers library)
+    if(headers STREQUAL "annulus-headers-cgal")
+        target_compile_options(${target} PRIVATE ${annulus_quiet_about_precompiled})
+    endif()
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+    target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests" "${PROJECT_SOURCE_DIR}/fuzz")
+    target_link_libraries(${target} PRIVATE ${library} annulus-test-options)
+    target_precompile_headers(${target} REUSE_FROM ${headers})
+endfunction()
+
+# Takes out of a list the files that include what a build of the core alone has not.
+function(annulus_keep_what_links list)
+    set(kept "")
+    foreach(source IN LISTS ${list})
+        file(STRINGS "${source}" later LIMIT_COUNT 1 REGEX "^#include <(annulus/(statistics|io)/|.*/initial_mesh_3[.]h)")
+        if(NOT ANNULUS_CORE_ONLY OR NOT later)
+            list(APPEND kept "${source}")
+        endif()
+    endforeach()
+    set(${list} "${kept}" PARENT_SCOPE)
+endfunction()
+
+# The core with horizons (arithmetic/horizons.h) so near that every run passes them: tests and fuzz targets over moves run
+# on it once more. Never installed, and compiled quickly rather than well. What knows nothing of horizons is shared.
+if(ANNULUS_BUILD_TINY)
+    set(annulus_tiny_sources ${annulus_sources})
+    list(FILTER annulus_tiny_sources INCLUDE REGEX "/annulus/(triangulation/|relocation/|moving_delaunay)")
+    add_subdirectory("${PROJECT_SOURCE_DIR}/tests/tiny" "${PROJECT_BINARY_DIR}/tests/tiny")
+endif()

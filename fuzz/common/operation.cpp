@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "operation.h"
+
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+namespace annulus::oracle {
+
+namespace {
+
+std::string identifier(std::string_view name) {
+    std::string s(name);
+    std::replace(s.begin(), s.end(), '-', '_');
+    return s;
+}
+
+constexpr std::array<std::string_view, refusals> refusal_names{
+    "move_to_nan",     "move_to_infinity",       "move_out_of_domain", "insert_nan",        "insert_out_of_domain",
+    "move_all_to_nan", "move_all_out_of_domain", "one_point_too_many", "one_point_too_few", "move_meets",
+    "insert_meets",    "move_all_meets",         "move_vacant",        "remove_vacant",     "move_beyond"};
+
+template <int d>
+std::string operation_as_code(const Operation_of<d>& o) {
+    const auto call = [](std::string_view name, const std::string& arguments) {
+        return "Calls<" + std::to_string(d) + ">::" + std::string(name) + "(" + arguments + ")";
+    };
+    const auto point = [&o] { return points_as_code(o.points); };
+    const std::string who = std::to_string(o.vertex);
+    switch (o.kind) {
+        case Operation_kind::move: return call(o.fits ? "move_some" : "move", who + ", " + point());
+        case Operation_kind::move_all: return call(o.fits ? "move_most" : "move_all", "{" + point() + "}");
+        case Operation_kind::insert: return call(o.fits ? "insert_near" : "insert", point());
+        case Operation_kind::remove: return call(o.fits ? "remove_some" : "remove", who);
+        case Operation_kind::settle: return call("settle", "");
+        case Operation_kind::stay: return call("stay", "");
+        case Operation_kind::steady:
+            return call("steady", "Motion::" + identifier(name_of(o.motion)) + ", " + std::to_string(o.times) + ", " +
+                                      number_as_code(o.pace) + ", " + std::to_string(o.seed) + "U");
+        case Operation_kind::refused: break;
+    }
+    return call("refused", "Refusal::" + std::string(refusal_names[o.seed % refusals]) + ", " + who);
+}
+
+}  // namespace
+
+std::string name_of(const Setting& s) {
+    std::string name(annulus::name_of(s.strategy));
+    if (s.second_look != Second_look::off) name += "-" + std::string(name_as_code(s.second_look));
+    if (s.tolerance != Tolerance_kind::certified) name += "-" + std::string(annulus::name_of(s.tolerance));
+    return name;
+}
+
+std::string_view name_of(Motion m) {
+    constexpr std::array<std::string_view, all_motions.size()> names{
+        "drift",      "own_ways", "orbits", "shear",    "rotation",       "breathing",   "jitter",
+        "tolerances", "ulps",     "few",    "exchange", "there_and_back", "rest_and_go", "bursts"};
+    return names[static_cast<std::size_t>(m)];
+}
+
+std::string number_as_code(double x) {
+    if (std::isnan(x)) return "NAN";
+    if (std::isinf(x)) return x > 0 ? "INFINITY" : "-INFINITY";
+    std::array<char, 40> text{};
+    if (x == std::nearbyint(x) && std::fabs(x) < 1e6) {
+        std::snprintf(text.data(), text.size(), std::signbit(x) && x == 0.0 ? "-0.0" : "%.0f", x);
+    } else {
+        std::snprintf(text.data(), text.size(), "%a", x);
+    }
+    return text.data();
+}
+
+template <int d>
+std::string as_code(const Program_of<d>& program) {
+    std::ostringstream out;
+    out << (d == 2 ? "const Program" : "const Program_3")
+        << " program{{Strategy::" << identifier(annulus::name_of(program.setting.strategy))
+        << ", Second_look::" << name_as_code(program.setting.second_look)
+        << ", Tolerance_kind::" << annulus::name_of(program.setting.tolerance) << "},\n    {"
+        << points_as_code(program.points) << "},\n    {";
+    for (std::size_t i = 0; i < program.operations.size(); ++i)
+        out << (i > 0 ? ",\n     " : "") << operation_as_code(program.operations[i]);
+    out << "}};\n";
+    return out.str();
+}
+template std::string as_code(const Program_of<2>& program);
+template std::string as_code(const Program_of<3>& program);
+
+Coverage& Coverage::operator+=(const Coverage& o) {
+    operations += o.operations;
+    legal_operations += o.legal_operations;
+    calls += o.calls;
+    for (std::size_t i = 0; i < refused.size(); ++i) refused[i] += o.refused[i];
+    report += o.report;
+    renewed_by_unequal_moves += o.renewed_by_unequal_moves;
+    renewed_by_safe_region += o.renewed_by_safe_region;
+    switches += o.switches;
+    return *this;
+}
+
+double Coverage::legal_share() const {
+    return operations > 0 ? static_cast<double>(legal_operations) / static_cast<double>(operations) : 1.0;
+}
+
+std::string Coverage::words(std::string_view prefix) const {
+    std::ostringstream out;
+    const auto line = [&](std::string_view name, auto value) { out << prefix << name << ": " << value << "\n"; };
+    line("operations", operations);
+    line("legal_percent", std::lround(100.0 * legal_share()));
+    line("calls", calls);
+    line("collisions_refused", collisions());
+    line("within_tolerance", report.moves.within_tolerance);
+    line("kept_in_place", report.moves.kept_in_place);
+    line("flipped", report.moves.flipped);
+    line("reinserted", report.moves.reinserted);
+    line("rebuilt", report.moves.rebuilt);
+    line("flips", report.flips);
+    line("undone_flips", report.undone_flips);
+    line("tours", report.tours);
+    line("requeued", report.requeued);
+    line("decided_by_filter", report.arithmetic.filter);
+    line("decided_by_interval", report.arithmetic.interval);
+    line("decided_by_exact", report.arithmetic.exact);
+    line("renewed_by_unequal_moves", renewed_by_unequal_moves);
+    line("renewed_by_safe_region", renewed_by_safe_region);
+    line("switches_of_hybrid", switches);
+    return out.str();
+}
+
+}  // namespace annulus::oracle

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What a caller does to a moving triangulation, as data: settings, operations, programs, and programs as code. No CGAL here: what
+// runs them is in program.h, and compiled once.
+//
+// An operation may hold what is meant rather than what is passed ("the third vertex that lives", "everybody a little along the x
+// axis"): the session resolves it when its turn comes, so a program stays legal whatever became of the calls before it, and what is
+// left of it when it is shrunk is legal too.
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/relocation/move_report.h>
+#include <annulus/relocation/options.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace annulus::oracle {
+
+// ---- Settings -----------------------------------------------------------------------------------------------------
+
+/// One of the ways to keep a triangulation right.
+struct Setting {
+    Strategy strategy = Strategy::filter;
+    Second_look second_look = Second_look::off;
+    Tolerance_kind tolerance = Tolerance_kind::certified;
+
+    // NOLINTNEXTLINE: a strategy alone is a setting
+    constexpr Setting(Strategy s = Strategy::filter, Second_look look = Second_look::off,
+                      Tolerance_kind kind = Tolerance_kind::certified)
+        : strategy(s), second_look(look), tolerance(kind) {}
+    friend constexpr bool operator==(const Setting&, const Setting&) = default;
+};
+[[nodiscard]] inline Options options_of(const Setting& s) {
+    Options o;
+    o.strategy = s.strategy;
+    o.second_look = s.second_look;
+    o.tolerance = s.tolerance;
+    return o;
+}
+
+inline constexpr std::array<Setting, 9> certified_settings{{{Strategy::rebuild},
+                                                            {Strategy::relocate},
+                                                            {Strategy::relocate_flips},
+                                                            {Strategy::in_place},
+                                                            {Strategy::filter},
+                                                            {Strategy::filter, Second_look::unequal_moves},
+                                                            {Strategy::filter, Second_look::safe_region},
+                                                            {Strategy::filter_each},
+                                                            {Strategy::hybrid}}};
+
+/// In space there are no second looks.
+inline constexpr std::array<Setting, 7> certified_settings_3{{{Strategy::rebuild},
+                                                              {Strategy::relocate},
+                                                              {Strategy::relocate_flips},
+                                                              {Strategy::in_place},
+                                                              {Strategy::filter},
+                                                              {Strategy::filter_each},
+                                                              {Strategy::hybrid}}};
+
+/// Those that promise no more than not to crash.
+inline constexpr std::array<Setting, 4> uncertified_settings{
+    {{Strategy::filter, Second_look::off, Tolerance_kind::floating},
+     {Strategy::filter_each, Second_look::off, Tolerance_kind::floating},
+     {Strategy::filter, Second_look::off, Tolerance_kind::paper},
+     {Strategy::filter_each, Second_look::off, Tolerance_kind::paper}}};
+
+template <int d>
+[[nodiscard]] constexpr const auto& certified_settings_of() {
+    if constexpr (d == 2) return certified_settings;
+    else return certified_settings_3;
+}
+
+[[nodiscard]] constexpr std::string_view name_as_code(Second_look look) {
+    return look == Second_look::off ? "off" : look == Second_look::unequal_moves ? "unequal_moves" : "safe_region";
+}
+/// filter, filter-unequal_moves, filter-each-paper ...
+[[nodiscard]] std::string name_of(const Setting& s);
+
+/// The filters, certified: what keeps tolerances from one call to the next.
+template <int d>
+[[nodiscard]] std::vector<Setting> filter_settings() {
+    std::vector<Setting> settings;
+    for (const Setting& s : certified_settings_of<d>())
+        if (s.strategy == Strategy::filter || s.strategy == Strategy::filter_each) settings.push_back(s);
+    return settings;
+}
+
+// ---- Operations ---------------------------------------------------------------------------------------------------
+
+enum class Operation_kind {
+    move,
+    move_all,
+    insert,
+    remove,
+    settle,
+    stay,     ///< move_all with the object's own positions()
+    steady,   ///< many timestamps of one motion
+    refused,  ///< a call that must be refused
+};
+
+/// What all vertices do in a timestamp, from where they are.
+enum class Motion {
+    drift,           ///< all the same way
+    own_ways,        ///< straight on, each its own way
+    orbits,          ///< each around a circle of its own
+    shear,           ///<
+    rotation,        ///< around the centre of the whole
+    breathing,       ///< away from the centre, and back after a while
+    jitter,          ///< anywhere within the pace
+    tolerances,      ///< `pace` tolerances from the fixed position, or, if the seed is odd, all the same way from here
+    ulps,            ///< one or two ulps a coordinate
+    few,             ///< one to three vertices, others after a while
+    exchange,        ///< two vertices, or if the seed is odd several in a cycle, take each other's places
+    there_and_back,  ///< a jitter, and home
+    rest_and_go,     ///< rest, a step, rest
+    bursts,          ///< a small jitter; now and then one vertex, or all, to any place
+};
+inline constexpr std::array all_motions{
+    Motion::drift,     Motion::own_ways,       Motion::orbits,      Motion::shear, Motion::rotation,
+    Motion::breathing, Motion::jitter,         Motion::tolerances,  Motion::ulps,  Motion::few,
+    Motion::exchange,  Motion::there_and_back, Motion::rest_and_go, Motion::bursts};
+[[nodiscard]] std::string_view name_of(Motion m);
+
+/// Why a call must be refused.
+enum class Refusal {
+    move_to_nan,
+    move_to_infinity,
+    move_out_of_domain,
+    insert_nan,
+    insert_out_of_domain,
+    move_all_to_nan,
+    move_all_out_of_domain,
+    one_point_too_many,
+    one_point_too_few,
+    move_meets,      ///< the place of another
+    insert_meets,    ///<
+    move_all_meets,  ///< two at one place, and the others a little way off
+    move_vacant,     ///< a vacant index, or, where there is none, the first beyond
+    remove_vacant,   ///<
+    move_beyond,     ///< no index at all
+};
+inline constexpr std::size_t refusals = static_cast<std::size_t>(Refusal::move_beyond) + 1;
+
+template <int d>
+struct Operation_of {
+    using Kind = Operation_kind;
+    Kind kind = Kind::settle;
+    Index vertex = none;                   ///< move, remove; refused: who or what in particular
+    std::vector<Coordinates<d>> points{};  ///< one for move and insert, all for move_all
+    bool fits = false;  ///< made legal: `vertex` counts the living ones, places that are taken or none are replaced
+    Motion motion{};    ///< steady
+    int times = 0;      ///< steady: timestamps
+    double pace = 0.0;  ///< steady: share of the extent; in bursts and so on whatever their comment says
+    std::uint64_t seed = 0;  ///< steady: of all that is arbitrary in it. refused: which Refusal
+};
+using Operation = Operation_of<2>;
+using Operation_3 = Operation_of<3>;
+
+/// Operations by their names.
+template <int d>
+struct Calls {
+    using Place = Coordinates<d>;
+    using Operation = Operation_of<d>;
+    using Kind = Operation_kind;
+
+    // As they are written.
+    [[nodiscard]] static Operation move(Index v, const Place& p) { return {Kind::move, v, {p}}; }
+    [[nodiscard]] static Operation move_all(std::vector<Place> x) { return {Kind::move_all, none, std::move(x)}; }
+    [[nodiscard]] static Operation insert(const Place& p) { return {Kind::insert, none, {p}}; }
+    [[nodiscard]] static Operation remove(Index v) { return {Kind::remove, v, {}}; }
+    [[nodiscard]] static Operation settle() { return {}; }
+    [[nodiscard]] static Operation stay() { return {Kind::stay, none, {}}; }
+    // Made legal.
+    [[nodiscard]] static Operation move_some(Index k, const Place& p) { return {Kind::move, k, {p}, true}; }
+    [[nodiscard]] static Operation insert_near(const Place& p) { return {Kind::insert, none, {p}, true}; }
+    [[nodiscard]] static Operation remove_some(Index k) { return {Kind::remove, k, {}, true}; }
+    /// x: the vertices from the first on; the others, and those whose place is taken, stay.
+    [[nodiscard]] static Operation move_most(std::vector<Place> x) {
+        return {Kind::move_all, none, std::move(x), true};
+    }
+    [[nodiscard]] static Operation steady(Motion m, int times, double pace, std::uint64_t seed) {
+        return {Kind::steady, none, {}, true, m, times, pace, seed};
+    }
+    // Made illegal.
+    [[nodiscard]] static Operation refused(Refusal why, Index who = 0) {
+        return {Kind::refused, who, {}, false, Motion{}, 0, 0.0, static_cast<std::uint64_t>(why)};
+    }
+};
+
+using Position = Coordinates<2>;
+[[nodiscard]] inline Operation move(Index v, Position p) { return Calls<2>::move(v, p); }
+[[nodiscard]] inline Operation move_all(std::vector<Position> x) { return Calls<2>::move_all(std::move(x)); }
+[[nodiscard]] inline Operation insert(Position p) { return Calls<2>::insert(p); }
+[[nodiscard]] inline Operation remove(Index v) { return Calls<2>::remove(v); }
+[[nodiscard]] inline Operation settle() { return {}; }
+
+template <int d>
+struct Program_of {
+    Setting setting;
+    std::vector<Coordinates<d>> points;
+    std::vector<Operation_of<d>> operations{};
+};
+using Program = Program_of<2>;
+using Program_3 = Program_of<3>;
+
+// ---- As code ------------------------------------------------------------------------------------------------------
+
+[[nodiscard]] std::string number_as_code(double x);
+template <std::size_t d>
+[[nodiscard]] std::string points_as_code(const std::vector<std::array<double, d>>& points) {
+    std::string s;
+    for (const auto& p : points) {
+        s += s.empty() ? "{" : ", {";
+        for (std::size_t k = 0; k < d; ++k) s += (k > 0 ? ", " : "") + number_as_code(p[k]);
+        s += "}";
+    }
+    return s;
+}
+
+/// A definition ready to paste into tests/relocation/finds.cpp.
+template <int d>
+[[nodiscard]] std::string as_code(const Program_of<d>& program);
+
+// ---- Running ------------------------------------------------------------------------------------------------------
+
+/// What programs have reached, added up.
+struct Coverage {
+    std::uint64_t operations = 0;             ///< but settle(), which is always legal; a steady motion is one
+    std::uint64_t legal_operations = 0;       ///< of these: what the model expects to be accepted
+    std::uint64_t calls = 0;                  ///< of the library
+    std::array<std::uint64_t, 32> refused{};  ///< by error code
+    Move_report report;                       ///< of all calls that were accepted
+    std::uint64_t renewed_by_unequal_moves = 0;
+    std::uint64_t renewed_by_safe_region = 0;
+    std::uint64_t switches = 0;  ///< of hybrid to filter
+
+    Coverage& operator+=(const Coverage& o);
+    [[nodiscard]] double legal_share() const;
+    [[nodiscard]] std::uint64_t collisions() const { return refused[static_cast<std::size_t>(Error_code::collision)]; }
+    /// A line each, `prefix` before it.
+    [[nodiscard]] std::string words(std::string_view prefix = "") const;
+};
+
+/// Runs a program, checking everything after every call, and settled tolerances against rational numbers the first `rational` times,
+/// which is slow in space. Empty, or what went wrong and where.
+[[nodiscard]] std::string run(const Program& program, int rational = 64, Coverage* coverage = nullptr);
+[[nodiscard]] std::string run(const Program_3& program, int rational = 2, Coverage* coverage = nullptr);
+
+/// The same; what goes wrong is made small first, and comes with the program that shows it as code.
+[[nodiscard]] std::string run_and_shrink(const Program& program, int rational = 64, Coverage* coverage = nullptr);
+[[nodiscard]] std::string run_and_shrink(const Program_3& program, int rational = 2, Coverage* coverage = nullptr);
+
+}  // namespace annulus::oracle

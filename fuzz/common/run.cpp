@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What must be true between calls, and programs from beginning to end.
+#include "program.h"
+#include "shrink.h"
+
+namespace annulus::oracle {
+
+namespace {
+
+/// CGAL says no by throwing where its assertions are compiled in. In space it is asked for the combinatorics only.
+template <class Triangulation>
+bool cgal_agrees(const Triangulation& tr) {
+    try {
+        if constexpr (std::is_same_v<Triangulation, Moving_delaunay_2::Triangulation>) return tr.is_valid();
+        else return tr.tds().is_valid();
+    } catch (const CGAL::Failure_exception&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+template <int d>
+void Session_of<d>::check() const {
+    const auto& tr = dt_->triangulation();
+    if (!certified()) {
+        if (setting_.strategy == Strategy::filter_each && !cgal_agrees(tr))
+            throw Fault{"CGAL's object is not valid at the fixed positions"};
+        return;
+    }
+    if (dt_->index_bound() != sites_.size()) throw Fault{"index_bound()"};
+    std::size_t count = 0;
+    const bool kept = keeps_tolerances(*dt_);
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+        const auto v = dt_->vertex(i);
+        if (v != handles_[i]) throw Fault{"a handle changed"};
+        if (!sites_[i]) continue;
+        ++count;
+        if (dt_->index(v) != static_cast<Index>(i)) throw Fault{"index(vertex(i)) != i"};
+        const auto p = Space<d>::point(*sites_[i]);
+        if (dt_->position(v) != p) throw Fault{"a position is not what was asked for"};
+        if (v->point() != p) throw Fault{"CGAL's point is not the position"};
+        if ((kept || coverage_.calls % sites_.size() == i) && !(dt_->tolerance(v) >= 0.0))
+            throw Fault{"a tolerance is negative or NaN"};
+    }
+    if (dt_->number_of_vertices() != count) throw Fault{"number_of_vertices()"};
+    const Audit_result audit = dt_->audit();
+    if (!audit.delaunay()) throw Fault{"audit: " + audit.first_fault};
+    if (!cgal_agrees(tr)) throw Fault{"CGAL's object is not valid"};
+    const Cells_of<d> cells = cells_of(tr);
+    // CGAL's perturbation makes the triangulation unique where the points do not.
+    if (cells != rebuilt_cells(sites_))
+        throw Fault{audit.degenerate_facets == 0 ? "the cells are not those of a rebuild"
+                                                 : "the cells are not those of a rebuild (degenerate)"};
+    if constexpr (d == 3)
+        if (const std::string words = mirror_fault(*dt_); !words.empty()) throw Fault{words};
+}
+
+template <int d>
+void Session_of<d>::check_settled_tolerances() const {
+    if constexpr (d == 3) {
+        if (sites_.size() > 8) return;  // rational numbers are slow
+        if (const std::string words = tolerance_fault(*dt_); !words.empty()) throw Fault{words};
+    } else {
+        const auto truth = vertex_tolerances(dt_->triangulation(), sites_);
+        for (std::size_t i = 0; i < sites_.size(); ++i) {
+            if (!sites_[i]) continue;
+            const mpf_class found(dt_->tolerance(dt_->vertex(i)), precision);
+            if (found > truth[i] * (1 + mpf_class(0x1p-200, precision)))
+                throw Fault{"the tolerance of vertex " + std::to_string(i) + " is above the truth"};
+            // Rounding to subnormal numbers may lose everything.
+            if (truth[i] > mpf_class(0x1p-1000, precision) &&
+                found < truth[i] * mpf_class(0.998 * Horizons::kept, precision))
+                throw Fault{"the tolerance of vertex " + std::to_string(i) + " is far below the truth"};
+        }
+    }
+}
+
+template class Session_of<2>;
+template class Session_of<3>;
+
+namespace {
+
+template <int d>
+std::string run_program(const Program_of<d>& program, int rational, Coverage* coverage) {
+    std::size_t step = 0;
+    std::optional<Session_of<d>> session;
+    std::string fault;
+    try {
+        session.emplace(program);
+        session->check();
+        for (const Operation_of<d>& o : program.operations) {
+            ++step;
+            session->apply(o);
+            if (!session->refused()) session->check();
+            if (o.kind == Operation_kind::settle && session->certified() && rational-- > 0)
+                session->check_settled_tolerances();
+        }
+    } catch (const typename Session_of<d>::Fault& f) {
+        fault = "operation " + std::to_string(step) + ": " + f.words;
+    } catch (const std::exception& e) {
+        fault = "operation " + std::to_string(step) + " threw " + e.what();
+    }
+    if (coverage && session) *coverage += session->coverage();
+    return fault;
+}
+
+template <int d>
+std::string run_and_shrink_program(const Program_of<d>& program, int rational, Coverage* coverage) {
+    const std::string fault = run_program(program, rational, coverage);
+    if (fault.empty()) return fault;
+    const Program_of<d> small =
+        shrunk(program, [rational](const Program_of<d>& p) { return !run_program<d>(p, rational, nullptr).empty(); });
+    return run_program<d>(small, rational, nullptr) + "\n" + as_code(small);
+}
+
+}  // namespace
+
+std::string run(const Program& program, int rational, Coverage* coverage) {
+    return run_program(program, rational, coverage);
+}
+std::string run(const Program_3& program, int rational, Coverage* coverage) {
+    return run_program(program, rational, coverage);
+}
+
+std::string run_and_shrink(const Program& program, int rational, Coverage* coverage) {
+    return run_and_shrink_program(program, rational, coverage);
+}
+std::string run_and_shrink(const Program_3& program, int rational, Coverage* coverage) {
+    return run_and_shrink_program(program, rational, coverage);
+}
+
+}  // namespace annulus::oracle

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bytes -> a file -> a reader. The first byte says which: A to P of the table below, a to p the same packed by gzip. What a reader
+// returns keeps what its header promises; what it throws is an Input_error in one line; memory is decided by bytes that are there.
+#include <annulus/io/frame_points.h>
+#include <annulus/io/read_image.h>
+#include <annulus/io/read_mesh.h>
+#include <annulus/io/read_motion.h>
+#include <annulus/io/read_points.h>
+#include <annulus/io/read_surface.h>
+
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#ifdef __has_feature
+#if __has_feature(address_sanitizer)
+#define ANNULUS_COUNTS_MEMORY
+#endif
+#endif
+#ifdef ANNULUS_COUNTS_MEMORY
+#include <sanitizer/allocator_interface.h>
+#endif
+
+namespace {
+
+using namespace annulus;
+namespace fs = std::filesystem;
+
+/// Bytes allocated since the last reset, now and at the most. Always 0 without the sanitizer.
+struct Memory {
+    static inline std::size_t now = 0, peak = 0;
+    static void reset() { now = peak = 0; }
+#ifdef ANNULUS_COUNTS_MEMORY
+    static void taken(const volatile void*, std::size_t size) {
+        now += size;
+        peak = std::max(peak, now);
+    }
+    static void given(const volatile void* p) {
+        if (p == nullptr) return;
+        now -= std::min(now, __sanitizer_get_allocated_size(p));
+    }
+    static inline const int installed = __sanitizer_install_malloc_and_free_hooks(taken, given);
+#endif
+};
+
+void require(bool holds, const char* promise) {
+    if (holds) return;
+    std::cerr << "// broken: " << promise << "\n";
+    std::abort();
+}
+
+template <std::size_t d>
+bool finite(const std::vector<std::array<double, d>>& points) {
+    return std::all_of(points.begin(), points.end(), [](const auto& p) {
+        return std::all_of(p.begin(), p.end(), [](double c) { return std::isfinite(c); });
+    });
+}
+
+template <std::size_t d>
+bool distinct(std::vector<std::array<double, d>> points) {
+    std::sort(points.begin(), points.end());
+    return std::adjacent_find(points.begin(), points.end()) == points.end();
+}
+
+bool from_1(const std::vector<std::uint64_t>& lines) {
+    return std::all_of(lines.begin(), lines.end(), [](std::uint64_t line) { return line > 0; });
+}
+
+template <int d>
+void check_points(const Point_file<d>& file) {
+    require(!file.points.empty() && finite(file.points), "points, all finite");
+    require(file.lines.size() == file.points.size() && from_1(file.lines), "a line for each point");
+    const std::vector<Coordinates<d>> x = distinct_points(file, 2);
+    require(x.size() >= 2 && x.size() <= file.points.size() && distinct(x), "distinct points");
+}
+
+void points(const fs::path& file) {
+    std::visit([](const auto& f) { check_points(f); }, read_points_of_any_dimension(file));
+}
+
+template <int d>
+void check_frame(const Recorded_motion& motion, const Frame& frame) {
+    const Frame_points<d> merged = points_of<d>(motion, frame, Coincident::merge);
+    require(distinct(merged.x) && merged.id.size() == merged.x.size(), "distinct points in a frame");
+    require(merged.merged + merged.id.size() == frame.id.size(), "every point is kept or merged");
+    bool refused = false;
+    try {
+        (void)points_of<d>(motion, frame, Coincident::refuse);
+    } catch (const Input_error& error) {
+        refused = error.code() == Error_code::collision;
+    }
+    require(refused == (merged.merged > 0), "points at one place are refused, others not");
+}
+
+template <Absent_frames absent>
+void motion(const fs::path& file) {
+    const Recorded_motion m = read_motion(file, absent);
+    std::size_t all = 0;
+    for (const Frame& f : m.frames) {
+        all += f.id.size();
+        require(f.id.size() == f.position.size() && f.id.size() == f.line.size(), "an id and a line for each point");
+        require(finite(f.position) && from_1(f.line), "finite points with a line");
+        require(std::adjacent_find(f.id.begin(), f.id.end(), std::greater_equal<>()) == f.id.end(), "ids ascend");
+    }
+    require(all > 0, "a point in some frame");
+    for (std::size_t i = 1; i < m.frames.size(); ++i)
+        require(m.frames[i - 1].number < m.frames[i].number, "numbers of frames ascend");
+    for (const Frame& f : m.frames) {
+        check_frame<2>(m, f);
+        if (m.has_z) check_frame<3>(m, f);
+    }
+}
+
+void surface(const fs::path& file) {
+    const Triangle_surface s = read_surface(file).surface;
+    require(finite(s.points) && distinct(s.points), "points finite and distinct");
+    std::set<Index> used;
+    std::map<std::pair<Index, Index>, int> edges;
+    for (const auto& t : s.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            require(t[i] >= 0 && static_cast<std::size_t>(t[i]) < s.points.size(), "corners that are there");
+            used.insert(t[i]);
+            ++edges[{t[i], t[(i + 1) % 3]}];
+        }
+    require(used.size() == s.points.size(), "every point is used");
+    for (const auto& [edge, count] : edges) {
+        const auto back = edges.find({edge.second, edge.first});
+        require(count == 1 && edge.first != edge.second && back != edges.end() && back->second == 1, "closed");
+    }
+    require(enclosed_volume(s) > 0, "a positive volume");
+}
+
+template <int d>
+void check_mesh(const Mesh_file<d>& m) {
+    require(!m.points.empty() && !m.cells.empty() && finite(m.points), "points, finite, and cells");
+    require(m.point_lines.size() == m.points.size() && from_1(m.point_lines), "a line for each point");
+    require(m.cell_lines.size() == m.cells.size() && from_1(m.cell_lines), "a line for each cell");
+    for (auto cell : m.cells) {
+        const bool edge = d == 2 && cell.back() == none;
+        std::sort(cell.begin(), cell.end() - (edge ? 1 : 0));
+        require(std::adjacent_find(cell.begin(), cell.end()) == cell.end(), "corners that differ");
+        for (std::size_t i = 0; i < cell.size() - (edge ? 1 : 0); ++i)
+            require(cell[i] >= 0 && static_cast<std::size_t>(cell[i]) < m.points.size(), "corners that are there");
+    }
+}
+
+void mesh(const fs::path& file) {
+    std::visit([](const auto& m) { check_mesh(m); }, read_mesh(file));
+}
+
+void image(const fs::path& file) {
+    const Labelled_image i = read_image(file);
+    require(i.label.size() == i.size[0] * i.size[1] * i.size[2] && !i.label.empty(), "a label for every voxel");
+    for (const double length : i.spacing) require(length > 0 && std::isfinite(length), "positive lengths");
+}
+
+struct Kind {
+    const char* extension;
+    void (*read)(const fs::path&);
+};
+constexpr Kind kinds[16] = {
+    {".xyz", points},                         // A
+    {".csv", points},                         // B
+    {".off", points},                         // C
+    {".ply", points},                         // D
+    {".mesh", points},                        // E
+    {".xyz", motion<Absent_frames::skip>},    // F
+    {".csv", motion<Absent_frames::refuse>},  // G
+    {".csv", motion<Absent_frames::empty>},   // H
+    {".csv", motion<Absent_frames::skip>},    // I
+    {".off", surface},                        // J
+    {".obj", surface},                        // K
+    {".stl", surface},                        // L
+    {".ply", surface},                        // M
+    {".mesh", mesh},                          // N
+    {".inr", image},                          // O
+    {".xyz.gz", points},                      // P: the bytes are the packed ones
+};
+
+std::string gzip(std::string_view text) {
+    z_stream s{};
+    require(deflateInit2(&s, 1, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) == Z_OK, "zlib");
+    std::string out(deflateBound(&s, text.size()), '\0');
+    std::string in(text);
+    s.next_in = reinterpret_cast<Bytef*>(in.data());
+    s.avail_in = static_cast<uInt>(in.size());
+    s.next_out = reinterpret_cast<Bytef*>(out.data());
+    s.avail_out = static_cast<uInt>(out.size());
+    require(deflate(&s, Z_FINISH) == Z_STREAM_END, "zlib");
+    out.resize(s.total_out);
+    deflateEnd(&s);
+    return out;
+}
+
+/// A directory of this process, gone at its end.
+class Scratch {
+  public:
+    Scratch() : path_(fs::temp_directory_path() / ("annulus-fuzz-readers-" + std::to_string(::getpid()))) {
+        fs::create_directories(path_);
+    }
+    ~Scratch() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    fs::path file(const std::string& name, std::string_view content) const {
+        fs::path path = path_ / name;
+        std::ofstream(path, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
+        return path;
+    }
+
+  private:
+    fs::path path_;
+};
+
+void check_error(const Input_error& error, const fs::path& file, std::size_t size) {
+    const std::string what = error.what();
+    require(error.file() == file.string() && what.starts_with(error.file()), "an error names the file");
+    require(!error.fault().empty() && !error.expected().empty(), "a fault, and what was expected");
+    require(std::none_of(what.begin(), what.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }),
+            "an error is one line");
+    require(error.line() <= size + 1, "a line that is there");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const Scratch scratch;
+    if (size == 0) return 0;
+    const std::string_view content(reinterpret_cast<const char*>(data) + 1, size - 1);
+    const unsigned letter = data[0] - unsigned{'A'};
+    const Kind& kind = kinds[letter % 16];
+    const bool packed = (letter & 32) != 0 && letter % 16 != 15;
+    const fs::path file = scratch.file(std::string("a") + kind.extension + (packed ? ".gz" : ""),
+                                       packed ? gzip(content) : std::string(content));
+    Memory::reset();
+    try {
+        kind.read(file);
+    } catch (const Input_error& error) {
+        check_error(error, file, content.size());
+    }
+    // gzip packs a thousand bytes into one at the best.
+    const std::size_t most = (std::size_t{1} << 20) + (letter % 16 == 15 ? 100'000 : 200) * size;
+    if (Memory::peak > most) {
+        std::cerr << "// " << Memory::peak << " bytes of memory for " << size << " bytes of input\n";
+        std::abort();
+    }
+    return 0;
+}

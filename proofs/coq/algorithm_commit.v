@@ -1,0 +1,308 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* What commit() writes: renewals, certificates that were evaluated, rebase, thresholds (algorithm_filter.v; src/annulus/relocation/filter_commit.cpp).
+
+   - set_room_protects       a threshold from the earliest expiry of a list protects all that the list knows
+   - commit_renewal_good     what a second look found out, written down
+   - renewals_committed, verdicts_committed    all of them: every certificate is good but for thresholds
+   - rebase_good             a base of 0, with its length taken off all expiries of the vertex, clipped at 0
+   - finished                rebase or not, and thresholds, of all that were anchored: every certificate is good *)
+Require Import Reals Lra Lia ZArith List Bool.
+From Annulus Require Import algorithm_list upper_half algorithm_filter algorithm_keep.
+Import ListNotations.
+Open Scope R_scope.
+
+Section commit.
+Context {W : world} {L : laws}.
+Notation Valid x := (forall v, valid (x v)).
+
+(* ---- Thresholds, and renewals ---- *)
+
+Lemma set_room_protects s v j own : fine s v -> in_use own -> kept (listing (at_ s v)) j own -> protects (set_room (at_ s v)) own.
+Proof.
+  intros [B P X Q _] U K p V H. simpl in *. assert (E := earliest_below _ _ _ _ Q K). assert (E0 := earliest_range _ _ Q).
+  unfold in_use in U. apply Rlt_le_trans with (value (earliest (listing (at_ s v)))); [|apply value_le; lia].
+  apply threshold_below; trivial. lia.
+Qed.
+
+Lemma set_room_fine s v w : (forall w, fine s w) -> fine (set_at s v (set_room (at_ s v))) w.
+Proof. intro F. destruct (F w) as [B P X Q S]. split; simpl; unfold set; destruct (same_vertex v w) as [<-|_]; trivial. Qed.
+
+Lemma set_room_advance x ids s v : (forall w, fine s w) -> advance x ids s (set_at s v (set_room (at_ s v))).
+Proof.
+  intro F. split; trivial; simpl.
+  - intro w. unfold set. destruct (same_vertex v w) as [<-|_]; [|apply follow_refl]. split; simpl; [left; easy|easy|].
+    intros j own U _ K. split; [exact K|right]. intros _. now apply set_room_protects with j.
+  - intro w. now apply set_room_fine.
+  - intros A w. unfold touched. simpl. unfold set. destruct (same_vertex v w) as [<-|_]; [exact (A v)|exact (A w)].
+Qed.
+
+Section renewing.
+Variables (x : placement) (i : Z) (new : vertex -> R).
+Hypothesis I : is_id i.
+
+Definition renewed_at (s : state) (w : vertex) : Prop :=
+  kept (listing (at_ s w)) i (lower (new w)) /\ (touched s w \/ protects (at_ s w) (lower (new w))).
+
+Lemma renew_point_advance s v : (forall w, fine s w) -> advance x (eq i) s (renew_point i new s v).
+Proof.
+  intro F. unfold renew_point. assert (A := put_at_advance x i (lower (new v)) v s F I (lower_range (new v))).
+  destruct (_ =? _)%Z; [exact A|]. apply advance_trans with (1 := A). apply set_room_advance, A.
+Qed.
+
+Lemma renew_point_done s v : (forall w, fine s w) -> renewed_at (renew_point i new s v) v.
+Proof.
+  intro F. assert (K := put_at_kept i (lower (new v)) v s _ I (Z.le_refl _)). unfold renew_point.
+  set (t := put_at i (lower (new v)) v s) in *.
+  assert (G : fine t v) by apply (put_at_advance (fun w => fixed (at_ s w)) i _ v s F I (lower_range (new v))).
+  destruct (stamp (at_ t v) =? epoch t)%Z eqn:E; split; trivial.
+  - left. now apply Z.eqb_eq.
+  - simpl. now rewrite set_same.
+  - right. change (protects (set same_vertex (at_ t) v (set_room (at_ t v)) v) (lower (new v))). rewrite set_same.
+    apply set_room_protects with i; [exact G|apply lower_range|exact K].
+Qed.
+
+Lemma renew_point_stays s v w : (forall w, fine s w) -> renewed_at s w -> renewed_at (renew_point i new s v) w.
+Proof.
+  intros F R. destruct (same_vertex v w) as [<-|N]; [now apply renew_point_done|].
+  assert (E : at_ (renew_point i new s v) w = at_ s w).
+  { unfold renew_point. destruct (_ =? _)%Z; simpl; rewrite !set_other by congruence; reflexivity. }
+  unfold renewed_at, touched. rewrite E. destruct R as [K T]. split; [exact K|].
+  unfold renew_point. destruct (_ =? _)%Z; exact T.
+Qed.
+
+Lemma renew_points l : forall s, (forall w, fine s w) -> let t := fold_left (renew_point i new) l s in
+  advance x (eq i) s t /\ forall w, In w l \/ renewed_at s w -> renewed_at t w.
+Proof.
+  induction l as [|v l IH]; intros s F; simpl.
+  - split; [now apply advance_refl|]. intros w [[]|H]. exact H.
+  - assert (A := renew_point_advance s v F). destruct (IH _ (all_fine _ _ _ _ A)) as [B C]. split; [now apply advance_trans with (1 := A)|].
+    intros w H. apply C. destruct H as [[<-|H]|H]; [right; now apply renew_point_done|now left|right; now apply renew_point_stays].
+Qed.
+End renewing.
+
+(* What a second look found out, as long as it is not written down. *)
+Definition promised (s : state) (x : placement) (n : Z * certificate * renewal) : Prop :=
+  let '(i, c, k) := n in
+  match k with
+  | unequal new allowed => sound c (reference (record s i)) allowed /\ forall v, In v (points c) ->
+      value (lower (new v)) <= origin (record s i) v + allowed v /\
+      dist (reference (record s i) v) (fixed (at_ s v)) <= base (at_ s v) - origin (record s i) v /\
+      near x (reference (record s i)) allowed v /\ near (fixed_of s) (reference (record s i)) allowed v
+  | safe far => chosen <> unequal_moves /\ sound c x far /\ forall v, In v (points c) -> 0 <= far v /\ number (far v)
+  end.
+
+Lemma promised_carried x ids s t i c k : advance x ids s t ->
+  match k with unequal _ _ => reference (record t i) = reference (record s i) /\ origin (record t i) = origin (record s i) | safe _ => True end ->
+  promised s x (i, c, k) -> promised t x (i, c, k).
+Proof.
+  intros A E. destruct k as [new allowed|far]; [|trivial]. destruct E as [E1 E2]. simpl. rewrite E1, E2. intros [S P]. split; [exact S|].
+  intros v H. destruct (P v H) as (P1 & P2 & P3 & P4). repeat split; trivial.
+  - now apply (path_carried x ids s t A).
+  - now apply (near_fixed_carried x ids s t A).
+Qed.
+
+Lemma commit_renewal_advance s x i c k : (forall w, fine s w) -> Valid x -> is_id i -> promised s x (i, c, k) \/ mesh s i = None \/ True ->
+  advance x (eq i) s (commit_renewal x s (i, c, k)).
+Proof.
+  intros F X I _. simpl. destruct (mesh s i) as [c'|]; [|now apply advance_refl]. destruct k as [new allowed|far].
+  - destruct (renew_points x i new I (points c) s F) as [A _]. apply advance_trans with (1 := A). apply set_record_advance, A.
+  - unfold write_at. destruct (write_points x i far X I (points c) s F) as [A _]. apply advance_trans with (1 := A). apply set_record_advance, A.
+Qed.
+
+Lemma commit_renewal_good s x i c k : (forall w, fine s w) -> at_x s x -> Valid x -> is_id i -> mesh s i = Some c ->
+  promised s x (i, c, k) ->
+  let t := commit_renewal x s (i, c, k) in good t x (touched t) i c /\ promised t x (i, c, k).
+Proof.
+  intros F A X I M P. assert (V := commit_renewal_advance s x i c k F X I (or_introl P)). simpl in *. rewrite M in *. destruct k as [new allowed|far].
+  - destruct (renew_points x i new I (points c) s F) as [B R]. set (t := fold_left _ _ _) in *. set (r := {| expiry := _ |}) in *.
+    assert (E : record (set_record t i r) i = r) by (simpl; apply set_same).
+    assert (Q : promised (set_record t i r) x (i, c, unequal new allowed)).
+    { apply promised_carried with (eq i) s; [exact V|rewrite E; now split|exact P]. }
+    split; [|exact Q]. unfold promised in Q. rewrite E in Q. destruct Q as [S Q].
+    split; [split|..]; rewrite ?E; trivial; simpl.
+    + intros _ _ H. lra.
+    + intros v _. apply lower_range.
+    + intros v H. apply (Q v H).
+    + intros v H. left. apply (Q v H).
+    + intros v H. rewrite E. simpl. split; apply (Q v H).
+    + intros v H. rewrite E. apply (R v (or_introl H)).
+    + intros v H. rewrite E. apply (R v (or_introl H)).
+  - destruct P as (N & S & P). split; [|now split]. apply write_at_good; trivial. split; [exact S|split; [exact P|]].
+    intro E. contradiction.
+Qed.
+
+(* ---- Folds: all that is renewed, all that is evaluated ---- *)
+
+Definition id_of_renewal (n : Z * certificate * renewal) : Z := fst (fst n).
+
+Lemma renewals_committed x (pending : Z -> Prop) l : Valid x -> forall s, (forall w, fine s w) -> at_x s x ->
+  (forall n n', In n l -> In n' l -> id_of_renewal n = id_of_renewal n' -> n = n') ->
+  (forall i c k, In (i, c, k) l -> is_id i /\ (pending i \/ mesh s i = None \/ (mesh s i = Some c /\ promised s x (i, c, k)))) ->
+  (forall i c, mesh s i = Some c -> pending i \/ good s x (touched s) i c \/ exists k, In (i, c, k) l) ->
+  let t := fold_left (commit_renewal x) l s in
+  (forall w, fine t w) /\ at_x t x /\ mesh t = mesh s /\ moving t = moving s /\
+  forall i c, mesh t i = Some c -> pending i \/ good t x (touched t) i c.
+Proof.
+  intro X. induction l as [|[[i c] k] l IH]; intros s F A U P G; cbn [fold_left].
+  - split; [exact F|split; [exact A|split; [reflexivity|split; [reflexivity|]]]]. intros j d M. destruct (G j d M) as [H|[H|(k & [])]]; [now left|now right].
+  - destruct (P i c k (or_introl eq_refl)) as [I Q].
+    assert (V := commit_renewal_advance s x i c k F X I (or_intror (or_intror Logic.I))). set (t := commit_renewal x s (i, c, k)) in *.
+    assert (M' := same_mesh _ _ _ _ V). rewrite <- M', <- (same_moving _ _ _ _ V).
+    apply IH; [apply V|now apply (stays_at_x _ _ _ _ V)|intros n n' N N'; apply U; now right| |].
+    + intros j d h H. destruct (P j d h (or_intror H)) as [J R]. split; [exact J|]. rewrite M'. destruct R as [R|[R|[R R']]]; [tauto|tauto|].
+      right. right. split; [exact R|]. destruct (Z.eq_dec i j) as [<-|N].
+      * assert (E := U (i, c, k) (i, d, h) (or_introl eq_refl) (or_intror H) eq_refl). inversion E; subst.
+        now apply (commit_renewal_good s x i d h F A X I R).
+      * apply promised_carried with (eq i) s; [exact V| |exact R']. destruct h; [|trivial].
+        rewrite (same_record _ _ _ _ V j N). now split.
+    + intros j d M. rewrite M' in M. destruct (G j d M) as [H|[H|(h & [H|H])]]; [now left| | |right; right; now exists h].
+      * destruct (Z.eq_dec i j) as [<-|N]; [|right; left; now apply good_carried with (eq i) s].
+        destruct Q as [Q|[Q|[Q Q']]]; [now left|congruence|]. rewrite Q in M. inversion M; subst. right. left.
+        now apply commit_renewal_good.
+      * inversion H; subst. destruct Q as [Q|[Q|[Q Q']]]; [now left|congruence|]. right. left. now apply commit_renewal_good.
+Qed.
+
+Lemma verdicts_committed x l : Valid x -> forall s, (forall w, fine s w) -> at_x s x ->
+  (forall k, In k l -> is_id (id k) /\ mesh s (id k) = Some (of k) /\ evaluated x k) ->
+  (forall i c, mesh s i = Some c -> In i (map id l) \/ good s x (touched s) i c) ->
+  let t := fold_left (commit_evaluated x) l s in
+  (forall w, fine t w) /\ at_x t x /\ mesh t = mesh s /\ moving t = moving s /\ forall i c, mesh t i = Some c -> good t x (touched t) i c.
+Proof.
+  intro X. induction l as [|k l IH]; intros s F A P G; cbn [fold_left].
+  - split; [exact F|split; [exact A|split; [reflexivity|split; [reflexivity|]]]]. intros j d M. destruct (G j d M) as [[]|Q]. exact Q.
+  - destruct (P k (or_introl eq_refl)) as (I & M & [B1 B2 B3 B4]).
+    destruct (write_at_good x (id k) (fun _ => bound k) X I s (of k) (bound k) F A) as [V Q].
+    { split; [exact B1|split; [now split|]]. intros _ T. split; [now apply B2|reflexivity]. }
+    fold (commit_evaluated x s k) in V, Q. assert (M' := same_mesh _ _ _ _ V). rewrite <- M', <- (same_moving _ _ _ _ V).
+    apply IH; [apply V|now apply (stays_at_x _ _ _ _ V)| |].
+    + intros h H. rewrite M'. apply P. now right.
+    + intros i c H. rewrite M' in H. destruct (Z.eq_dec (id k) i) as [<-|N].
+      * right. rewrite M in H. inversion H. now subst.
+      * destruct (G i c H) as [[E|E]|E]; [contradiction|now left|right]. now apply good_carried with (eq (id k)) s.
+Qed.
+
+(* ---- Rebase ---- *)
+
+Lemma has_spec s i c v : mesh s i = Some c -> (has s i v = true <-> In v (points c)).
+Proof. intro M. unfold has. rewrite M. destruct (in_dec _ _ _); split; intro; trivial; [discriminate|contradiction]. Qed.
+
+Lemma shifted_below e b : in_use e -> number b -> 0 <= b ->
+  (value e <= b -> shifted e b = 0%Z) /\ (b <= value e -> value (shifted e b) <= value e - b).
+Proof.
+  intros U N B. destruct (less_below e b U N B) as [C D]. unfold shifted. split; intro H.
+  - apply lower_clips. now apply C.
+  - specialize (D H). destruct (Rlt_le_dec 0 (less e b)) as [P|P].
+    + apply Rle_trans with (2 := D), lower_below. lra.
+    + rewrite lower_clips, value_0; lra.
+Qed.
+
+Section rebasing.
+Variables (s : state) (v : vertex).
+Hypothesis F : forall w, fine s w.
+Let b := base (at_ s v).
+Let relist l i := if has s i v then put i (shifted (expiry (record s i) v) b) l else l.
+
+Lemma relist_proper ids : forall l, (forall i, In i ids -> is_id i) -> proper capacity l -> proper capacity (fold_left relist ids l).
+Proof.
+  induction ids as [|i ids IH]; intros l I P; simpl; [exact P|]. apply IH; [intros j J; apply I; now right|]. unfold relist.
+  destruct (has s i v); [|exact P]. apply put_proper; [apply I; now left|apply lower_range|exact P].
+Qed.
+
+Lemma relist_kept i ids : has s i v = true -> (forall j, In j ids -> is_id j) -> forall l,
+  In i ids \/ kept l i (shifted (expiry (record s i) v) b) -> kept (fold_left relist ids l) i (shifted (expiry (record s i) v) b).
+Proof.
+  intro H. induction ids as [|j ids IH]; intros J l K; simpl; [now destruct K|]. apply IH; [intros k Q; apply J; now right|].
+  assert (D := J j (or_introl eq_refl)). unfold relist. destruct (Z.eq_dec j i) as [->|N].
+  - right. rewrite H. apply put_kept; [exact D|right; split; [reflexivity|lia]].
+  - destruct K as [[E|K]|K]; [contradiction|now left|right]. destruct (has s j v); [|exact K].
+    apply put_kept; [exact D|left; split; [congruence|exact K]].
+Qed.
+
+Lemma rebase_fine w : fine (rebase s v) w.
+Proof.
+  destruct (F w) as [B P X Q S]. unfold rebase. split; simpl; unfold set; destruct (same_vertex v w) as [<-|_]; simpl; trivial.
+  - apply number_zero.
+  - lra.
+  - apply relist_proper; [intros i H; exact (around_ids _ _ _ H)|apply cleared_proper].
+Qed.
+
+Theorem rebase_good x (open : vertex -> Prop) i c : (forall j d, mesh s j = Some d -> is_id j) -> mesh s i = Some c -> open v -> good s x open i c -> good (rebase s v) x open i c.
+Proof.
+  intros Ids M O [[I S U E P X] C K T]. assert (H := has_spec s i c v M). destruct (F v) as [Nb Pb _ _ _]. fold b in Nb, Pb.
+  assert (Fixed : forall w, fixed (at_ (rebase s v) w) = fixed (at_ s w)).
+  { intro w. unfold rebase. simpl. unfold set. destruct (same_vertex v w) as [<-|_]; reflexivity. }
+  assert (Far : forall w, w <> v -> at_ (rebase s v) w = at_ s w) by (intros w N; unfold rebase; simpl; now apply set_other).
+  assert (Near : base (at_ (rebase s v) v) = 0) by (unfold rebase; simpl; now rewrite set_same).
+  destruct (has s i v) eqn:D.
+  - (* v is a point of it *)
+    assert (V : In v (points c)) by now apply H.
+    assert (Record : record (rebase s v) i = {| expiry := set same_vertex (expiry (record s i)) v (shifted (expiry (record s i) v) b);
+      tolerance := if Rlt_dec (value (expiry (record s i) v)) b then 0 else tolerance (record s i);
+      reference := reference (record s i); origin := set same_vertex (origin (record s i)) v (origin (record s i) v - b);
+      allowance := allowance (record s i) |}) by (unfold rebase; simpl; now rewrite D).
+    destruct (shifted_below (expiry (record s i) v) b (E v V) Nb Pb) as [Cut Left].
+    split; [split|..]; rewrite ?Record; cbn [expiry tolerance reference origin allowance]; trivial.
+    + intros Mode Two Pos. destruct (Rlt_dec _ b) as [Lt|Lt]; [lra|]. destruct (U Mode Two Pos) as [U1 U2]. split; [exact U1|].
+      intros w Q. unfold set. destruct (same_vertex v w) as [<-|N]; [|now apply U2]. generalize (U2 v V) (Left ltac:(lra)). lra.
+    + intros w Q. unfold set. destruct (same_vertex v w) as [<-|N]; [apply lower_range|now apply E].
+    + intros w Q. rewrite Fixed. unfold set. destruct (same_vertex v w) as [<-|N].
+      * rewrite Near. generalize (P v Q). fold b. lra.
+      * rewrite Far by congruence. now apply P.
+    + intros w Q. unfold set. destruct (same_vertex v w) as [<-|N]; [|rewrite Far by congruence; now apply X].
+      destruct (Rle_lt_dec (value (expiry (record s i) v)) b) as [Lt|Lt].
+      * right. rewrite Near, (Cut Lt), value_0. lra.
+      * left. destruct (X v Q) as [X1|X1]; [|fold b in X1; lra]. generalize (Left ltac:(lra)). lra.
+    + intros w Q. rewrite Record. cbn [expiry tolerance reference origin allowance]. destruct (C w Q) as [C1 C2]. split; [exact C1|]. unfold near, fixed_of. rewrite Fixed. exact C2.
+    + intros w Q. rewrite Record. cbn [expiry tolerance reference origin allowance]. unfold set. destruct (same_vertex v w) as [<-|N]; [|rewrite Far by congruence; now apply K].
+      unfold rebase. simpl. rewrite set_same. simpl. apply relist_kept; [exact D|intros j J; exact (around_ids _ _ _ J)|].
+      left. exact (around_all _ _ _ _ Ids M V).
+    + intros w Q. rewrite Record. cbn [expiry tolerance reference origin allowance]. destruct (same_vertex v w) as [<-|N]; [now left|]. rewrite Far, set_other by congruence. now apply T.
+  - (* nothing of it changes *)
+    assert (V : forall w, In w (points c) -> w <> v) by (intros w Q ->; apply H in Q; congruence).
+    assert (Record : record (rebase s v) i = record s i) by (unfold rebase; simpl; now rewrite D).
+    split; [split|..]; rewrite ?Record; trivial; intros w Q; rewrite ?Record, ?(Far w (V w Q)).
+    + now apply P.
+    + now apply X.
+    + destruct (C w Q) as [C1 C2]. split; [exact C1|]. unfold near, fixed_of. rewrite Fixed. exact C2.
+    + now apply K.
+    + now apply T.
+Qed.
+End rebasing.
+
+(* set_threshold closes what rebase or anchoring opened. *)
+Lemma set_room_good s v x (open open' : vertex -> Prop) i c : (forall w, fine s w) -> (forall w, open w -> open' w \/ w = v) ->
+  good s x open i c -> good (set_at s v (set_room (at_ s v))) x open' i c.
+Proof.
+  intros F O [S C K T]. assert (A := set_room_advance x (fun _ => False) s v F).
+  split; [now apply (sane_carried _ _ _ _ A)|now apply (close_carried _ _ _ _ A)| |]; intros w Q; simpl; unfold set;
+    destruct (same_vertex v w) as [<-|N]; simpl.
+  - now apply K.
+  - now apply K.
+  - right. apply set_room_protects with i; [apply F|now apply (used _ _ _ S)|now apply K].
+  - destruct (T w Q) as [H|H]; [|now right]. destruct (O w H) as [H'|H']; [now left|congruence].
+Qed.
+
+Lemma finish_good s v x (open open' : vertex -> Prop) : (forall w, fine s w) -> (forall w, open w -> open' w \/ w = v) -> open v ->
+  (forall i c, mesh s i = Some c -> good s x open i c) -> let t := finish s v in
+  (forall w, fine t w) /\ mesh t = mesh s /\ moving t = moving s /\ forall i c, mesh t i = Some c -> good t x open' i c.
+Proof.
+  intros F O V G. unfold finish. destruct (worn _ _); cbn.
+  - split; [|split; [reflexivity|split; [reflexivity|]]].
+    + intro w. apply set_room_fine. apply rebase_fine. exact F.
+    + intros i c M. apply set_room_good with open; trivial; [apply rebase_fine; exact F|]. apply rebase_good; trivial; [|now apply G].
+      intros j d Mj. exact (an_id _ _ _ (is_sane _ _ _ _ _ (G j d Mj))).
+  - split; [|split; [reflexivity|split; [reflexivity|]]].
+    + intro w. now apply set_room_fine.
+    + intros i c M. apply set_room_good with open; trivial. now apply G.
+Qed.
+
+Lemma finished x l : forall s, (forall w, fine s w) -> (forall i c, mesh s i = Some c -> good s x (fun w => In w l) i c) ->
+  let t := fold_left finish l s in
+  (forall w, fine t w) /\ mesh t = mesh s /\ moving t = moving s /\ forall i c, mesh t i = Some c -> good t x (fun _ => False) i c.
+Proof.
+  induction l as [|v l IH]; intros s F G; simpl; [split; [exact F|split; [reflexivity|split; [reflexivity|exact G]]]|].
+  destruct (finish_good s v x (fun w => v = w \/ In w l) (fun w => In w l) F) as (F' & M' & P' & G'); [|now left|exact G|].
+  { intros w [<-|H]; [now right|now left]. }
+  rewrite <- M', <- P'. now apply IH.
+Qed.
+End commit.

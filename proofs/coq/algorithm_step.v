@@ -1,0 +1,223 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* A step of `filter` (algorithm_filter.v): vertices that failed are anchored and looked at, Repair does what it may, all is written down.
+
+   - examined          what is neither a suspect nor renewed is good at the new positions
+   - no_suspect_holds  so Repair may count on it: it holds there, given those it counts on
+   - undone            if Repair fails, odometers and lists are what they were
+   - committed         after commit the invariant holds at the new positions: all certificates hold *)
+Require Import Reals Lra Lia ZArith List Bool.
+From Annulus Require Import algorithm_list upper_half algorithm_filter algorithm_keep algorithm_commit algorithm_look.
+Import ListNotations.
+Open Scope R_scope.
+
+Section step.
+Context {W : world} {L : laws}.
+Notation Valid x := (forall v, valid (x v)).
+Variable second_look : state -> placement -> Z -> option renewal.
+Hypothesis second_look_sound : second_look_right second_look.
+
+(* ---- find_expired ---- *)
+
+Section finding.
+Variables (s : state) (x : placement) (failed : list vertex).
+Hypothesis V : invariant s.
+Hypothesis X : Valid x.
+Hypothesis Others : forall v, In v failed \/ passes s x v = true \/ x v = moving s v.
+Let t := fold_left (anchor x) failed (begin_anchoring s).
+Let u := fst (fst (find_expired second_look s x failed)).
+Let suspects := snd (fst (find_expired second_look s x failed)).
+Let renewed := snd (find_expired second_look s x failed).
+
+Let F0 v : fine (begin_anchoring s) v := proj1 (begin_fine s (fine_all s V) v).
+
+Lemma anchored_all : advance x (fun _ => False) (begin_anchoring s) t /\ (forall v, In v failed -> touched t v) /\
+  (forall v, In v failed \/ at_ t v = at_ (begin_anchoring s) v) /\ at_x t x.
+Proof.
+  destruct (anchors x failed X (begin_anchoring s) F0) as (A & B & C). split; [exact A|split; [intros v H; apply B; now left|split; [exact C|]]].
+  apply (stays_at_x _ _ _ _ A). intros v H. now apply begin_fine in H; [|exact (fine_all s V)].
+Qed.
+
+Lemma t_fine v : fine t v. Proof. apply anchored_all. Qed.
+Lemma t_mesh : mesh t = mesh s. Proof. destruct anchored_all as [A _]. exact (same_mesh _ _ _ _ A). Qed.
+Lemma t_record i : record t i = record s i.
+Proof. destruct anchored_all as [A _]. rewrite (same_record _ _ _ _ A i); trivial. intros []. Qed.
+
+Lemma t_sane i c : mesh s i = Some c -> sane t i c.
+Proof.
+  intro M. destruct anchored_all as [A _]. apply (sane_carried _ _ _ _ A); [intros []|]. apply (begin_good s (moving s) (fun _ => False)).
+  now apply good_all.
+Qed.
+
+Lemma t_listed i c : mesh s i = Some c -> listed t i c.
+Proof.
+  intros M v H. destruct anchored_all as [A _]. destruct (begin_good _ _ _ _ _ (good_all s V i c M)) as [S _ K _]. rewrite t_record.
+  apply (keeps _ _ _ _ _ _ (follows _ _ _ _ A v) i _ (used _ _ _ S v H)); [intros []|now apply K].
+Qed.
+
+Lemma t_ids i c : mesh t i = Some c -> is_id i /\ forall w, In w (points c) -> in_use (expiry (record t i) w).
+Proof. rewrite t_mesh. intro M. destruct (t_sane i c M). now split. Qed.
+
+Lemma in_renewed i c k : In (i, c, k) renewed -> mesh s i = Some c /\ second_look t x i = Some k.
+Proof.
+  intro H. apply in_flat_map in H. destruct H as (v & _ & H). rewrite <- t_mesh.
+  exact (proj2 (proj1 (examine_settles second_look t x v t_ids (list_proper _ _ (t_fine v)))) i c k H).
+Qed.
+
+Lemma u_at v : at_ u v = if in_dec same_vertex v failed then set_listing (at_ t v) (fst (fst (examine second_look t x v))) else at_ t v.
+Proof. reflexivity. Qed.
+
+Theorem u_fine v : fine u v.
+Proof.
+  destruct (t_fine v) as [B P Y Q S]. split; rewrite u_at; destruct (in_dec same_vertex v failed); trivial.
+  exact (proj1 (proj1 (examine_settles second_look t x v t_ids Q))).
+Qed.
+
+Lemma u_same v : fixed (at_ u v) = fixed (at_ t v) /\ base (at_ u v) = base (at_ t v) /\ stamp (at_ u v) = stamp (at_ t v).
+Proof. rewrite u_at. now destruct (in_dec same_vertex v failed). Qed.
+
+Theorem u_at_x : at_x u x.
+Proof.
+  intros v H. destruct (u_same v) as (A & _ & C). unfold touched in H. rewrite C in H. rewrite A.
+  destruct anchored_all as (_ & _ & _ & D). exact (D v H).
+Qed.
+
+(* After anchoring a point is near, unless it failed and has found the certificate expired. *)
+Lemma point_near i c v : mesh s i = Some c -> In v (points c) -> (In v failed -> (lower (base (at_ t v)) < expiry (record s i) v)%Z) ->
+  near x (reference (record s i)) (allowance (record s i)) v /\ near (fixed_of t) (reference (record s i)) (allowance (record s i)) v.
+Proof.
+  intros M H N. destruct (in_dec same_vertex v failed) as [Y|Y].
+  - assert (E : fixed (at_ t v) = x v) by (destruct anchored_all as (_ & B & _ & D); exact (proj1 (D v (B v Y)))).
+    assert (K : near x (reference (record s i)) (allowance (record s i)) v).
+    { rewrite <- t_record. apply (unreached_here t x i c); trivial; [apply t_fine|now apply t_sane|]. rewrite t_record. now apply N. }
+    split; [exact K|]. unfold near, fixed_of. rewrite E. exact K.
+  - assert (G := good_all s V i c M). split.
+    + apply untested_near with c; trivial; [now apply fine_all|]. destruct (Others v) as [O|O]; [contradiction|exact O].
+    + destruct anchored_all as (_ & _ & C & _). destruct (C v) as [C'|C']; [contradiction|]. unfold near, fixed_of. rewrite C'.
+      destruct (begin_same s v) as (-> & _). apply (is_close _ _ _ _ _ G v H).
+Qed.
+
+Theorem examined i c : mesh u i = Some c ->
+  In i suspects \/ (exists k, In (i, c, k) renewed) \/ good u x (touched u) i c.
+Proof.
+  change (mesh u) with (mesh t). rewrite t_mesh. intro M.
+  (* at every point that failed it was a suspect, renewed or not reached *)
+  assert (D : In i suspects \/ (exists k, In (i, c, k) renewed) \/ forall v, In v failed -> In v (points c) ->
+    (lower (base (at_ t v)) < expiry (record t i) v)%Z /\ kept (fst (fst (examine second_look t x v))) i (expiry (record t i) v)).
+  { assert (E : forall l, (forall v, In v l -> In v failed) -> In i suspects \/ (exists k, In (i, c, k) renewed) \/ forall v, In v l -> In v (points c) ->
+      (lower (base (at_ t v)) < expiry (record t i) v)%Z /\ kept (fst (fst (examine second_look t x v))) i (expiry (record t i) v)).
+    { induction l as [|v l IH]; intro Inc; [right; right; intros v []|]. assert (Fv := Inc v (or_introl eq_refl)).
+      destruct (IH (fun w H => Inc w (or_intror H))) as [Q|[Q|Q]]; [now left|right; now left|].
+      destruct (in_dec same_vertex v (points c)) as [Y|Y].
+      - assert (Mt : mesh t i = Some c) by now rewrite t_mesh.
+        destruct (proj2 (examine_settles second_look t x v t_ids (list_proper _ _ (t_fine v))) i c Mt Y (t_listed i c M v Y)) as [H|[(k & H)|H]].
+        + left. apply in_flat_map. exists v. split; [exact Fv|exact H].
+        + right. left. exists k. apply in_flat_map. exists v. split; [exact Fv|exact H].
+        + right. right. intros w [<-|Hw] Hp; [exact H|now apply Q].
+      - right. right. intros w [<-|Hw] Hp; [contradiction|now apply Q]. }
+    apply E. trivial. }
+  destruct D as [D|[D|D]]; [now left|right; now left|right; right].
+  destruct (t_sane i c M) as [I S U E P Ex]. assert (R : record u i = record t i) by reflexivity.
+  split; [split|..]; rewrite ?R; trivial.
+  - intros v H. destruct (u_same v) as (-> & -> & _). now apply P.
+  - intros v H. destruct (u_same v) as (_ & -> & _). now apply Ex.
+  - intros v H. rewrite R, t_record. destruct (point_near i c v M H) as [N1 N2].
+    { intro Y. rewrite <- t_record. now apply D. }
+    split; [exact N1|]. unfold near, fixed_of. destruct (u_same v) as (-> & _). exact N2.
+  - intros v H. rewrite R, u_at. destruct (in_dec same_vertex v failed) as [Y|Y]; [now apply D|now apply t_listed with c].
+  - intros v H. rewrite R. unfold touched. rewrite u_at. destruct anchored_all as (_ & B & C & _).
+    destruct (in_dec same_vertex v failed) as [Y|Y]; [left; now apply B|]. destruct (C v) as [C'|C']; [contradiction|].
+    right. rewrite C', t_record. destruct (begin_good _ _ _ _ _ (good_all s V i c M)) as [_ _ _ T]. destruct (T v H) as [[]|T']. exact T'.
+Qed.
+
+(* What Repair may count on: whatever is no suspect holds at x, if what it counts on does. *)
+Theorem no_suspect_holds i c : mesh u i = Some c -> ~ In i suspects -> (forall d, counts_on d c -> holds d x) -> holds c x.
+Proof.
+  intros M N K. destruct (examined i c M) as [Q|[(k & Q)|Q]]; [contradiction| |].
+  - destruct (in_renewed i c k Q) as [Ms Sl]. assert (Mt : mesh t i = Some c) by now rewrite t_mesh.
+    assert (P := second_look_promised second_look second_look_sound t x i c k t_fine X Mt (t_sane i c Ms) Sl). destruct k as [new allowed|far].
+    + destruct P as [S P]. apply S; [|exact K]. intros v H. apply (P v H).
+    + destruct P as (_ & S & _). apply S; [|exact K]. intros v H. now right.
+  - apply (promise _ _ _ (is_sane _ _ _ _ _ Q)); [|exact K]. intros v H. apply (is_close _ _ _ _ _ Q v H).
+Qed.
+
+(* A failure: everything is as it was when the step began. *)
+Theorem undone v : at_ (undo_anchoring (begin_anchoring s) u failed) v = at_ (begin_anchoring s) v.
+Proof.
+  simpl. fold t. destruct (in_dec same_vertex v failed) as [Y|Y]; [reflexivity|].
+  destruct anchored_all as (_ & _ & C & _). destruct (C v) as [C'|C']; [contradiction|exact C'].
+Qed.
+Theorem undone_else : let r := undo_anchoring (begin_anchoring s) u failed in
+  moving r = moving s /\ mesh r = mesh s /\ epoch r = epoch (begin_anchoring s) /\ forall i, record r i = record s i.
+Proof.
+  destruct anchored_all as [A _]. simpl. fold t. split; [exact (same_moving _ _ _ _ A)|split; [exact t_mesh|split; [exact (same_epoch _ _ _ _ A)|exact t_record]]].
+Qed.
+
+(* ---- commit ---- *)
+
+Variables (m : Z -> option certificate) (verdicts : list verdict) (reinserted : list vertex).
+Hypothesis Mended : repaired x (mesh u) m suspects verdicts reinserted.
+Let w0 := with_mesh u m reinserted.
+
+Lemma w0_at v : at_ w0 v = if in_dec same_vertex v reinserted then set_listing (at_ u v) (cleared capacity) else at_ u v.
+Proof. reflexivity. Qed.
+
+Lemma w0_fine v : fine w0 v.
+Proof. destruct (u_fine v) as [B P Y Q S]. split; rewrite w0_at; destruct (in_dec same_vertex v reinserted); trivial. apply cleared_proper. Qed.
+
+Lemma w0_at_x : at_x w0 x.
+Proof.
+  intros v H. assert (E : stamp (at_ w0 v) = stamp (at_ u v) /\ fixed (at_ w0 v) = fixed (at_ u v)).
+  { rewrite w0_at. now destruct (in_dec same_vertex v reinserted). }
+  destruct E as [E1 E2]. unfold touched in H. rewrite E1 in H. rewrite E2. exact (u_at_x v H).
+Qed.
+
+Lemma w0_same c : (forall v, In v (points c) -> ~ In v reinserted) -> forall v, In v (points c) -> at_ w0 v = at_ u v.
+Proof. intros R v H. rewrite w0_at. destruct (in_dec same_vertex v reinserted) as [Y|]; [destruct (R v H Y)|reflexivity]. Qed.
+
+Lemma w0_good i c : (forall v, In v (points c) -> ~ In v reinserted) -> good u x (touched u) i c -> good w0 x (touched w0) i c.
+Proof.
+  intros R [[I S U E P Ex] C K T]. assert (A := w0_same c R). assert (Rec : record w0 i = record u i) by reflexivity.
+  split; [split|..]; rewrite ?Rec; trivial; intros v H; rewrite ?Rec.
+  - rewrite (A v H). now apply P.
+  - rewrite (A v H). now apply Ex.
+  - unfold near, fixed_of. rewrite (A v H). now apply C.
+  - rewrite (A v H). now apply K.
+  - unfold touched. rewrite (A v H). now apply T.
+Qed.
+
+Lemma w0_promised i c k : (forall v, In v (points c) -> ~ In v reinserted) -> promised t x (i, c, k) -> promised w0 x (i, c, k).
+Proof.
+  intro R. assert (A := w0_same c R). destruct k as [new allowed|far]; [|trivial]. change (record w0 i) with (record t i).
+  intros [S P]. split; [exact S|]. intros v H. destruct (P v H) as (P1 & P2 & P3 & P4). unfold near, fixed_of.
+  change (record w0 i) with (record t i). rewrite (A v H). destruct (u_same v) as (-> & -> & _). now repeat split.
+Qed.
+
+Theorem committed : let r := commit x u renewed m verdicts reinserted in invariant r /\ mesh r = m /\ moving r = x.
+Proof.
+  destruct Mended as [Right Rest Ids Counted].
+  destruct (renewals_committed x (fun i => In i (map id verdicts)) renewed X w0 w0_fine w0_at_x) as (F1 & A1 & M1 & P1 & G1).
+  - intros [[i c] k] [[j d] h] H H' E. unfold id_of_renewal in E. simpl in E. subst j.
+    destruct (in_renewed _ _ _ H), (in_renewed _ _ _ H'). congruence.
+  - intros i c k H. destruct (in_renewed i c k H) as [Ms Sl]. assert (S := t_sane i c Ms). split; [apply S|]. change (mesh w0 i) with (m i).
+    destruct (m i) as [d|] eqn:Mi; [|right; now left]. destruct (Rest i d Mi) as [Q|(Q1 & Q2 & Q3)]; [now left|]. right. right.
+    assert (d = c) by (change (mesh u i) with (mesh t i) in Q1; rewrite t_mesh in Q1; congruence). subst d. split; [reflexivity|].
+    apply w0_promised; [exact Q3|]. exact (second_look_promised second_look second_look_sound t x i c k t_fine X (eq_trans (f_equal (fun f => f i) t_mesh) Ms) S Sl).
+  - intros i c H. change (mesh w0 i) with (m i) in H. destruct (Rest i c H) as [Q|(Q1 & Q2 & Q3)]; [now left|]. right.
+    destruct (examined i c Q1) as [Q|[Q|Q]]; [contradiction|now right|left]. now apply w0_good.
+  - set (w1 := fold_left (commit_renewal x) renewed w0) in *.
+    destruct (verdicts_committed x verdicts X w1 F1 A1) as (F2 & A2 & M2 & P2 & G2).
+    { intros k H. rewrite M1. destruct (Right k H) as [R1 R2]. split; [exact (Ids _ _ R1)|now split]. }
+    { exact G1. }
+    set (w2 := fold_left (commit_evaluated x) verdicts w1) in *.
+    destruct (finished x (anchored w2) w2 F2) as (F3 & M3 & P3 & G3).
+    { intros i c H. destruct (G2 i c H) as [S C K T]. split; trivial. intros v Hv. destruct (T v Hv) as [H1|H1]; [left; now apply A2|now right]. }
+    assert (E : mesh (commit x u renewed m verdicts reinserted) = m).
+    { unfold commit. fold w0. fold w1. fold w2. simpl. rewrite M3, M2, M1. reflexivity. }
+    split; [|now split]. split.
+    + intro v. destruct (F3 v). now split.
+    + exact X.
+    + intros i c H. destruct (G3 i c H) as [[I S U Us P Ex] C K T]. split; [now split|..]; trivial.
+    + rewrite E. exact Counted.
+Qed.
+End finding.
+End step.

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+namespace annulus {
+
+/// The bytes of a file from first to last; where its name ends in .gz (either case), those that gzip packed in it, all
+/// members one after the other.
+///
+/// Not zlib's gzread: that takes a damaged second member for the end of the file, and says nothing.
+class File_bytes {
+  public:
+    /// Throws Input_error when the file is missing, a directory or unreadable.
+    explicit File_bytes(const std::filesystem::path& file);
+    ~File_bytes();
+    File_bytes(const File_bytes&) = delete;
+    File_bytes& operator=(const File_bytes&) = delete;
+
+    /// Appends the next bytes to `content`, 64 KiB at most; false at the end. Throws Input_error when the file cannot be
+    /// read further, or what is packed in it is damaged or cut off.
+    bool more(std::string& content);
+
+    [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    [[nodiscard]] bool packed() const noexcept { return inflater_ != nullptr; }
+    /// Bytes of the file read so far, packed ones where they are.
+    [[nodiscard]] std::uint64_t taken() const noexcept { return taken_; }
+
+  private:
+    struct Inflater;
+    [[noreturn]] void fail(std::string fault, std::string expected) const;
+    bool fill();
+    bool inflate(std::string& content);
+
+    std::string name_;
+    std::ifstream in_;
+    std::string block_;  ///< as read from the file, not yet handed out or inflated
+    std::unique_ptr<Inflater> inflater_;
+    std::uint64_t taken_ = 0;
+};
+
+/// The extension of a file in lower case, that of the packed file where the name ends in .gz: ".xyz" for A.XYZ.gz.
+[[nodiscard]] std::string format_extension(const std::filesystem::path& file);
+
+}  // namespace annulus

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+#include <annulus/arithmetic/upper_half.h>
+
+namespace annulus {
+
+/// What a step reads of every vertex to tell whether it moved too far.
+template <int d>
+struct Vertex_record {
+    Coordinates<d> fixed{};  ///< fixed position
+    Upper_half threshold;    ///< squared, compared with |moving - fixed|^2
+};
+
+}  // namespace annulus

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <boost/container/small_vector.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace annulus {
+
+/// The keys met on a walk around a vertex: no memory is asked for while they are few, and nothing is marked in what is walked
+/// over, so that walks may run side by side. `empty` is a key that never occurs. Open addressing; insertion is O(1) on average.
+template <class Key, class Hash>
+class Small_set {
+  public:
+    explicit Small_set(Key empty) : empty_(empty), slot_(few, empty) {}
+
+    /// False when it was there already.
+    bool insert(Key key) {
+        if (2 * (count_ + 1) > slot_.size()) grow();
+        Key& slot = find(key);
+        if (slot == key) return false;
+        slot = key;
+        ++count_;
+        return true;
+    }
+    [[nodiscard]] bool contains(Key key) const { return const_cast<Small_set*>(this)->find(key) == key; }
+
+  private:
+    static constexpr std::size_t few = 128;  // a star in space has some 24 cells
+
+    /// Where the key is, or belongs.
+    [[nodiscard]] Key& find(Key key) {
+        const std::size_t last = slot_.size() - 1;
+        std::size_t i = static_cast<std::size_t>((Hash{}(key)*0x9E3779B97F4A7C15U) >> 32) & last;
+        while (!(slot_[i] == empty_) && !(slot_[i] == key)) i = (i + 1) & last;
+        return slot_[i];
+    }
+    void grow() {
+        const std::vector<Key> old(slot_.begin(), slot_.end());
+        slot_.assign(2 * old.size(), empty_);
+        for (const Key key : old)
+            if (!(key == empty_)) find(key) = key;
+    }
+
+    Key empty_;
+    boost::container::small_vector<Key, few> slot_;
+    std::size_t count_ = 0;
+};
+
+/// Of indices.
+struct Index_hash {
+    [[nodiscard]] std::uint64_t operator()(std::int32_t i) const { return static_cast<std::uint32_t>(i); }
+};
+/// Of CGAL's handles, by the address of what they point to: for membership alone, nothing depends on an order.
+struct Handle_hash {
+    template <class Handle>
+    [[nodiscard]] std::uint64_t operator()(Handle h) const {
+        return reinterpret_cast<std::uintptr_t>(h.operator->()) >> 4;
+    }
+};
+
+}  // namespace annulus

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faults that a review found in the public class, each as a test that fails without its mend.
+
+#include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_delaunay_3.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
+#include <memory>
+#include <random>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+using namespace annulus;
+
+namespace {
+
+template <int d>
+using Moving = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
+
+template <int d>
+std::vector<Coordinates<d>> uniform(std::size_t n, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    std::vector<Coordinates<d>> x(n);
+    for (auto& p : x)
+        for (double& c : p) c = unit(random);
+    return x;
+}
+
+Options with(Strategy strategy) {
+    Options options;
+    options.strategy = strategy;
+    return options;
+}
+
+constexpr std::array strategies{Strategy::rebuild, Strategy::relocate,    Strategy::relocate_flips, Strategy::in_place,
+                                Strategy::filter,  Strategy::filter_each, Strategy::hybrid};
+
+/// Horizons, by a name that depends on d: where they are wide nothing can be assigned to them.
+template <int d>
+using Horizons_of = std::conditional_t<d != 0, Horizons, void>;
+
+/// Everything that counts of a report; no time.
+std::vector<std::uint64_t> numbers(const Move_report& r) {
+    const auto& m = r.moves;
+    return {m.asked,      m.within_tolerance,  m.kept_in_place,       m.flipped,
+            m.reinserted, m.rebuilt,           r.evaluated,           r.renewed,
+            r.tours,      r.arithmetic.filter, r.arithmetic.interval, r.arithmetic.exact,
+            r.flips,      r.undone_flips};
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("Moving everything to where it is changes nothing, whatever the strategy", "[faults]",
+                       ((int d), d), 2, 3) {
+    for (const Strategy strategy : strategies) {
+        Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(60, 1)), with(strategy));
+        const std::vector<Coordinates<d>> before(dt.positions().begin(), dt.positions().end());
+        for (int i = 0; i < 6; ++i) dt.move_all(dt.positions());  // under hybrid this is where it becomes filter
+        CHECK(std::vector<Coordinates<d>>(dt.positions().begin(), dt.positions().end()) == before);
+        CHECK(dt.audit().delaunay());
+        dt.move(0, dt.positions()[0]);
+        CHECK(dt.audit().delaunay());
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("A timestamp that hybrid refuses does not switch it", "[faults]", ((int d), d), 2, 3) {
+    Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(60, 8)), with(Strategy::hybrid));
+    std::vector<Coordinates<d>> meeting(dt.positions().begin(), dt.positions().end());
+    meeting[1] = meeting[0];
+    CHECK_THROWS_AS(dt.move_all(std::span<const Coordinates<d>>(meeting)), Error);
+    CHECK(dt.strategy() == Strategy::hybrid);
+    CHECK(dt.audit().delaunay());
+    for (int i = 0; i < 8; ++i) dt.move_all(dt.positions());
+    CHECK(dt.strategy() == Strategy::filter);
+    CHECK(dt.audit().delaunay());
+}
+
+TEMPLATE_TEST_CASE_SIG("Flips and relocations are counted as what they are", "[faults]", ((int d), d), 2, 3) {
+    Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(80, 2)), with(Strategy::relocate_flips));
+    // Across the whole set no star goes along.
+    Coordinates<d> far = dt.positions()[0];
+    for (double& c : far) c = c > 0 ? c - 1.0 : c + 1.0;
+    CHECK(dt.move(0, far).moves.reinserted == 1);
+    // A trifle needs no relocation.
+    Coordinates<d> near = dt.positions()[1];
+    near[0] += 1e-9;
+    CHECK(dt.move(1, near).moves.reinserted == 0);
+    CHECK(dt.audit().delaunay());
+}
+
+TEMPLATE_TEST_CASE_SIG("What stands at a vacant index has no say", "[faults]", ((int d), d), 2, 3) {
+    const auto x = uniform<d>(60, 3);
+    Moving<d> clean(std::span<const Coordinates<d>>(x), {});
+    Moving<d> other(std::span<const Coordinates<d>>(x), {});
+    clean.remove(clean.vertex(7));
+    other.remove(other.vertex(7));
+    auto y = x;
+    for (int step = 0; step < 20; ++step) {
+        for (std::size_t i = 0; i < y.size(); ++i) y[i][0] += 1e-4 * x[i][1];
+        auto junk = y;
+        junk[7].fill(step % 3 == 0   ? std::numeric_limits<double>::quiet_NaN()
+                     : step % 3 == 1 ? 1e300
+                                     : std::numeric_limits<double>::infinity());
+        CHECK(numbers(clean.move_all(std::span<const Coordinates<d>>(y))) ==
+              numbers(other.move_all(std::span<const Coordinates<d>>(junk))));
+        for (std::size_t i = 0; i < y.size(); ++i)
+            if (i != 7) REQUIRE(clean.tolerance(clean.vertex(i)) == other.tolerance(other.vertex(i)));
+    }
+    CHECK(other.audit().delaunay());
+}
+
+TEMPLATE_TEST_CASE_SIG("A conveyor, each vertex to the place of the next, is no heap of collisions", "[faults]",
+                       ((int d), d), 2, 3) {
+    for (const Strategy strategy : {Strategy::relocate, Strategy::in_place, Strategy::filter_each}) {
+        const auto x = uniform<d>(d == 2 ? 1500 : 300, 4);
+        Moving<d> dt(std::span<const Coordinates<d>>(x), with(strategy));
+        auto y = x;
+        for (std::size_t i = 0; i + 1 < x.size(); ++i) y[i] = x[i + 1];
+        y.back().fill(0.125);
+        const Move_report report = dt.move_all(std::span<const Coordinates<d>>(y));
+        CHECK(report.moves.asked == x.size());
+        CHECK(report.moves.rebuilt < x.size() / 2);  // a way was found without building everything anew
+        CHECK(dt.audit().delaunay());
+    }
+}
+
+TEST_CASE("The same input gives the same run, wherever memory lies", "[faults]") {
+    // CGAL's removal in space goes through a map that is ordered by addresses.
+    const auto run = [](std::uint64_t junk) {
+        std::mt19937_64 random(junk);
+        std::vector<std::unique_ptr<char[]>> held;
+        for (int i = 0; i < 4000; ++i) held.push_back(std::make_unique<char[]>(random() % 9000));
+        for (int i = 0; i < 3000; ++i) held[random() % held.size()].reset();
+        std::vector<std::uint64_t> counts;
+        const auto x = uniform<3>(400, 5);
+        Moving_delaunay_3 dt(std::span<const Coordinates<3>>(x), {});
+        auto y = x;
+        for (int step = 0; step < 12; ++step) {
+            std::mt19937_64 walk(static_cast<std::uint64_t>(step));
+            std::normal_distribution<double> normal;
+            for (auto& p : y)
+                for (double& c : p) c = std::clamp(c + 0.03 * normal(walk), -2.0, 2.0);
+            for (const std::uint64_t n : numbers(dt.move_all(std::span<const Coordinates<3>>(y)))) counts.push_back(n);
+        }
+        for (std::size_t i = 0; i < 40; ++i) dt.remove(dt.vertex(9 * i));
+        for (std::size_t i = 0; i < 400; ++i) {
+            if (dt.vertex(i) == Moving_delaunay_3::Vertex_handle()) continue;
+            counts.push_back(std::bit_cast<std::uint64_t>(dt.tolerance(dt.vertex(i))));
+        }
+        return counts;
+    };
+    const auto first = run(0);
+    for (std::uint64_t junk = 1; junk < 6; ++junk) CHECK(run(junk) == first);
+}
+
+TEMPLATE_TEST_CASE_SIG("More cells than indices can name are refused, and nothing has changed", "[faults][horizons]",
+                       ((int d), d), 2, 3) {
+    if constexpr (!Horizons::tiny) {
+        SUCCEED("2^29 cells are more than a test has memory for; the build with tiny horizons passes this bound");
+    } else {
+        const std::int32_t wide = Horizons_of<d>::cells;
+        for (const Strategy strategy : {Strategy::filter, Strategy::filter_each}) {
+            Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(30, 6)), with(strategy));
+            Horizons_of<d>::cells = static_cast<std::int32_t>(dt.embedding().table().cell_bound());
+            CHECK_THROWS_AS((Moving<d>(std::span<const Coordinates<d>>(uniform<d>(60, 7)), with(strategy))), Error);
+            int refused = 0;
+            for (unsigned i = 0; i < 20; ++i) {
+                const auto x = uniform<d>(dt.index_bound() + 1, 100 + i);
+                const std::vector<Coordinates<d>> before(dt.positions().begin(), dt.positions().end());
+                try {
+                    if (i % 2 == 0)
+                        dt.insert(std::apply([](auto... c) { return typename Moving<d>::Point(c...); }, x.back()));
+                    else dt.move_all(std::span(x).first(dt.index_bound()));
+                } catch (const Error& e) {
+                    CHECK(e.code() == Error_code::too_large);
+                    CHECK(std::vector<Coordinates<d>>(dt.positions().begin(), dt.positions().end()) == before);
+                    ++refused;
+                }
+                CHECK(dt.audit().delaunay());
+                CHECK(dt.number_of_vertices() == dt.positions().size());
+            }
+            CHECK(refused >= 5);
+            Horizons_of<d>::cells = wide;
+        }
+    }
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Motions that go on. A mechanism with a clock was once right for six thousand steps and wrong from then on: short tests see
+// nothing of its kind. tests/soak runs all motions, for as long as one likes.
+#include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_delaunay_3.h>
+
+#include <support/motions.h>
+
+#include <catch2/catch.hpp>
+
+#include <bit>
+#include <memory>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+template <class Moving>
+constexpr int dimension = Moving::dimension_of_space;
+
+/// Uniform in a box of side 100.
+template <int d>
+std::vector<Coordinates<d>> uniform(std::size_t n, std::uint64_t seed) {
+    Random random(seed);
+    std::vector<Coordinates<d>> x(n);
+    for (auto& p : x)
+        for (double& c : p) c = between(random, 0, 100);
+    return x;
+}
+
+/// x += rate * y, audited every hundred steps. Empty, or the first fault.
+template <class Moving>
+std::string shear(Strategy strategy, std::size_t n, std::uint64_t seed, double rate, int steps) {
+    auto x = uniform<dimension<Moving>>(n, seed);
+    Moving dt(x, Options{.strategy = strategy});
+    for (int step = 1; step <= steps; ++step) {
+        for (auto& p : x) p[0] += rate * p[1];
+        (void)dt.move_all(x);
+        if (step % 100 != 0) continue;
+        const Audit_result audit = dt.audit();
+        if (!audit.delaunay()) return "step " + std::to_string(step) + ": " + audit.first_fault;
+    }
+    return {};
+}
+
+/// What a run in space says of itself, in a memory with holes of other sizes for every `mess`.
+std::vector<std::uint64_t> diary(Strategy strategy, std::uint64_t mess) {
+    Random sizes(mess);
+    std::vector<std::unique_ptr<char[]>> holes;
+    for (int i = 0; i < 300; ++i) holes.push_back(std::make_unique<char[]>(64 + sizes() % 4000));
+    for (std::size_t i = 0; i < holes.size(); ++i)
+        if (sizes() % 2 == 0) holes[i].reset();
+
+    Random random(8);
+    Motion<3> motion(Motion_kind::walk_middle, 60, random);
+    Moving_delaunay_3 dt(motion.positions(), Options{.strategy = strategy});
+    std::vector<std::uint64_t> said;
+    for (int step = 0; step < 40; ++step) {
+        const Move_report report = dt.move_all(motion.advance());
+        for (const std::uint64_t x : {report.evaluated, report.flips, report.moves.within_tolerance,
+                                      report.moves.kept_in_place, report.moves.flipped, report.moves.reinserted})
+            said.push_back(x);
+    }
+    for (std::size_t i = 0; i < dt.index_bound(); ++i)
+        said.push_back(std::bit_cast<std::uint64_t>(dt.tolerance(dt.vertex(i))));
+    return said;
+}
+
+}  // namespace
+
+TEST_CASE("A shear of eight thousand steps stays right", "[long]") {
+    for (const Strategy strategy : {Strategy::filter, Strategy::hybrid, Strategy::filter_each}) {
+        CAPTURE(name_of(strategy));
+        CHECK(shear<Moving_delaunay_2>(strategy, 400, 1, 6e-5, 8000) == "");
+        CHECK(shear<Moving_delaunay_3>(strategy, 60, 2, 8e-5, 8000) == "");
+    }
+}
+
+TEST_CASE("What a run does and says does not depend on where its memory is", "[long][space]") {
+    for (const Strategy strategy : {Strategy::rebuild, Strategy::filter, Strategy::filter_each}) {
+        CAPTURE(name_of(strategy));
+        const auto first = diary(strategy, 1);
+        for (std::uint64_t mess = 2; mess < 8; ++mess) CHECK((diary(strategy, mess) == first));
+    }
+}

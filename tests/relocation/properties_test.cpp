@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What two runs have in common, and what calls report, in the plane and in space alike.
+#include <common/program.h>
+
+#include <support/cases.h>
+
+#include <cmath>
+#include <numeric>
+#include <set>
+
+using namespace annulus;
+using namespace annulus::oracle;
+using namespace annulus::testing;
+
+namespace {
+
+template <int d>
+using Moving_of = typename Space<d>::Moving;
+
+/// Of tolerances that are the same but for rounding, relatively. In expiries of few bits it is coarse.
+constexpr double closeness = Horizons::tiny ? 0.25 : 0x1p-8;
+
+/// A fault of the session as a failed assertion.
+template <int d, class Body>
+void without_fault(Body body) {
+    try {
+        body();
+    } catch (const typename Session_of<d>::Fault& fault) {
+        FAIL(fault.words);
+    }
+}
+
+template <int d>
+bool distinct(const Points_of<d>& x) {
+    return std::set<Coordinates<d>>(x.begin(), x.end()).size() == x.size();
+}
+
+template <class Call>
+Error_code code_of(Call call) {
+    try {
+        call();
+    } catch (const Error& e) {
+        return e.code();
+    }
+    return Error_code::usage;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("Moving one by one and moving all at once end in the same cells, dimension", "[relocation]",
+                       ((int d), d), 2, 3) {
+    for (const Setting& setting : certified_settings_of<d>()) {
+        DYNAMIC_SECTION(name_of(setting)) {
+            for_each_seed(d == 2 ? 60 : 15, [&](Random& random) {
+                const Set_of<d> set = any_set<d>(random);
+                const Points_of<d> home = some_points<d>(set, 1, d == 2 ? 30 : 15, random);
+                const Points_of<d> goal = point_set(set, home.size(), random);
+                without_fault<d>([&] {
+                    Session_of<d> at_once(Program_of<d>{setting, home, {}});
+                    Session_of<d> one_by_one(Program_of<d>{setting, home, {}});
+                    at_once.apply(Calls<d>::move_all(goal));
+                    std::vector<std::size_t> order(goal.size());
+                    std::iota(order.begin(), order.end(), std::size_t{0});
+                    shuffle(order, random);
+                    for (int round = 0; round < 2; ++round)  // the second for those whose place was taken
+                        for (const std::size_t i : order)
+                            one_by_one.apply(Calls<d>::move(static_cast<Index>(i), goal[i]));
+                    if (one_by_one.sites() != at_once.sites()) return;
+                    at_once.check();
+                    one_by_one.check();
+                    CHECK(cells_of(one_by_one.dt().triangulation()) == cells_of(at_once.dt().triangulation()));
+                });
+            });
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("Scaling by a power of two scales the tolerances and changes nothing else, dimension",
+                       "[relocation]", ((int d), d), 2, 3) {
+    for (const Setting& setting : certified_settings_of<d>()) {
+        DYNAMIC_SECTION(name_of(setting)) {
+            for_each_seed(d == 2 ? 60 : 15, [&](Random& random) {
+                const Set_of<d> set = ordinary_set<d>(random);
+                const Points_of<d> home = some_points<d>(set, 3, d == 2 ? 25 : 15, random);
+                const double scale = std::ldexp(1.0, integer(random, -60, 60));
+                const auto scaled = [scale](Points_of<d> x) {
+                    for (auto& p : x)
+                        for (double& c : p) c *= scale;
+                    return x;
+                };
+                Moving_of<d> one(home, options_of(setting));
+                Moving_of<d> other(scaled(home), options_of(setting));
+                for (int step = 0; step < 3; ++step) {
+                    Points_of<d> goal = point_set(set, home.size(), random);
+                    if (step == 1) {  // a short way
+                        goal.assign(one.positions().begin(), one.positions().end());
+                        for (auto& p : goal)
+                            for (double& c : p) c += c * between(random, -0x1p-12, 0x1p-12);
+                        if (!distinct<d>(goal)) continue;
+                    }
+                    const Move_report a = one.move_all(goal);
+                    const Move_report b = other.move_all(scaled(goal));
+                    if (d == 2) {
+                        CHECK(a.moves == b.moves);
+                        CHECK(a.evaluated == b.evaluated);
+                        CHECK(a.flips == b.flips);
+                    } else {  // the order in which CGAL names the cells around a vertex, and so the flips, is that of addresses
+                        CHECK(a.moves.within_tolerance == b.moves.within_tolerance);
+                        one.settle();
+                        other.settle();
+                    }
+                    CHECK(cells_of(one.triangulation()) == cells_of(other.triangulation()));
+                    for (std::size_t i = 0; i < goal.size(); ++i) {
+                        const double s = one.tolerance(one.vertex(i));
+                        CHECK(std::fabs(s * scale - other.tolerance(other.vertex(i))) <= closeness * s * scale);
+                    }
+                }
+            });
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("The order of the input changes nothing but the names, dimension", "[relocation]", ((int d), d),
+                       2, 3) {
+    for (const Setting& setting : certified_settings_of<d>()) {
+        DYNAMIC_SECTION(name_of(setting)) {
+            for_each_seed(d == 2 ? 60 : 15, [&](Random& random) {
+                const Set_of<d> set = any_set<d>(random);
+                const Points_of<d> home = some_points<d>(set, 1, d == 2 ? 25 : 12, random);
+                const std::size_t n = home.size();
+                std::vector<std::size_t> name(n);  // of the i-th in the other order
+                std::iota(name.begin(), name.end(), std::size_t{0});
+                shuffle(name, random);
+                const auto renamed = [&](const Points_of<d>& x) {
+                    Points_of<d> y(n);
+                    for (std::size_t i = 0; i < n; ++i) y[name[i]] = x[i];
+                    return y;
+                };
+                Moving_of<d> one(home, options_of(setting));
+                Moving_of<d> other(renamed(home), options_of(setting));
+                for (int step = 0; step < 2; ++step) {
+                    const Points_of<d> goal = point_set(set, n, random);
+                    one.move_all(goal);
+                    other.move_all(renamed(goal));
+                    Cells_of<d> expected = cells_of(one.triangulation());
+                    for (auto& cell : expected) {
+                        for (Index& v : cell)
+                            if (v != none) v = static_cast<Index>(name[static_cast<std::size_t>(v)]);
+                        cell = canonical(cell);
+                    }
+                    std::sort(expected.begin(), expected.end());
+                    CHECK(cells_of(other.triangulation()) == expected);
+                    one.settle();
+                    other.settle();
+                    for (std::size_t i = 0; i < n; ++i) {
+                        const double s = one.tolerance(one.vertex(i));
+                        CHECK(std::fabs(s - other.tolerance(other.vertex(name[i]))) <= closeness * s + 0x1p-1070);
+                    }
+                }
+            });
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("Reported changes hold every cell that was not there before, dimension", "[relocation]",
+                       ((int d), d), 2, 3) {
+    constexpr auto corners = static_cast<std::size_t>(d + 1);
+    for (const Setting& setting : certified_settings_of<d>()) {
+        DYNAMIC_SECTION(name_of(setting)) {
+            for_each_seed(d == 2 ? 60 : 15, [&](Random& random) {
+                const bool degenerate = random() % 2 == 0;
+                Options options = options_of(setting);
+                options.report_changes = true;
+                Moving_of<d> dt(
+                    some_points<d>(degenerate ? any_set<d>(random) : all_sets<d>()[0], d + 2, d == 2 ? 25 : 15, random),
+                    options);
+                for (int step = 0; step < 8; ++step) {
+                    const Cells_of<d> before = cells_of(dt.triangulation());
+                    Move_report report;
+                    Operation_of<d> shake =
+                        Calls<d>::steady(Motion::jitter, 1, std::ldexp(1.0, -integer(random, 2, 9)), random());
+                    Sites_of<d> now(dt.index_bound());
+                    for (std::size_t i = 0; i < now.size(); ++i)
+                        if (dt.vertex(i) != typename Moving_of<d>::Vertex_handle()) now[i] = dt.positions()[i];
+                    const Points_of<d> x = next_positions<d>(shake, 0, now, now, {});
+                    std::size_t v = random() % now.size();
+                    while (!now[v]) v = (v + 1) % now.size();
+                    if (step % 4 == 0) report = dt.move_all(x);
+                    if (step % 4 == 1) report = dt.move(static_cast<Index>(v), x[v]);
+                    if (step % 4 == 2) dt.remove(dt.vertex(v), &report);
+                    if (step % 4 == 3) dt.insert(Space<d>::point(free_place<d>(x[v], now, none)), &report);
+                    REQUIRE(report.changed.size() % corners == 0);
+                    std::set<std::array<Index, corners>> listed;
+                    for (std::size_t k = 0; k < report.changed.size(); k += corners) {
+                        std::array<Index, corners> cell{};
+                        std::copy_n(report.changed.begin() + static_cast<std::ptrdiff_t>(k), corners, cell.begin());
+                        listed.insert(canonical(cell));
+                    }
+                    const Cells_of<d> after = cells_of(dt.triangulation());
+                    for (const auto& cell : after)
+                        if (!std::binary_search(before.begin(), before.end(), cell)) CHECK(listed.count(cell) == 1);
+                    if (setting.strategy == Strategy::filter_each) continue;  // lists what came and went on the way too
+                    for (const auto& cell : listed)
+                        if (std::find(cell.begin(), cell.end(), none) == cell.end())
+                            CHECK(std::binary_search(after.begin(), after.end(), cell));
+                }
+            });
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("Equal input points are merged on request, dimension", "[relocation]", ((int d), d), 2, 3) {
+    for_each_seed(40, [](Random& random) {
+        Points_of<d> points = some_points<d>(any_set<d>(random), 4, 30, random);
+        for (std::size_t i = 3; i < points.size(); ++i)
+            if (random() % 5 == 0) points[i] = points[random() % i];
+        const Setting setting = certified_settings_of<d>()[random() % certified_settings_of<d>().size()];
+        Options options = options_of(setting);
+        options.merge_duplicates = true;
+        Moving_of<d> dt(points, options);
+        const std::set<Coordinates<d>> distinct_ones(points.begin(), points.end());
+        CHECK(dt.number_of_vertices() == distinct_ones.size());
+        REQUIRE(dt.index_of_input().size() == points.size());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const auto v = dt.vertex(static_cast<std::size_t>(dt.index_of_input()[i]));
+            CHECK(Space<d>::coordinates(v->point()) == points[i]);
+        }
+        CHECK(dt.audit().delaunay());
+        // Each index is one vertex, from 0 on in the order in which places appear.
+        Index next = 0;
+        for (const Index i : dt.index_of_input()) {
+            CHECK(i <= next);
+            if (i == next) ++next;
+        }
+        CHECK(static_cast<std::size_t>(next) == dt.index_bound());
+        Points_of<d> own(dt.positions().begin(), dt.positions().end());
+        CHECK(dt.move_all(own).moves.asked == own.size());
+    });
+}
+
+TEMPLATE_TEST_CASE_SIG("A null handle, the vertex at infinity and a stranger name no vertex, dimension", "[relocation]",
+                       ((int d), d), 2, 3) {
+    using Moving = Moving_of<d>;
+    Points_of<d> corners(d + 1, Coordinates<d>{});
+    for (std::size_t k = 0; k < d; ++k) corners[k + 1][k] = 1.0;
+    Points_of<d> more = corners;
+    more.push_back(corners[0]);
+    more.back().fill(5.0);
+    const Moving other(more);
+    const typename Space<d>::Moving::Point there = Space<d>::point(more.back());
+    for (const Setting& setting : certified_settings_of<d>()) {
+        CAPTURE(name_of(setting));
+        Moving dt(corners, options_of(setting));
+        // Of the strangers one has an index that this triangulation has too.
+        for (const auto v : {typename Moving::Vertex_handle(), dt.triangulation().infinite_vertex(), other.vertex(1),
+                             other.vertex(d + 1)}) {
+            CHECK(code_of([&] { dt.move(v, there); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { dt.remove(v); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { (void)dt.index(v); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { (void)dt.position(v); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { (void)dt.fixed_position(v); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { (void)dt.displacement(v); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { (void)dt.tolerance(v); }) == Error_code::unknown_vertex);
+            CHECK(code_of([&] { (void)dt.theta(v); }) == Error_code::unknown_vertex);
+        }
+        CHECK(code_of([&] { (void)dt.vertex(d + 1); }) == Error_code::unknown_vertex);
+        CHECK(dt.audit().delaunay());
+    }
+}

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Const members may run at the same time, and say then what they say alone. ThreadSanitizer sees more than equal results:
+// the target annulus-threads is these tests alone, to be built with it.
+#include <annulus/motion/lloyd_2.h>
+#include <annulus/motion/nodt_3.h>
+#include <annulus/motion/surface_3.h>
+#include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_delaunay_3.h>
+
+#include <motion/shapes.h>
+#include <support/motions.h>
+
+#include <catch2/catch.hpp>
+
+#include <latch>
+#include <thread>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+constexpr int threads = 4;
+
+/// What every thread says, all at once.
+template <class Say>
+auto at_once(const Say& say) {
+    std::vector<decltype(say())> said(threads);
+    std::latch start(threads);
+    std::vector<std::thread> all;
+    for (int t = 0; t < threads; ++t)
+        all.emplace_back([&, t] {
+            start.arrive_and_wait();
+            said[static_cast<std::size_t>(t)] = say();
+        });
+    for (std::thread& t : all) t.join();
+    return said;
+}
+
+/// All that const members say of an object, as numbers.
+template <class Moving>
+std::vector<double> everything(const Moving& dt) {
+    std::vector<double> said;
+    const auto say = [&](auto x) { said.push_back(static_cast<double>(x)); };
+    const auto say_point = [&](const typename Moving::Point& p) {
+        for (int k = 0; k < p.dimension(); ++k) say(p[k]);
+    };
+    for (std::size_t i = 0; i < dt.index_bound(); ++i) {
+        const auto v = dt.vertex(i);
+        if (v == typename Moving::Vertex_handle()) continue;
+        say(dt.index(v));
+        say_point(dt.position(v));
+        say_point(dt.fixed_position(v));
+        say(dt.tolerance(v));
+        say(dt.displacement(v));
+        say(dt.theta(v));
+        say(dt.positions()[i][0]);
+    }
+    const Measures measures = dt.measure();
+    say(measures.tolerance.size());
+    for (const double t : measures.tolerance) say(t);
+    const Audit_result audit = dt.audit();
+    say(audit.delaunay());
+    say(audit.degenerate_facets);
+    for (const auto& cell : dt.audit_input().cells) say(cell[0]);
+    say(dt.number_of_vertices());
+    say(dt.index_of_input().size());
+    say(dt.options().seed);
+    say(dt.strategy());
+    say(dt.embedding().dimension());
+    // CGAL's own const members that change nothing.
+    for (auto v = dt.triangulation().finite_vertices_begin(); v != dt.triangulation().finite_vertices_end(); ++v)
+        say_point(v->point());
+    return said;
+}
+
+template <class Moving>
+void say_the_same(Tolerance_kind kind = Tolerance_kind::certified) {
+    constexpr int d = Moving::dimension_of_space;
+    for (const Strategy strategy : {Strategy::rebuild, Strategy::relocate, Strategy::in_place, Strategy::filter,
+                                    Strategy::filter_each, Strategy::hybrid}) {
+        CAPTURE(name_of(strategy));
+        Random random(4);
+        Motion<d> motion(Motion_kind::walk_small, 120, random);
+        Moving dt(motion.positions(), Options{.strategy = strategy, .tolerance = kind});
+        for (int step = 0; step < 3; ++step) {
+            (void)dt.move_all(motion.advance());
+            if (step == 1) dt.remove(dt.vertex(7));
+            const auto said = at_once([&] { return everything(dt); });
+            const auto alone = everything(dt);
+            for (const auto& s : said) CHECK((s == alone));
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Const members of one object may run at the same time", "[threads]") {
+    say_the_same<Moving_delaunay_2>();
+    say_the_same<Moving_delaunay_2>(Tolerance_kind::floating);
+}
+
+TEST_CASE("Const members of one object in space may run at the same time", "[threads][space]") {
+    say_the_same<Moving_delaunay_3>();
+    say_the_same<Moving_delaunay_3>(Tolerance_kind::floating);
+}
+
+TEST_CASE("Objects of their own may be moved at the same time", "[threads]") {
+    const auto run = []<class Moving>(std::type_identity<Moving>) {
+        constexpr int d = Moving::dimension_of_space;
+        std::vector<double> said;
+        for (const Strategy strategy :
+             {Strategy::relocate, Strategy::filter, Strategy::filter_each, Strategy::hybrid}) {
+            Random random(8);
+            Motion<d> motion(Motion_kind::walk_middle, 60, random);
+            Moving dt(motion.positions(), Options{.strategy = strategy});
+            for (int step = 0; step < 20; ++step) (void)dt.move_all(motion.advance());
+            dt.remove(dt.vertex(3));
+            dt.insert(typename Moving::Point(CGAL::ORIGIN));
+            // Not tolerances: their last digits depend on the order in which CGAL lists cells, and that on addresses.
+            auto cells = dt.audit_input().cells;
+            for (auto& cell : cells) std::sort(cell.begin(), cell.end());
+            std::sort(cells.begin(), cells.end());
+            for (const auto& cell : cells) said.insert(said.end(), cell.begin(), cell.end());
+            said.push_back(dt.audit().delaunay());
+        }
+        return said;
+    };
+    const auto both = [&] {
+        auto said = run(std::type_identity<Moving_delaunay_2>());
+        const auto more = run(std::type_identity<Moving_delaunay_3>());
+        said.insert(said.end(), more.begin(), more.end());
+        return said;
+    };
+    const auto alone = both();
+    for (const auto& s : at_once(both)) CHECK((s == alone));
+}
+
+TEST_CASE("One Lloyd and one natural ODT may be asked by several threads, with threads of their own", "[threads]") {
+    Random random(5);
+    const Motion<2> plane(Motion_kind::jitter, 2000, random);
+    const Moving_delaunay_2 dt2(plane.positions());
+    const Lloyd_2 lloyd(Domain_2::square(1), Density::one, 2);
+    Neighbours_2 neighbours;
+    dt2.embedding().neighbours(neighbours);
+    const auto lloyd_targets = [&] {
+        std::vector<Coordinates<2>> target(plane.positions().size());
+        (void)lloyd.step(neighbours, plane.positions(), target);
+        return target;
+    };
+    const auto alone2 = lloyd_targets();
+    for (const auto& s : at_once(lloyd_targets)) CHECK((s == alone2));
+
+    const Surface_3 box(annulus_test::box({0.9, 0.9, 0.9}));
+    const std::vector<Coordinates<3>> space = annulus_test::random_points(1500, 7);
+    const Cells_3 cells = linked(Moving_delaunay_3(space).audit_input().cells, space.size());
+    const Nodt_3 nodt(box, Sizing_3(box, 1), vertices_on_surface(box, space), {}, 2);
+    const auto nodt_targets = [&] {
+        std::vector<Coordinates<3>> target(space.size());
+        (void)nodt.step(cells, cells_inside(box, cells, space, 2), space, target);
+        return target;
+    };
+    const auto alone3 = nodt_targets();
+    for (const auto& s : at_once(nodt_targets)) CHECK((s == alone3));
+}

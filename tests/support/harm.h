@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The moves that do most harm to a whole triangulation, and what its tolerances promise against them. In the plane and in space.
+
+#include <support/certificates_of.h>
+#include <support/point_sets_3.h>
+#include <support/squeezes.h>
+#include <support/stages.h>
+
+#include <annulus/relocation/move_report.h>
+#include <annulus/relocation/options.h>
+#include <annulus/triangulation/audit.h>
+
+#include <limits>
+#include <span>
+
+namespace annulus::testing {
+
+/// The nearest squeeze of one certificate.
+template <int d>
+struct Harm {
+    std::vector<Index> vertices;
+    std::vector<Coordinates<d>> direction;  ///< unit vectors
+    double half_width;                      ///< rounded to nearest
+};
+
+/// Of every cell, bi-cell and ridge; nothing where points are flat. A bi-cell is given its annuli: its cells are certificates of their
+/// own. With T = double half widths may be far off where they are small beside the points' distances.
+template <int d, class T>
+[[nodiscard]] std::vector<Harm<d>> harms(const Audit_input<d>& input) {
+    std::vector<Harm<d>> out;
+    for (const auto& c : input.cells)
+        if (std::find(c.begin(), c.end(), none) != c.end()) return out;
+    const auto take = [&out](const auto& names, const auto& squeezes) {
+        if (squeezes.empty()) return;
+        const auto& s = least_of(squeezes);
+        double half_width = 0;
+        if constexpr (std::is_same_v<T, double>) half_width = s.half_width;
+        else half_width = s.half_width.get_d();
+        out.push_back({{names.begin(), names.end()}, {s.direction.begin(), s.direction.end()}, half_width});
+    };
+    const auto all = certificates_of<d>(input.cells);
+    for (const auto& c : all.cells) take(c, slabs<T, d>(points_of<d>(c, input.points)));
+    for (const auto& r : all.ridges) take(r, slabs<T, d>(points_of<d>(r, input.points)));
+    for (const auto& b : all.bicells) take(b, annuli<T, d>(points_of<d>(b, input.points)));
+    return out;
+}
+
+/// For every vertex where its tightest certificate is squeezed to; no direction where it has none.
+template <int d>
+[[nodiscard]] std::vector<Coordinates<d>> harmful_directions(const std::vector<Harm<d>>& all, std::size_t n) {
+    std::vector<Coordinates<d>> direction(n);
+    std::vector<double> least(n, std::numeric_limits<double>::infinity());
+    for (const Harm<d>& h : all)
+        for (std::size_t i = 0; i < h.vertices.size(); ++i) {
+            const auto v = static_cast<std::size_t>(h.vertices[i]);
+            if (!(h.half_width < least[v])) continue;
+            least[v] = h.half_width;
+            direction[v] = h.direction[i];
+        }
+    return direction;
+}
+template <class Moving>
+[[nodiscard]] auto harmful_directions(const Moving& dt) {
+    constexpr int d = Moving::dimension_of_space;
+    return harmful_directions<d>(harms<d, double>(dt.audit_input()), dt.index_bound());
+}
+
+template <std::size_t d>
+[[nodiscard]] std::array<double, d> stepped(std::array<double, d> p, const std::array<double, d>& direction,
+                                            double length) {
+    for (std::size_t k = 0; k < d; ++k) p[k] += length * direction[k];
+    return p;
+}
+
+/// Certificates that were undone by a little more than the tolerances of their vertices, and all that were tried.
+struct Undone {
+    int triangulations = 0, certificates = 0, tight = 0;
+};
+
+/// Settled tolerances against the worst moves, certificate by certificate and all at once. No vertex index may be vacant.
+template <class Moving, class Points>
+void check_worst_moves(const Points& x, const Options& options, Undone& undone) {
+    constexpr int d = Moving::dimension_of_space;
+    Moving dt(std::span<const Coordinates<d>>(x), options);
+    const Audit_input<d> before = dt.audit_input();
+    const auto all = harms<d, mpq_class>(before);
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& h : all) least = std::min(least, h.half_width);
+    if (all.empty() || !(least > 0x1p-34)) return;  // coordinates are about 1: a ten-thousandth must be many ulps
+    std::vector<double> s;
+    for (std::size_t i = 0; i < x.size(); ++i) s.push_back(dt.tolerance(dt.vertex(i)));
+    const auto passes = [&](const Points& y) { return audit(Audit_input<d>{y, before.cells}).delaunay(); };
+    ++undone.triangulations;
+
+    for (const auto& h : all) {
+        const auto squeezed = [&](double share) {
+            Points y = x;
+            for (std::size_t i = 0; i < h.vertices.size(); ++i) {
+                const auto v = static_cast<std::size_t>(h.vertices[i]);
+                y[v] = stepped(x[v], h.direction[i], share * s[v]);
+            }
+            return y;
+        };
+        HOLDS(passes(squeezed(0.9999)), x);
+        ++undone.certificates;
+        // It decides the tolerance of all its vertices, as the tightest of all does. A fifth of a per cent is given away.
+        bool tight = true;
+        for (const Index v : h.vertices) {
+            HOLDS(s[static_cast<std::size_t>(v)] <= h.half_width * (1 + 0x1p-50), x);
+            tight = tight && s[static_cast<std::size_t>(v)] >= 0.998 * h.half_width;
+        }
+        HOLDS(tight || h.half_width > least, x);
+        if (!tight) continue;
+        ++undone.tight;
+        HOLDS(!passes(squeezed(1.001 / 0.998)), x);
+        Moving mended(std::span<const Coordinates<d>>(x), options);
+        HOLDS(mended.move_all(squeezed(1.001 / 0.998)).evaluated > 0, x);
+        HOLDS(mended.audit().delaunay(), x);
+    }
+    const auto worst = harmful_directions<d>(all, x.size());
+    for (const double share : {0.9999, -0.9999}) {
+        Points y = x;
+        for (std::size_t i = 0; i < x.size(); ++i) y[i] = stepped(x[i], worst[i], share * s[i]);
+        HOLDS(passes(y), x);
+        Moving moving(std::span<const Coordinates<d>>(x), options);
+        const Move_report report = moving.move_all(y);
+        HOLDS(report.evaluated == 0 && report.moves.within_tolerance == x.size(), x);
+        HOLDS(moving.audit_input().cells == before.cells, x);
+    }
+}
+
+/// Empty, or which certificate could be undone within what the tolerances leave: they say how far each vertex may be from its
+/// fixed position, all at the same time, so that in every certificate one at least has no more room than half the width there is now.
+template <class Moving>
+[[nodiscard]] std::string room_fault(const Moving& dt) {
+    constexpr int d = Moving::dimension_of_space;
+    const Audit_input<d> now = dt.audit_input();
+    std::vector<double> room(dt.index_bound());
+    for (std::size_t i = 0; i < room.size(); ++i) {
+        const auto v = dt.vertex(i);
+        const auto fixed = dt.fixed_position(v);
+        mpq_class square = 0;
+        for (std::size_t k = 0; k < d; ++k) {
+            const mpq_class step = mpq_class(now.points[i][k]) - mpq_class(fixed[static_cast<int>(k)]);
+            square += step * step;
+        }
+        const double away = squeezing::root(square).get_d(), s = dt.tolerance(v);
+        room[i] = s - away - 0x1p-50 * (s + away);
+    }
+    for (const auto& h : harms<d, mpq_class>(now)) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Index v : h.vertices) least = std::min(least, room[static_cast<std::size_t>(v)]);
+        if (least <= h.half_width) continue;
+        std::string s = "a certificate has half width " + as_code(h.half_width) +
+                        " and its vertices' tolerances leave " + as_code(least) + ":";
+        for (const Index v : h.vertices) s += " " + std::to_string(v);
+        return s;
+    }
+    return {};
+}
+
+}  // namespace annulus::testing
