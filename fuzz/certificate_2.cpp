@@ -49,7 +49,10 @@ std::string check_bicell(const Tuple<2, 4>& x) {
     oracle::Half_width_3 with_cells = truth;
     with_cells.add(oracle::simplex({x[0], x[1], x[3]}));
     with_cells.add(oracle::simplex({x[1], x[0], x[2]}));
-    if (const std::string f = fault_of(sign_verdict(x), with_cells); !f.empty()) return "circle and triangles: " + f;
+    if (const std::string f = fault_of(sign_verdict(x), with_cells, oracle::Made_of::several); !f.empty())
+        return "circle and triangles: " + f;
+    if (const std::string f = fault_of(sign_verdict(x, Mode::tight), with_cells); !f.empty())
+        return "circle and triangles, tight: " + f;
     std::array<Bicell_half_widths, 1> h;
     enclose(std::span(&x, 1), h);
     for (const Bicell_half_widths& e : {h[0], enclose_exactly(x)})

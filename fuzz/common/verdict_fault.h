@@ -12,13 +12,16 @@
 
 namespace annulus::oracle {
 
+/// Whether a verdict has one tolerance, or the least of several that other stages may have decided.
+enum class Made_of : bool { one, several };
+
 /// Empty, or what is wrong with a verdict, given the truth.
-[[nodiscard]] inline std::string fault_of(const Verdict& v, const Half_width_3& truth) {
+[[nodiscard]] inline std::string fault_of(const Verdict& v, const Half_width_3& truth, Made_of made = Made_of::one) {
     if (v.sign != truth.sign()) return "sign";
     if (v.sign <= 0) return v.tolerance == 0.0 ? "" : "a tolerance without a sign";
     if (!(v.tolerance >= 0.0)) return "a tolerance that is negative or NaN";
     if (!truth.is_at_least(v.tolerance)) return "a tolerance above the truth";
-    if (v.stage == Stage::exact && truth.is_at_least(std::nextafter(v.tolerance, HUGE_VAL)))
+    if (made == Made_of::one && v.stage == Stage::exact && truth.is_at_least(std::nextafter(v.tolerance, HUGE_VAL)))
         return "the exact stage is not the largest double";
     if (v.tolerance > 0x1p-1000 && truth.is_at_least(v.tolerance * 1.004)) return "a tolerance far below the truth";
     return {};
