@@ -27,8 +27,10 @@ if(ANNULUS_BUILD_FUZZ)
         message(FATAL_ERROR "ANNULUS_BUILD_FUZZ needs clang++ for libFuzzer; the compiler is ${CMAKE_CXX_COMPILER_ID}")
     endif()
     set(annulus_sanitizers address,undefined,float-cast-overflow)
-    add_compile_options(-fsanitize=fuzzer-no-link,${annulus_sanitizers} -fno-sanitize-recover=all
-                        -fno-omit-frame-pointer)
+    # Not asked at every access, for a sixth of the time that compiling takes: null pointers, which crash under AddressSanitizer as
+    # well, and alignment, size and dynamic type of objects, which casts get wrong: those here are from bytes to bytes.
+    add_compile_options(-fsanitize=fuzzer-no-link,${annulus_sanitizers} -fno-sanitize=null,alignment,object-size,vptr
+                        -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${annulus_sanitizers})
 endif()
 

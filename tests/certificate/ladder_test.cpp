@@ -2,6 +2,7 @@
 // Each stage beside the next, and the ladder made of them.
 
 #include <support/arbitrary.h>
+#include <support/repeats.h>
 #include <support/stages.h>
 
 #include <catch2/catch.hpp>
@@ -137,7 +138,7 @@ TEST_CASE("the filter answers in its whole range and nowhere else", "[certificat
 // Shown in bench/README.md: annulus-tests '[failure-rates]' prints the tables.
 TEST_CASE("how often each stage passes the question on", "[certificate][failure-rates]") {
     Random random(22);
-    constexpr int each = 2000;
+    const int each = repeats(2000);
     const auto head = [](const char* what) {
         std::printf(
             "\n| %s: left to the next stage, %% | sign only, by filter | filter | interval |\n|---|---|---|---|\n",

@@ -3,6 +3,7 @@
 
 #include <support/arbitrary.h>
 #include <support/oracle_3.h>
+#include <support/repeats.h>
 #include <support/stages_3.h>
 
 #include <annulus/certificate/bounds.h>
@@ -248,7 +249,7 @@ TEST_CASE("half widths of space known in closed form", "[certificate][space]") {
 // Shown in bench/README.md: annulus-tests '[failure-rates]' prints the tables.
 TEST_CASE("how often each stage in space passes the question on", "[certificate][space][failure-rates]") {
     Random random(22);
-    constexpr int each = 2000;
+    const int each = repeats(2000);
     const auto head = [](const char* what) {
         std::printf(
             "\n| %s: left to the next stage, %% | sign only, by filter | filter | interval | backward "

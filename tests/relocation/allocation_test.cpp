@@ -8,6 +8,7 @@
 
 #include <support/failing_new.h>
 #include <support/generators.h>
+#include <support/repeats.h>
 
 #include <catch2/catch.hpp>
 
@@ -205,10 +206,10 @@ std::string starve_at(std::uint64_t n, const Setting& setting, const Call<d>& ca
 /// share by chance: thousands of them are those of one loop. Returns the first fault.
 template <int d>
 std::string starve_at_every_allocation(const Setting& setting, const Call<d>& call, Memory memory) {
-    constexpr std::uint64_t share = d == 2 ? 8 : 2;
+    const auto share = static_cast<std::uint64_t>(repeats(d == 2 ? 40 : 10));
     Random random(Catch::rngSeed());
     bool done = false;
-    for (std::uint64_t n = 0; !done; n += 1 + random() % (1 + n / share)) {
+    for (std::uint64_t n = 0; !done; n += 1 + random() % (1 + 5 * n / share)) {
         std::string words;
         std::thread([&] {
             try {

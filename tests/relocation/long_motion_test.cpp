@@ -5,6 +5,7 @@
 #include <annulus/moving_delaunay_3.h>
 
 #include <support/motions.h>
+#include <support/repeats.h>
 
 #include <catch2/catch.hpp>
 
@@ -72,8 +73,8 @@ std::vector<std::uint64_t> diary(Strategy strategy, std::uint64_t mess) {
 TEST_CASE("A shear of eight thousand steps stays right", "[long]") {
     for (const Strategy strategy : {Strategy::filter, Strategy::hybrid, Strategy::filter_each}) {
         CAPTURE(name_of(strategy));
-        CHECK(shear<Moving_delaunay_2>(strategy, 400, 1, 6e-5, 8000) == "");
-        CHECK(shear<Moving_delaunay_3>(strategy, 60, 2, 8e-5, 8000) == "");
+        CHECK(shear<Moving_delaunay_2>(strategy, 400, 1, 6e-5, repeats(8000)) == "");
+        CHECK(shear<Moving_delaunay_3>(strategy, 60, 2, 8e-5, repeats(8000)) == "");
     }
 }
 

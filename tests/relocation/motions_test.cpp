@@ -4,6 +4,7 @@
 #include <common/program.h>
 
 #include <support/cases.h>
+#include <support/repeats.h>
 
 #include <cmath>
 #include <set>
@@ -118,7 +119,8 @@ TEMPLATE_TEST_CASE_SIG("Lattices that wander and return many times are still Del
         CAPTURE(name_of(setting));
         for (const Points_of<d>& home : homes) {
             Program_of<d> program{setting, home, {}};
-            for (int k = 1; k < 50; k += d == 2 ? 4 : 16)
+            const int paces = repeats(d == 2 ? 13 : 4);
+            for (int i = 0, k = 1; i < paces; ++i, k += 50 / paces)
                 program.operations.push_back(Do::steady(Motion::there_and_back, d == 2 ? 16 : 6, std::ldexp(0.1, -k),
                                                         static_cast<std::uint64_t>(k)));
             program.operations.push_back(Do::settle());

@@ -5,6 +5,7 @@
 #include <common/shrink.h>
 
 #include <support/generators.h>
+#include <support/repeats.h>
 
 #include <catch2/catch.hpp>
 
@@ -149,7 +150,8 @@ TEMPLATE_TEST_CASE_SIG("Any bytes are a program, legal for the most part, and ev
     Random random(Catch::rngSeed());
     Coverage coverage;
     std::set<std::string> settings;
-    for (unsigned run = 0; run < (d == 2 ? 192U : 64U); ++run) {
+    const auto runs = std::max(16U, static_cast<unsigned>(repeats(d == 2 ? 192 : 64)));
+    for (unsigned run = 0; run < runs; ++run) {
         std::vector<std::uint8_t> bytes(1 + random() % 200);
         for (auto& b : bytes) b = static_cast<std::uint8_t>(random());
         bytes[0] = static_cast<std::uint8_t>((bytes[0] & 0xf0U) | run % 16);  // every setting

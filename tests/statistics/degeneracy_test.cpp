@@ -4,6 +4,7 @@
 #include <annulus/statistics/degeneracy.h>
 #include <support/oracle_3.h>
 #include <support/point_sets_3.h>
+#include <support/repeats.h>
 
 #include <catch2/catch.hpp>
 
@@ -274,7 +275,7 @@ TEST_CASE("counts in space are those of rational arithmetic", "[statistics][dege
     Random random(11);
     std::uint64_t unsound = 0;
     for (const Set_3 set : all_sets_3) {
-        const Points_3 x = point_set(set, 40, random);
+        const Points_3 x = point_set(set, 10 + static_cast<std::size_t>(repeats(30)), random);
         Cgal_embedding_3<No_info> e;
         e.build(x);
         if (e.dimension() < 3) continue;
