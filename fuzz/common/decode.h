@@ -40,7 +40,7 @@ class Decoder {
             if (numbers_ == Numbers::raw || std::find(x.begin(), x.end(), p) == x.end()) program.points.push_back(p);
         }
         int calls = d == 2 ? 64 : 32;  // those of space are dear
-        int steps = d == 2 ? 512 : 192;
+        int steps = d == 2 ? 320 : 96;
         for (; !bytes_.empty() && calls > 0 && steps > 0; --calls) {
             program.operations.push_back(operation<d>());
             steps -= program.operations.back().times;

@@ -190,6 +190,25 @@ TEST_CASE("what a run that was killed has left in a directory does not make it a
     const Temporary_directory directory;
     fs::create_directory(directory.path() / ".annulus-Ab12Cd");
     CHECK(refusal(directory.path()) == "");
+    // What only begins like that is somebody's.
+    for (const char* name : {".annulus-x", ".annulus-Ab12Cd"}) {
+        fs::create_directories(directory.path() / name);
+        directory.file(std::string(name) + "/precious", "1");
+        CHECK(refusal(directory.path()).find("holds other files") != std::string::npos);
+        fs::remove_all(directory.path() / name);
+    }
+}
+
+TEST_CASE("a directory that another run has made meanwhile is replaced if all in it are results", "[io][output]") {
+    const Temporary_directory directory;
+    const fs::path target = directory.path() / "new" / "out";
+    Output_directory out(target, is_result, false);
+    Output_directory other(target, is_result, false);
+    for (Output_directory* o : {&out, &other}) o->write("a", o == &out ? "first" : "second");
+    out.commit();
+    other.commit();
+    CHECK(content_of(target / "a") == "second");
+    CHECK(entries(directory.path() / "new") == 1);
 }
 
 TEST_CASE("a directory that has come meanwhile is not touched", "[io][output]") {

@@ -8,6 +8,7 @@ import json
 import os
 import re
 import struct
+import subprocess
 import xml.etree.ElementTree
 from pathlib import Path
 
@@ -123,6 +124,26 @@ class Outputs(ToolTest):
         self.assertEqual((out / "keep.txt").read_text(), "mine")
         self.assertEqual(self.summary("out")["vertices"], 30)
         self.assertEqual(self.names(), RUN_FILES | {"keep.txt"})
+
+    def test_a_pipe_in_the_directory(self):
+        (self.here / "out").mkdir()
+        os.mkfifo(self.here / "out" / "summary.json")
+        self.assertIn("out: holds other files", self.refuse(3, *self.RUN, "--output", "out"))
+
+    def test_two_runs_at_once(self):
+        """Into directories under one that is not there, into one that is not there, into one with a file of somebody's."""
+        for round in range(5):
+            self.succeed(*self.RUN, "--output", f"mine{round}", "--quiet")
+            (self.here / f"mine{round}" / "notes.txt").write_text("mine")
+            for names in ((f"new{round}/a", f"new{round}/b"), (f"same{round}",) * 2, (f"mine{round}",) * 2):
+                runs = [subprocess.Popen([tool.OPTIONS["tool"], *self.RUN, "--quiet", "--output", name], cwd=self.here,
+                                         stderr=subprocess.PIPE, text=True) for name in names]
+                for name, run in zip(names, runs):
+                    self.assertEqual(run.communicate()[1], "", name)
+                    self.assertEqual(run.returncode, 0, name)
+                for name in names:
+                    found = {p.name for p in (self.here / name).iterdir()} - {"notes.txt"}
+                    self.assertEqual(found, RUN_FILES, name)
 
     def test_here(self):
         """The working directory keeps its place: a shell stands in it."""

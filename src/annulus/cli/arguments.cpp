@@ -4,7 +4,9 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/io/input_error.h>
 
+#include <charconv>
 #include <cstdio>
+#include <limits>
 
 namespace annulus::cli {
 
@@ -18,6 +20,19 @@ void Common_arguments::say_notes(const std::vector<std::string>& notes) const {
         if (!quiet) std::fprintf(stderr, "annulus: %s\n", note.c_str());
 }
 
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
+    const std::string range = std::to_string(least) + " to " + std::to_string(most);
+    const auto check = [=](const std::string& word) {
+        std::uint64_t value = 0;
+        const char* const end = word.data() + word.size();
+        const auto [stop, error] = std::from_chars(word.data(), end, value);
+        const bool plain = error == std::errc() && stop == end && (word[0] != '0' || word.size() == 1);
+        if (plain && value >= least && value <= most) return std::string();
+        return "'" + word + "' is no whole number from " + range;
+    };
+    return {check, most < std::numeric_limits<std::uint64_t>::max() ? range : "", "whole number"};
+}
+
 void add_common(CLI::App& app, Common_arguments& a, const std::string& files, bool motion) {
     app.add_option("-o,--output", a.output, "Write " + files + " to this directory")
         ->type_name("DIR")
@@ -26,12 +41,12 @@ void add_common(CLI::App& app, Common_arguments& a, const std::string& files, bo
         });
     app.add_flag("--force", a.force, "Write to a directory that holds other files than results; they stay");
     app.add_option("--seed", a.seed, motion ? "Seed of everything random" : "Taken everywhere; nothing is random here")
-        ->check(CLI::NonNegativeNumber)
+        ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
         ->capture_default_str();
     app.add_option(
            "--threads", a.threads,
            motion ? "Threads for the motion; results do not depend on it" : "Taken everywhere; one thread is used here")
-        ->check(CLI::Range(1, 1024))
+        ->check(whole_number(1, 1024))
         ->capture_default_str();
     app.add_flag("-q,--quiet", a.quiet, "No progress and no summary, only errors and the exit status");
 }
@@ -48,7 +63,7 @@ void add_tracking(CLI::App& app, Tracking_arguments& a) {
         ->capture_default_str();
     app.add_option("--audit", a.audit, "Exact audit every N steps and at the end; 0: never")
         ->type_name("N")
-        ->check(CLI::NonNegativeNumber)
+        ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
         ->capture_default_str();
 }
 

@@ -36,6 +36,9 @@ struct Tracking_arguments {
     std::uint64_t audit = 100;
 };
 
+/// Plain decimal digits, from least to most: CLI11 by itself takes 010 for 8, and what is too large for the largest there is.
+[[nodiscard]] CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
+
 /// `files` is what --output writes. Where there is no motion, --seed and --threads are taken and have no effect, so that
 /// a script may give every subcommand the same options.
 void add_common(CLI::App& app, Common_arguments& arguments, const std::string& files, bool motion = true);

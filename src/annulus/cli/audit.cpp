@@ -44,6 +44,7 @@ nlohmann::ordered_json json(const Mesh_file<d>& mesh, const Audit_result& r, con
 /// "edge", "triangle", "tetrahedron": what the cells of the mesh are, by the corners of the first.
 template <int d>
 std::string cells_of(const Mesh_file<d>& mesh) {
+    if (mesh.cells.empty()) return "no cells";
     const auto& first = mesh.cells.front();
     const auto corners = std::find(first.begin(), first.end(), none) - first.begin();
     if (corners == 4)

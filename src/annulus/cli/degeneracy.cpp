@@ -134,7 +134,7 @@ Run add_degeneracy_command(CLI::App& app, const Invocation& invocation) {
     sub->add_option("FILE", a->file, "Points, .xyz, .csv, .off, .ply or .mesh")->required();
     auto* dimension = sub->add_option("--dim", a->dimension, "2 or 3; default: that of the file")
                           ->type_name("D")
-                          ->check(CLI::IsMember({2, 3}));
+                          ->check(whole_number(2, 3));
     sub->add_flag("--ignore-z", a->ignore_z, "Drop the z coordinate of the file");
     add_common(*sub, a->common, "degeneracy.json and degeneracy.html", false);
     return [a, dimension, command = command_line(invocation.words)] {

@@ -15,7 +15,7 @@ namespace annulus::cli {
 void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
     auto* points = app.add_option("-n,--points", a.points, "Sample N points with the density")
                        ->type_name("N")
-                       ->check(CLI::Range(std::uint64_t{3}, std::uint64_t{100'000'000}));
+                       ->check(whole_number(3, 100'000'000));
     auto* input = app.add_option("--input", a.input, "Start from the points of a .xyz, .csv, .off, .ply or .mesh file")
                       ->type_name("FILE");
     points->excludes(input);
@@ -37,7 +37,7 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
                        : "'" + word + "' is no positive number";
         });
     app.add_option("-i,--iterations", a.iterations, "Number of iterations")
-        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}))
+        ->check(whole_number(0, 1'000'000'000))
         ->capture_default_str();
 }
 
@@ -87,6 +87,14 @@ Domain_2 domain_around(const std::vector<Coordinates<2>>& p) {
     return Domain_2::polygon(square);
 }
 
+/// The moments of sin2 cost time in proportion to the rings that a cell spans.
+void require_rings_to_be_few(Density density, const Domain_2& domain) {
+    const auto& box = domain.bounding_box();
+    const double width = std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
+    if (density == Density::sin2 && width > 20000)
+        throw Error(Error_code::usage, "--density sin2 takes domains up to 20000 wide; its rings are 3.1 apart");
+}
+
 }  // namespace
 
 Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
@@ -108,6 +116,7 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
     } else if (!a.domain.empty()) {
         domain = polygon_from(a.domain);
     }
+    if (domain) require_rings_to_be_few(density, *domain);
     if (a.input.empty()) {
         std::vector<Coordinates<2>> points = sample(*domain, density, a.points, seed);
         return {*domain, density, std::move(points), 0};
@@ -125,6 +134,7 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
         } catch (const Error& e) {
             throw file.fault(0, Error_code::out_of_domain, e.what(), "lengths between 1e-100 and 1e100");
         }
+        require_rings_to_be_few(density, *domain);
     }
     return {*domain, density, std::move(points), merged, file.notes};
 }

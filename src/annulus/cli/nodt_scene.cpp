@@ -26,9 +26,9 @@ void add_nodt(CLI::App& app, Nodt_arguments& a) {
     surface->excludes(sphere);
     app.add_option("-n,--vertices", a.vertices, "Start from a mesh with about N vertices")
         ->type_name("N")
-        ->check(CLI::Range(std::uint64_t{4}, std::uint64_t{10'000'000}));
+        ->check(whole_number(4, 10'000'000));
     app.add_option("-i,--iterations", a.iterations, "Number of iterations")
-        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}))
+        ->check(whole_number(0, 1'000'000'000))
         ->capture_default_str();
     app.add_option("--sizing", a.sizing, "Edges as long everywhere, or longer away from the surface")
         ->check(CLI::IsMember({"constant", "graded"}))

@@ -219,7 +219,7 @@ Run add_replay_command(CLI::App& app, const Invocation& invocation) {
                     "Frames: .xyz (extended XYZ) or .csv with columns frame, id, x, y [, z]; .gz after it unpacks")
         ->required();
     sub->add_option("--dim", a->dimension, "Dimension; 2 drops z. Without it, 3 where z is not the same everywhere")
-        ->check(CLI::IsMember({2, 3}));
+        ->check(whole_number(2, 3));
     sub->add_option("--coincident", a->coincident,
                     "Points of a frame at one place: refuse them, or merge: the one with the least id stands for all")
         ->check(CLI::IsMember({"refuse", "merge"}))

@@ -40,7 +40,8 @@ void check_reference(const Line_reader& reader, std::string_view text) {
 }
 
 void read_vertices(Line_reader& reader, Medit_content& content) {
-    if (!content.points.empty()) reader.fail("a second section Vertices", "one");
+    if (content.has_vertices) reader.fail("a second section Vertices", "one");
+    content.has_vertices = true;
     const std::uint64_t count = keyword_value(reader, "Vertices");
     const auto dimension = static_cast<std::size_t>(content.dimension);
     const std::size_t room = reader.room_for(count, 2 * (dimension + 1), "vertices");

@@ -22,6 +22,7 @@ struct Medit_content {
     int dimension = 0;
     std::vector<Coordinates<3>> points;  ///< z is 0 in two dimensions
     std::vector<std::uint64_t> lines;
+    bool has_vertices = false;  ///< a section of them, be it empty
     Medit_cells<2> edges;
     Medit_cells<3> triangles;
     Medit_cells<4> tetrahedra;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/arithmetic/error.h>
+#include <annulus/io/directory_lock.h>
 #include <annulus/io/output_directory.h>
 
 #include <fcntl.h>
@@ -52,6 +53,17 @@ fs::path private_directory_in(const fs::path& parent, std::error_code& code) {
     return name;
 }
 
+/// What private_directory_in made and nobody took away, because its run was killed.
+bool is_left_over(const fs::path& path) {
+    const std::string name = path.filename().string();
+    if (!name.starts_with(private_prefix) || name.size() != private_prefix.size() + 6) return false;
+    std::error_code code;
+    if (!fs::is_directory(fs::symlink_status(path, code))) return false;
+    for (fs::directory_iterator entry(path, code); entry != fs::directory_iterator(); entry.increment(code))
+        if (entry->path().filename() != "content") return false;
+    return !code;
+}
+
 /// Something is mounted there: it cannot be renamed.
 bool is_mount_point(const fs::path& path) {
     struct statx s {};
@@ -90,7 +102,7 @@ void Output_directory::look_at_what_is_there(bool may_hold_files) {
     if (code) fail(path_, "cannot be looked at", code);
     for (; entry != fs::directory_iterator(); entry.increment(code)) {
         const std::string name = entry->path().filename().string();
-        if (name.starts_with(private_prefix)) continue;  // of a run that was killed
+        if (is_left_over(entry->path())) continue;
         if (!may_hold_files)
             refuse(path_,
                    "holds other files; expected a new or empty directory, or one with results of annulus (or --force)");
@@ -120,6 +132,11 @@ void Output_directory::make_room_for_content() {
     std::error_code code;
     fs::path made;
     if (!one_by_one_) made = private_directory_in(target_.parent_path(), code);
+    // Another run may have taken away the parents that it had made, before anything of ours was in them.
+    for (int turn = 0; !exists_ && code == std::errc::no_such_file_or_directory && turn < 100; ++turn) {
+        make_parents();
+        made = private_directory_in(target_.parent_path(), code);
+    }
     if (exists_ && (one_by_one_ || code)) {  // its parent may be closed to us, and it open
         one_by_one_ = true;
         made = private_directory_in(target_, code);
@@ -151,17 +168,32 @@ void Output_directory::write(std::string_view name, std::string_view content) {
 void Output_directory::commit() {
     if (content_.empty()) return;
     if (!exists_) {
-        // An empty directory that has come meanwhile is replaced, any other is not.
-        if (::rename(content_.c_str(), target_.c_str()) != 0) fail(path_, "cannot be put in its place", last_error());
-    } else if (one_by_one_ ||
-               ::renameat2(AT_FDCWD, content_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) != 0) {
+        // A directory that has come meanwhile is replaced if it is empty or another run has put its results there.
+        if (::rename(content_.c_str(), target_.c_str()) != 0) {
+            const std::error_code why = last_error();
+            if (!holds_results_only() || !exchange()) fail(path_, "cannot be put in its place", why);
+        }
+    } else if (one_by_one_ || !exchange()) {
         replace_one_by_one();  // also where the file system cannot exchange
     }
     made_.clear();
     clean_up();  // what has been exchanged is there now
 }
 
+bool Output_directory::exchange() {
+    return ::renameat2(AT_FDCWD, content_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
+}
+
+bool Output_directory::holds_results_only() const {
+    std::error_code code;
+    bool only = fs::is_directory(fs::symlink_status(target_, code));
+    for (fs::directory_iterator entry(target_, code); only && entry != fs::directory_iterator(); entry.increment(code))
+        only = replaced_(entry->path().filename().string()) && entry->is_regular_file(code);
+    return only && !code;
+}
+
 void Output_directory::replace_one_by_one() {
+    const Directory_lock writing(target_, Directory_lock::Use::writing);
     std::error_code code;
     for (const fs::path& name : files_)
         if (fs::is_directory(fs::symlink_status(target_ / name, code)))

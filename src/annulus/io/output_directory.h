@@ -40,6 +40,8 @@ class Output_directory {
     void look_at_what_is_there(bool may_hold_files);
     void make_parents();
     void make_room_for_content();
+    [[nodiscard]] bool exchange();
+    [[nodiscard]] bool holds_results_only() const;
     void replace_one_by_one();
     void clean_up() noexcept;
 

@@ -24,10 +24,10 @@ void take_if_empty(Medit_cells<corners>& cells, Medit_cells<corners - 1>&& flat)
 template <int d, std::size_t corners>
 Mesh_file<d> mesh_of(std::string name, Medit_content&& content, Medit_cells<corners>&& cells) {
     static_assert(corners == static_cast<std::size_t>(d) + 1);
-    if (content.points.empty())
+    if (!content.has_vertices)
         throw Input_error(Error_code::bad_input, std::move(name), content.last_line, "has no points",
                           "a section Vertices");
-    if (cells.cells.empty())
+    if (cells.cells.empty() && content.points.size() > 1)
         throw Input_error(Error_code::bad_input, std::move(name), content.last_line,
                           d == 2 ? "has no triangles" : "has no tetrahedra",
                           d == 2 ? "a section Triangles, or Edges where all points are collinear"

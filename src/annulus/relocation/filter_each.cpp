@@ -127,6 +127,7 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
     queued_[at(h)] = 0;
     report += repair_.report();
     if (report_changes_) repair_.list_changes(report);
+    if (outcome == Repair<d>::Outcome::rebuilt) embedding_.rebuild(position_);  // or a collision, and nothing is counted
     if (first) {
         ++report.moves.asked;
         ++(holds                                       ? report.moves.kept_in_place
@@ -137,7 +138,6 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
         ++report.requeued;
     }
     if (outcome == Repair<d>::Outcome::rebuilt) {
-        embedding_.rebuild(position_);
         settle(position_, report);
         return;
     }
@@ -162,6 +162,8 @@ void Filter_each<d>::move(Index v, const Coordinates<d>& p, Move_report& report)
         for (std::size_t i = 0; i < queue_.size(); ++i) process(queue_[i], report, false);
     } catch (...) {
         position_[at(v)] = old;
+        for (const Index w : queue_) queued_[at(w)] = 0;
+        queue_.clear();
         throw;
     }
     queue_.clear();

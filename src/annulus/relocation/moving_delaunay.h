@@ -81,7 +81,8 @@ class Moving_delaunay {
     /// Removes a vertex; its handle dies, its index is vacant. Throws unknown_vertex. When memory runs out the vertex may be gone:
     /// then vertex(i) is null at its index, the last one vacated, and everything else is right.
     void remove(Vertex_handle v, Move_report* report = nullptr);
-    /// Makes every fixed position the moving one and every tolerance fresh. O(n).
+    /// Makes every fixed position the moving one and every tolerance fresh. O(n). With tolerances that are not certified two vertices
+    /// may have come to one place unnoticed; then it throws collision, as insert and remove do, until one of them has moved away.
     Move_report settle();
 
     /// CGAL's object; with certified tolerances its points are the positions and it is Delaunay. With `paper` and
