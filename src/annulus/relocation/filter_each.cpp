@@ -157,10 +157,12 @@ void Filter_each<d>::move(Index v, const Coordinates<d>& p, Move_report& report)
         ++report.moves.within_tolerance;
         return;
     }
+    const auto moves = report.moves;  // a vertex that meets another is asked to move again later
     try {
         process(v, report, true);
         for (std::size_t i = 0; i < queue_.size(); ++i) process(queue_[i], report, false);
     } catch (...) {
+        report.moves = moves;
         position_[at(v)] = old;
         for (const Index w : queue_) queued_[at(w)] = 0;
         queue_.clear();
