@@ -46,6 +46,14 @@ class Outputs(ToolTest):
             parts = ("within_tolerance", "kept_in_place", "flipped", "reinserted", "rebuilt")
             self.assertEqual(int(row["asked"]), sum(int(row[p]) for p in parts))
 
+    def test_the_first_steps_are_all_measured(self):
+        self.succeed("lloyd", "--points", "60", "--iterations", "40", "--output", "out", "--quiet")
+        with open(self.here / "out" / "iterations.csv", encoding="utf-8", newline="") as file:
+            measured = [r["annulus_width_mean"] != "" for r in csv.DictReader(file)]
+        self.assertEqual(measured[:20], 20 * [True])
+        self.assertTrue(measured[-1])
+        self.assertIn(False, measured)
+
     def test_vtu_and_report_are_well_formed(self):
         self.succeed("lloyd", "--points", "60", "--iterations", "3", "--output", "out", "--quiet")
         root = xml.etree.ElementTree.parse(self.here / "out" / "final.vtu").getroot()

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs `annulus replay` and looks at what comes out. usage: test_replay.py --tool=PATH [CLASS[.METHOD]...]"""
 
+import math
 import random
 
 import tool
@@ -34,6 +35,20 @@ def as_csv(frames, seed=0):
 
 
 class Replay(tool.ToolTest):
+    def test_a_failed_audit(self):
+        """Five points (annulus counterexample) that move by less than the paper's tolerances: three cells stay where two are right."""
+        rows = ["frame,id,x,y,z"]
+        for frame, (height, radius) in enumerate([(0.99, 1.0), (0.997, 0.993)]):
+            turns = [2 * math.pi * k / 3 for k in range(3)]
+            points = [(0, 0, height), (0, 0, -height)] + [(radius * math.cos(t), radius * math.sin(t), 0) for t in turns]
+            rows += [f"{frame},{i},{x!r},{y!r},{z!r}" for i, (x, y, z) in enumerate(points)]
+        self.write("spindle.csv", "\n".join(rows) + "\n")
+        for kind, status in (("paper", 1), ("certified", 0)):
+            done = self.run_tool("replay", "spindle.csv", "--strategy", "filter-each", "--tolerance", kind, "--output", kind)
+            self.assertEqual(done.returncode, status, done.stderr)
+            self.assertEqual("1 of 1 FAILED; first: step 1: not locally Delaunay" in done.stdout, status == 1)
+            self.assertEqual(self.summary(kind)["audit"], {"checked": 1, "failed": status})
+
     def check(self, name, last, *words):
         self.succeed("replay", name, "--audit", "1", "--output", "out", "--quiet", *words)
         self.assertEqual({p.name for p in (self.here / "out").iterdir()}, tool.RUN_FILES)

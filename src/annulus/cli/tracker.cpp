@@ -51,7 +51,7 @@ Tracker<Moving>::Tracker(std::string name, std::span<const Coordinates<d>> point
 template <class Moving>
 bool Tracker<Moving>::measured_at(std::uint64_t i) const {
     if (!measure_) return false;
-    if (i <= 20 || i == iterations_ || i == 100 || i == 1000) return true;
+    if (i <= 20 || i == iterations_) return true;
     const auto mark = [](std::uint64_t k) { return std::floor(25 * std::log10(static_cast<double>(k))); };
     return mark(i) != mark(i - 1);
 }
@@ -142,7 +142,6 @@ void Tracker<Moving>::finish(const std::string& command, std::uint64_t seed, dou
     if (record_.iterations == 0 && audit_every_ > 0) audit();
     record_.vertices = dt_.number_of_vertices();  // as the files have them; a replay may have begun with others
     record_.command = command;
-    record_.vertices = dt_.number_of_vertices();  // replay adds and removes
     record_.interrupted = record_.iterations < iterations_;
     record_.seed = seed;
     record_.seconds.total = total_seconds;
