@@ -185,6 +185,17 @@ class Nodt(tool.ToolTest):
             self.assertGreater(float(row["tolerance_mean"]), 0)
             self.assertGreater(float(row["annulus_width_mean"]), float(row["tolerance_mean"]))
 
+    def test_compare_strategies_that_disagree(self):
+        """The paper's tolerances let twelve vertices keep cells that are wrong at step 3, and are right again at step 12."""
+        for steps, audit, agree, failed in (("3", "0", False, 0), ("12", "1", True, 1)):
+            done = self.run_tool("compare", "--strategies", "rebuild,filter:paper", "--seed", "90", "--output", "out", "--",
+                                 "nodt", "--sphere", "--vertices", "12", "--iterations", steps, "--audit", audit)
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            written = json.loads((self.here / "out" / "compare.json").read_text(encoding="utf-8"))
+            self.assertEqual(written["agree"], agree)
+            self.assertEqual(written["strategies"]["filter:paper"]["audit"]["failed"], failed)
+            self.assertEqual("filter:paper ends with other cells than rebuild" in done.stdout, not agree)
+
     def test_compare(self):
         words = ("--sphere", "--vertices", "200", "--iterations", "5")
         done = self.succeed("compare", "--strategies", "rebuild,relocate,filter-each,filter", "--output", "compare", "--",
