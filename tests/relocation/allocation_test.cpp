@@ -206,7 +206,7 @@ std::string starve_at(std::uint64_t n, const Setting& setting, const Call<d>& ca
 /// share by chance: thousands of them are those of one loop. Returns the first fault.
 template <int d>
 std::string starve_at_every_allocation(const Setting& setting, const Call<d>& call, Memory memory) {
-    const auto share = static_cast<std::uint64_t>(repeats(d == 2 ? 40 : 5));
+    const auto share = static_cast<std::uint64_t>(repeats(d == 2 ? 40 : 10));
     Random random(Catch::rngSeed());
     bool done = false;
     for (std::uint64_t n = 0; !done; n += 1 + random() % (1 + 5 * n / share)) {
