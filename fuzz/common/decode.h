@@ -63,10 +63,11 @@ class Decoder {
     template <int d>
     [[nodiscard]] static Setting setting(unsigned low) {
         const auto& certified = certified_settings_of<d>();
-        if (low < certified.size()) return certified[low];
-        low -= static_cast<unsigned>(certified.size());
+        const auto old = static_cast<unsigned>(certified.size() - 1);  // `auto` came later: it is among the last
+        if (low < old) return certified[low];
+        low -= old;
         if (low < uncertified_settings.size()) return uncertified_settings[low];
-        return std::array<Setting, 3>{Strategy::filter, Strategy::hybrid, Strategy::filter_each}[low % 3];
+        return std::array<Setting, 3>{Strategy::filter, Strategy::automatic, Strategy::filter_each}[low % 3];
     }
 
     static constexpr std::array paces{0x1p-40, 0x1p-30, 0x1p-24, 0x1p-20, 0x1p-17, 0x1p-14, 0x1p-12, 0x1p-10,

@@ -44,7 +44,7 @@ struct Setting {
     return o;
 }
 
-inline constexpr std::array<Setting, 9> certified_settings{{{Strategy::rebuild},
+inline constexpr std::array<Setting, 10> certified_settings{{{Strategy::rebuild},
                                                             {Strategy::relocate},
                                                             {Strategy::relocate_flips},
                                                             {Strategy::in_place},
@@ -52,16 +52,18 @@ inline constexpr std::array<Setting, 9> certified_settings{{{Strategy::rebuild},
                                                             {Strategy::filter, Second_look::unequal_moves},
                                                             {Strategy::filter, Second_look::safe_region},
                                                             {Strategy::filter_each},
-                                                            {Strategy::hybrid}}};
+                                                            {Strategy::hybrid},
+                                                            {Strategy::automatic}}};
 
 /// In space there are no second looks.
-inline constexpr std::array<Setting, 7> certified_settings_3{{{Strategy::rebuild},
+inline constexpr std::array<Setting, 8> certified_settings_3{{{Strategy::rebuild},
                                                               {Strategy::relocate},
                                                               {Strategy::relocate_flips},
                                                               {Strategy::in_place},
                                                               {Strategy::filter},
                                                               {Strategy::filter_each},
-                                                              {Strategy::hybrid}}};
+                                                              {Strategy::hybrid},
+                                                              {Strategy::automatic}}};
 
 /// Those that promise no more than not to crash.
 inline constexpr std::array<Setting, 4> uncertified_settings{
@@ -87,7 +89,8 @@ template <int d>
 [[nodiscard]] std::vector<Setting> filter_settings() {
     std::vector<Setting> settings;
     for (const Setting& s : certified_settings_of<d>())
-        if (s.strategy == Strategy::filter || s.strategy == Strategy::filter_each) settings.push_back(s);
+        if (s.strategy == Strategy::filter || s.strategy == Strategy::filter_each || s.strategy == Strategy::automatic)
+            settings.push_back(s);
     return settings;
 }
 

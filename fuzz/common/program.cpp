@@ -159,15 +159,14 @@ void Session_of<d>::make(const Operation_of<d>& o) {
 
 // ---- The model ----------------------------------------------------------------------------------------------------
 
-/// Whether a call that fails may leave other tolerances. A move that finds its place taken may have flipped by then: in
-/// space, what comes back when the flips are undone has other numbers and is evaluated anew (Filter::renew_restored).
-/// A timestamp of single moves may have gone half way: everything is evaluated where it was.
+/// Whether a call that fails may leave other tolerances. A move that finds its place taken may have flipped by then: the cells are
+/// mirrored anew and evaluated (Filter::renew_renumbered). A timestamp of single moves may have gone half way: everything is
+/// evaluated where it was.
 template <int d>
 bool Session_of<d>::renews_tolerances(Kind kind, Error_code code) const {
     if (is_out_of_room(code)) return true;
     if (code != Error_code::collision) return false;
-    const bool each = setting_.strategy == Strategy::filter_each && certified();
-    return (kind == Kind::move && d == 3) || (kind == Kind::move_all && (d == 3 || each));
+    return kind == Kind::move || kind == Kind::move_all;
 }
 
 template <int d>

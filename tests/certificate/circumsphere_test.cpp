@@ -6,6 +6,7 @@
 
 #include <annulus/certificate/bounds.h>
 #include <annulus/certificate/circumsphere_3.h>
+#include <annulus/certificate/orientation_sign.h>
 
 #include <catch2/catch.hpp>
 
@@ -51,8 +52,12 @@ TEST_CASE("The sphere of a cell claims no sign that is within its error", "[cert
         std::array<Point_3, 4> x;
         const auto sign = [](const auto& y) { return exact_orientation(y[0], y[1], y[2], y[3]); };
         for (int i = 0; i < 8; ++i)
-            if (find_change(random, x, sign) && Circumsphere_3(x[0], x[1], x[2], x[3]).positive())
-                HOLDS(sign(x) > 0, (Tetrahedron{x[0], x[1], x[2], x[3]}));
+            if (find_change(random, x, sign)) {
+                if (Circumsphere_3(x[0], x[1], x[2], x[3]).positive())
+                    HOLDS(sign(x) > 0, (Tetrahedron{x[0], x[1], x[2], x[3]}));
+                const int clear = orientation_sign(Tuple<3, 4>{&x[0], &x[1], &x[2], &x[3]});
+                if (clear != 0) HOLDS(clear == sign(x), (Tetrahedron{x[0], x[1], x[2], x[3]}));
+            }
     }));
     REQUIRE(rc::check("of the point", [](const Seed& seed) {
         Random random = seed.random();
@@ -63,6 +68,8 @@ TEST_CASE("The sphere of a cell claims no sign that is within its error", "[cert
             const Circumsphere_3 sphere(x[0], x[1], x[2], x[3]);
             if (sphere.positive() && sphere.excludes(x[4]))
                 HOLDS(sign(x) > 0, (Bicell_3{x[0], x[1], x[2], x[4], x[3]}));
+            if (sphere.positive() && sphere.contains(x[4]))
+                HOLDS(sign(x) < 0, (Bicell_3{x[0], x[1], x[2], x[4], x[3]}));
         }
     }));
 }
@@ -76,6 +83,8 @@ TEST_CASE("The sphere of a cell answers in the range of its error bounds and now
         CHECK(sphere_of(x, x, x).excludes({-0.5 * x, -0.5 * x, -0.5 * x}));
         CHECK(sphere_of(x, x, x).excludes({0.5 * x, 0.5 * x, -0.5 * x}));
         CHECK(!sphere_of(x, x, x).excludes({x, x, x}));
+        CHECK(sphere_of(x, x, x).contains({0.5 * x, 0.5 * x, 0.5 * x}));
+        CHECK(!sphere_of(x, x, x).contains({x, x, x}));
     }
     for (const double x : {std::nextafter(least, 0.0), std::nextafter(most, HUGE_VAL), 0x1p-258, 0x1p190}) {
         INFO("x = " << as_code(x));

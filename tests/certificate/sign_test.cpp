@@ -5,6 +5,8 @@
 #include <support/stages.h>
 
 #include <annulus/certificate/circumcircle_2.h>
+#include <annulus/certificate/exact_sign.h>
+#include <annulus/certificate/orientation_sign.h>
 
 #include <catch2/catch.hpp>
 
@@ -32,8 +34,22 @@ void check_signs(const Case& x, int truth) {
     HOLDS(truth > 0 || ladder(x, false).tolerance == 0.0, x);
 }
 
-void check_signs(const Triangle& t) { check_signs(t, exact_orientation(t.a, t.b, t.c)); }
-void check_signs(const Bicell& c) { check_signs(c, exact_empty_circle(c.a, c.b, c.q, c.p)); }
+void check_signs(const Triangle& t) {
+    const int truth = exact_orientation(t.a, t.b, t.c);
+    check_signs(t, truth);
+    const Tuple<2, 3> x{&t.a, &t.b, &t.c};
+    HOLDS(exact_orientation_sign(x).sign == truth, t);
+    HOLDS(orientation_sign(x) == 0 || orientation_sign(x) == truth, t);
+}
+void check_signs(const Bicell& c) {
+    const int truth = exact_empty_circle(c.a, c.b, c.q, c.p);
+    check_signs(c, truth);
+    HOLDS(exact_empty_sphere_sign(Tuple<2, 4>{&c.a, &c.b, &c.p, &c.q}).sign == truth, c);
+    const Circumcircle_2 circle(c.a, c.b, c.q);
+    if (!circle.positive()) return;
+    HOLDS(!circle.excludes(c.p) || truth > 0, c);
+    HOLDS(!circle.contains(c.p) || truth < 0, c);
+}
 
 }  // namespace
 

@@ -6,6 +6,9 @@
 #include <support/repeats.h>
 #include <support/stages_3.h>
 
+#include <annulus/certificate/circumsphere_3.h>
+#include <annulus/certificate/exact_sign.h>
+#include <annulus/certificate/orientation_sign.h>
 #include <annulus/certificate/bounds.h>
 #include <annulus/certificate/circumsphere_3.h>
 
@@ -94,7 +97,12 @@ struct Leavers {
 TEST_CASE("tetrahedra: every stage is sound, tight and has the exact sign", "[certificate][space]") {
     REQUIRE(rc::check("of every family", [](const Seed& seed) {
         for_each_tetrahedron(seed.random(), 2,
-                             [](const Tetrahedron& t) { check_answers(t, ask(t), Tetrahedron_truth(t)); });
+                             [](const Tetrahedron& t) {
+                                 check_answers(t, ask(t), Tetrahedron_truth(t));
+                                 const int truth = exact_orientation(t.a, t.b, t.c, t.d);
+                                 HOLDS(exact_orientation_sign(t.tuple()).sign == truth, t);
+                                 HOLDS(orientation_sign(t.tuple()) == 0 || orientation_sign(t.tuple()) == truth, t);
+                             });
     }));
 }
 
@@ -102,6 +110,10 @@ TEST_CASE("bi-cells of space: every stage is sound, tight and has the exact sign
     REQUIRE(rc::check("of every family, with both signs", [](const Seed& seed) {
         for_each_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
             check_answers(c, ask(c, Cell_widths::never), Bicell_3_truth(c, false));
+            const int truth = Bicell_3_truth(c, false).sign();
+            HOLDS(exact_empty_sphere_sign(c.tuple()).sign == truth, c);
+            const Circumsphere_3 sphere(c.a, c.b, c.c, c.q);
+            HOLDS(!sphere.positive() || !sphere.contains(c.p) || truth < 0, c);
         });
     }));
     REQUIRE(rc::check("of every family, Delaunay, with cells", [](const Seed& seed) {

@@ -41,7 +41,8 @@ Options with(Strategy strategy) {
 }
 
 constexpr std::array strategies{Strategy::rebuild, Strategy::relocate,    Strategy::relocate_flips, Strategy::in_place,
-                                Strategy::filter,  Strategy::filter_each, Strategy::hybrid};
+                                Strategy::filter,  Strategy::filter_each, Strategy::automatic,
+                                Strategy::hybrid};
 
 /// Horizons, by a name that depends on d: where they are wide nothing can be assigned to them.
 template <int d>

@@ -147,3 +147,18 @@ TEST_CASE("Cells that came while no tolerances were kept have records when toler
           Calls<3>::steady(Motion::breathing, 12, 0x1p-7, 61U), Calls<3>::stay(),
           Calls<3>::steady(Motion::breathing, 13, 0x1p-7, 36U)}});
 }
+
+TEST_CASE("Vertices whose squared distances underflow are held back all the same", "[finds]") {
+    // Nobody seemed to have moved, so inverted cells were left to what comes last.
+    const double u = 0x0.00000000001p-1022;
+    holds_everywhere_in_space({{}, {{0, 0, 0}, {0, 0, 1}, {0, 0, 0.25 * u}, {0, 1, 0}, {u, -u, 0}},
+                               {Calls<3>::move_most({{0, -u, 0}, {0x0.00001p-1022, 0, 0}, {0, 0, 0.25 * u}, {0, 0, 0.5 * u},
+                                                     {0, 0, 0}, {0, 0, 0}, {0, 0, 0}})}});
+    holds_everywhere({{},
+                      {{0, 0}, {0, 1}, {0, 0x0.000000000002p-1022}, {0, 0x0.000000000007p-1022}, {0, -0x0.000000000007p-1022},
+                       {0, 0x0.000000000006p-1022}, {0, 0x0.000000000004p-1022}, {1, 0}, {1, 1}},
+                      {Calls<2>::move_all({{0x0.0000002p-1022, 0}, {0x0.0000004p-1022, 0}, {0, -0x0.0000002p-1022},
+                                           {-0x0.00000038p-1022, 0}, {0x0.00000018p-1022, 0}, {0, 0x0.0000002p-1022},
+                                           {0, 0x0.00000018p-1022}, {0x0.00000014p-1022, -0x0.0000002p-1022}, {0, 0}}),
+                       Calls<2>::refused(Refusal::move_meets, 915)}});
+}

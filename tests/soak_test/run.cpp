@@ -279,6 +279,7 @@ double price(const Case& c) {
     switch (c.setting.strategy) {
         case Strategy::filter:
         case Strategy::filter_each:
+        case Strategy::automatic:
         case Strategy::hybrid: return plane ? 0.5 : c.motion == Motion_kind::walk_large ? 60 : 6;
         case Strategy::rebuild: return plane ? 0.7 : 9;
         default: return plane ? 1.2 : 70;
@@ -298,6 +299,7 @@ void choose_size(Case& c) {
         c.points = static_cast<std::size_t>(std::exp2(testing::between(random, std::log2(40), std::log2(400))));
     if (c.steps > 0) return;
     const bool cheap = c.setting.strategy == Strategy::filter || c.setting.strategy == Strategy::filter_each ||
+                       c.setting.strategy == Strategy::automatic ||
                        c.setting.strategy == Strategy::hybrid;
     c.steps = 50000;
     if (cheap && !is_rough(c.motion)) return;

@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 OPTIONS = {}  # given on the command line; "tool" always
-STRATEGIES = ["rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "hybrid"]
+STRATEGIES = ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "hybrid"]
 RUN_FILES = {"summary.json", "iterations.csv", "final.mesh", "final.vtu", "report.html"}
 SUMMARY = {
     "seconds": {"triangulation", "motion", "total"},

@@ -36,16 +36,21 @@ class Circumcircle_2 {
         return twice_area_ > error && magnitude_ <= bounds::filter_range && magnitude_ * bounds::filter_range >= 1.0;
     }
     /// p is certainly outside. Precondition: positive(). False: it is not, or the next stage has to tell.
-    [[nodiscard]] bool excludes(const Coordinates<2>& p) const {
+    [[nodiscard]] bool excludes(const Coordinates<2>& p) const { return beside<1>(p); }
+    /// p is certainly inside. Precondition: positive(). False: it is not, or the next stage has to tell.
+    [[nodiscard]] bool contains(const Coordinates<2>& p) const { return beside<-1>(p); }
+
+  private:
+    template <int side>
+    [[nodiscard]] bool beside(const Coordinates<2>& p) const {
         const Vector_2<double> w{p[0] - origin_[0], p[1] - origin_[1]};
         const double ww = w.x * w.x + w.y * w.y;
         const double outside = (w.x * normal_.x + w.y * normal_.y) + ww * twice_area_;
         const double m = std::max(magnitude_, detail::magnitude(w));
         const double m2 = m * m;
-        return outside > bounds::circumcircle_2 * bounds::u * (m2 * m2) && m <= bounds::filter_range;
+        return side * outside > bounds::circumcircle_2 * bounds::u * (m2 * m2) && m <= bounds::filter_range;
     }
 
-  private:
     Coordinates<2> origin_;
     Vector_2<double> normal_;
     double twice_area_;

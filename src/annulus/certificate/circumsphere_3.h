@@ -41,15 +41,20 @@ class Circumsphere_3 {
                magnitude_ * bounds::filter_range_3 >= 1.0;
     }
     /// p is certainly outside. Precondition: positive(). False: it is not, or the next stage has to tell.
-    [[nodiscard]] bool excludes(const Coordinates<3>& p) const {
+    [[nodiscard]] bool excludes(const Coordinates<3>& p) const { return beside<1>(p); }
+    /// p is certainly inside. Precondition: positive(). False: it is not, or the next stage has to tell.
+    [[nodiscard]] bool contains(const Coordinates<3>& p) const { return beside<-1>(p); }
+
+  private:
+    template <int side>
+    [[nodiscard]] bool beside(const Coordinates<3>& p) const {
         const Vector_3<double> w = detail::difference(p, origin_);
         const double outside = square(w) * determinant_ - dot(w, normal_);
         const double m = std::max(magnitude_, detail::magnitude(w));
         const double m2 = m * m;
-        return outside > bounds::circumsphere_3 * bounds::u * (m2 * m2 * m) && m <= bounds::filter_range_3;
+        return side * outside > bounds::circumsphere_3 * bounds::u * (m2 * m2 * m) && m <= bounds::filter_range_3;
     }
 
-  private:
     Coordinates<3> origin_;
     Vector_3<double> normal_;
     double determinant_;

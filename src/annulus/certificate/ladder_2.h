@@ -102,7 +102,7 @@ template <class V>
 /// Sign of the empty circle of x = {a, b, p, q} with CGAL's lexicographic symbolic perturbation where the four points
 /// are cocircular: never 0. Precondition: empty_sphere_verdict(x).sign == 0 and both triangles are positive.
 ///
-/// CGAL's removal relies on the triangulation being the one this perturbation picks (theory 6), so that flips decide
+/// CGAL's removal relies on the triangulation being the one this perturbation picks (theory 6.7), so that flips decide
 /// cocircular cases with it. Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D
 /// triangulations, 2011.
 [[nodiscard]] int perturbed_empty_circle_sign(const Tuple<2, 4>& x);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How often the hull of space winds, read off its silhouette (docs/theory.md 1.2, (c)).
-#include <annulus/relocation/repair.h>
+#include <annulus/relocation/border.h>
+
+#include <annulus/certificate/ladder.h>
+#include <annulus/triangulation/certificates.h>
 
 #include <unordered_map>
 
@@ -36,10 +39,8 @@ bool between(const Coordinates<3>& u, const Coordinates<3>& v, const Coordinates
 
 /// The silhouette seen from (e^2, e, 1) are the edges of border facets that face there, beyond which the border faces away. The
 /// border, convex at its ridges, winds once if that is one closed polygon that turns left and once.
-template <>
-bool Repair<3>::border_winds_once() const {
-    const auto& t = embedding_.table();
-    const auto x = [this](Index v) -> const Coordinates<3>& { return x_[static_cast<std::size_t>(v)]; };
+bool border_winds_once(const Cell_table<3>& t, std::span<const Coordinates<3>> positions) {
+    const auto x = [&](Index v) -> const Coordinates<3>& { return positions[static_cast<std::size_t>(v)]; };
     std::vector<Index> outer;  // half-facets at infinity
     std::vector<char> faces(static_cast<std::size_t>(t.cell_bound()),
                             0);  // by infinite cell: its facet faces the viewer

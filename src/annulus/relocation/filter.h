@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/certificate/delimiter.h>
+#include <annulus/relocation/chooser.h>
 #include <annulus/relocation/displacement.h>
 #include <annulus/relocation/expiry_list.h>
 #include <annulus/relocation/repair.h>
@@ -39,8 +40,10 @@ enum class Second_look : std::uint8_t {
 template <int d>
 class Filter {
   public:
-    Filter(Embedding<d>& embedding, Tolerance_kind kind, Second_look look)
-        : embedding_(embedding),
+    /// `automatic`: timestamps are rebuilt while that is the cheapest way, and then there is no mirror.
+    Filter(Embedding<d>& embedding, Tolerance_kind kind, Second_look look, bool automatic = false)
+        : automatic_(automatic),
+          embedding_(embedding),
           table_(embedding.table()),
           repair_(embedding, kind, kind == Tolerance_kind::certified),
           look_(d == 2 ? look : Second_look::off) {}
@@ -52,6 +55,9 @@ class Filter {
     /// throws (bad_alloc), no position was written. O(n).
     void settle(std::span<const Coordinates<d>> x, Move_report& report);
 
+    /// The same without evaluating anything: the first timestamps tell whether tolerances pay. With `automatic`.
+    void begin(std::span<const Coordinates<d>> x);
+
     /// Moves every vertex to x. Throws Error, with everything as it was: not_finite, out_of_domain, or collision when two
     /// would coincide. Anything else that is thrown (bad_alloc, Error(too_large)) leaves positions() as they were and all else
     /// unspecified: build anew there and settle. Precondition: settled in dimension d.
@@ -61,7 +67,10 @@ class Filter {
 
     /// A timestamp of single moves, under `filter-each`: begin_each, move_one in any order, end_each. While so many vertices
     /// fail that the signs around a vertex cost less than its tolerances, without tolerances.
-    void begin_each(std::span<const Coordinates<d>> x) { note_displacements(x); }
+    void begin_each(std::span<const Coordinates<d>> x, Move_report& report) {
+        settle_if_it_pays(report);
+        note_displacements(x);
+    }
     void move_one(Index v, const Coordinates<d>& p, Move_report& report);
     void end_each(Move_report& report) { end_timestamp(true, report); }
 
@@ -130,6 +139,7 @@ class Filter {
     /// The share of the certificates that would expire at a step like this one.
     [[nodiscard]] double outlook(Move_report& report);
     [[nodiscard]] bool too_dear() const;
+    [[nodiscard]] bool too_many_failed() const;
     void note_expenses(bool each);
     void note_displacements(std::span<const Coordinates<d>> x);
     void end_timestamp(bool each, Move_report& report);
@@ -138,7 +148,16 @@ class Filter {
     void resize();
     /// Which certificates are evaluated: those that expired; without tolerances all those of the vertex that moved, or all.
     enum class Scope : std::uint8_t { expired, star, everything };
-    void process(std::span<const Coordinates<d>> x, std::span<const Index> movers, Scope scope, Move_report& report);
+    void process(std::span<const Coordinates<d>> x, Scope scope, Move_report& report);
+    void process_one(Index v, const Coordinates<d>& old, Scope scope, Move_report& report);
+    [[nodiscard]] bool examine(std::span<const Coordinates<d>> x, Index mover, Scope& scope);
+    [[nodiscard]] double dearer() const;
+    void finish(std::span<const Coordinates<d>> x, Index mover, Scope scope, bool rebuilt, Move_report& report);
+    [[nodiscard]] double most_repair() const { return Chooser<d>::most_repair(embedding_.vertices()); }
+    void rebuild(std::span<const Coordinates<d>> x);
+    void settle_if_it_pays(Move_report& report);
+    [[nodiscard]] bool rebuilds(std::span<const Coordinates<d>> x);
+    void rebuild_all(std::span<const Coordinates<d>> x, Move_report& report);
     void find_expired(std::span<const Coordinates<d>> x);
     void commit(std::span<const Coordinates<d>> x);
     void anchor(Index v, std::span<const Coordinates<d>> x);
@@ -166,12 +185,20 @@ class Filter {
         const List& list = list_[at(v)];
         return (list.earliest().reading() - list.base) * (1.0 - 0x1p-50);
     }
-    void renew_restored();
-    void count(std::size_t asked, typename Repair<d>::Outcome outcome, Move_report& report);
+    void renew_renumbered();
+    void require_mirror();
+    [[nodiscard]] bool lives(std::size_t v) const { return embedding_.has(static_cast<Index>(v)); }
+    void count(Index mover, bool rebuilt, Move_report& report);
 
+    bool automatic_;
     Embedding<d>& embedding_;
     const Cell_table<d>& table_;
     Repair<d> repair_;
+    Chooser<d> chooser_;
+    bool renumbered_ = false;  // cells are, by a call that failed
+    bool settles_next_ = false;  // tolerances would last, as the last timestamp was
+    double prepared_ = 0.0;    // price of looking for what expired, and of the mirror, of this timestamp
+    double mirroring_ = 0.0;   // of the mirror that has just been made
     bool report_changes_ = false;
     Second_look look_;
     bool tracks_ = true;                        // tolerances; if not, records and lists are void
@@ -180,6 +207,7 @@ class Filter {
     std::uint64_t evaluated_ = 0;               // certificates, for these
     double overdraft_ = 0.0;       // failures, by which tracking cost more than signs alone since the last settling
     std::uint64_t untracked_ = 0;  // steps since tolerances were given up
+    std::uint64_t single_moves_ = 0;  // since then
     std::vector<Coordinates<d>> position_;
     std::vector<Vertex_record<d>> vertex_;
     std::vector<List> list_;  // by vertex

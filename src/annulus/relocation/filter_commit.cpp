@@ -34,15 +34,24 @@ void Filter<d>::resize() {
 template <int d>
 void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
     const bool own = x.data() == position_.data();
+    if (!embedding_.mirrored()) embedding_.mirror();
     resize();
     if (own) x = position_;
     failures_ = evaluated_ = 0;
     overdraft_ = 0.0;
     tracks_ = true;
+    settles_next_ = false;
+    ++report.settlings;
     for (std::size_t v = 0; v < x.size(); ++v) vertex_[v] = {x[v], {}};
     std::fill(list_.begin(), list_.end(), List{});
     if (embedding_.dimension() == d) evaluate_all(x, report);
     if (!own) std::copy(x.begin(), x.end(), position_.begin());
+}
+
+template <int d>
+void Filter<d>::begin(std::span<const Coordinates<d>> x) {
+    position_.assign(x.begin(), x.end());
+    stop_tracking();
 }
 
 /// In blocks that stay in the cache from the evaluation to the record.
@@ -72,13 +81,17 @@ void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& rep
 template <int d>
 void Filter<d>::stop_tracking() {
     tracks_ = false;
+    settles_next_ = false;
     untracked_ = 0;
+    single_moves_ = 0;
 }
 
 template <int d>
 void Filter<d>::place(Index v, const Coordinates<d>& p) {
-    resize();
+    if (at(v) >= position_.size()) position_.resize(at(v) + 1);
     position_[at(v)] = p;
+    if (!embedding_.mirrored()) return;
+    resize();
     vertex_[at(v)] = {p, {}};
     list_[at(v)].clear();
 }
@@ -92,9 +105,10 @@ void Filter<d>::restore(std::span<const Coordinates<d>> x) {
 
 template <int d>
 void Filter<d>::refresh(std::span<const Index> cells, Move_report& report) {
-    resize();
     renewals_.clear();
     failed_.clear();
+    if (!embedding_.mirrored()) return;
+    resize();
     if (!tracks_) return;
     begin_anchoring();
     repair_.begin(position_);
@@ -224,7 +238,6 @@ void Filter<d>::rebase(Index v) {
 template <int d>
 void Filter<d>::commit(std::span<const Coordinates<d>> x) {
     resize();
-    for (const Index v : repair_.reinserted()) list_[at(v)].clear();
     commit_renewals(x);
     commit_evaluated<false>(x);
     for (const Index v : anchored_) {

@@ -2,6 +2,7 @@
 #include <annulus/relocation/filter_each.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/relocation/chooser.h>
 
 #include <algorithm>
 #include <limits>
@@ -104,11 +105,10 @@ void Filter_each<d>::refresh(std::span<const Index> cells, Move_report& report) 
 
 template <int d>
 void Filter_each<d>::process(Index h, Move_report& report, bool first) {
-    const std::array<Index, 1> movers{h};
     const Coordinates<d> old_fixed = fixed_[at(h)];
     fixed_[at(h)] = position_[at(h)];
     repair_.begin(fixed_, false);
-    auto outcome = Repair<d>::Outcome::flipped;
+    bool rebuilt = false;
     const bool held = repair_.star_holds(h, least_);
     bool holds = held;
     if (!held) {
@@ -117,27 +117,27 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
     }
     if (!holds) {
         try {
-            outcome = repair_.mend(fixed_, movers);
+            rebuilt = !repair_.mend_one(fixed_, h, old_fixed, Chooser<d>::most_repair(embedding_.vertices()));
         } catch (const Error&) {
             fixed_[at(h)] = old_fixed;
             // Two vertices at one place among the fixed positions need not be so among the moving ones.
-            outcome = Repair<d>::Outcome::rebuilt;
+            rebuilt = true;
         }
     }
     queued_[at(h)] = 0;
     report += repair_.report();
-    if (report_changes_) repair_.list_changes(report);
-    if (outcome == Repair<d>::Outcome::rebuilt) embedding_.rebuild(position_);  // or a collision, and nothing is counted
+    if (report_changes_ && !rebuilt) repair_.list_changes(report);
+    if (rebuilt) rebuild(h, old_fixed, report);  // or a collision, and nothing is counted
     if (first) {
         ++report.moves.asked;
-        ++(holds                                       ? report.moves.kept_in_place
-           : outcome == Repair<d>::Outcome::flipped    ? report.moves.flipped
-           : outcome == Repair<d>::Outcome::reinserted ? report.moves.reinserted
-                                                       : report.moves.rebuilt);
+        ++(holds                                    ? report.moves.kept_in_place
+           : rebuilt                                ? report.moves.rebuilt
+           : repair_.reinserted().empty()           ? report.moves.flipped
+                                                    : report.moves.reinserted);
     } else {
         ++report.requeued;
     }
-    if (outcome == Repair<d>::Outcome::rebuilt) {
+    if (rebuilt) {
         settle(position_, report);
         return;
     }
@@ -146,6 +146,20 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
     threshold_[at(h)] = 0.0;
     if (held) lower_points();
     else update();
+}
+
+/// At the moving positions, after repair gave up on h. Where two of them coincide CGAL's object stays what it was, and the table becomes
+/// its mirror again.
+template <int d>
+void Filter_each<d>::rebuild(Index h, const Coordinates<d>& old_fixed, Move_report& report) {
+    try {
+        embedding_.rebuild(position_);
+    } catch (const Error&) {
+        fixed_[at(h)] = old_fixed;
+        embedding_.mirror();
+        throw;
+    }
+    if (report_changes_) embedding_.list_cells(report.changed);
 }
 
 template <int d>

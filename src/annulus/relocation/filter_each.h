@@ -58,6 +58,7 @@ class Filter_each {
     void update();
     void lower_points();
     void process(Index h, Move_report& report, bool first);
+    void rebuild(Index h, const Coordinates<d>& old_fixed, Move_report& report);
 
     Embedding<d>& embedding_;
     Repair<d> repair_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 
 namespace annulus {
 
@@ -40,6 +39,12 @@ bool Filter<d>::too_dear() const {
     if (repair_.kind() == Tolerance_kind::paper) return false;
     const auto n = static_cast<double>(embedding_.vertices());
     return overdraft_ + static_cast<double>(failed_.size()) > (Prices<d>::settling + Prices<d>::signs) * n;
+}
+
+/// Whether looking for what expired would already cost a good part of what repair may.
+template <int d>
+bool Filter<d>::too_many_failed() const {
+    return repair_.kind() != Tolerance_kind::paper && Repair_prices<d>::failure * static_cast<double>(failed_.size()) > 0.25 * most_repair();
 }
 
 /// What a step of tolerances cost above what signs would have, or saved, is added up; savings are not put aside.
@@ -104,13 +109,18 @@ template <int d>
 void Filter<d>::reconsider(bool each, Move_report& report) {
     if (displacement_.empty()) return;
     constexpr double certificates = d == 2 ? 5.0 : 20.0;  // facets and cells a vertex
-    try {
-        if (Prices<d>::expected * certificates * outlook(report) <= (each ? Prices<d>::star : Prices<d>::signs))
-            settle(position_, report);
-    } catch (const std::bad_alloc&) {  // the move is made and right; tolerances are another matter
-        stop_tracking();
-    }
+    settles_next_ =
+        Prices<d>::expected * certificates * outlook(report) <= (each ? Prices<d>::star : Prices<d>::signs);
     displacement_.clear();
+}
+
+/// Not in the timestamp that found out, which may have been dear already.
+template <int d>
+void Filter<d>::settle_if_it_pays(Move_report& report) {
+    if (!settles_next_) return;
+    settles_next_ = false;
+    report.price += Repair_prices<d>::settling * static_cast<double>(embedding_.vertices());
+    settle(position_, report);
 }
 
 template class Filter<2>;

@@ -40,6 +40,11 @@ struct Move_report {
     std::uint64_t requeued = 0;      ///< filter-each: vertices whose reference another vertex's failure renewed
     std::uint64_t flips = 0;         ///< flips that stand
     std::uint64_t undone_flips = 0;  ///< flips taken back because they led nowhere
+    std::uint64_t tolerance_steps = 0;  ///< filters: timestamps that began with the tolerances
+    std::uint64_t sign_steps = 0;       ///< filters: timestamps that began with the signs of all certificates
+    std::uint64_t rebuild_steps = 0;    ///< auto: timestamps that were rebuilt at once
+    std::uint64_t settlings = 0;        ///< filters: times that all tolerances were computed
+    double price = 0.0;  ///< filters: what it cost without rebuilds, in cells looked at, by prices that were measured (chooser.h)
     double handle_seconds = 0.0;     ///< part of a rebuild spent on keeping vertex handles valid, not CGAL's own
     std::vector<Index> changed;      ///< on request: vertices of cells that may be new, d + 1 a cell (infinite = -1):
                                      ///< those that changed under the filters, every finite cell otherwise
@@ -53,6 +58,11 @@ struct Move_report {
         requeued += o.requeued;
         flips += o.flips;
         undone_flips += o.undone_flips;
+        tolerance_steps += o.tolerance_steps;
+        sign_steps += o.sign_steps;
+        rebuild_steps += o.rebuild_steps;
+        settlings += o.settlings;
+        price += o.price;
         handle_seconds += o.handle_seconds;
         changed.insert(changed.end(), o.changed.begin(), o.changed.end());
         return *this;

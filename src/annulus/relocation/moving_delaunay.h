@@ -26,8 +26,8 @@ namespace annulus {
 /// Vertices have an index in input order and a CGAL handle; no move, whatever the strategy, invalidates either.
 /// Removing a vertex leaves its index vacant; the next insertion takes the index vacated last.
 ///
-/// Errors are annulus::Error; the object is as it was before the call that threw, except that in space, and under
-/// `filter-each` in a move_all, tolerances may have been computed anew and measured from other fixed positions. Every function
+/// Errors are annulus::Error; the object is as it was before the call that threw, except that after a collision
+/// tolerances may have been computed anew and measured from other fixed positions. Every function
 /// that takes a handle throws unknown_vertex for a null one, the vertex at infinity, and a vertex of another triangulation.
 /// The handle of a vertex that was removed dangles and must not be used. too_large: the triangulation would have, or had for a
 /// while on the way, more cells or vertices than indices can name (horizons.h).
@@ -142,7 +142,7 @@ class Moving_delaunay {
     }
     /// One of the filters is at work, and which: a certified one has the expiries of Filter, for single moves too.
     [[nodiscard]] bool filters() const {
-        return strategy_ == Strategy::filter ||
+        return strategy_ == Strategy::filter || strategy_ == Strategy::automatic ||
                (strategy_ == Strategy::filter_each && options_.tolerance == Tolerance_kind::certified);
     }
     [[nodiscard]] bool filters_each() const { return strategy_ == Strategy::filter_each && !filters(); }

@@ -23,7 +23,7 @@ template <class Cgal>
 Moving_delaunay<Cgal>::Moving_delaunay(std::span<const Coordinates<d>> points, const Options& options)
     : options_(options),
       strategy_(options.strategy),
-      filter_(embedding_, options.tolerance, options.second_look),
+      filter_(embedding_, options.tolerance, options.second_look, options.strategy == Strategy::automatic),
       filter_each_(embedding_, options.tolerance),
       random_(options.seed) {
     require_sound_environment();
@@ -111,6 +111,7 @@ auto Moving_delaunay<Cgal>::positions() const -> std::span<const Coordinates<d>>
 template <class Cgal>
 void Moving_delaunay<Cgal>::settle_into(Move_report& report) {
     if (!filters() && !filters_each()) return;
+    if (strategy_ == Strategy::automatic) return filter_.begin(plain_);
     if (!embedding_.mirrored()) embedding_.mirror();
     if (filters()) {
         filter_.settle(plain_, report);
@@ -202,7 +203,7 @@ void Moving_delaunay<Cgal>::insert_unguarded(Index i, const Coordinates<d>& x, M
         plain_[at(i)] = x;
     } else {
         filters() ? filter_.place(i, x) : filter_each_.place(i, x);
-        if (before != d) {
+        if (before != d && embedding_.mirrored()) {
             report += settle();
         } else {
             filters() ? filter_.refresh(changed, report) : filter_each_.refresh(changed, report);
@@ -228,7 +229,7 @@ void Moving_delaunay<Cgal>::remove(Vertex_handle v, Move_report* out) {
         vacant_.push_back(i);
         if (filters() || filters_each()) {
             if (changed.empty()) {
-                report += settle();
+                if (embedding_.mirrored()) report += settle();
             } else {
                 filters() ? filter_.refresh(changed, report) : filter_each_.refresh(changed, report);
             }
@@ -243,8 +244,7 @@ template <class Cgal>
 void Moving_delaunay<Cgal>::list_everything(Move_report& report) const {
     if (!options_.report_changes) return;
     report.changed.clear();
-    embedding_.for_each_finite_cell(
-        [&](const auto& cell) { report.changed.insert(report.changed.end(), cell.begin(), cell.end()); });
+    embedding_.list_cells(report.changed);
 }
 
 template <class Cgal>

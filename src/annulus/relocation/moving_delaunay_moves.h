@@ -146,7 +146,7 @@ void Moving_delaunay<Cgal>::move_each(std::span<const Coordinates<d>> x, Move_re
     std::vector<Coordinates<d>> old;
     if (filters_each()) each = filter_each_.save();
     else old.assign(positions().begin(), positions().end());
-    if (filters()) filter_.begin_each(x);
+    if (filters()) filter_.begin_each(x, report);
     try {
         try_move_each(x, report);
     } catch (const Error& e) {
@@ -179,7 +179,7 @@ Move_report Moving_delaunay<Cgal>::move_all(std::span<const Coordinates<d>> poin
         throw Error(Error_code::wrong_size, "move_all takes " + std::to_string(index_bound()) + " points, not " +
                                                 std::to_string(points.size()));
     // The filter looks at every position anyway and finds out itself.
-    if (strategy_ != Strategy::filter || embedding_.dimension() != d)
+    if ((strategy_ != Strategy::filter && strategy_ != Strategy::automatic) || embedding_.dimension() != d)
         for (std::size_t i = 0; i < points.size(); ++i)
             if (embedding_.handle(static_cast<Index>(i)) != Vertex_handle()) require_in_domain(points[i]);
     Move_report report;
@@ -193,7 +193,7 @@ void Moving_delaunay<Cgal>::move_all_unguarded(std::span<const Coordinates<d>> p
     if (strategy_ == Strategy::hybrid && steps_++ % 4 == 0) consider_switch(points, report);
     if (strategy_ == Strategy::rebuild || strategy_ == Strategy::hybrid || (filters() && embedding_.dimension() != d)) {
         rebuild_all(points, report);
-    } else if (strategy_ == Strategy::filter) {
+    } else if (strategy_ == Strategy::filter || strategy_ == Strategy::automatic) {
         filter_.move_all(points, report);
     } else {
         move_each(points, report);

@@ -17,6 +17,7 @@ enum class Strategy : std::uint8_t {
     in_place,        ///< one vertex at a time: written in place when no topological change is needed, else relocate
     filter,          ///< whole timestamps: only certificates whose tolerance expired are evaluated
     filter_each,     ///< one vertex at a time, Delaunay after each; uncertified: the paper's algorithm (3.2)
+    automatic,       ///< whole timestamps, `auto`: the cheapest of tolerances, signs with flips, and rebuilding, as counts tell
     hybrid,          ///< rebuild until 75 % of a sample stays within tolerance, then filter (paper 4.2)
 };
 
@@ -28,6 +29,7 @@ enum class Strategy : std::uint8_t {
         case Strategy::in_place: return "in-place";
         case Strategy::filter: return "filter";
         case Strategy::filter_each: return "filter-each";
+        case Strategy::automatic: return "auto";
         case Strategy::hybrid: return "hybrid";
     }
     return "";

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/relocation/repair.h>
 
+#include <annulus/arithmetic/error.h>
+#include <annulus/relocation/border.h>
+
 #include <algorithm>
+#include <iterator>
 
 namespace annulus {
 
@@ -14,18 +18,19 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 template <int d>
 void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
     many_ = many;
-    everything_ = false;
+    signs_ = false;
+    counted_ = {};
+    mender_.begin(x);
     forget();
     x_ = x;
     const auto& t = embedding_.table();
     place_of_facet_.resize(at(t.facet_bound()), 0);
     place_of_cell_.resize(at(t.cell_bound()), 0);
     disturbed_.clear();
-    detached_.clear();
+    reinserted_.clear();
     changed_.clear();
-    rebuilt_ = false;
+    renumbered_.clear();
     mending_ = false;
-    log_.clear();
     report_ = {};
 }
 
@@ -136,82 +141,106 @@ void Repair<d>::suspect_cells(std::span<const Index> cells) {
 }
 
 template <int d>
-void Repair<d>::suspect_around(std::span<const Index> cells) {
-    const auto& t = embedding_.table();
-    changed_.insert(changed_.end(), cells.begin(), cells.end());
-    suspect_cells(cells);
-    for (const Index c : cells)
-        for (int i = 0; i <= d; ++i) queue_.push_back(t.facet(t.corner(c, i)));
-}
-
-template <int d>
 void Repair<d>::list_changes(Move_report& report) const {
     const auto& t = embedding_.table();
-    const auto list = [&](Index c) {
-        if (!t.is_cell(c)) return;
+    for (const Index c : changed_) {
+        if (!t.is_cell(c)) continue;
         for (int i = 0; i <= d; ++i) report.changed.push_back(t.vertex(t.corner(c, i)));
-    };
-    if (rebuilt_) {
-        for (Index c = 0; c < t.cell_bound(); ++c) list(c);
-    } else {
-        for (const Index c : changed_) list(c);
     }
 }
 
 template <int d>
+void Repair<d>::note_disturbed(const Facet_points<d>& points) {
+    for (const Index v : points)
+        if (v != none) disturbed_.push_back(v);
+}
+
+/// Hands what does not hold over to the mender.
+template <int d>
 void Repair<d>::collect_violated() {
-    queue_.clear();
-    inverted_.clear();
     for (const auto& s : cells_) {
-        if (!exists(s) || !violated(s)) continue;
-        inverted_.push_back(s.id);
+        if (!violated(s)) continue;
+        mender_.signs().inverted().push_back(s.id);
         disturbed_.insert(disturbed_.end(), s.point.begin(), s.point.end());
     }
     for (const auto& s : facets_) {
-        if (!exists(s) || s.verdict.sign > 0) continue;
-        queue_.push_back(s.id);
+        if (s.kind == Facet_kind::border || s.verdict.sign > 0) continue;
+        mender_.signs().violated().push_back(s.id);
         if (s.kind == Facet_kind::empty_sphere && s.verdict.sign == 0) continue;  // degenerate, not violated yet
-        for (const Index v : s.point)
-            if (v != none) disturbed_.push_back(v);
+        note_disturbed(s.point);
     }
 }
 
 template <int d>
-typename Repair<d>::Outcome Repair<d>::mend(std::span<const Coordinates<d>> old, std::span<const Index> movers) {
-    assign_places();
-    mending_ = true;
-    collect_violated();
-    if (run_flips() == Progress::done) return Outcome::flipped;
-    undo_flips();
-    require_distinct(movers);
-    // Without certified tolerances the triangulation may be wrong in places nobody suspects; CGAL's removal and
-    // location need a right one, a rebuild does not.
-    if (trusted_ && reinsert(old, movers)) return Outcome::reinserted;
-    forget();
-    detached_.clear();
-    embedding_.rebuild(x_);
-    rebuilt_ = true;
-    return Outcome::rebuilt;
+bool Repair<d>::mend_all(std::span<const Coordinates<d>> old, double most) {
+    trial_.assign(x_.begin(), x_.end());
+    return mend({trial_, old}, most);
 }
 
 template <int d>
-void Repair<d>::undo_flips() {
-    report_.undone_flips += log_.size();
-    report_.flips -= log_.size();
-    take_back_flips();
-    // What is under examination has other points again.
-    std::vector<Index> again;
-    for (const auto& s : cells_)
-        if (exists(s)) again.push_back(s.id);
-    for (const Index c : again) suspect_cell(c);
-    again.clear();
-    for (const auto& s : facets_)
-        if (exists(s)) again.push_back(s.id);
-    for (const Index f : again) suspect_facet(f);
-    (void)evaluate();
-    const std::size_t known = disturbed_.size();
-    collect_violated();
-    disturbed_.resize(known);
+bool Repair<d>::mend_one(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& old, double most) {
+    if (collides(v, old)) throw Error(Error_code::collision, "another vertex is at that position");
+    constexpr double reinsertion = d == 2 ? 400.0 : 1500.0;
+    if (mend({x, {}, v, old}, std::min(most, reinsertion))) return true;
+    if (!trusted_) return false;  // nor need it be simplicial then, which restoring wants
+    embedding_.restore_cells(mender_.touched(), renumbered_);
+    return reinsert(v);
+}
+
+template <int d>
+bool Repair<d>::reinsert(Index v) {
+    const auto gone = [this](Index c) { return !embedding_.table().is_cell(c); };
+    std::vector<Index> changed;
+    try {
+        if (!embedding_.reinsert(v, x_[at(v)], changed)) return false;
+    } catch (const Error&) {
+        renumbered_.insert(renumbered_.end(), changed.begin(), changed.end());
+        std::erase_if(renumbered_, gone);
+        throw;
+    }
+    changed_ = std::move(changed);
+    changed_.insert(changed_.end(), renumbered_.begin(), renumbered_.end());
+    std::erase_if(changed_, gone);
+    reinserted_.assign(1, v);
+    many_ = true;
+    signs_ = false;
+    forget();  // what was evaluated before may have the number of something else by now
+    suspect_cells(changed_);
+    suspect_star(v);
+    return evaluate();
+}
+
+template <int d>
+bool Repair<d>::mend(const Course<d>& course, double most) {
+    if (mender_.price() > most) return false;
+    if (!signs_) collect_violated();
+    assign_places();
+    mending_ = true;
+    const bool mended = mender_.mend(course, most);
+    count_signs();
+    if (mended && holds_after_mending()) {
+        report_.flips += mender_.flips();
+        changed_ = mender_.touched();
+        reinserted_ = mender_.reinserted();
+        embedding_.follow(changed_);
+        return true;
+    }
+    report_.undone_flips += mender_.flips();
+    return false;
+}
+
+template <int d>
+bool Repair<d>::holds_after_mending() {
+    const auto& t = embedding_.table();
+    std::vector<Index> alive;
+    std::copy_if(mender_.touched().begin(), mender_.touched().end(), std::back_inserter(alive), [&t](Index c) { return t.is_cell(c); });
+    // Even one mover may have passed over a part of the hull that its cells do not touch.
+    const bool at_border = std::any_of(alive.begin(), alive.end(), [&t](Index c) { return t.is_infinite(c); });
+    many_ |= at_border;
+    if (at_border && !mender_.reinserted().empty() && !border_is_whole(t)) return false;
+    if (signs_) return !border_in_doubt() || border_winds_once(t, x_);
+    suspect_cells(alive);
+    return evaluate();
 }
 
 template class Repair<2>;

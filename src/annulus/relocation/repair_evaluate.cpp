@@ -4,6 +4,7 @@
 
 #include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/certificate/batch.h>
+#include <annulus/relocation/border.h>
 #include <annulus/triangulation/degenerate.h>
 
 #include <algorithm>
@@ -95,41 +96,6 @@ void Repair<d>::evaluate_stale(std::vector<S>& suspects) {
 }
 
 template <int d>
-template <class S>
-void Repair<d>::decide(S& s) {
-    if (!s.stale) return;
-    s.stale = false;
-    ++report_.evaluated;
-    if (filter(s)) {
-        ++report_.arithmetic.filter;
-        return;
-    }
-    bool answered = false;
-    {
-        const Rounding_guard guard(FE_UPWARD);
-        answered = interval(s);
-    }
-    if (!answered) exact(s);
-    report_.arithmetic.count(answered ? Stage::interval : Stage::exact);
-}
-
-template <int d>
-const typename Repair<d>::Facet_suspect& Repair<d>::examine_facet(Index f) {
-    if (at(f) >= place_of_facet_.size() || place_of_facet_[at(f)] == 0) suspect_facet(f);
-    Facet_suspect& s = facets_[at(place_of_facet_[at(f)] - 1)];
-    decide(s);
-    return s;
-}
-
-template <int d>
-const typename Repair<d>::Cell_suspect& Repair<d>::examine_cell(Index c) {
-    if (at(c) >= place_of_cell_.size() || place_of_cell_[at(c)] == 0) suspect_cell(c);
-    Cell_suspect& s = cells_[at(place_of_cell_[at(c)] - 1)];
-    decide(s);
-    return s;
-}
-
-template <int d>
 bool Repair<d>::violated(const Facet_suspect& s) const {
     if (s.kind == Facet_kind::border) return false;
     if (s.kind == Facet_kind::slab) return s.verdict.sign <= 0;
@@ -149,11 +115,13 @@ bool Repair<d>::evaluate() {
     const auto fails = [this](const auto& s) { return this->exists(s) && this->violated(s); };
     if (std::any_of(cells_.begin(), cells_.end(), fails) || std::any_of(facets_.begin(), facets_.end(), fails))
         return false;
-    if (!many_) return true;
-    const bool in_doubt =
-        everything_ || (d == 2 && !cells_.empty()) ||
-        std::any_of(facets_.begin(), facets_.end(), [](const auto& s) { return s.kind == Facet_kind::ridge; });
-    return !in_doubt || border_winds_once();
+    return !border_in_doubt() || border_winds_once(embedding_.table(), x_);
+}
+
+template <int d>
+bool Repair<d>::border_in_doubt() const {
+    return many_ && (signs_ || (d == 2 && !cells_.empty()) ||
+                     std::any_of(facets_.begin(), facets_.end(), [](const auto& s) { return s.kind == Facet_kind::ridge; }));
 }
 
 /// In batches: ridges with the cells, both being orientations.

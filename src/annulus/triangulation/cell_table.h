@@ -106,6 +106,8 @@ class Cell_table {
 
     /// Starts afresh: no cells, `vertices` vertices none of which is in the triangulation.
     void clear(std::size_t vertices);
+    /// The same with this many cells, which have no vertices or twins yet. Throws Error(too_large).
+    void clear(std::size_t vertices, std::size_t cells);
     void set_vertex_bound(std::size_t vertices) { corner_of_vertex_.resize(vertices, none); }
 
     /// A new cell with no vertices or twins yet. Throws Error(too_large) when its corners would have no index.
@@ -136,6 +138,9 @@ class Cell_table {
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    [[noreturn]] static void throw_too_large() {
+        throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::cells) + " cells");
+    }
     void note_corner(Index v, Index h) { (v == infinite ? corner_of_infinity_ : corner_of_vertex_[at(v)]) = h; }
 
     Index corner_of_infinity_ = none;
@@ -162,6 +167,17 @@ void Cell_table<d>::clear(std::size_t vertices) {
 }
 
 template <int d>
+void Cell_table<d>::clear(std::size_t vertices, std::size_t cells) {
+    if (cells > static_cast<std::size_t>(Horizons::cells)) throw_too_large();
+    clear(vertices);
+    vertex_.assign(4 * cells, none);
+    twin_.assign(4 * cells, none);
+    facet_.assign(4 * cells, none);
+    alive_.assign(cells, 1);
+    half_of_facet_.reserve((d + 1) * cells / 2);
+}
+
+template <int d>
 Index Cell_table<d>::new_cell() {
     Index c = none;
     if (!free_cells_.empty()) {
@@ -169,8 +185,7 @@ Index Cell_table<d>::new_cell() {
         free_cells_.pop_back();
     } else {
         c = cell_bound();
-        if (c >= Horizons::cells)
-            throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::cells) + " cells");
+        if (c >= Horizons::cells) throw_too_large();
         alive_.push_back(0);
         vertex_.resize(vertex_.size() + 4, none);
         twin_.resize(twin_.size() + 4, none);

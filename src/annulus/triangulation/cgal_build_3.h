@@ -4,68 +4,45 @@
 // Cgal_embedding_3: building from nothing, and anew with the caller's handles kept.
 #include <annulus/triangulation/cgal_embedding_3.h>
 
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
-
 #include <algorithm>
 #include <chrono>
 
 namespace annulus {
 
 template <class Info>
-template <class T, class Assign>
-void Cgal_embedding_3<Info>::insert_sorted(T& tr, std::span<const Coordinates<3>> x, std::span<const char> live,
-                                           Assign assign) {
-    // CGAL's insert of a range of points with info does just this; here the assigner learns of duplicates.
-    std::vector<Point> points;
-    std::vector<std::size_t> order;
-    points.reserve(x.size());
-    order.reserve(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        points.push_back(live.empty() || live[i] ? point(x[i]) : Point(0, 0, 0));
-        if (live.empty() || live[i]) order.push_back(i);
-    }
-    using Map = typename CGAL::Pointer_property_map<Point>::type;
-    const CGAL::Spatial_sort_traits_adapter_3<Kernel, Map> traits(CGAL::make_property_map(points));
-    CGAL::spatial_sort(order.begin(), order.end(), traits);
-    bool distinct = true;
-    std::size_t last = 0;
+void Cgal_embedding_3<Info>::insert_all(Triangulation& tr, std::span<const Coordinates<3>> x, std::span<const Index> order,
+                                        std::vector<Vertex_handle>* handle) {
+    // An error is thrown outside, where the thread's table is known to be sound.
+    std::exception_ptr collision;
     cgal_3::with_sound_table([&] {
-        typename T::Vertex_handle hint;
-        std::size_t count = 0;
-        for (const std::size_t i : order) {
-            const auto v = hint == typename T::Vertex_handle() ? tr.insert(points[i]) : tr.insert(points[i], hint);
-            distinct = tr.number_of_vertices() != count;
-            last = i;
-            if (!distinct) return;
-            ++count;
-            assign(v, static_cast<Index>(i));
-            hint = v;
+        try {
+            insert_in_order<3>(tr, x, order, [&](Vertex_handle v, Index i) {
+                v->set_index(i);
+                if (handle != nullptr) (*handle)[at(i)] = v;
+            });
+        } catch (const Error&) {
+            collision = std::current_exception();
         }
     });
-    if (!distinct)
-        throw Error(Error_code::collision, "point " + std::to_string(last) + " has the position of another point");
+    if (collision) std::rethrow_exception(collision);
 }
 
 template <class Info>
 void Cgal_embedding_3<Info>::build(std::span<const Coordinates<3>> x) {
     Triangulation tr;
     std::vector<Vertex_handle> handle(x.size());
-    insert_sorted(tr, x, {}, [&](Vertex_handle v, Index i) {
-        v->set_index(i);
-        handle[at(i)] = v;
-    });
+    order_.forget();
+    insert_all(tr, x, order_.of(x, [](Index) { return true; }), &handle);
     tr_.swap(tr);
     handle_ = std::move(handle);
-    detached_.clear();
-    mirrored_ = false;
+    mirrored_ = shuffled_ = false;
 }
 
 template <class Info>
 void Cgal_embedding_3<Info>::restore(std::span<const Coordinates<3>> x, Index fresh) {
     if (fresh != none && at(fresh) < handle_.size()) handle_[at(fresh)] = Vertex_handle();
     handle_.resize(x.size());
+    order_.forget();
     auto& vertices = tr_.tds().vertices();
     for (auto it = vertices.begin(); it != vertices.end();) {
         const Vertex_handle v = it++;
@@ -85,48 +62,35 @@ void Cgal_embedding_3<Info>::clear_cells() noexcept {
 
 template <class Info>
 void Cgal_embedding_3<Info>::rebuild(std::span<const Coordinates<3>> x) {
-    std::vector<char> live;
-    if (std::find(handle_.begin(), handle_.end(), Vertex_handle()) != handle_.end()) {
-        live.resize(handle_.size());
-        for (std::size_t i = 0; i < live.size(); ++i) live[i] = handle_[i] != Vertex_handle();
-    }
-    Plain other;
-    insert_sorted(other, x, live, [](typename Plain::Vertex_handle v, Index i) { v->set_index(i); });
+    Triangulation other;
+    insert_all(other, x, order_.of(x, [this](Index i) { return handle_[at(i)] != Vertex_handle(); }), nullptr);
     const auto start = std::chrono::steady_clock::now();
-    transplant(other);
-    detached_.clear();
+    take_cells(other);
+    shuffled_ = false;
     if (mirrored_) mirror();
     handle_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// Gives our vertices, which callers hold handles of, the cells and points of another triangulation of the same set.
 template <class Info>
-void Cgal_embedding_3<Info>::transplant(Plain& other) {
+void Cgal_embedding_3<Info>::take_cells(Triangulation& other) noexcept {
     auto& tds = tr_.tds();
-    tds.cells().clear();
-    const int dim = other.dimension();
-    tds.set_dimension(dim);
-    const auto ours = [&](typename Plain::Vertex_handle v) { return vertex_of(index_of(other, v)); };
-    std::vector<Cell_handle> cell;
-    std::vector<typename Plain::Cell_handle> source;
-    for (auto c = other.tds().cells().begin(); c != other.tds().cells().end(); ++c) {
-        c->set_cell(static_cast<Index>(cell.size()));
-        source.push_back(c);
-        cell.push_back(tds.create_cell());
-    }
-    for (std::size_t k = 0; k < cell.size(); ++k)
-        for (int i = 0; i <= std::max(dim, 0); ++i) {
-            if (source[k]->vertex(i) != typename Plain::Vertex_handle())
-                cell[k]->set_vertex(i, ours(source[k]->vertex(i)));
-            if (source[k]->neighbor(i) != typename Plain::Cell_handle())
-                cell[k]->set_neighbor(i, cell[at(source[k]->neighbor(i)->cell())]);
-        }
+    tds.cells().swap(other.tds().cells());
+    tds.set_dimension(other.dimension());
+    const auto ours = [&](Vertex_handle v) {
+        return v == other.infinite_vertex() ? tr_.infinite_vertex() : handle_[at(v->index())];
+    };
+    const int last = std::max(tds.dimension(), 0);
+    for (auto c = tds.cells().begin(); c != tds.cells().end(); ++c)
+        for (int i = 0; i <= last; ++i)
+            if (c->vertex(i) != Vertex_handle()) c->set_vertex(i, ours(c->vertex(i)));
     for (auto v = other.tds().vertices().begin(); v != other.tds().vertices().end(); ++v) {
-        const typename Plain::Vertex_handle from = v;
-        const Vertex_handle to = ours(from);
-        to->set_cell(from->cell() == typename Plain::Cell_handle() ? Cell_handle() : cell[at(from->cell()->cell())]);
-        if (!other.is_infinite(from)) to->set_point(from->point());
+        const Vertex_handle to = ours(v);
+        to->set_cell(v->cell());
+        if (to != tr_.infinite_vertex()) to->set_point(v->point());
     }
+    other.tds().cells().clear();  // ours of before, whose vertices are not theirs
+    other.tds().set_dimension(-2);
 }
 
 template <class Info>

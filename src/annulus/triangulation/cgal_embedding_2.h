@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/triangulation/cgal_build_2.h>
+#include <annulus/triangulation/cgal_insertion.h>
 #include <annulus/triangulation/cgal_mirror_2.h>
 #include <annulus/triangulation/cgal_readings_2.h>
 #include <annulus/triangulation/cgal_relocation_2.h>
@@ -33,18 +34,24 @@ class Cgal_embedding_2 final : public Embedding<2> {
     /// Builds from nothing; vertex i is x[i]. Throws Error(collision) naming the pair when two points are equal.
     void build(std::span<const Coordinates<2>> x);
     /// (Re)builds the flat mirror from CGAL's object. O(n).
-    void mirror();
-    /// Forgets the mirror: strategies that do not use it work on CGAL's object alone.
-    void drop_mirror() noexcept { mirrored_ = false; }
-    [[nodiscard]] bool mirrored() const { return mirrored_; }
+    void mirror() override;
+    void drop_mirror() noexcept override;
+    [[nodiscard]] bool mirrored() const override { return mirrored_; }
+    void list_cells(std::vector<Index>& vertices) const override {
+        for_each_finite_cell([&](const auto& cell) { vertices.insert(vertices.end(), cell.begin(), cell.end()); });
+    }
+    [[nodiscard]] bool has(Index v) const override { return handle_[at(v)] != Vertex_handle(); }
+    [[nodiscard]] Sample sample(std::span<const Coordinates<2>> x, std::size_t count) const override;
 
     [[nodiscard]] Cell_table<2>& table() override { return mirror_.table(); }
     [[nodiscard]] const Cell_table<2>& table() const { return mirror_.table(); }
     [[nodiscard]] std::size_t vertices() const override { return tr_.number_of_vertices(); }
     [[nodiscard]] int dimension() const override { return tr_.dimension(); }
-    void flip(Index h) override { mirror_.flip(h); }
-    [[nodiscard]] bool detach(Index v, std::vector<Index>& changed) override;
-    [[nodiscard]] bool attach(Index v, const Coordinates<2>& p, std::vector<Index>& changed) override;
+    [[nodiscard]] bool delaunay_of(std::span<const Coordinates<2>> x, std::span<const Index> vertices,
+                                   std::vector<std::array<Index, 3>>& cells) override;
+    void follow(std::span<const Index> cells) override { mirror_.follow(cells, handle_); }
+    void restore_cells(std::span<const Index> cells, std::vector<Index>& made) override { mirror_.restore(cells, made); }
+    [[nodiscard]] bool reinsert(Index v, const Coordinates<2>& p, std::vector<Index>& changed) override;
     void set_point(Index v, const Coordinates<2>& p) override { handle_[at(v)]->set_point(point(p)); }
     void set_points(std::span<const Coordinates<2>> x) override;
     void rebuild(std::span<const Coordinates<2>> x) override;
@@ -92,11 +99,13 @@ class Cgal_embedding_2 final : public Embedding<2> {
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] bool detach(Index v, std::vector<Index>& changed);
+    [[nodiscard]] bool attach(Index v, const Coordinates<2>& p, Vertex_handle near, std::vector<Index>& changed);
 
     Triangulation tr_;
     Cgal_mirror_2<Triangulation> mirror_{tr_};
     std::vector<Vertex_handle> handle_;              // by vertex; default for a vacant index
-    std::vector<std::pair<Index, Index>> detached_;  // vertex and a neighbour it had
+    Insertion_order<Triangulation, 2> order_;
     bool mirrored_ = false;
     double handle_seconds_ = 0.0;
 };
@@ -105,7 +114,8 @@ template <class Info>
 void Cgal_embedding_2<Info>::build(std::span<const Coordinates<2>> x) {
     Triangulation tr;
     std::vector<Vertex_handle> handle(x.size());
-    cgal_2::insert_sorted(tr, x, {}, [&](Vertex_handle v, Index i) {
+    order_.forget();
+    insert_in_order<2>(tr, x, order_.of(x, [](Index) { return true; }), [&](Vertex_handle v, Index i) {
         v->set_index(i);
         handle[at(i)] = v;
     });
@@ -121,6 +131,33 @@ void Cgal_embedding_2<Info>::mirror() {
 }
 
 template <class Info>
+void Cgal_embedding_2<Info>::drop_mirror() noexcept {
+    mirrored_ = false;
+    mirror_.clear();
+}
+
+template <class Info>
+Sample Cgal_embedding_2<Info>::sample(std::span<const Coordinates<2>> x, std::size_t count) const {
+    Sample sample;
+    if (tr_.dimension() != 2) return sample;
+    const std::size_t stride = 1 + handle_.size() / (count + 1);
+    for (std::size_t v = 0; v < handle_.size(); v += stride) {
+        if (handle_[v] == Vertex_handle()) continue;
+        const Face_handle c = handle_[v]->face();
+        if (tr_.is_infinite(c)) continue;
+        std::array<Index, 3> corner{};
+        std::array<Index, 3> beyond{};
+        for (int i = 0; i <= 2; ++i) {
+            corner[static_cast<std::size_t>(i)] = c->vertex(i)->index();
+            const Vertex_handle w = tr_.tds().mirror_vertex(c, i);
+            beyond[static_cast<std::size_t>(i)] = tr_.is_infinite(w) ? infinite : w->index();
+        }
+        add_cell<2>(sample, x, corner, beyond);
+    }
+    return sample;
+}
+
+template <class Info>
 void Cgal_embedding_2<Info>::set_points(std::span<const Coordinates<2>> x) {
     for (std::size_t i = 0; i < handle_.size(); ++i)
         if (handle_[i] != Vertex_handle()) handle_[i]->set_point(point(x[i]));
@@ -132,7 +169,6 @@ bool Cgal_embedding_2<Info>::detach(Index v, std::vector<Index>& changed) {
     if (tr_.dimension() != 2 || tr_.number_of_vertices() <= 3 || tr_.test_dim_down(handle)) return false;
     std::vector<Index> old_cells;
     std::vector<std::pair<Face_handle, int>> border;  // outside the star
-    Index neighbour = none;
     auto f = tr_.incident_faces(handle);
     const auto done = f;
     do {
@@ -140,7 +176,6 @@ bool Cgal_embedding_2<Info>::detach(Index v, std::vector<Index>& changed) {
         const int i = face->index(handle);
         old_cells.push_back(face->cell());
         border.emplace_back(face->neighbor(i), tr_.tds().mirror_index(face, i));
-        if (!tr_.is_infinite(face->vertex(tr_.ccw(i)))) neighbour = face->vertex(tr_.ccw(i))->index();
     } while (++f != done);
     const Vertex_handle stand_in = tr_.tds().create_vertex();
     stand_in->set_point(handle->point());
@@ -159,22 +194,27 @@ bool Cgal_embedding_2<Info>::detach(Index v, std::vector<Index>& changed) {
         for (int i = 0; i <= 2; ++i) enter(inside[k]->neighbor(i));
     mirror_.table().set_absent(v);
     mirror_.replace(old_cells, inside, changed);
-    detached_.emplace_back(v, neighbour);
     return true;
 }
 
 template <class Info>
-bool Cgal_embedding_2<Info>::attach(Index v, const Coordinates<2>& p, std::vector<Index>& changed) {
-    Face_handle start;
-    const auto it =
-        std::find_if(detached_.begin(), detached_.end(), [v](const auto& entry) { return entry.first == v; });
-    if (it != detached_.end()) {
-        if (it->second != none && handle_[at(it->second)] != Vertex_handle()) start = handle_[at(it->second)]->face();
-        detached_.erase(it);
-    }
+bool Cgal_embedding_2<Info>::reinsert(Index v, const Coordinates<2>& p, std::vector<Index>& changed) {
+    const Vertex_handle handle = handle_[at(v)];
+    const Coordinates<2> home = coordinates(handle->point());
+    Vertex_handle near;
+    for (int i = 0; i <= 2; ++i)
+        if (const Vertex_handle w = handle->face()->vertex(i); w != handle && !tr_.is_infinite(w)) near = w;
+    if (!detach(v, changed)) return false;
+    if (attach(v, p, near, changed)) return true;
+    (void)attach(v, home, near, changed);
+    throw Error(Error_code::collision, "another vertex is at that position");
+}
+
+template <class Info>
+bool Cgal_embedding_2<Info>::attach(Index v, const Coordinates<2>& p, Vertex_handle near, std::vector<Index>& changed) {
     typename Triangulation::Locate_type type{};
     int i = 0;
-    const Face_handle face = tr_.locate(point(p), type, i, start);
+    const Face_handle face = tr_.locate(point(p), type, i, near->face());
     if (type == Triangulation::VERTEX) return false;
     const Vertex_handle inserted = tr_.insert(point(p), type, face, i);
     const Vertex_handle handle = handle_[at(v)];
@@ -186,11 +226,33 @@ bool Cgal_embedding_2<Info>::attach(Index v, const Coordinates<2>& p, std::vecto
 }
 
 template <class Info>
+bool Cgal_embedding_2<Info>::delaunay_of(std::span<const Coordinates<2>> x, std::span<const Index> vertices,
+                                         std::vector<std::array<Index, 3>>& cells) {
+    Delaunay_2<No_info> tr;
+    typename Delaunay_2<No_info>::Vertex_handle last;
+    for (const Index i : vertices) {
+        const auto hint = last == typename Delaunay_2<No_info>::Vertex_handle() ? typename Delaunay_2<No_info>::Face_handle()
+                                                                                : last->face();
+        last = tr.insert(point(x[at(i)]), hint);
+        last->set_index(i);
+    }
+    if (tr.dimension() != 2 || tr.number_of_vertices() != vertices.size()) return false;
+    for (auto f = tr.all_faces_begin(); f != tr.all_faces_end(); ++f) {
+        std::array<Index, 3> v{};
+        for (int i = 0; i <= 2; ++i)
+            v[static_cast<std::size_t>(i)] = tr.is_infinite(f->vertex(i)) ? infinite : f->vertex(i)->index();
+        cells.push_back(v);
+    }
+    return true;
+}
+
+template <class Info>
 bool Cgal_embedding_2<Info>::insert(Index v, const Coordinates<2>& p, std::vector<Index>& changed) {
     typename Triangulation::Locate_type type{};
     int i = 0;
     const Face_handle face = tr_.locate(point(p), type, i);
     if (type == Triangulation::VERTEX) return false;
+    order_.forget();
     const int before = tr_.dimension();
     const Vertex_handle inserted = tr_.insert(point(p), type, face, i);
     inserted->set_index(v);
@@ -209,8 +271,8 @@ bool Cgal_embedding_2<Info>::insert(Index v, const Coordinates<2>& p, std::vecto
 template <class Info>
 void Cgal_embedding_2<Info>::remove(Index v, std::vector<Index>& changed) {
     const Vertex_handle handle = handle_[at(v)];
+    order_.forget();
     if (mirrored_ && detach(v, changed)) {
-        detached_.pop_back();
         tr_.tds().delete_vertex(handle);
         handle_[at(v)] = Vertex_handle();
         return;
@@ -224,6 +286,7 @@ template <class Info>
 void Cgal_embedding_2<Info>::restore(std::span<const Coordinates<2>> x, Index fresh) {
     if (fresh != none && at(fresh) < handle_.size()) handle_[at(fresh)] = Vertex_handle();
     handle_.resize(x.size());
+    order_.forget();
     auto& vertices = tr_.tds().vertices();
     for (auto it = vertices.begin(); it != vertices.end();) {
         const Vertex_handle v = it++;
@@ -242,16 +305,11 @@ void Cgal_embedding_2<Info>::clear_cells() noexcept {
 
 template <class Info>
 void Cgal_embedding_2<Info>::rebuild(std::span<const Coordinates<2>> x) {
-    std::vector<char> live;
-    if (std::find(handle_.begin(), handle_.end(), Vertex_handle()) != handle_.end()) {
-        live.resize(handle_.size());
-        for (std::size_t i = 0; i < live.size(); ++i) live[i] = handle_[i] != Vertex_handle();
-    }
-    cgal_2::Plain_delaunay other;
-    cgal_2::insert_sorted(other, x, live, [](cgal_2::Plain_delaunay::Vertex_handle v, Index i) { v->info() = i; });
+    Triangulation other;
+    const auto order = order_.of(x, [this](Index i) { return handle_[at(i)] != Vertex_handle(); });
+    insert_in_order<2>(other, x, order, [](Vertex_handle v, Index i) { v->set_index(i); });
     const auto start = std::chrono::steady_clock::now();
-    cgal_2::transplant(tr_, other, handle_);
-    detached_.clear();
+    cgal_2::take_faces<Triangulation>(tr_, other, handle_);
     if (mirrored_) mirror();
     handle_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

@@ -5,6 +5,7 @@
 #include <annulus/certificate/ladder.h>
 #include <annulus/certificate/theta.h>
 #include <annulus/triangulation/certificates.h>
+#include <annulus/triangulation/cgal_insertion.h>
 #include <annulus/triangulation/cgal_table_3.h>
 #include <annulus/triangulation/cgal_types_3.h>
 #include <annulus/triangulation/embedding.h>
@@ -40,19 +41,24 @@ class Cgal_embedding_3 final : public Embedding<3> {
     /// Builds from nothing; vertex i is x[i]. Throws Error(collision) naming the pair when two points are equal.
     void build(std::span<const Coordinates<3>> x);
     /// (Re)builds the flat mirror from CGAL's object. O(n).
-    void mirror();
-    /// Forgets the mirror: strategies that do not use it work on CGAL's object alone.
-    void drop_mirror() noexcept { mirrored_ = false; }
-    [[nodiscard]] bool mirrored() const { return mirrored_; }
+    void mirror() override;
+    void drop_mirror() noexcept override;
+    [[nodiscard]] bool mirrored() const override { return mirrored_; }
+    void list_cells(std::vector<Index>& vertices) const override {
+        for_each_finite_cell([&](const auto& cell) { vertices.insert(vertices.end(), cell.begin(), cell.end()); });
+    }
+    [[nodiscard]] bool has(Index v) const override { return handle_[at(v)] != Vertex_handle(); }
+    [[nodiscard]] Sample sample(std::span<const Coordinates<3>> x, std::size_t count) const override;
 
     [[nodiscard]] Cell_table<3>& table() override { return table_; }
     [[nodiscard]] const Cell_table<3>& table() const { return table_; }
     [[nodiscard]] std::size_t vertices() const override { return tr_.number_of_vertices(); }
     [[nodiscard]] int dimension() const override { return tr_.dimension(); }
-    void replace(std::span<const Index> old, std::span<const std::array<Index, 4>> fresh,
-                 std::vector<Index>& created) override;
-    [[nodiscard]] bool detach(Index v, std::vector<Index>& changed) override;
-    [[nodiscard]] bool attach(Index v, const Coordinates<3>& p, std::vector<Index>& changed) override;
+    [[nodiscard]] bool delaunay_of(std::span<const Coordinates<3>> x, std::span<const Index> vertices,
+                                   std::vector<Cell_points<3>>& cells) override;
+    void follow(std::span<const Index> cells) override;
+    void restore_cells(std::span<const Index> cells, std::vector<Index>& made) override;
+    [[nodiscard]] bool reinsert(Index v, const Coordinates<3>& p, std::vector<Index>& changed) override;
     void set_point(Index v, const Coordinates<3>& p) override { handle_[at(v)]->set_point(point(p)); }
     void set_points(std::span<const Coordinates<3>> x) override;
     void rebuild(std::span<const Coordinates<3>> x) override;
@@ -117,7 +123,10 @@ class Cgal_embedding_3 final : public Embedding<3> {
     void adopt(std::vector<Cell_handle> cells, std::vector<Index>& changed);
     [[nodiscard]] std::vector<Index> cells_replaced_by(const std::vector<Cell_handle>& cells);
     Index new_cell(Cell_handle c);
-    void transplant(Plain& other);
+    [[nodiscard]] static int slot_of_facet(Cell_handle n, Cell_handle c, int i);
+    void take_cells(Triangulation& other) noexcept;
+    [[nodiscard]] bool detach(Index v, std::vector<Index>& changed);
+    [[nodiscard]] bool attach(Index v, const Coordinates<3>& p, Vertex_handle near, std::vector<Index>& changed);
     [[nodiscard]] bool rest_is_flat(Vertex_handle v) const;
     [[nodiscard]] Verdict facet_verdict(const Facet& f) const;
     [[nodiscard]] Verdict cell_verdict(Cell_handle c) const;
@@ -125,16 +134,17 @@ class Cgal_embedding_3 final : public Embedding<3> {
     template <class Visit>
     void for_each_facet_around(Vertex_handle v, Visit visit) const;
     [[nodiscard]] double facet_theta(const Facet& f) const;
-    template <class T, class Assign>
-    static void insert_sorted(T& tr, std::span<const Coordinates<3>> x, std::span<const char> live, Assign assign);
+    static void insert_all(Triangulation& tr, std::span<const Coordinates<3>> x, std::span<const Index> order,
+                           std::vector<Vertex_handle>* handle);
 
     Triangulation tr_;
     Cell_table<3> table_;
     std::vector<Cell_handle> cell_;                  // by cell
     std::vector<Vertex_handle> handle_;              // by vertex; default for a vacant index
-    std::vector<std::pair<Index, Index>> detached_;  // vertex and a neighbour it had
+    Insertion_order<Triangulation, 3> order_;
     std::vector<char> mark_;                         // by cell, while cells are replaced
     bool mirrored_ = false;
+    bool shuffled_ = false;  // CGAL's removal has had a say in the order of its cells
     double handle_seconds_ = 0.0;
 };
 

@@ -3,6 +3,7 @@
 
 // Cgal_embedding_3: the flat mirror, and every change made to both.
 #include <annulus/triangulation/cgal_embedding_3.h>
+#include <annulus/triangulation/replace_cells.h>
 
 #include <algorithm>
 
@@ -10,26 +11,42 @@ namespace annulus {
 
 template <class Info>
 void Cgal_embedding_3<Info>::mirror() {
-    table_.clear(handle_.size());
     cell_.clear();
     mark_.clear();
     mirrored_ = true;
-    if (tr_.dimension() != 3) return;
-    // Numbered along the vertices, so that what is near in space is near in memory whenever the caller's order is.
-    std::vector<Ordered_cell> cells;
-    cells.reserve(tr_.tds().number_of_cells());
-    for (auto c = tr_.all_cells_begin(); c != tr_.all_cells_end(); ++c) {
-        c->set_cell(none);
-        cells.push_back(put_in_order(c));
+    if (tr_.dimension() != 3) {
+        table_.clear(handle_.size());
+        return;
     }
-    std::sort(cells.begin(), cells.end());
-    for (const auto& [vertices, c] : cells) new_cell(c);
-    for (const auto& [vertices, c] : cells)
+    // Numbered as they come, which is nearly in the order of insertion, a curve through space; unless where they are in memory has
+    // a say in that.
+    cell_.reserve(tr_.tds().number_of_cells());
+    for (auto c = tr_.all_cells_begin(); c != tr_.all_cells_end(); ++c) cell_.push_back(c);
+    if (shuffled_) put_in_order(cell_);
+    table_.clear(handle_.size(), cell_.size());
+    for (std::size_t k = 0; k < cell_.size(); ++k) cell_[k]->set_cell(static_cast<Index>(k));
+    for (const Cell_handle c : cell_) {
+        const Index k = c->cell();
         for (int i = 0; i <= 3; ++i) {
-            const Index h = table_.corner(c->cell(), i);
-            const Index t = table_.corner(c->neighbor(i)->cell(), tr_.tds().mirror_index(c, i));
-            if (h < t) table_.glue(h, t);
+            table_.set_vertex(table_.corner(k, i), index_of(tr_, c->vertex(i)));
+            const Cell_handle n = c->neighbor(i);
+            if (n->cell() > k) table_.glue(table_.corner(k, i), table_.corner(n->cell(), slot_of_facet(n, c, i)));
         }
+    }
+}
+
+/// Where the facet opposite to vertex i of c is in its neighbour n. CGAL's mirror_index takes the first facet that they share; where tolerances
+/// are not certified they may share two.
+template <class Info>
+int Cgal_embedding_3<Info>::slot_of_facet(Cell_handle n, Cell_handle c, int i) {
+    int slot = n->index(c);
+    while (slot < 3 && c->has_vertex(n->vertex(slot)) && n->vertex(slot) != c->vertex(i)) {
+        int next = slot + 1;
+        while (next < 4 && n->neighbor(next) != c) ++next;
+        if (next == 4) break;
+        slot = next;
+    }
+    return slot;
 }
 
 /// CGAL's removal goes through a map ordered by addresses, so in which order its cells come, and their corners, is not the same
@@ -149,58 +166,104 @@ void Cgal_embedding_3<Info>::adopt(std::vector<Cell_handle> cells, std::vector<I
 }
 
 template <class Info>
-void Cgal_embedding_3<Info>::replace(std::span<const Index> old, std::span<const std::array<Index, 4>> fresh,
-                                     std::vector<Index>& created) {
+void Cgal_embedding_3<Info>::follow(std::span<const Index> cells) {
     auto& tds = tr_.tds();
-    using Triple = std::array<Index, 3>;
-    struct Side {
-        Triple vertices;  // sorted
-        Index half;       // outside the region, or in a fresh cell
-        Index facet;      // none: within the region
-    };
-    const auto triple = [](const auto& vertex, int i) {
-        Triple t{};
-        for (std::size_t k = 0, n = 0; k < 4; ++k)
-            if (static_cast<int>(k) != i) t[n++] = vertex[k];
-        std::sort(t.begin(), t.end());
-        return t;
-    };
-    std::vector<Side> sides;
-    const auto is_old = [&](Index c) { return std::find(old.begin(), old.end(), c) != old.end(); };
-    for (const Index c : old)
-        for (int i = 0; i <= 3; ++i) {
-            const Index h = table_.corner(c, i);
-            const Index t = table_.twin(h);
-            if (!is_old(table_.cell_of(t))) {
-                sides.push_back({triple(cell_points(table_, c), i), t, table_.facet(t)});
-            } else if (h < t) {
-                table_.free_facet(table_.facet(h));
-            }
-        }
-    for (const Index c : old) {
+    cell_.resize(at(table_.cell_bound()));
+    for (const Index c : cells) {
+        if (table_.is_cell(c) || cell_[at(c)] == Cell_handle()) continue;
         tds.delete_cell(cell_[at(c)]);
         cell_[at(c)] = Cell_handle();
-        table_.free_cell(c);
     }
-    for (const auto& v : fresh) {
-        const Cell_handle c = tds.create_cell(vertex_of(v[0]), vertex_of(v[1]), vertex_of(v[2]), vertex_of(v[3]));
-        const Index n = new_cell(c);
-        created.push_back(n);
+    for (const Index c : cells) {
+        if (!table_.is_cell(c)) continue;
+        Cell_handle& cell = cell_[at(c)];
+        if (cell == Cell_handle()) cell = tds.create_cell();
+        cell->set_cell(c);
         for (int i = 0; i <= 3; ++i) {
-            c->vertex(i)->set_cell(c);
-            const Triple key = triple(v, i);
-            const Index h = table_.corner(n, i);
-            const auto side =
-                std::find_if(sides.begin(), sides.end(), [&](const Side& s) { return s.vertices == key; });
-            if (side == sides.end()) {
-                sides.push_back({key, h, none});
-                continue;
-            }
-            table_.glue(h, side->half, side->facet);
-            tds.set_adjacency(c, i, cell_[at(table_.cell_of(side->half))], table_.slot_of(side->half));
-            sides.erase(side);
+            const Vertex_handle v = vertex_of(table_.vertex(table_.corner(c, i)));
+            cell->set_vertex(i, v);
+            v->set_cell(cell);
         }
     }
+    for (const Index c : cells) {
+        if (!table_.is_cell(c)) continue;
+        for (int i = 0; i <= 3; ++i) {
+            const Index t = table_.twin(table_.corner(c, i));
+            tds.set_adjacency(cell_[at(c)], i, cell_[at(table_.cell_of(t))], table_.slot_of(t));
+        }
+    }
+}
+
+template <class Info>
+bool Cgal_embedding_3<Info>::delaunay_of(std::span<const Coordinates<3>> x, std::span<const Index> vertices,
+                                         std::vector<Cell_points<3>>& cells) {
+    Plain tr;
+    cgal_3::with_sound_table([&] {
+        typename Plain::Vertex_handle hint;
+        for (const Index i : vertices) {
+            hint = hint == typename Plain::Vertex_handle() ? tr.insert(point(x[at(i)])) : tr.insert(point(x[at(i)]), hint);
+            hint->set_index(i);
+        }
+    });
+    if (tr.dimension() != 3 || tr.number_of_vertices() != vertices.size()) return false;
+    for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c) {
+        Cell_points<3> v{};
+        for (int i = 0; i <= 3; ++i) v[static_cast<std::size_t>(i)] = index_of(tr, c->vertex(i));
+        cells.push_back(v);
+    }
+    return true;
+}
+
+template <class Info>
+void Cgal_embedding_3<Info>::restore_cells(std::span<const Index> cells, std::vector<Index>& made) {
+    std::vector<Index> present;
+    std::vector<Cell_handle> theirs;
+    std::vector<Cell_points<3>> vertices;
+    for (const Index c : cells) {
+        if (table_.is_cell(c)) present.push_back(c);
+        if (at(c) >= cell_.size() || cell_[at(c)] == Cell_handle()) continue;
+        theirs.push_back(std::exchange(cell_[at(c)], Cell_handle()));
+        Cell_points<3> x{};
+        for (int i = 0; i <= 3; ++i) x[static_cast<std::size_t>(i)] = index_of(tr_, theirs.back()->vertex(i));
+        vertices.push_back(x);
+    }
+    const std::size_t first = made.size();
+    replace_cells<3>(table_, present, vertices, made);
+    cell_.resize(at(table_.cell_bound()));
+    for (std::size_t k = 0; k < theirs.size(); ++k) {
+        cell_[at(made[first + k])] = theirs[k];
+        theirs[k]->set_cell(made[first + k]);
+    }
+}
+
+template <class Info>
+bool Cgal_embedding_3<Info>::reinsert(Index v, const Coordinates<3>& p, std::vector<Index>& changed) {
+    const Vertex_handle handle = handle_[at(v)];
+    const Coordinates<3> home = coordinates(handle->point());
+    Vertex_handle near;
+    for (int i = 0; i <= 3; ++i)
+        if (const Vertex_handle w = handle->cell()->vertex(i); w != handle && !tr_.is_infinite(w)) near = w;
+    if (!detach(v, changed)) return false;
+    if (attach(v, p, near, changed)) return true;
+    (void)attach(v, home, near, changed);
+    throw Error(Error_code::collision, "another vertex is at that position");
+}
+
+template <class Info>
+bool Cgal_embedding_3<Info>::attach(Index v, const Coordinates<3>& p, Vertex_handle near, std::vector<Index>& changed) {
+    typename Triangulation::Locate_type type{};
+    int i = 0;
+    int j = 0;
+    const Cell_handle where = tr_.locate(point(p), type, i, j, near->cell());
+    if (type == Triangulation::VERTEX) return false;
+    Vertex_handle inserted;
+    cgal_3::with_sound_table([&] { inserted = tr_.insert(point(p), type, where, i, j); });
+    const Vertex_handle handle = handle_[at(v)];
+    substitute(inserted, handle);
+    handle->set_point(point(p));
+    tr_.tds().delete_vertex(inserted);
+    adopt(star(handle), changed);
+    return true;
 }
 
 /// Not CGAL's `incident_cells`, which marks the cells and so is no reading for several threads. Precondition: dimension 3.
@@ -245,43 +308,15 @@ template <class Info>
 bool Cgal_embedding_3<Info>::detach(Index v, std::vector<Index>& changed) {
     const Vertex_handle handle = handle_[at(v)];
     if (tr_.dimension() != 3 || tr_.number_of_vertices() <= 4 || rest_is_flat(handle)) return false;
-    Index neighbour = none;
-    const Cell_handle near = handle->cell();
-    for (int i = 0; i <= 3; ++i)
-        if (near->vertex(i) != handle && !tr_.is_infinite(near->vertex(i))) neighbour = near->vertex(i)->index();
     const Vertex_handle stand_in = tr_.tds().create_vertex();
     stand_in->set_point(handle->point());
     substitute(handle, stand_in);
     handle->set_cell(Cell_handle());
+    shuffled_ = true;
     std::vector<Cell_handle> cells;
     cgal_3::with_sound_table([&] { tr_.remove_and_give_new_cells(stand_in, std::back_inserter(cells)); });
     table_.set_absent(v);
     adopt(cells, changed);
-    detached_.emplace_back(v, neighbour);
-    return true;
-}
-
-template <class Info>
-bool Cgal_embedding_3<Info>::attach(Index v, const Coordinates<3>& p, std::vector<Index>& changed) {
-    Cell_handle start;
-    const auto it =
-        std::find_if(detached_.begin(), detached_.end(), [v](const auto& entry) { return entry.first == v; });
-    if (it != detached_.end()) {
-        if (it->second != none && handle_[at(it->second)] != Vertex_handle()) start = handle_[at(it->second)]->cell();
-        detached_.erase(it);
-    }
-    typename Triangulation::Locate_type type{};
-    int i = 0;
-    int j = 0;
-    const Cell_handle where = tr_.locate(point(p), type, i, j, start);
-    if (type == Triangulation::VERTEX) return false;
-    Vertex_handle inserted;
-    cgal_3::with_sound_table([&] { inserted = tr_.insert(point(p), type, where, i, j); });
-    const Vertex_handle handle = handle_[at(v)];
-    substitute(inserted, handle);
-    handle->set_point(point(p));
-    tr_.tds().delete_vertex(inserted);
-    adopt(star(handle), changed);
     return true;
 }
 

@@ -13,6 +13,7 @@ bool Cgal_embedding_3<Info>::insert(Index v, const Coordinates<3>& p, std::vecto
     int j = 0;
     const Cell_handle where = tr_.locate(point(p), type, i, j);
     if (type == Triangulation::VERTEX) return false;
+    order_.forget();
     const int before = tr_.dimension();
     Vertex_handle inserted;
     cgal_3::with_sound_table([&] { inserted = tr_.insert(point(p), type, where, i, j); });
@@ -32,12 +33,13 @@ bool Cgal_embedding_3<Info>::insert(Index v, const Coordinates<3>& p, std::vecto
 template <class Info>
 void Cgal_embedding_3<Info>::remove(Index v, std::vector<Index>& changed) {
     const Vertex_handle handle = handle_[at(v)];
+    order_.forget();
     if (mirrored_ && detach(v, changed)) {
-        detached_.pop_back();
         tr_.tds().delete_vertex(handle);
         handle_[at(v)] = Vertex_handle();
         return;
     }
+    shuffled_ = true;
     cgal_3::with_sound_table([&] { tr_.remove(handle); });
     handle_[at(v)] = Vertex_handle();
     if (mirrored_) mirror();
@@ -69,6 +71,7 @@ Relocation Cgal_embedding_3<Info>::relocate(Index v, const Coordinates<3>& p) {
     substitute(inserted, handle);
     handle->set_point(point(p));
     tr_.tds().delete_vertex(inserted);
+    shuffled_ = true;
     std::vector<Cell_handle> cells;
     cgal_3::with_sound_table([&] { tr_.remove_and_give_new_cells(stand_in, std::back_inserter(cells)); });
     if (tr_.dimension() == 3) put_in_order(cells);  // what is computed from their corners is the same in another run

@@ -9,6 +9,35 @@
 
 namespace annulus {
 
+template <class Info>
+void Cgal_embedding_3<Info>::drop_mirror() noexcept {
+    mirrored_ = false;
+    table_ = {};
+    cell_ = {};
+    mark_ = {};
+}
+
+template <class Info>
+Sample Cgal_embedding_3<Info>::sample(std::span<const Coordinates<3>> x, std::size_t count) const {
+    Sample sample;
+    if (tr_.dimension() != 3) return sample;
+    const std::size_t stride = 1 + handle_.size() / (count + 1);
+    for (std::size_t v = 0; v < handle_.size(); v += stride) {
+        if (handle_[v] == Vertex_handle()) continue;
+        const Cell_handle c = handle_[v]->cell();
+        if (tr_.is_infinite(c)) continue;
+        std::array<Index, 4> corner{};
+        std::array<Index, 4> beyond{};
+        for (int i = 0; i <= 3; ++i) {
+            corner[static_cast<std::size_t>(i)] = c->vertex(i)->index();
+            const Vertex_handle w = tr_.tds().mirror_vertex(c, i);
+            beyond[static_cast<std::size_t>(i)] = tr_.is_infinite(w) ? infinite : w->index();
+        }
+        add_cell<3>(sample, x, corner, beyond);
+    }
+    return sample;
+}
+
 /// The vertices of a bi-cell as the ladder takes them: a, b, c, p, q with q the vertex of f's own cell.
 template <class Info>
 auto Cgal_embedding_3<Info>::bicell(const Facet& f) const -> std::array<Vertex_handle, 5> {

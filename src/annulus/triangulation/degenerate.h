@@ -3,7 +3,7 @@
 
 #include <annulus/certificate/ladder.h>
 
-// What decides a certificate whose determinant is 0 (docs/theory.md 6), for every dimension by overloads on the tuple.
+// What decides a certificate whose determinant is 0 (docs/theory.md 6.7), for every dimension by overloads on the tuple.
 namespace annulus {
 
 /// Sign of an empty sphere whose points are cospherical, by CGAL's perturbation. Precondition: both cells are positive.

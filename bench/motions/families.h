@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+
+#include <cstdint>
+#include <random>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace bench {
+
+template <int d>
+using Points = std::vector<annulus::Coordinates<d>>;
+
+/// The families of points, each with the surface that its points keep to while they walk.
+///
+/// uniform: in the unit cube. sphere: on the unit sphere, near-cospherical all of them. slab: a hundredth as thick as wide. clusters: over six
+/// decades of scale, their points at the scale of the cluster. faces: on the faces of a cube. lattice: a regular grid with noise
+/// of an ulp. ball: in the unit ball. In the plane the same with a circle, a strip, the sides of a square, a disc.
+inline constexpr std::string_view families[] = {"uniform", "sphere", "slab", "clusters", "faces", "lattice", "ball"};
+
+/// How points move. walk: every coordinate by independent Gaussians at every step. drift: all by the same, a Gaussian each step. shear:
+/// x += s spacings times y. few: one in a hundred walks. burst: they rest, and walk at each eighth step by eight times as much.
+inline constexpr std::string_view kinds_of_motion[] = {"walk", "drift", "shear", "few", "burst"};
+
+/// A family in motion. Positions are in the unit of the family, displacements in spacings n^(-1/d), or (2 / sqrt n on the unit sphere) as
+/// the family has.
+template <int d>
+class Scene {
+  public:
+    Scene(std::string_view family, std::string_view motion, std::size_t n, double spacings, std::uint64_t seed);
+    [[nodiscard]] const Points<d>& points() const { return x_; }
+    /// One timestamp. O(n).
+    void step();
+
+  private:
+    [[nodiscard]] double unit() { return std::ldexp(static_cast<double>(random_() >> 11), -53); }
+    [[nodiscard]] double normal();
+    void walk(std::size_t i, double reach);
+    void keep(std::size_t i);
+
+    std::string_view family_;
+    std::string_view motion_;
+    double reach_;  // of a step, in the unit of the family
+    std::mt19937_64 random_;
+    Points<d> x_;
+    std::vector<double> scale_;  // by point, of its family's spacing
+    std::vector<int> face_;      // by point, 2 * axis + side
+    std::uint64_t steps_ = 0;
+};
+
+extern template class Scene<2>;
+extern template class Scene<3>;
+
+}  // namespace bench

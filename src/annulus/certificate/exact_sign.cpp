@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/certificate/exact_sign.h>
+
+#include <annulus/arithmetic/exact.h>
+#include <annulus/arithmetic/rounding_guard.h>
+#include <annulus/certificate/interval_stage.h>
+#include <annulus/certificate/width_terms_3.h>
+
+#include <type_traits>
+
+namespace annulus {
+
+namespace {
+
+template <int d, class T>
+using Vector = std::conditional_t<d == 2, Vector_2<T>, Vector_3<T>>;
+
+template <class T>
+T orientation(const Vector_2<T>& u, const Vector_2<T>& v) {
+    return T(u.x * v.y - u.y * v.x);
+}
+template <class T>
+T orientation(const Vector_3<T>& u, const Vector_3<T>& v, const Vector_3<T>& w) {
+    return dot(cross(u, v), w);
+}
+/// The determinant of Circumcircle_2: of the triangle 0, u, v and the point w.
+template <class T>
+T empty_sphere(const Vector_2<T>& u, const Vector_2<T>& w, const Vector_2<T>& v) {
+    const T uu = squared(u.x) + squared(u.y);
+    const T vv = squared(v.x) + squared(v.y);
+    const T ww = squared(w.x) + squared(w.y);
+    return T(w.x * (u.y * vv - v.y * uu) + w.y * (v.x * uu - u.x * vv) + ww * orientation(u, v));
+}
+/// That of Circumsphere_3: of the cell 0, u, v, t and the point w.
+template <class T>
+T empty_sphere(const Vector_3<T>& u, const Vector_3<T>& v, const Vector_3<T>& w, const Vector_3<T>& t) {
+    const Vector_3<T> vt = cross(v, t);
+    const T uu = square(u);
+    const T vv = square(v);
+    const T tt = square(t);
+    const Vector_3<T> tu = cross(t, u);
+    const Vector_3<T> uv = cross(u, v);
+    const Vector_3<T> n{T(uu * vt.x + vv * tu.x + tt * uv.x), T(uu * vt.y + vv * tu.y + tt * uv.y),
+                        T(uu * vt.z + vv * tu.z + tt * uv.z)};
+    return T(square(w) * dot(uv, t) - dot(w, n));
+}
+
+/// Calls determinant(v_1, .., v_(k-1)) with vectors to the first point, as difference(i, coordinate) makes them.
+template <int d, class T, std::size_t... i, class Difference, class Determinant>
+T of_vectors(std::index_sequence<i...>, const Difference& difference, const Determinant& determinant) {
+    const auto vector = [&](std::size_t k) {
+        if constexpr (d == 2) return Vector<d, T>{difference(k, 0), difference(k, 1)};
+        else return Vector<d, T>{difference(k, 0), difference(k, 1), difference(k, 2)};
+    };
+    return determinant(vector(i + 1)...);
+}
+
+template <int d, int k, class Determinant>
+Staged_sign sign_of(const Tuple<d, k>& x, const Determinant& determinant) {
+    constexpr auto vectors = std::make_index_sequence<k - 1>();
+    Verdict out;
+    {
+        const Rounding_guard guard(FE_UPWARD);
+        const bool told = detail::with_scale(x, [&](const auto& difference, const detail::Scale&) {
+            const auto to_first = [&](std::size_t i, std::size_t c) { return Interval(difference((*x[i])[c], (*x[0])[c])); };
+            return detail::interval_sign(of_vectors<d, Interval>(vectors, to_first, determinant), out);
+        });
+        if (told) return {out.sign, Stage::interval};
+    }
+    std::array<double, static_cast<std::size_t>(d* k)> flat{};
+    for (std::size_t i = 0; i < k; ++i) std::copy(x[i]->begin(), x[i]->end(), flat.begin() + static_cast<int>(d * i));
+    const Scaled_integers z(flat);
+    const auto to_first = [&](std::size_t i, std::size_t c) { return mpz_class(z.integer[d * i + c] - z.integer[c]); };
+    return {static_cast<std::int8_t>(sgn(of_vectors<d, mpz_class>(vectors, to_first, determinant))), Stage::exact};
+}
+
+}  // namespace
+
+Staged_sign exact_orientation_sign(const Tuple<2, 3>& x) {
+    return sign_of<2, 3>(x, [](const auto&... v) { return orientation(v...); });
+}
+Staged_sign exact_orientation_sign(const Tuple<3, 4>& x) {
+    return sign_of<3, 4>(x, [](const auto&... v) { return orientation(v...); });
+}
+Staged_sign exact_empty_sphere_sign(const Tuple<2, 4>& x) {
+    return sign_of<2, 4>(x, [](const auto&... v) { return empty_sphere(v...); });
+}
+Staged_sign exact_empty_sphere_sign(const Tuple<3, 5>& x) {
+    return sign_of<3, 5>(x, [](const auto&... v) { return empty_sphere(v...); });
+}
+
+}  // namespace annulus

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/certificate/bounds.h>
+#include <annulus/certificate/decide.h>
+#include <annulus/certificate/verdict.h>
+#include <annulus/certificate/width_terms_3.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+// The sign of an orientation and nothing else, by the filter stage: 0 where the next stage has to tell. The determinants and errors are those of
+// Circumcircle_2 and Circumsphere_3 (bounds.h). The rounding mode must be to nearest.
+
+namespace detail {
+
+[[nodiscard]] inline int clear_sign(double determinant, double error, double magnitude, double range) {
+    if (!(magnitude <= range && magnitude * range >= 1.0)) return 0;
+    return determinant > error ? 1 : determinant < -error ? -1 : 0;
+}
+
+}  // namespace detail
+
+[[nodiscard]] inline int orientation_sign(const Tuple<2, 3>& x) {
+    const Vector_2<double> u{(*x[1])[0] - (*x[0])[0], (*x[1])[1] - (*x[0])[1]};
+    const Vector_2<double> v{(*x[2])[0] - (*x[0])[0], (*x[2])[1] - (*x[0])[1]};
+    const double m = std::max(detail::magnitude(u), detail::magnitude(v));
+    return detail::clear_sign(u.x * v.y - u.y * v.x, bounds::orientation_2 * bounds::u * (m * m), m, bounds::filter_range);
+}
+
+[[nodiscard]] inline int orientation_sign(const Tuple<3, 4>& x) {
+    const auto difference = [&x](std::size_t k) {
+        return Vector_3<double>{(*x[k])[0] - (*x[0])[0], (*x[k])[1] - (*x[0])[1], (*x[k])[2] - (*x[0])[2]};
+    };
+    const Vector_3<double> u = difference(1);
+    const Vector_3<double> v = difference(2);
+    const Vector_3<double> w = difference(3);
+    const double m = std::max(detail::magnitude(u), std::max(detail::magnitude(v), detail::magnitude(w)));
+    return detail::clear_sign(dot(cross(u, v), w), bounds::orientation_3 * bounds::u * (m * m * m), m, bounds::filter_range_3);
+}
+
+}  // namespace annulus

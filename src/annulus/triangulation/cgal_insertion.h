@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+#include <annulus/arithmetic/error.h>
+
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace annulus {
+
+/// The order in which the vertices of a CGAL triangulation are inserted: CGAL's spatial sort. It serves for some rebuilds to come,
+/// since vertices that were near each other stay so for a while: sorting is a quarter of the time of a rebuild in the plane.
+template <class Tr, int d>
+class Insertion_order {
+  public:
+    /// Of the indices i with lives(i). O(n log n), or O(1) when it was sorted a while ago.
+    template <class Lives>
+    std::span<const Index> of(std::span<const Coordinates<d>> x, Lives lives) {
+        constexpr int most_uses = 16;
+        if (!order_.empty() && uses_++ < most_uses) return order_;
+        uses_ = 0;
+        using Point = typename Tr::Point;
+        std::vector<Point> points;
+        points.reserve(x.size());
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const bool here = lives(static_cast<Index>(i));
+            if (here) order.push_back(i);
+            if constexpr (d == 2) points.push_back(here ? Point(x[i][0], x[i][1]) : Point(0, 0));
+            else points.push_back(here ? Point(x[i][0], x[i][1], x[i][2]) : Point(0, 0, 0));
+        }
+        using Map = typename CGAL::Pointer_property_map<Point>::type;
+        using Geometry = typename Tr::Geom_traits;
+        using Traits = std::conditional_t<d == 2, CGAL::Spatial_sort_traits_adapter_2<Geometry, Map>,
+                                          CGAL::Spatial_sort_traits_adapter_3<Geometry, Map>>;
+        CGAL::spatial_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(points)));
+        order_.assign(order.begin(), order.end());
+        return order_;
+    }
+    /// To be called when vertices come or go.
+    void forget() noexcept { order_.clear(); }
+
+  private:
+    std::vector<Index> order_;
+    int uses_ = 0;
+};
+
+/// Inserts x[i] for every i of the order, the last vertex' place as hint, and calls assign(vertex, i). Throws Error(collision) naming
+/// a point whose position another has. CGAL's insertion of a range of points with info does just this; here the assigner learns of
+/// duplicates.
+template <int d, class Tr, class Assign>
+void insert_in_order(Tr& tr, std::span<const Coordinates<d>> x, std::span<const Index> order, Assign assign) {
+    using Point = typename Tr::Point;
+    typename Tr::Vertex_handle last;
+    std::size_t count = 0;
+    for (const Index i : order) {
+        const Coordinates<d>& p = x[static_cast<std::size_t>(i)];
+        if constexpr (d == 2)
+            last = count == 0 ? tr.insert(Point(p[0], p[1])) : tr.insert(Point(p[0], p[1]), last->face());
+        else
+            last = count == 0 ? tr.insert(Point(p[0], p[1], p[2])) : tr.insert(Point(p[0], p[1], p[2]), last);
+        if (tr.number_of_vertices() == count)
+            throw Error(Error_code::collision, "point " + std::to_string(i) + " has the position of another point");
+        ++count;
+        assign(last, i);
+    }
+}
+
+}  // namespace annulus

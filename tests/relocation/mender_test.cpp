@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Large steps: walks of up to a spacing in every family of points, near-degenerate and with moving hulls; what repair costs, and where.
+#include <common/program.h>
+
+#include "../../bench/motions/families.h"
+#include <support/cases.h>
+
+#include <catch2/catch.hpp>
+
+using namespace annulus;
+using namespace annulus::oracle;
+using namespace annulus::testing;
+
+namespace {
+
+template <int d>
+using Moving_of = typename Space<d>::Moving;
+
+template <int d>
+Moving_of<d> moving(const Points_of<d>& x, Strategy strategy) {
+    Options options;
+    options.strategy = strategy;
+    return Moving_of<d>(std::span<const Coordinates<d>>(x), options);
+}
+
+/// Delaunay, and the cells of a rebuild where they are unique.
+template <int d>
+void check_cells(const Moving_of<d>& dt) {
+    const Audit_result audit = dt.audit();
+    REQUIRE(audit.first_fault == "");
+    REQUIRE(audit.delaunay());
+    if (audit.degenerate_facets > 0) return;
+    const Points_of<d> x(dt.positions().begin(), dt.positions().end());
+    const Moving_of<d> rebuilt = moving<d>(x, Strategy::rebuild);
+    REQUIRE(cells_of(dt.triangulation()) == cells_of(rebuilt.triangulation()));
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the Delaunay triangulation, dimension", "[mender]",
+                       ((int d), d), 2, 3) {
+    for (const Strategy strategy : {Strategy::filter, Strategy::automatic, Strategy::filter_each})
+        for (const std::string_view family : bench::families)
+            for (const double spacings : {0.01, 0.03, 0.1, 0.3, 1.0}) {
+                CAPTURE(name_of(strategy), family, spacings);
+                for_each_seed(1, [&](Random& random) {
+                    bench::Scene<d> scene(family, "walk", d == 2 ? 70 : 60, spacings, random());
+                    auto dt = moving<d>(scene.points(), strategy);
+                    for (int step = 0; step < 5; ++step) {
+                        scene.step();
+                        dt.move_all(std::span<const Coordinates<d>>(scene.points()));
+                        check_cells<d>(dt);
+                    }
+                });
+            }
+}
+
+TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dimension", "[mender]", ((int d), d), 2, 3) {
+    // Of thousands of vertices, hull and all, a handful at which flips are stuck.
+    for_each_seed(2, [](Random& random) {
+        bench::Scene<d> scene("uniform", "walk", 1500, d == 2 ? 0.1 : 0.02, random());
+        auto dt = moving<d>(scene.points(), Strategy::filter);
+        Move_report all;
+        for (int step = 0; step < 8; ++step) {
+            scene.step();
+            all += dt.move_all(std::span<const Coordinates<d>>(scene.points()));
+        }
+        CHECK(dt.audit().delaunay());
+        CHECK(all.moves.rebuilt == 0);
+        CHECK(all.flips > 8 * 200);
+        CHECK(all.undone_flips == 0);
+        CHECK(all.moves.reinserted < all.moves.asked / 50);
+    });
+}
+
+TEMPLATE_TEST_CASE_SIG("What one place needs costs another nothing: the price a vertex does not grow, dimension", "[mender]", ((int d), d), 2,
+                       3) {
+    const auto price = [](std::size_t n) {
+        bench::Scene<d> scene("uniform", "walk", n, d == 2 ? 0.03 : 0.01, 5);
+        auto dt = moving<d>(scene.points(), Strategy::automatic);
+        Move_report all;
+        for (int step = 0; step < 6; ++step) {
+            scene.step();
+            const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
+            if (step > 1) all += report;
+        }
+        CHECK(all.moves.rebuilt == 0);
+        return all.price / static_cast<double>(all.moves.asked);
+    };
+    CHECK(price(16000) < 1.3 * price(1000));
+}
+
+TEMPLATE_TEST_CASE_SIG("No timestamp costs more than one and a half rebuilds, whatever the points and the motion, dimension", "[mender]",
+                       ((int d), d), 2, 3) {
+    for (const std::string_view family : bench::families)
+        for (const std::string_view motion : bench::kinds_of_motion)
+            for (const double spacings : {1e-4, 1e-2, 0.1, 1.0}) {
+                CAPTURE(family, motion, spacings);
+                const std::size_t n = 1000;
+                bench::Scene<d> scene(family, motion, n, spacings, 3);
+                auto dt = moving<d>(scene.points(), Strategy::automatic);
+                for (int step = 0; step < 24; ++step) {
+                    CAPTURE(step);
+                    scene.step();
+                    const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
+                    const double rebuild = Chooser<d>::rebuild_price(n);
+                    // What is least allowed for, and what the repair that gives up had in hand.
+                    REQUIRE(report.price + (report.moves.rebuilt > 0 ? rebuild : 0.0) < 1.5 * rebuild + 4000.0);
+                    REQUIRE(report.tolerance_steps + report.sign_steps + report.rebuild_steps <= 1);
+                }
+                CHECK(dt.audit().delaunay());
+            }
+}
+
+TEST_CASE("auto rebuilds where that is the cheapest way, and comes back", "[mender]") {
+    bench::Scene<3> large("uniform", "walk", 1000, 1.0, 1);
+    auto dt = moving<3>(large.points(), Strategy::automatic);
+    const auto steps = [&dt](bench::Scene<3>& scene, int n) {
+        Move_report all;
+        for (int step = 0; step < n; ++step) {
+            scene.step();
+            all += dt.move_all(std::span<const Coordinates<3>>(scene.points()));
+        }
+        return all;
+    };
+    CHECK(steps(large, 12).rebuild_steps == 12);
+    // The same points, quiet: a few timestamps later nothing is rebuilt, and tolerances are kept.
+    bench::Scene<3> quiet("uniform", "walk", 1000, 1e-5, 1);
+    (void)steps(quiet, 1);
+    const Move_report settled = steps(quiet, 12);
+    CHECK(settled.moves.rebuilt == 0);
+    CHECK(settled.tolerance_steps >= 8);
+    CHECK(settled.settlings == 1);
+    CHECK(steps(large, 12).rebuild_steps >= 10);
+    CHECK(dt.audit().delaunay());
+}
+
+TEST_CASE("auto is the same run from the same input", "[mender]") {
+    const auto run = [] {
+        bench::Scene<3> scene("clusters", "walk", 500, 0.01, 9);
+        auto dt = moving<3>(scene.points(), Strategy::automatic);
+        std::vector<double> numbers;
+        for (int step = 0; step < 20; ++step) {
+            scene.step();
+            const Move_report r = dt.move_all(std::span<const Coordinates<3>>(scene.points()));
+            for (const auto k : {r.moves.rebuilt, r.moves.flipped, r.flips, r.evaluated, r.arithmetic.exact, r.sign_steps, r.rebuild_steps})
+                numbers.push_back(static_cast<double>(k));
+            numbers.push_back(r.price);
+        }
+        return numbers;
+    };
+    CHECK(run() == run());
+}
+
+TEMPLATE_TEST_CASE_SIG("A vertex that goes where another is refused, however far, and nothing has changed, dimension", "[mender]", ((int d), d),
+                       2, 3) {
+    for (const Strategy strategy : {Strategy::filter, Strategy::automatic})
+        for_each_seed(10, [&](Random& random) {
+            bench::Scene<d> scene("uniform", "walk", 50, 0.1, random());
+            auto dt = moving<d>(scene.points(), strategy);
+            const auto cells = cells_of(dt.triangulation());
+            const auto tolerance = dt.tolerance(dt.vertex(0));
+            for (Index to = 1; to < 50; ++to) {
+                try {
+                    dt.move(0, dt.positions()[static_cast<std::size_t>(to)]);
+                    FAIL("no collision");
+                } catch (const Error& e) {
+                    CHECK(e.code() == Error_code::collision);
+                }
+            }
+            CHECK(cells_of(dt.triangulation()) == cells);
+            if (strategy == Strategy::filter) CHECK(dt.tolerance(dt.vertex(0)) == tolerance);
+            check_cells<d>(dt);
+        });
+}
+
+TEMPLATE_TEST_CASE_SIG("Single moves to anywhere on a small grid leave neither a broken table nor a second border, dimension", "[mender]",
+                       ((int d), d), 2, 3) {
+    // Degenerate everywhere: flips get stuck, cells are built anew beneath the hull, and vertices taken out and put back.
+    const auto one = [](Random& random, Strategy strategy) {
+        const auto place = [&random] {
+            Coordinates<d> p;
+            for (double& c : p) c = integer(random, 0, 3);
+            return p;
+        };
+        std::vector<Coordinates<d>> x(8 + random() % 20);
+        for (auto& p : x) p = place();
+        Options options;
+        options.strategy = strategy;
+        options.merge_duplicates = true;
+        Moving_of<d> dt(std::span<const Coordinates<d>>(x), options);
+        if (dt.embedding().dimension() != d) return;
+        for (int k = 0; k < 40; ++k) {
+            try {
+                dt.move(static_cast<Index>(random() % dt.number_of_vertices()), place());
+            } catch (const Error& e) {
+                REQUIRE(e.code() == Error_code::collision);
+            }
+            if (dt.embedding().dimension() != d) return;
+            REQUIRE(dt.audit().first_fault == "");
+            REQUIRE(dt.triangulation().tds().is_valid());
+        }
+    };
+    for (const Strategy strategy : {Strategy::filter_each, Strategy::filter, Strategy::automatic})
+        for_each_seed(60, [&](Random& random) { one(random, strategy); });
+    Random once(621);  // the second border
+    one(once, Strategy::filter_each);
+}
