@@ -5,12 +5,14 @@ include(CMakePackageConfigHelpers)
 set(annulus_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/annulus")
 
 install(TARGETS annulus EXPORT annulusTargets)
+install(TARGETS annulus-toolkit EXPORT annulusToolkitTargets)
 if(TARGET annulus-cli)
     install(TARGETS annulus-cli)
 endif()
 install(DIRECTORY src/annulus/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/annulus"
         FILES_MATCHING PATTERN "*.h" PATTERN cli EXCLUDE)
 install(EXPORT annulusTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}")
+install(EXPORT annulusToolkitTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}")
 
 configure_package_config_file(cmake/annulusConfig.cmake.in annulusConfig.cmake
                               INSTALL_DESTINATION "${annulus_package_dir}")

@@ -24,7 +24,7 @@ file(CONFIGURE OUTPUT nothing.cpp CONTENT "// Only its precompiled header is wan
 foreach(target IN ITEMS annulus-headers annulus-headers-cgal)
     add_library(${target} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/nothing.cpp")
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-    target_link_libraries(${target} PRIVATE annulus::annulus annulus-test-options)
+    target_link_libraries(${target} PRIVATE annulus::toolkit annulus-test-options)
 endforeach()
 target_precompile_headers(annulus-headers PRIVATE ${annulus_test_headers})
 target_precompile_headers(annulus-headers-cgal PRIVATE ${annulus_test_headers} ${annulus_cgal_headers})
@@ -35,7 +35,7 @@ set(annulus_quiet_about_precompiled
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-maybe-uninitialized>")
 
 # A target of tests. HEADERS: annulus-headers, or annulus-headers-cgal where most of its files include CGAL, themselves or
-# through our headers. LIBRARY: annulus::annulus or annulus-tiny.
+# through our headers. LIBRARY: annulus::annulus, annulus::toolkit or annulus-tiny.
 function(annulus_test_target target headers library)
     if(headers STREQUAL "annulus-headers-cgal")
         target_compile_options(${target} PRIVATE ${annulus_quiet_about_precompiled})
@@ -51,7 +51,7 @@ function(annulus_keep_what_links list)
     set(kept "")
     set(missing "no such header")
     if(ANNULUS_CORE_ONLY)
-        set(missing "^#include <(annulus/(statistics|io)/|.*/initial_mesh_3[.]h)")
+        set(missing "^#include <(annulus/(statistics|formats|report)/|.*/initial_mesh_3[.]h)")
     elseif(NOT ANNULUS_MESHING)
         set(missing "^#include <.*/initial_mesh_3[.]h")
     endif()
@@ -68,6 +68,6 @@ endfunction()
 # on it once more. Never installed, and compiled quickly rather than well. What knows nothing of horizons is shared.
 if(ANNULUS_BUILD_TINY)
     set(annulus_tiny_sources ${annulus_sources})
-    list(FILTER annulus_tiny_sources INCLUDE REGEX "/annulus/(triangulation/|relocation/|moving_delaunay)")
+    list(FILTER annulus_tiny_sources INCLUDE REGEX "/annulus/(mesh/|engine/|moving_delaunay)")
     add_subdirectory("${PROJECT_SOURCE_DIR}/tests/tiny" "${PROJECT_BINARY_DIR}/tests/tiny")
 endif()

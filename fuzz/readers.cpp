@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes -> a file -> a reader. The first byte says which: A to P of the table below, a to p the same packed by gzip. What a reader
 // returns keeps what its header promises; what it throws is an Input_error in one line; memory is decided by bytes that are there.
-#include <annulus/io/frame_points.h>
-#include <annulus/io/read_image.h>
-#include <annulus/io/read_mesh.h>
-#include <annulus/io/read_motion.h>
-#include <annulus/io/read_points.h>
-#include <annulus/io/read_surface.h>
+#include <annulus/formats/frame_points.h>
+#include <annulus/formats/read_image.h>
+#include <annulus/formats/read_mesh.h>
+#include <annulus/formats/read_motion.h>
+#include <annulus/formats/read_points.h>
+#include <annulus/formats/read_surface.h>
 
 #include <unistd.h>
 #include <zlib.h>

@@ -6,7 +6,7 @@
 
 #include "brute_force.h"
 
-#include <annulus/triangulation/audit.h>
+#include <annulus/mesh/audit.h>
 
 #include <cmath>
 #include <span>

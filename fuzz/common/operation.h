@@ -9,8 +9,8 @@
 // left of it when it is shrunk is legal too.
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/relocation/move_report.h>
-#include <annulus/relocation/options.h>
+#include <annulus/engine/move_report.h>
+#include <annulus/engine/options.h>
 
 #include <algorithm>
 #include <array>
@@ -226,7 +226,7 @@ template <std::size_t d>
     return s;
 }
 
-/// A definition ready to paste into tests/relocation/finds.cpp.
+/// A definition ready to paste into tests/engine/finds.cpp.
 template <int d>
 [[nodiscard]] std::string as_code(const Program_of<d>& program);
 

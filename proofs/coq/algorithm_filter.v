@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The strategy `filter` (docs/theory.md 5.1 to 5.3; src/annulus/relocation/filter*.cpp, second_look.cpp) as a program: odometers, expiries, lists, what is
+(* The strategy `filter` (docs/theory.md 5.1 to 5.3; src/annulus/engine/filter*.cpp, second_look.cpp) as a program: odometers, expiries, lists, what is
    looked at, what is written, rebase, undoing. Definitions only: algorithm_step.v proves what they keep, algorithm_run.v what follows for any
    sequence of calls.
 

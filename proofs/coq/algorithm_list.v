@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The expiry list of a vertex (docs/theory.md 5.2, (I3); src/annulus/relocation/expiry_list.h) as the program has it: an array of
+(* The expiry list of a vertex (docs/theory.md 5.2, (I3); src/annulus/engine/expiry_list.h) as the program has it: an array of
    `capacity` integers, each an expiry of 32 bits above an id of 32, in order, empty places at the end, and `rest`, a bound for all
    others.
 

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The arithmetic of `filter` errs on the right side: what algorithm_filter.v asks of it in `laws`, for the operations of the code in
-   binary64, all numbers of the format (src/annulus/relocation/filter.h, displacement.h).
+   binary64, all numbers of the format (src/annulus/engine/filter.h, displacement.h).
 
    - reading_above_2, _3     Filter::reading is a number and at least base + distance
    - threshold_below_2, _3   Filter::set_threshold and passes, the threshold rounded down to an upper half: base + distance < earliest

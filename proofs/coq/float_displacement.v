@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* src/annulus/relocation/displacement.h and the test that uses it: upper bounds of distances, and the comparison of a squared
+(* src/annulus/engine/displacement.h and the test that uses it: upper bounds of distances, and the comparison of a squared
    distance with a threshold that stands for a tolerance (docs/theory.md 4.1, 5.2).
 
    - distance_upper_2_sound, _3_sound      at least the distance, also where squares underflow

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Sums of numbers that are not negative, in binary64: sum_upper and sum_lower of src/annulus/relocation/displacement.h are
+(* Sums of numbers that are not negative, in binary64: sum_upper and sum_lower of src/annulus/engine/displacement.h are
    above and below the exact sum (sum_upper_sound, sum_lower_sound), for all numbers of the format, subnormal ones too; and sums
    of magnitudes of differences times 1 + 2^-49 are above theirs (grow_sum). *)
 Require Import Reals Lra Psatz ZArith.

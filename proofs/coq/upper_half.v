@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* src/annulus/arithmetic/upper_half.h and src/annulus/relocation/expiry.h: the upper 32 bits of a double, as a number.
+(* src/annulus/arithmetic/upper_half.h and src/annulus/engine/expiry.h: the upper 32 bits of a double, as a number.
 
    - number_increases    numbers have the order of their bits: of doubles that are not negative, and of upper halves
    - floor_below, floor_above   the bits of the largest number not above x: `value(lower(x)) <= x`, and what is above them is above x

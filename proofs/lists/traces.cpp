@@ -3,7 +3,7 @@
 //
 // Random operations on Expiry_list of several capacities, and what became of the list, as rows of the list of replay in
 // proofs/lists/check: capacity, operations, rest, earliest, ids in order, ids that take_reached visited.
-#include <annulus/relocation/expiry_list.h>
+#include <annulus/engine/expiry_list.h>
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/relocation/moving_delaunay.h>
-#include <annulus/triangulation/cgal_embedding_2.h>
+#include <annulus/cgal/moving_delaunay.h>
+#include <annulus/cgal/embedding_2.h>
 
 namespace annulus {
 

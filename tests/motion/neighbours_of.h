@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
-#include <annulus/triangulation/neighbours.h>
+#include <annulus/mesh/neighbours.h>
 
 #include <vector>
 

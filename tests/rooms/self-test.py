@@ -15,11 +15,11 @@ HEADER = SPDX + "#pragma once\n"
 CLEAN = {
     "src/annulus/arithmetic/exact.h": HEADER + "#include <gmpxx.h>\n",
     "src/annulus/certificate/bounds.h": HEADER + "#include <annulus/arithmetic/exact.h>\n",
-    "src/annulus/triangulation/audit.cpp": SPDX + "#include <CGAL/Object.h>\n#include <annulus/certificate/bounds.h>\n",
-    "src/annulus/relocation/flips.h": HEADER + "#include <CGAL/Object.h>\n",
-    "src/annulus/moving.h": HEADER + "#include <CGAL/Object.h>\n#include <annulus/io/report.h>\n",
-    "src/annulus/io/report.h": HEADER + "/*\n#include <annulus/cli/never.h>\n*/\n// #include <annulus/cli/never.h>\n",
-    "src/annulus/cli/main.cpp": SPDX + "#include <annulus/moving.h>\n#include <annulus/io/report.h>\n",
+    "src/annulus/cgal/build.cpp": SPDX + "#include <CGAL/Object.h>\n#include <annulus/certificate/bounds.h>\n",
+    "src/annulus/cgal/flips.h": HEADER + "#include <CGAL/Object.h>\n",
+    "src/annulus/moving.h": HEADER + "#include <CGAL/Object.h>\n#include <annulus/report/report.h>\n",
+    "src/annulus/report/report.h": HEADER + "/*\n#include <annulus/cli/never.h>\n*/\n// #include <annulus/cli/never.h>\n",
+    "src/annulus/cli/main.cpp": SPDX + "#include <annulus/moving.h>\n#include <annulus/report/report.h>\n",
     "tests/exact_test.cpp": SPDX + '#include "common.h"\n#include <CGAL/Object.h>\n',
 }
 
@@ -46,10 +46,10 @@ class CheckRooms(unittest.TestCase):
 
     def test_room_below(self):
         self.rejects("src/annulus/arithmetic/up.h", HEADER + "\n#include <annulus/certificate/bounds.h>\n", 4)
-        self.rejects("src/annulus/io/deep/er.cpp", SPDX + "  #  include <annulus/cli/x.h>\n", 2)
+        self.rejects("src/annulus/formats/deep/er.cpp", SPDX + "  #  include <annulus/cli/x.h>\n", 2)
 
     def test_line_after_a_block_comment(self):
-        self.rejects("src/annulus/io/x.h", HEADER + "/* one\ntwo */\n#include <annulus/cli/x.h>\n", 5)
+        self.rejects("src/annulus/formats/x.h", HEADER + "/* one\ntwo */\n#include <annulus/cli/x.h>\n", 5)
 
     def test_public_header_from_a_room(self):
         self.rejects("src/annulus/motion/lloyd.h", HEADER + "#include <annulus/moving.h>\n", 3)
@@ -61,23 +61,23 @@ class CheckRooms(unittest.TestCase):
         self.rejects("src/annulus/certificate/x.cpp", SPDX + '#include "../cli/x.h"\n', 2)
 
     def test_cgal_where_it_may_not_be(self):
-        for room in ("arithmetic", "certificate", "statistics", "io", "cli"):
+        for room in ("arithmetic", "certificate", "mesh", "engine", "statistics", "formats", "report", "cli"):
             self.rejects(f"src/annulus/{room}/x.cpp", SPDX + "#include <CGAL/Object.h>\n", 2)
 
     def test_unknown_room(self):
         self.rejects("src/annulus/attic/x.cpp", SPDX, 1)
-        self.rejects("src/annulus/io/x.cpp", SPDX + "#include <annulus/attic/x.h>\n", 2)
+        self.rejects("src/annulus/formats/x.cpp", SPDX + "#include <annulus/attic/x.h>\n", 2)
 
     def test_pragma_once_and_licence(self):
-        self.rejects("src/annulus/io/x.h", SPDX, 1)
-        self.rejects("src/annulus/io/x.h", SPDX + "// #pragma once\n", 1)
-        self.rejects("src/annulus/io/x.h", "#pragma once\n", 1)
+        self.rejects("src/annulus/formats/x.h", SPDX, 1)
+        self.rejects("src/annulus/formats/x.h", SPDX + "// #pragma once\n", 1)
+        self.rejects("src/annulus/formats/x.h", "#pragma once\n", 1)
         self.rejects("tests/x.cpp", "int x;\n", 1)
 
     def test_long_file_is_a_warning(self):
-        result = self.check({"src/annulus/io/long.cpp": SPDX + "\n" * 400})
+        result = self.check({"src/annulus/formats/long.cpp": SPDX + "\n" * 400})
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-        self.assertIn("src/annulus/io/long.cpp:401: warning: 401 lines", result.stdout)
+        self.assertIn("src/annulus/formats/long.cpp:401: warning: 401 lines", result.stdout)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 
 #include <support/motions.h>
 
-#include <annulus/relocation/options.h>
+#include <annulus/engine/options.h>
 
 #include <cstdint>
 #include <string>

@@ -8,9 +8,9 @@
 #include <support/squeezes.h>
 #include <support/stages.h>
 
-#include <annulus/relocation/move_report.h>
-#include <annulus/relocation/options.h>
-#include <annulus/triangulation/audit.h>
+#include <annulus/engine/move_report.h>
+#include <annulus/engine/options.h>
+#include <annulus/mesh/audit.h>
 
 #include <limits>
 #include <span>

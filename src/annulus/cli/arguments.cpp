@@ -2,7 +2,7 @@
 #include <annulus/cli/arguments.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/io/input_error.h>
+#include <annulus/formats/input_error.h>
 
 #include <charconv>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/relocation/options.h>
+#include <annulus/engine/options.h>
 
 #include <CLI/CLI.hpp>
 

@@ -2,9 +2,9 @@
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
 #include <annulus/cli/result_files.h>
-#include <annulus/io/read_mesh.h>
-#include <annulus/io/write_json.h>
-#include <annulus/triangulation/audit.h>
+#include <annulus/formats/read_mesh.h>
+#include <annulus/formats/write_json.h>
+#include <annulus/mesh/audit.h>
 
 #include <algorithm>
 #include <cstdio>

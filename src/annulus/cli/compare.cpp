@@ -6,10 +6,10 @@
 #include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker.h>
-#include <annulus/io/input_error.h>
-#include <annulus/io/summary.h>
-#include <annulus/io/write_csv.h>
-#include <annulus/io/write_json.h>
+#include <annulus/formats/input_error.h>
+#include <annulus/report/summary.h>
+#include <annulus/formats/write_csv.h>
+#include <annulus/formats/write_json.h>
 
 #include <algorithm>
 #include <cstdio>

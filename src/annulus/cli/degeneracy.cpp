@@ -3,9 +3,9 @@
 #include <annulus/cli/commands.h>
 #include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
-#include <annulus/io/degeneracy_report.h>
-#include <annulus/io/read_points.h>
-#include <annulus/io/write_json.h>
+#include <annulus/report/degeneracy_report.h>
+#include <annulus/formats/read_points.h>
+#include <annulus/formats/write_json.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 

@@ -2,13 +2,13 @@
 #include <annulus/cli/files.h>
 #include <annulus/cli/result_files.h>
 
-#include <annulus/io/axis_ticks.h>
-#include <annulus/io/input_error.h>
-#include <annulus/io/summary.h>
-#include <annulus/io/write_csv.h>
-#include <annulus/io/write_json.h>
-#include <annulus/io/write_mesh.h>
-#include <annulus/io/write_vtu.h>
+#include <annulus/report/axis_ticks.h>
+#include <annulus/formats/input_error.h>
+#include <annulus/report/summary.h>
+#include <annulus/formats/write_csv.h>
+#include <annulus/formats/write_json.h>
+#include <annulus/formats/write_mesh.h>
+#include <annulus/formats/write_vtu.h>
 #include <annulus/motion/dihedral.h>
 
 #include <algorithm>

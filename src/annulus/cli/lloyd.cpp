@@ -6,7 +6,7 @@
 #include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker.h>
-#include <annulus/io/input_error.h>
+#include <annulus/formats/input_error.h>
 
 #include <cstdio>
 #include <memory>

@@ -2,7 +2,7 @@
 #include <annulus/cli/lloyd_scene.h>
 
 #include <annulus/certificate/ladder.h>
-#include <annulus/io/read_points.h>
+#include <annulus/formats/read_points.h>
 #include <annulus/motion/sampling_2.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/mesh_3.h>
 
-#include <annulus/io/cut_picture.h>
+#include <annulus/report/cut_picture.h>
 
 #include <algorithm>
 #include <utility>

@@ -7,7 +7,7 @@
 #include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker.h>
-#include <annulus/io/input_error.h>
+#include <annulus/formats/input_error.h>
 #include <annulus/motion/nodt_3.h>
 #include <annulus/statistics/mesh_quality.h>
 

@@ -2,9 +2,9 @@
 #include <annulus/cli/nodt_scene.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/io/file_bytes.h>
-#include <annulus/io/read_image.h>
-#include <annulus/io/read_surface.h>
+#include <annulus/formats/file_bytes.h>
+#include <annulus/formats/read_image.h>
+#include <annulus/formats/read_surface.h>
 #include <annulus/motion/ball_3.h>
 #include <annulus/motion/initial_mesh_3.h>
 #include <annulus/motion/surface_3.h>

@@ -7,8 +7,8 @@
 #include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker.h>
-#include <annulus/io/frame_points.h>
-#include <annulus/io/read_motion.h>
+#include <annulus/formats/frame_points.h>
+#include <annulus/formats/read_motion.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/result_files.h>
-#include <annulus/io/directory_lock.h>
+#include <annulus/formats/directory_lock.h>
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/interruption.h>
-#include <annulus/io/output_directory.h>
+#include <annulus/formats/output_directory.h>
 
 #include <string_view>
 

@@ -5,7 +5,7 @@
 #include <annulus/motion/cell_2.h>
 #include <annulus/motion/density_2.h>
 #include <annulus/motion/domain_2.h>
-#include <annulus/triangulation/neighbours.h>
+#include <annulus/mesh/neighbours.h>
 
 #include <cstddef>
 #include <span>

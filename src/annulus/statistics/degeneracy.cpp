@@ -5,7 +5,7 @@
 #include <annulus/certificate/ladder.h>
 #include <annulus/certificate/theta.h>
 #include <annulus/statistics/paper_tolerance.h>
-#include <annulus/triangulation/certificates.h>
+#include <annulus/mesh/certificates.h>
 
 #include <algorithm>
 #include <cmath>

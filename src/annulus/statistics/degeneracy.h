@@ -3,7 +3,7 @@
 
 #include <annulus/arithmetic/stage.h>
 #include <annulus/statistics/histogram.h>
-#include <annulus/triangulation/cell_table.h>
+#include <annulus/mesh/cell_table.h>
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/statistics/paper_tolerance.h>
 
-#include <annulus/triangulation/certificates.h>
+#include <annulus/mesh/certificates.h>
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/certificate/half_width.h>
-#include <annulus/triangulation/cell_table.h>
+#include <annulus/mesh/cell_table.h>
 
 #include <cstdint>
 #include <span>

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Cgal_embedding_3: building from nothing, and anew with the caller's handles kept.
+#include <annulus/cgal/embedding_3.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace annulus {
+
+template <class Info>
+void Cgal_embedding_3<Info>::insert_all(Triangulation& tr, std::span<const Coordinates<3>> x, std::span<const Index> order,
+                                        std::vector<Vertex_handle>* handle) {
+    // An error is thrown outside, where the thread's table is known to be sound.
+    std::exception_ptr collision;
+    cgal_3::with_sound_table([&] {
+        try {
+            insert_in_order<3>(tr, x, order, [&](Vertex_handle v, Index i) {
+                v->set_index(i);
+                if (handle != nullptr) (*handle)[at(i)] = v;
+            });
+        } catch (const Error&) {
+            collision = std::current_exception();
+        }
+    });
+    if (collision) std::rethrow_exception(collision);
+}
+
+template <class Info>
+void Cgal_embedding_3<Info>::build(std::span<const Coordinates<3>> x) {
+    Triangulation tr;
+    std::vector<Vertex_handle> handle(x.size());
+    order_.forget();
+    insert_all(tr, x, order_.of(x, [](Index) { return true; }), &handle);
+    tr_.swap(tr);
+    handle_ = std::move(handle);
+    mirrored_ = shuffled_ = false;
+}
+
+template <class Info>
+void Cgal_embedding_3<Info>::restore(std::span<const Coordinates<3>> x, Index fresh) {
+    if (fresh != none && at(fresh) < handle_.size()) handle_[at(fresh)] = Vertex_handle();
+    handle_.resize(x.size());
+    order_.forget();
+    auto& vertices = tr_.tds().vertices();
+    for (auto it = vertices.begin(); it != vertices.end();) {
+        const Vertex_handle v = it++;
+        const bool ours = v->index() != none && at(v->index()) < handle_.size() && handle_[at(v->index())] == v;
+        if (!ours && v != tr_.infinite_vertex()) tr_.tds().delete_vertex(v);
+    }
+    rebuild(x);
+}
+
+template <class Info>
+void Cgal_embedding_3<Info>::clear_cells() noexcept {
+    tr_.tds().cells().clear();
+    tr_.tds().set_dimension(-1);
+    table_.clear(0);
+    cell_.clear();
+}
+
+template <class Info>
+void Cgal_embedding_3<Info>::rebuild(std::span<const Coordinates<3>> x) {
+    Triangulation other;
+    insert_all(other, x, order_.of(x, [this](Index i) { return handle_[at(i)] != Vertex_handle(); }), nullptr);
+    const auto start = std::chrono::steady_clock::now();
+    take_cells(other);
+    shuffled_ = false;
+    if (mirrored_) mirror();
+    handle_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Gives our vertices, which callers hold handles of, the cells and points of another triangulation of the same set.
+template <class Info>
+void Cgal_embedding_3<Info>::take_cells(Triangulation& other) noexcept {
+    auto& tds = tr_.tds();
+    tds.cells().swap(other.tds().cells());
+    tds.set_dimension(other.dimension());
+    const auto ours = [&](Vertex_handle v) {
+        return v == other.infinite_vertex() ? tr_.infinite_vertex() : handle_[at(v->index())];
+    };
+    const int last = std::max(tds.dimension(), 0);
+    for (auto c = tds.cells().begin(); c != tds.cells().end(); ++c)
+        for (int i = 0; i <= last; ++i)
+            if (c->vertex(i) != Vertex_handle()) c->set_vertex(i, ours(c->vertex(i)));
+    for (auto v = other.tds().vertices().begin(); v != other.tds().vertices().end(); ++v) {
+        const Vertex_handle to = ours(v);
+        to->set_cell(v->cell());
+        if (to != tr_.infinite_vertex()) to->set_point(v->point());
+    }
+    other.tds().cells().clear();  // ours of before, whose vertices are not theirs
+    other.tds().set_dimension(-2);
+}
+
+template <class Info>
+void Cgal_embedding_3<Info>::set_points(std::span<const Coordinates<3>> x) {
+    for (std::size_t i = 0; i < handle_.size(); ++i)
+        if (handle_[i] != Vertex_handle()) handle_[i]->set_point(point(x[i]));
+}
+
+}  // namespace annulus

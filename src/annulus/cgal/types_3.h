@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+#include <annulus/cgal/no_info.h>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_data_structure_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <type_traits>
+
+namespace annulus {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// CGAL's vertex with the caller's info and the index in input order.
+template <class Info, class Gt, class Vb = CGAL::Triangulation_vertex_base_with_info_3<Info, Gt>>
+class Indexed_vertex_base_3 : public Vb {
+    // CGAL's containers take what threw in its constructor for an element that is there.
+    static_assert(std::is_nothrow_default_constructible_v<Info>, "the default constructor of Info must be noexcept");
+
+  public:
+    using Cell_handle = typename Vb::Cell_handle;
+    using Point = typename Vb::Point;
+    template <class TDS2>
+    struct Rebind_TDS {
+        using Vb2 = typename Vb::template Rebind_TDS<TDS2>::Other;
+        using Other = Indexed_vertex_base_3<Info, Gt, Vb2>;
+    };
+    using Vb::Vb;
+    [[nodiscard]] Index index() const { return index_; }
+    void set_index(Index i) { index_ = i; }
+
+  private:
+    Index index_ = none;
+};
+
+/// CGAL's cell with the index of its cell in the flat mirror.
+template <class Gt, class Cb = CGAL::Delaunay_triangulation_cell_base_3<Gt>>
+class Indexed_cell_base_3 : public Cb {
+  public:
+    template <class TDS2>
+    struct Rebind_TDS {
+        using Cb2 = typename Cb::template Rebind_TDS<TDS2>::Other;
+        using Other = Indexed_cell_base_3<Gt, Cb2>;
+    };
+    using Cb::Cb;
+    [[nodiscard]] Index cell() const { return cell_; }
+    void set_cell(Index c) { cell_ = c; }
+
+  private:
+    Index cell_ = none;
+};
+
+template <class Info>
+using Delaunay_3 = CGAL::Delaunay_triangulation_3<
+    Kernel, CGAL::Triangulation_data_structure_3<Indexed_vertex_base_3<Info, Kernel>, Indexed_cell_base_3<Kernel>>>;
+
+}  // namespace annulus

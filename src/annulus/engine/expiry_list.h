@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+#include <annulus/engine/expiry.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace annulus {
+
+/// The certificates of one vertex that expire first, at its odometer readings, and a bound for all others.
+///
+/// For every certificate of the vertex, either it is listed with an expiry not above its own, or its expiry is at least
+/// `rest`. So nothing expires before `earliest()`, and while readings stay below `rest` only listed certificates have to
+/// be looked at: a full tour of the vertex' certificates is needed only beyond. Entries are hints; the record of the
+/// certificate is the truth.
+///
+/// Entries are kept sorted without branches: where one belongs is as good as random, and a wrong guess costs more than
+/// all of the moves.
+template <std::size_t capacity>
+class alignas(64) Expiry_list {  // whole cache lines
+  public:
+    /// No certificate at all.
+    void clear() {
+        rest_ = Expiry::never();
+        entry_.fill(vacant);
+    }
+    [[nodiscard]] Expiry earliest() const { return std::min(rest_, expiry_of(entry_[0])); }
+    [[nodiscard]] Expiry rest() const { return rest_; }
+    /// The last of those listed; `rest` when there is none.
+    [[nodiscard]] Expiry latest() const {
+        for (std::size_t i = capacity; i-- > 0;)
+            if (entry_[i] != vacant) return expiry_of(entry_[i]);
+        return rest_;
+    }
+
+    /// Takes those off whose expiry `reading` has reached and calls visit(id) for each; visit may put entries.
+    template <class Visit>
+    void take_reached(double reading, Visit visit) {
+        const Entry end = (Entry{Expiry::lower(reading).bits()} + 1) << 32;
+        std::size_t count = 0;
+        for (const Entry e : entry_) count += static_cast<std::size_t>((e < end) & (e < vacant));
+        std::array<Entry, 2 * capacity> queue{};
+        std::copy(entry_.begin(), entry_.end(), queue.begin());
+        std::fill(queue.begin() + capacity, queue.end(), vacant);
+        std::copy_n(queue.begin() + static_cast<std::ptrdiff_t>(count), capacity, entry_.begin());
+        for (std::size_t i = 0; i < count; ++i) visit(id_of(queue[i]));
+    }
+    /// States that certificate `id` now expires at `expiry`.
+    void put(Index id, Expiry expiry) {
+        Entry found = 0;  // all ones from where the entry of `id` is
+        for (std::size_t i = 0; i < capacity; ++i) {
+            const Entry next = i + 1 < capacity ? entry_[i + 1] : vacant;
+            found |= mask(id_of(entry_[i]) == id);
+            entry_[i] = (entry_[i] & ~found) | (next & found);
+        }
+        put_new(id, expiry);
+    }
+    /// The same for a certificate that is not listed.
+    void put_new(Index id, Expiry expiry) {
+        Entry moving = (Entry{expiry.bits()} << 32) | static_cast<std::uint32_t>(id);
+        for (Entry& e : entry_) {
+            const Entry exchange = (e ^ moving) & mask(moving < e);
+            e ^= exchange;
+            moving ^= exchange;
+        }
+        rest_ = std::min(rest_, expiry_of(moving));
+    }
+
+    /// The same for many certificates none of which is listed: sooner than one by one where most are for `rest`. A bound that
+    /// about `capacity` of them are below is found by counting, which no branch depends on.
+    void put_new(std::span<const Expiry> expiry, std::span<const Index> id) {
+        const std::uint32_t never = Expiry::never().bits();
+        std::uint32_t low = never;
+        for (const Expiry e : expiry) low = std::min(low, e.bits());
+        // No more than `capacity` are below low; more are below high, or it is never.
+        std::uint32_t high = never;
+        bool enough = expiry.size() <= capacity;
+        if (enough) low = never;
+        for (std::uint32_t step = 1U << 12; !enough && high - low > 1; step = std::min(4 * step, 1U << 28)) {
+            const std::uint32_t bound = low + std::min(step, (high - low) / 2);
+            std::size_t below = 0;
+            for (const Expiry e : expiry) below += static_cast<std::size_t>(e.bits() < bound);
+            (below > capacity ? high : low) = bound;
+            enough = below <= capacity && below > capacity / 2;
+        }
+        for (std::size_t i = 0; i < expiry.size(); ++i) {
+            if (expiry[i].bits() < low) put_new(id[i], expiry[i]);
+            else rest_ = std::min(rest_, expiry[i]);
+        }
+    }
+
+    /// Upper bound of the length of the path of fixed positions since the odometer was at 0.
+    double base = 0.0;
+    /// Of the step in which the vertex was anchored last (Filter::stamp_).
+    std::uint32_t stamp = 0;
+
+  private:
+    using Entry = std::uint64_t;  // expiry and id: the order is that of expiries
+    static constexpr Entry vacant = (Entry{Expiry::never().bits()} << 32) | static_cast<std::uint32_t>(none);
+
+    /// All ones or all zeros; compilers make branches of the conditional operator and of std::min.
+    [[nodiscard]] static Entry mask(bool b) { return Entry{0} - static_cast<Entry>(b); }
+    [[nodiscard]] static Expiry expiry_of(Entry e) { return Expiry::of_bits(static_cast<std::uint32_t>(e >> 32)); }
+    [[nodiscard]] static Index id_of(Entry e) { return static_cast<Index>(static_cast<std::uint32_t>(e)); }
+
+    Expiry rest_ = Expiry::never();
+    std::array<Entry, capacity> entry_ = [] {
+        std::array<Entry, capacity> none_yet{};
+        none_yet.fill(vacant);
+        return none_yet;
+    }();
+};
+static_assert(sizeof(Expiry_list<Wide_horizons::listed(2)>) == 64 &&
+              sizeof(Expiry_list<Wide_horizons::listed(3)>) == 128);
+
+}  // namespace annulus

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A step of `filter`: who failed, what became of it.
+#include <annulus/engine/filter.h>
+
+#include <annulus/arithmetic/domain.h>
+#include <annulus/arithmetic/error.h>
+
+#include <algorithm>
+#include <experimental/simd>
+
+namespace annulus {
+
+template <int d>
+double Filter<d>::tolerance(Index v) const {
+    return std::max(0.0, slack(v));
+}
+
+template <int d>
+void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
+    if (tracks_) return move_one(v, p, report);
+    // Signs around one vertex cost a thousandth of settling, which then pays for those to come (rent or buy).
+    constexpr std::uint64_t share = 64;
+    if (share * ++single_moves_ > embedding_.vertices()) {
+        settle(position_, report);
+        try {
+            move_one(v, p, report);
+        } catch (...) {
+            stop_tracking();
+            throw;
+        }
+        return;
+    }
+    require_mirror();
+    move_one(v, p, report);
+}
+
+/// A mirror, if there is none because timestamps were rebuilt.
+template <int d>
+void Filter<d>::require_mirror() {
+    if (embedding_.mirrored()) return;
+    embedding_.mirror();
+    resize();
+}
+
+template <int d>
+void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) {
+    failed_.clear();
+    if (tracks_ ? passes(v, p) : p == position_[at(v)]) {
+        position_[at(v)] = p;
+        embedding_.set_point(v, p);
+        ++report.moves.asked;
+        ++report.moves.within_tolerance;
+        return;
+    }
+    failed_.push_back(v);
+    const Coordinates<d> old = position_[at(v)];
+    position_[at(v)] = p;
+    try {
+        process_one(v, old, tracks_ ? Scope::expired : Scope::star, report);
+    } catch (const Error& e) {
+        position_[at(v)] = old;
+        if (e.code() == Error_code::collision) renew_renumbered();
+        throw;
+    } catch (...) {
+        position_[at(v)] = old;
+        throw;
+    }
+}
+
+/// The one pass over all vertices. False, with `failed_` unspecified, when a coordinate is outside the domain (or is none at
+/// all), be it at a vacant index.
+template <int d>
+bool Filter<d>::find_failed(std::span<const Coordinates<d>> x) {
+    using Vector = std::experimental::fixed_size_simd<double, d>;
+    constexpr std::experimental::element_aligned_tag elements;
+    failed_.clear();
+    const Vertex_record<d>* const record = vertex_.data();
+    Vector farthest(0.0);  // by coordinate; may miss what is no number, which fails below
+    bool near = true;
+    if (tracks_) {
+        for (std::size_t v = 0; v < x.size(); ++v) {
+            const Vertex_record<d>& r = record[v];
+            const Vector p(x[v].data(), elements);
+            farthest = max(farthest, abs(p));
+            const Vector fixed(r.fixed.data(), elements);
+            const Vector off = (p - fixed) * (p - fixed);
+            double squares = off[0];
+            for (std::size_t k = 1; k < static_cast<std::size_t>(d); ++k) squares += off[k];
+            if (squares < r.threshold.value()) [[likely]]
+                continue;
+            near &= within(x[v], coordinate_limit);
+            if (x[v] == r.fixed || table_.corner_of(static_cast<Index>(v)) == none) continue;
+            failed_.push_back(static_cast<Index>(v));
+        }
+    } else {
+        for (std::size_t v = 0; v < x.size(); ++v) {
+            near &= within(x[v], coordinate_limit);
+            if (x[v] != position_[v] && table_.corner_of(static_cast<Index>(v)) != none)
+                failed_.push_back(static_cast<Index>(v));
+        }
+    }
+    return near && all_of(farthest <= coordinate_limit);
+}
+
+/// What stands at a vacant index does not count.
+template <int d>
+void Filter<d>::require_domain(std::span<const Coordinates<d>> x) const {
+    for (std::size_t v = 0; v < x.size(); ++v)
+        if (lives(v)) require_in_domain(x[v]);
+}
+
+template <int d>
+void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
+    if (!embedding_.mirrored()) {
+        require_domain(x);
+        if (rebuilds(x)) {
+            rebuild_all(x, report);
+            return;
+        }
+        require_mirror();
+        mirroring_ = Repair_prices<d>::mirror * static_cast<double>(embedding_.vertices());
+    }
+    if (settles_next_) {
+        require_domain(x);
+        settle_if_it_pays(report);
+    }
+    if (!find_failed(x)) require_domain(x);
+    const bool everything = !tracks_ || too_dear() || too_many_failed();
+    const std::size_t asked = embedding_.vertices();
+    note_displacements(x);
+    if (failed_.empty()) {
+        report.moves.asked += asked;
+        report.moves.within_tolerance += asked;
+        embedding_.set_points(x);
+        std::copy(x.begin(), x.end(), position_.begin());
+    } else {
+        try {
+            process(x, everything ? Scope::everything : Scope::expired, report);
+        } catch (const Error& e) {
+            if (e.code() == Error_code::collision) renew_renumbered();
+            throw;
+        }
+    }
+    if (embedding_.mirrored()) end_timestamp(false, report);
+}
+
+/// Without a mirror: whether this timestamp is to be rebuilt.
+template <int d>
+bool Filter<d>::rebuilds(std::span<const Coordinates<d>> x) {
+    constexpr std::size_t most_cells = 128;
+    constexpr std::size_t share = 16;
+    return !chooser_.mends(embedding_.sample(x, std::min(most_cells, 1 + x.size() / share)));
+}
+
+template <int d>
+void Filter<d>::rebuild_all(std::span<const Coordinates<d>> x, Move_report& report) {
+    embedding_.rebuild(x);
+    if (report_changes_) embedding_.list_cells(report.changed);
+    std::copy(x.begin(), x.end(), position_.begin());
+    ++report.rebuild_steps;
+    report.moves.asked += embedding_.vertices();
+    report.moves.rebuilt += embedding_.vertices();
+}
+
+/// After repair gave up. A collision, of which CGAL finds out before anything of its own has changed, leaves the cells with other numbers.
+template <int d>
+void Filter<d>::rebuild(std::span<const Coordinates<d>> x) {
+    try {
+        if (automatic_) {
+            chooser_.gave_up();
+            stop_tracking();
+            embedding_.drop_mirror();
+        }
+        embedding_.rebuild(x);
+    } catch (const Error&) {
+        if (embedding_.mirrored()) {
+            embedding_.mirror();
+            renumbered_ = true;
+        }
+        throw;
+    }
+}
+
+/// What this timestamp cost so far besides the signs that repair asked, in cells looked at.
+template <int d>
+double Filter<d>::dearer() const {
+    if (repair_.kind() == Tolerance_kind::paper) return 0.0;
+    return prepared_ + Repair_prices<d>::evaluation * static_cast<double>(repair_.facets().size() + repair_.cells().size());
+}
+
+/// When so many certificates have expired that their tolerances would cost more than repair may, signs are asked instead.
+template <int d>
+bool Filter<d>::examine(std::span<const Coordinates<d>> x, Index mover, Scope& scope) {
+    renewals_.clear();
+    repair_.begin(x, mover == none);
+    tours_ = 0;
+    prepared_ = mover == none ? mirroring_ : 0.0;
+    mirroring_ = 0.0;
+    if (scope == Scope::star) return repair_.evaluate_star(mover);
+    if (scope == Scope::expired) {
+        find_expired(x);
+        prepared_ += Repair_prices<d>::failure * static_cast<double>(failed_.size());
+        if (mover != none || repair_.kind() == Tolerance_kind::paper || (repair_.price() + dearer()) <= 0.5 * most_repair()) return repair_.evaluate();
+        undo_anchoring();
+        renewals_.clear();
+        scope = Scope::everything;
+        repair_.begin(x, true);
+    }
+    return repair_.evaluate_everything(most_repair() - prepared_);
+}
+
+/// Mends after `failed_` is known and commits; x is position_ with the moves made. Positions are written last, so that whoever
+/// meets an exception on the way can build anew at them; a collision is met before anything is committed.
+template <int d>
+void Filter<d>::process(std::span<const Coordinates<d>> x, Scope scope, Move_report& report) {
+    bool rebuilt = false;
+    try {
+        if (!examine(x, none, scope) && !repair_.mend_all(position_, most_repair() - dearer())) {
+            rebuild(x);
+            rebuilt = true;
+        }
+    } catch (...) {
+        if (scope == Scope::expired) undo_anchoring();
+        throw;
+    }
+    finish(x, none, scope, rebuilt, report);
+}
+
+/// The same after v moved from `old` to where position_ has it.
+template <int d>
+void Filter<d>::process_one(Index v, const Coordinates<d>& old, Scope scope, Move_report& report) {
+    bool rebuilt = false;
+    try {
+        if (!examine(position_, v, scope) && !repair_.mend_one(position_, v, old, most_repair())) {
+            rebuild(position_);
+            rebuilt = true;
+        }
+    } catch (...) {
+        if (scope == Scope::expired) undo_anchoring();
+        throw;
+    }
+    finish(position_, v, scope, rebuilt, report);
+}
+
+template <int d>
+void Filter<d>::finish(std::span<const Coordinates<d>> x, Index mover, Scope scope, bool rebuilt, Move_report& report) {
+    const bool tolerances = scope == Scope::expired;
+    report += repair_.report();
+    report.price += (repair_.price() + dearer());
+    if (mover == none) ++(tolerances ? report.tolerance_steps : report.sign_steps);
+    if (report_changes_) {
+        if (rebuilt) embedding_.list_cells(report.changed);
+        else repair_.list_changes(report);
+    }
+    if (tolerances) {
+        failures_ += failed_.size();
+        evaluated_ += repair_.report().evaluated;
+    }
+    report.renewed += renewals_.size();
+    report.tours += tours_;
+    count(mover, rebuilt, report);
+    if (!rebuilt && mover == none) chooser_.mended();
+    if (tolerances && !rebuilt) commit(x);
+    if (!rebuilt && mover == none) embedding_.set_points(x);
+    if (!rebuilt && mover != none) embedding_.set_point(mover, x[at(mover)]);
+    if (tolerances && rebuilt && repair_.kind() == Tolerance_kind::paper) {
+        settle(x, report);
+    } else if (tracks_ && (scope == Scope::everything || rebuilt)) {
+        stop_tracking();
+    }
+    if (!tracks_ && mover == none) ++untracked_;
+    if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
+}
+
+/// After a collision, when the cells have other numbers than those that records name.
+template <int d>
+void Filter<d>::renew_renumbered() {
+    Move_report nobody_asked;
+    if (renumbered_ && tracks_) settle(position_, nobody_asked);
+    else if (!repair_.renumbered().empty()) {
+        const std::vector<Index> cells(repair_.renumbered().begin(), repair_.renumbered().end());
+        refresh(cells, nobody_asked);
+    }
+    renumbered_ = false;
+}
+
+template <int d>
+void Filter<d>::count(Index mover, bool rebuilt, Move_report& report) {
+    const std::size_t asked = mover == none ? embedding_.vertices() : 1;
+    report.moves.asked += asked;
+    if (rebuilt) {
+        report.moves.rebuilt += asked;
+        return;
+    }
+    if (step_ >= Horizons::stamps - 3) {  // the sum would wrap before it was compared
+        std::fill(disturbed_stamp_.begin(), disturbed_stamp_.end(), 0);
+        step_ = 0;
+    }
+    step_ += 2;  // its mark, and the one above it
+    std::size_t left = asked;
+    const auto once = [this](Index v) {
+        if (disturbed_stamp_[at(v)] == step_) return false;
+        disturbed_stamp_[at(v)] = step_;
+        return true;
+    };
+    for (const Index v : repair_.reinserted()) {
+        if ((mover != none && v != mover) || !once(v)) continue;
+        ++report.moves.reinserted;
+        --left;
+    }
+    // Marks the disturbed that are not reinserted; those of them that failed were flipped.
+    for (const Index v : repair_.disturbed())
+        if (disturbed_stamp_[at(v)] != step_) disturbed_stamp_[at(v)] = step_ + 1;
+    for (const Index v : failed_) {
+        const std::uint32_t stamp = disturbed_stamp_[at(v)];
+        if (stamp == step_) continue;
+        ++(stamp == step_ + 1 ? report.moves.flipped : report.moves.kept_in_place);
+        --left;
+    }
+    report.moves.within_tolerance += left;
+}
+
+template class Filter<2>;
+template class Filter<3>;
+
+}  // namespace annulus

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/certificate/delimiter.h>
+#include <annulus/engine/chooser.h>
+#include <annulus/engine/displacement.h>
+#include <annulus/engine/expiry_list.h>
+#include <annulus/engine/repair.h>
+#include <annulus/engine/vertex_record.h>
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// A cheap test for a certificate whose tolerance failed, before it is evaluated again. In the plane only: in space all are off.
+enum class Second_look : std::uint8_t {
+    off,
+    unequal_moves,  ///< max D over the facet + max D over the opposite vertices < width (theory 2)
+    safe_region,    ///< every point is still on its side of the certificate's standard delimiter (paper 2.3 and 3.2)
+};
+
+/// The strategy `filter`: a whole timestamp at a time, only certificates that expired are evaluated. And `filter-each`, one
+/// vertex at a time (`move_one`), with certified tolerances.
+///
+/// Every vertex has an odometer: `base` is an upper bound of the length of the path of its fixed positions since the
+/// last settling, and its reading is base + |moving - fixed|. A certificate evaluated when its points read r_i and
+/// found to have tolerance s holds while every reading stays below its expiry r_i + s, because a reading bounds the
+/// distance travelled, hence the distance from where the point was when the certificate was evaluated. Different
+/// certificates have different references; nothing in theory 1 minds. A vertex keeps the earliest expiries among its
+/// certificates (Expiry_list), so its step test compares |moving - fixed|^2 with one number. When it fails, its fixed
+/// position becomes the moving one, those of its certificates that expired are evaluated at the moving positions, all
+/// their points take their moving positions as fixed ones, and whatever is violated is mended (Repair). Soundness:
+/// docs/theory.md.
+///
+/// While so many certificates expire at every step (the first steps of an optimisation) that the signs of all of them cost
+/// less than the tolerances of these, tolerances are not kept at all (`tracks`); single moves then ask for the signs around
+/// the vertex.
+template <int d>
+class Filter {
+  public:
+    /// `automatic`: timestamps are rebuilt while that is the cheapest way, and then there is no mirror.
+    Filter(Embedding<d>& embedding, Tolerance_kind kind, Second_look look, bool automatic = false)
+        : automatic_(automatic),
+          embedding_(embedding),
+          table_(embedding.table()),
+          repair_(embedding, kind, kind == Tolerance_kind::certified),
+          look_(d == 2 ? look : Second_look::off) {}
+
+    /// Whether reports list the cells that changed.
+    void report_changes(bool on) { report_changes_ = on; }
+
+    /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh. When it
+    /// throws (bad_alloc), no position was written. O(n).
+    void settle(std::span<const Coordinates<d>> x, Move_report& report);
+
+    /// The same without evaluating anything: the first timestamps tell whether tolerances pay. With `automatic`.
+    void begin(std::span<const Coordinates<d>> x);
+
+    /// Moves every vertex to x. Throws Error, with everything as it was: not_finite, out_of_domain, or collision when two
+    /// would coincide. Anything else that is thrown (bad_alloc, Error(too_large)) leaves positions() as they were and all else
+    /// unspecified: build anew there and settle. Precondition: settled in dimension d.
+    void move_all(std::span<const Coordinates<d>> x, Move_report& report);
+    /// One vertex; precondition: p is in the coordinate domain.
+    void move(Index v, const Coordinates<d>& p, Move_report& report);
+
+    /// A timestamp of single moves, under `filter-each`: begin_each, move_one in any order, end_each. While so many vertices
+    /// fail that the signs around a vertex cost less than its tolerances, without tolerances.
+    void begin_each(std::span<const Coordinates<d>> x, Move_report& report) {
+        settle_if_it_pays(report);
+        note_displacements(x);
+    }
+    void move_one(Index v, const Coordinates<d>& p, Move_report& report);
+    void end_each(Move_report& report) { end_timestamp(true, report); }
+
+    /// To be called after cells were replaced by other hands (insertion, removal) at the present positions: evaluates
+    /// the certificates of these cells.
+    void refresh(std::span<const Index> cells, Move_report& report);
+    /// The vertex takes position p as moving and fixed position; it was not in the triangulation.
+    void place(Index v, const Coordinates<d>& p);
+    /// Takes back what place() did at the index that is last now, or sets positions before a settling: O(n), throws nothing.
+    void restore(std::span<const Coordinates<d>> x);
+
+    [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
+    /// Where D is measured from.
+    [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const {
+        return !tracks_ ? position_[at(v)] : vertex_[at(v)].fixed;
+    }
+    /// False while the motion is so fast that tolerances would not last a step and are not kept.
+    [[nodiscard]] bool tracks() const { return tracks_; }
+    /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own.
+    /// Precondition: tracks().
+    [[nodiscard]] double tolerance(Index v) const;
+
+  private:
+    /// One or two cache lines: around a vertex are 12 certificates in the plane, 80 in space.
+    using List = Expiry_list<Horizons::listed(d)>;
+    /// The points of a facet's certificate and at which readings of each it expires. In 2D half a cache line: what is
+    /// seldom asked for has arrays of its own.
+    struct Facet_record {
+        std::array<Expiry, static_cast<std::size_t>(d + 2)> expiry;  // by point
+        Facet_points<d> point;
+    };
+    struct Cell_record {
+        std::array<Expiry, static_cast<std::size_t>(d + 1)> expiry;  // by slot
+    };
+    struct Failed {
+        Vertex_record<d> record;
+        List list;
+    };
+    struct Renewal {
+        Index facet;
+        std::array<double, static_cast<std::size_t>(d + 2)> expiry;
+    };
+
+    // Certificates in expiry lists: facets and cells in one numbering.
+    static Index id_of_facet(Index f) { return 2 * f; }
+    static Index id_of_cell(Index c) { return 2 * c + 1; }
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] static bool within(const Coordinates<d>& p, double limit) {
+        bool near = true;
+        for (const double c : p) near &= std::fabs(c) <= limit;  // no branch: this runs over all positions
+        return near;
+    }
+    [[nodiscard]] bool passes(Index v, const Coordinates<d>& p) const {
+        const Vertex_record<d>& r = vertex_[at(v)];
+        return squared_distance<d>(p, r.fixed) < r.threshold.value() || p == r.fixed;
+    }
+    /// Odometer reading of v at x: an upper bound.
+    [[nodiscard]] double reading(Index v, const Coordinates<d>& x) const {
+        return sum_upper(list_[at(v)].base, distance_upper<d>(x, vertex_[at(v)].fixed));
+    }
+    /// False when a coordinate is beyond the domain, or is none.
+    [[nodiscard]] bool find_failed(std::span<const Coordinates<d>> x);
+    void require_domain(std::span<const Coordinates<d>> x) const;
+    /// Decides whether to keep tolerances again.
+    void reconsider(bool each, Move_report& report);
+    /// The share of the certificates that would expire at a step like this one.
+    [[nodiscard]] double outlook(Move_report& report);
+    [[nodiscard]] bool too_dear() const;
+    [[nodiscard]] bool too_many_failed() const;
+    void note_expenses(bool each);
+    void note_displacements(std::span<const Coordinates<d>> x);
+    void end_timestamp(bool each, Move_report& report);
+    void evaluate_all(std::span<const Coordinates<d>> x, Move_report& report);
+    void stop_tracking();
+    void resize();
+    /// Which certificates are evaluated: those that expired; without tolerances all those of the vertex that moved, or all.
+    enum class Scope : std::uint8_t { expired, star, everything };
+    void process(std::span<const Coordinates<d>> x, Scope scope, Move_report& report);
+    void process_one(Index v, const Coordinates<d>& old, Scope scope, Move_report& report);
+    [[nodiscard]] bool examine(std::span<const Coordinates<d>> x, Index mover, Scope& scope);
+    [[nodiscard]] double dearer() const;
+    void finish(std::span<const Coordinates<d>> x, Index mover, Scope scope, bool rebuilt, Move_report& report);
+    [[nodiscard]] double most_repair() const { return Chooser<d>::most_repair(embedding_.vertices()); }
+    void rebuild(std::span<const Coordinates<d>> x);
+    void settle_if_it_pays(Move_report& report);
+    [[nodiscard]] bool rebuilds(std::span<const Coordinates<d>> x);
+    void rebuild_all(std::span<const Coordinates<d>> x, Move_report& report);
+    void find_expired(std::span<const Coordinates<d>> x);
+    void commit(std::span<const Coordinates<d>> x);
+    void anchor(Index v, std::span<const Coordinates<d>> x);
+    void begin_anchoring();
+    void undo_anchoring();
+    [[nodiscard]] bool second_look(Index f, std::span<const Coordinates<d>> x);
+    [[nodiscard]] bool unequal_moves(Index f, std::span<const Coordinates<d>> x);
+    [[nodiscard]] bool safe_region(Index f, std::span<const Coordinates<d>> x);
+    void keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x);
+    /// Looks at one certificate of v: expired at this reading, or else back on the list.
+    void look_at(Index id, Index v, double reading, List& list, std::span<const Coordinates<d>> x);
+    void tour(Index v, double reading, List& list, std::span<const Coordinates<d>> x);
+    void rebase(Index v);
+    template <class Points>
+    void prefetch(const Points& points) const;
+    void commit_renewals(std::span<const Coordinates<d>> x);
+    /// `fresh`: no certificate in question is on any list.
+    template <bool fresh>
+    void commit_evaluated(std::span<const Coordinates<d>> x);
+    template <bool fresh, class S>
+    void commit_points(const S& suspect, Index id, std::span<Expiry> expiry, std::span<const Coordinates<d>> x);
+    void set_threshold(Index v) { vertex_[at(v)].threshold = Upper_half::lower(squared_threshold_lower(slack(v))); }
+    /// How far v may be from its fixed position (proofs/coq/float_displacement.v, passes_2_sound).
+    [[nodiscard]] double slack(Index v) const {
+        const List& list = list_[at(v)];
+        return (list.earliest().reading() - list.base) * (1.0 - 0x1p-50);
+    }
+    void renew_renumbered();
+    void require_mirror();
+    [[nodiscard]] bool lives(std::size_t v) const { return embedding_.has(static_cast<Index>(v)); }
+    void count(Index mover, bool rebuilt, Move_report& report);
+
+    bool automatic_;
+    Embedding<d>& embedding_;
+    const Cell_table<d>& table_;
+    Repair<d> repair_;
+    Chooser<d> chooser_;
+    bool renumbered_ = false;  // cells are, by a call that failed
+    bool settles_next_ = false;  // tolerances would last, as the last timestamp was
+    double prepared_ = 0.0;    // price of looking for what expired, and of the mirror, of this timestamp
+    double mirroring_ = 0.0;   // of the mirror that has just been made
+    bool report_changes_ = false;
+    Second_look look_;
+    bool tracks_ = true;                        // tolerances; if not, records and lists are void
+    std::vector<Coordinates<d>> displacement_;  // of this step, while it is considered whether tolerances would last
+    std::uint64_t failures_ = 0;                // with tolerances, of this timestamp
+    std::uint64_t evaluated_ = 0;               // certificates, for these
+    double overdraft_ = 0.0;       // failures, by which tracking cost more than signs alone since the last settling
+    std::uint64_t untracked_ = 0;  // steps since tolerances were given up
+    std::uint64_t single_moves_ = 0;  // since then
+    std::vector<Coordinates<d>> position_;
+    std::vector<Vertex_record<d>> vertex_;
+    std::vector<List> list_;  // by vertex
+    std::vector<Facet_record> facet_record_;
+    std::vector<Cell_record> cell_record_;
+    std::vector<Facet_kind> kind_;        // by facet
+    std::vector<double> tolerance_;       // by facet, when there are second looks; 0: no second look
+    std::vector<Delimiter_2> delimiter_;  // by facet, for the second look that needs it
+    // Of one step:
+    std::vector<Index> failed_;
+    std::vector<Failed> before_;               // of failed_, what they were before the step
+    std::vector<std::uint32_t> certificates_;  // of one vertex: 2 facet, or 2 corner + 1
+    std::vector<Expiry> listed_;               // of these, not reached
+    std::vector<Index> listed_id_;
+    std::vector<Index> anchored_;
+    std::vector<Renewal> renewals_;
+    std::vector<std::uint32_t> disturbed_stamp_;
+    std::uint32_t step_ = 0;   // of disturbed_stamp_
+    std::uint32_t stamp_ = 0;  // of Expiry_list::stamp
+    std::uint64_t tours_ = 0;
+};
+
+extern template class Filter<2>;
+extern template class Filter<3>;
+
+}  // namespace annulus

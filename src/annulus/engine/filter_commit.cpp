@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `filter` writes down of certificates that were evaluated, and how it starts.
+#include <annulus/engine/filter.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+namespace {
+constexpr Expiry never = Expiry::never();
+constexpr std::size_t prefetched = 8;  // certificates ahead
+}  // namespace
+
+template <int d>
+void Filter<d>::resize() {
+    const std::size_t n = at(table_.vertex_bound());
+    position_.resize(n);
+    vertex_.resize(n);
+    list_.resize(n);
+    disturbed_stamp_.resize(n, 0);
+    Facet_record no_facet{};
+    no_facet.expiry.fill(never);
+    no_facet.point.fill(none);
+    const std::size_t facets = at(table_.facet_bound());
+    facet_record_.resize(facets, no_facet);
+    kind_.resize(facets, Facet_kind::border);
+    if (look_ != Second_look::off) tolerance_.resize(facets, 0.0);
+    Cell_record no_cell{};
+    no_cell.expiry.fill(never);
+    const std::size_t cells = at(table_.cell_bound());
+    cell_record_.resize(cells, no_cell);
+}
+
+template <int d>
+void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
+    const bool own = x.data() == position_.data();
+    if (!embedding_.mirrored()) embedding_.mirror();
+    resize();
+    if (own) x = position_;
+    failures_ = evaluated_ = 0;
+    overdraft_ = 0.0;
+    tracks_ = true;
+    settles_next_ = false;
+    ++report.settlings;
+    for (std::size_t v = 0; v < x.size(); ++v) vertex_[v] = {x[v], {}};
+    std::fill(list_.begin(), list_.end(), List{});
+    if (embedding_.dimension() == d) evaluate_all(x, report);
+    if (!own) std::copy(x.begin(), x.end(), position_.begin());
+}
+
+template <int d>
+void Filter<d>::begin(std::span<const Coordinates<d>> x) {
+    position_.assign(x.begin(), x.end());
+    stop_tracking();
+}
+
+/// In blocks that stay in the cache from the evaluation to the record.
+template <int d>
+void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& report) {
+    const auto in_blocks = [&](Index bound, auto suspect) {
+        constexpr Index block = 512;
+        for (Index first = 0; first < bound; first += block) {
+            repair_.begin(x, false);
+            for (Index i = first; i < std::min(bound, first + block); ++i) suspect(i);
+            (void)repair_.evaluate();
+            commit_evaluated<true>(x);
+            report.evaluated += repair_.report().evaluated;
+            report.arithmetic += repair_.report().arithmetic;
+        }
+    };
+    in_blocks(table_.facet_bound(), [this](Index f) {
+        if (table_.is_facet(f)) repair_.suspect_facet(f);
+    });
+    in_blocks(table_.cell_bound(), [this](Index c) {
+        if (table_.is_cell(c)) repair_.suspect_cell(c);
+    });
+    for (Index v = 0; v < table_.vertex_bound(); ++v) set_threshold(v);
+}
+
+/// Tolerances are given up: no vertex that moves passes until the next settling.
+template <int d>
+void Filter<d>::stop_tracking() {
+    tracks_ = false;
+    settles_next_ = false;
+    untracked_ = 0;
+    single_moves_ = 0;
+}
+
+template <int d>
+void Filter<d>::place(Index v, const Coordinates<d>& p) {
+    if (at(v) >= position_.size()) position_.resize(at(v) + 1);
+    position_[at(v)] = p;
+    if (!embedding_.mirrored()) return;
+    resize();
+    vertex_[at(v)] = {p, {}};
+    list_[at(v)].clear();
+}
+
+template <int d>
+void Filter<d>::restore(std::span<const Coordinates<d>> x) {
+    position_.resize(x.size());  // not more than there were
+    if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
+    tracks_ = false;
+}
+
+template <int d>
+void Filter<d>::refresh(std::span<const Index> cells, Move_report& report) {
+    renewals_.clear();
+    failed_.clear();
+    if (!embedding_.mirrored()) return;
+    resize();
+    if (!tracks_) return;
+    begin_anchoring();
+    repair_.begin(position_);
+    repair_.suspect_cells(cells);
+    (void)repair_.evaluate();
+    commit(position_);
+    report.evaluated += repair_.report().evaluated;
+    report.arithmetic += repair_.report().arithmetic;
+}
+
+template <int d>
+void Filter<d>::anchor(Index v, std::span<const Coordinates<d>> x) {
+    List& list = list_[at(v)];
+    if (list.stamp == stamp_) return;
+    list.stamp = stamp_;
+    anchored_.push_back(v);
+    Vertex_record<d>& r = vertex_[at(v)];
+    if (x[at(v)] == r.fixed) return;
+    list.base = reading(v, x[at(v)]);
+    r.fixed = x[at(v)];
+}
+
+/// Gives a certificate evaluated at x its expiries and tells its points.
+template <int d>
+template <bool fresh, class S>
+void Filter<d>::commit_points(const S& s, Index id, std::span<Expiry> expiry, std::span<const Coordinates<d>> x) {
+    for (std::size_t k = 0; k < s.point.size(); ++k) {
+        if (s.point[k] == none) continue;
+        if constexpr (!fresh) anchor(s.point[k], x);
+        List& list = list_[at(s.point[k])];
+        expiry[k] = Expiry::lower(sum_lower(list.base, s.verdict.tolerance));
+        if constexpr (fresh) {
+            list.put_new(id, expiry[k]);
+        } else {
+            list.put(id, expiry[k]);
+        }
+    }
+}
+
+template <int d>
+void Filter<d>::commit_renewals(std::span<const Coordinates<d>> x) {
+    for (const Renewal& renewal : renewals_) {
+        if (!table_.is_facet(renewal.facet)) continue;
+        Facet_record& r = facet_record_[at(renewal.facet)];
+        if (look_ == Second_look::unequal_moves) tolerance_[at(renewal.facet)] = 0.0;
+        for (std::size_t k = 0; k < r.point.size(); ++k) {
+            const Index v = r.point[k];
+            double expiry = renewal.expiry[k];
+            if (look_ == Second_look::safe_region) {  // the room is around the present position
+                anchor(v, x);
+                expiry = sum_lower(list_[at(v)].base, expiry);
+            }
+            r.expiry[k] = Expiry::lower(expiry);
+            list_[at(v)].put(id_of_facet(renewal.facet), r.expiry[k]);
+            if (list_[at(v)].stamp != stamp_) set_threshold(v);
+        }
+    }
+}
+
+/// What commit_points() needs of these points first: whether they are anchored. A guess would have to wait for it.
+template <int d>
+template <class Points>
+void Filter<d>::prefetch(const Points& points) const {
+    for (const Index v : points)
+        if (v != none) __builtin_prefetch(&list_[at(v)], 1);
+}
+
+template <int d>
+template <bool fresh>
+void Filter<d>::commit_evaluated(std::span<const Coordinates<d>> x) {
+    const auto facets = repair_.facets();
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+        if (!fresh && i + prefetched < facets.size()) prefetch(facets[i + prefetched].point);
+        const auto& s = facets[i];
+        if (!repair_.exists(s)) continue;
+        Facet_record& r = facet_record_[at(s.id)];
+        r.point = s.point;
+        r.expiry.fill(never);
+        kind_[at(s.id)] = s.kind;
+        if (look_ != Second_look::off) tolerance_[at(s.id)] = s.verdict.tolerance;
+        if constexpr (d == 2)
+            if (look_ == Second_look::safe_region && s.kind == Facet_kind::empty_sphere)
+                keep_delimiter(s.id, s.point, x);
+        if (s.kind != Facet_kind::border) commit_points<fresh>(s, id_of_facet(s.id), r.expiry, x);
+    }
+    for (const auto& s : repair_.cells()) {
+        if (!repair_.exists(s)) continue;
+        Cell_record& r = cell_record_[at(s.id)];
+        r.expiry.fill(never);
+        if (s.kind != Facet_kind::border && repair_.kind() != Tolerance_kind::paper)
+            commit_points<fresh>(s, id_of_cell(s.id), r.expiry, x);
+    }
+}
+
+/// Starts v's odometer at 0 again: what is left of each of its certificates stays what it is. Odometers that have come
+/// a long way would round tolerances away.
+template <int d>
+void Filter<d>::rebase(Index v) {
+    List& list = list_[at(v)];
+    const double base = list.base;
+    list.clear();
+    list.base = 0.0;
+    const auto shift = [&](Expiry& e, Index id) {
+        if (e == never) return;
+        const double left = e.reading() - base;
+        e = Expiry::lower(left - left * 0x1p-52);
+        list.put(id, e);
+    };
+    for_each_certificate(
+        table_, v,
+        [&](Index h) {
+            const Index c = table_.cell_of(h);
+            shift(cell_record_[at(c)].expiry[static_cast<std::size_t>(table_.slot_of(h))], id_of_cell(c));
+        },
+        [&](Index h) {
+            const Index f = table_.facet(h);
+            Facet_record& r = facet_record_[at(f)];
+            for (std::size_t k = 0; k < r.point.size(); ++k) {
+                if (r.point[k] != v) continue;
+                // Unequal moves infer the reference from the expiry, which they cannot once it has been cut off at 0.
+                if (look_ != Second_look::off && r.expiry[k].reading() < base) tolerance_[at(f)] = 0.0;
+                shift(r.expiry[k], id_of_facet(f));
+            }
+        });
+}
+
+template <int d>
+void Filter<d>::commit(std::span<const Coordinates<d>> x) {
+    resize();
+    commit_renewals(x);
+    commit_evaluated<false>(x);
+    for (const Index v : anchored_) {
+        const List& list = list_[at(v)];
+        if (list.base > Horizons::odometer * (list.latest().reading() - list.base)) rebase(v);
+        set_threshold(v);
+    }
+    failed_.clear();
+    renewals_.clear();
+}
+
+template class Filter<2>;
+template class Filter<3>;
+
+}  // namespace annulus

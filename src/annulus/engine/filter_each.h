@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/displacement.h>
+#include <annulus/engine/least_tolerance.h>
+#include <annulus/engine/repair.h>
+
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// The paper's filtering algorithm (its 3.2), one vertex at a time: `filter-each` with tolerances nobody proved. (Certified
+/// ones are kept by Filter.)
+///
+/// Every vertex has a fixed position f, a moving position m, a tolerance eps and D = |m - f|. A vertex with D < eps is
+/// only written. One that fails enters a queue; each vertex h taken from it gets f = m, D = 0, and the certificates
+/// around it are evaluated again: in place first, flips and reinsertion only where one is violated. Their tolerances
+/// lower the eps of their points, and whoever no longer has D < eps enters the queue. Every vertex enters at most once
+/// a call (its D is 0 from then on), so the queue ends.
+///
+/// Certificates are evaluated at the fixed positions, where the triangulation is Delaunay at all times: a tolerance that is
+/// too large gives a wrong answer at the moving positions but never breaks the triangulation CGAL works on.
+template <int d>
+class Filter_each {
+  public:
+    Filter_each(Embedding<d>& embedding, Tolerance_kind kind) : embedding_(embedding), repair_(embedding, kind, true) {}
+
+    /// As in Filter.
+    void report_changes(bool on) { report_changes_ = on; }
+    void settle(std::span<const Coordinates<d>> x, Move_report& report);
+    void move(Index v, const Coordinates<d>& p, Move_report& report);
+    void refresh(std::span<const Index> cells, Move_report& report);
+    void place(Index v, const Coordinates<d>& p);
+
+    /// The state of every vertex, to be put back with the triangulation it belongs to.
+    struct Snapshot {
+        std::vector<Coordinates<d>> position, fixed;
+        std::vector<double> epsilon, threshold;
+    };
+    [[nodiscard]] Snapshot save() const { return {position_, fixed_, epsilon_, threshold_}; }
+    void restore(const Snapshot& s) noexcept;
+    /// Forgets vertices from this index on; a settling has to follow.
+    void restore_bound(std::size_t bound) { position_.resize(bound); }
+
+    [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
+    [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const { return fixed_[at(v)]; }
+    [[nodiscard]] double tolerance(Index v) const { return std::max(0.0, epsilon_[at(v)]); }
+
+  private:
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] bool passes(Index v) const {
+        const Coordinates<d>& p = position_[at(v)];
+        return squared_distance<d>(p, fixed_[at(v)]) < threshold_[at(v)] || p == fixed_[at(v)];
+    }
+    void resize();
+    void lower(Index v, double tolerance);
+    void update();
+    void lower_points();
+    void process(Index h, Move_report& report, bool first);
+    void rebuild(Index h, const Coordinates<d>& old_fixed, Move_report& report);
+
+    Embedding<d>& embedding_;
+    Repair<d> repair_;
+    bool report_changes_ = false;
+    std::vector<Coordinates<d>> position_;
+    std::vector<Coordinates<d>> fixed_;
+    std::vector<double> epsilon_;
+    std::vector<double> threshold_;
+    std::vector<Index> queue_;
+    std::vector<char> queued_;
+    Least_tolerance least_;  // of what is being looked at
+};
+
+extern template class Filter_each<2>;
+extern template class Filter_each<3>;
+
+}  // namespace annulus

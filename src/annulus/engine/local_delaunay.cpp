@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/engine/local_delaunay.h>
+
+#include <annulus/mesh/replace_cells.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+namespace {
+constexpr double point_price = 80.0;  // in cells looked at
+constexpr int most_rounds = 40;
+}  // namespace
+
+/// Corners but one, in the order that makes an even permutation of the cell with that one last; turned to a standard order, which is
+/// left of it or not.
+template <int d>
+auto Local_delaunay<d>::side(const Points& x, int slot, Index cell) -> Side {
+    Side s{{}, false, cell, slot};
+    bool odd = (d - slot) % 2 != 0;  // the swaps that bring the corner to the end
+    for (int k = 0, n = 0; k <= d; ++k)
+        if (k != slot) s.vertices[static_cast<std::size_t>(n++)] = x[static_cast<std::size_t>(k)];
+    for (std::size_t i = 1; i < s.vertices.size(); ++i)
+        for (std::size_t j = i; j > 0 && s.vertices[j] < s.vertices[j - 1]; --j) {
+            std::swap(s.vertices[j], s.vertices[j - 1]);
+            odd = !odd;
+        }
+    s.left = !odd;
+    return s;
+}
+
+template <int d>
+bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<const Index> cells, double most,
+                                std::vector<Index>& touched) {
+    price_ = 0.0;
+    for (const Index c : marked_) mark_[at(c)] = 0;  // those of a call that threw or gave up
+    mark_.resize(at(table_.cell_bound()), 0);        // there may be fewer
+    marked_.clear();
+    for (const Index c : cells) mark(c, 1);
+    std::vector<Index> region;
+    for (const Index first : cells) {
+        // Cells that were marked and are still there have not been met in an earlier region.
+        if (at(first) >= mark_.size() || mark_[at(first)] != 1 || !table_.is_cell(first)) continue;
+        region.assign(1, first);
+        mark(first, 2);
+        for (std::size_t k = 0; k < region.size(); ++k)
+            for (int i = 0; i <= d; ++i) {
+                const Index n = table_.cell_of(table_.twin(table_.corner(region[k], i)));
+                if (mark_[at(n)] != 1) continue;
+                mark(n, 2);
+                region.push_back(n);
+            }
+        if (!rebuild_region(x, region, most, touched)) return false;
+        mark_.resize(at(table_.cell_bound()), 0);
+    }
+    return true;
+}
+
+/// mark_ is 2 in the region.
+template <int d>
+bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::vector<Index>& region, double most,
+                                       std::vector<Index>& touched) {
+    std::vector<Index> beyond;
+    for (int round = 0; round < most_rounds; ++round) {
+        vertices_.clear();
+        at_infinity_ = false;
+        for (const Index c : region)
+            for (const Index v : cell_points(table_, c))
+                if (v != infinite) vertices_.push_back(v);
+                else at_infinity_ = true;
+        std::sort(vertices_.begin(), vertices_.end());
+        vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+        price_ += point_price * static_cast<double>(vertices_.size());
+        if (price_ > most) return false;
+        cells_.clear();
+        beyond.clear();
+        if (embedding_.delaunay_of(x, vertices_, cells_) && fill(region, beyond)) {
+            std::vector<Index> made;
+            replace_cells<d>(table_, region, filled_, made);
+            for (const Index c : region) mark_[at(c)] = 0;
+            touched.insert(touched.end(), region.begin(), region.end());
+            touched.insert(touched.end(), made.begin(), made.end());
+            return true;
+        }
+        if (beyond.empty())  // a layer
+            for (const Index c : region)
+                for (int i = 0; i <= d; ++i) beyond.push_back(table_.cell_of(table_.twin(table_.corner(c, i))));
+        const std::size_t before = region.size();
+        for (const Index c : beyond) {
+            if (mark_[at(c)] == 2) continue;
+            mark(c, 2);
+            region.push_back(c);
+        }
+        if (region.size() == before) return false;  // it is everything
+    }
+    return false;
+}
+
+template <int d>
+bool Local_delaunay<d>::fill(std::span<const Index> region, std::vector<Index>& beyond) {
+    const auto precedes = [](const Side& l, const Side& r) { return l.precedes(r); };
+    sides_.clear();
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+        for (int i = 0; i <= d; ++i) sides_.push_back(side(cells_[c], i, static_cast<Index>(c)));
+    std::sort(sides_.begin(), sides_.end(), precedes);
+    border_.clear();
+    std::vector<Index> behind;  // cells of the small triangulation
+    std::vector<char> met(cells_.size(), 0);
+    const auto enter = [&](Index c) {
+        if (met[at(c)] != 0) return;
+        met[at(c)] = 1;
+        behind.push_back(c);
+    };
+    for (const Index c : region)
+        for (int i = 0; i <= d; ++i) {
+            const Index out = table_.cell_of(table_.twin(table_.corner(c, i)));
+            if (mark_[at(out)] == 2) continue;
+            border_.push_back(side(cell_points(table_, c), i, out));
+            const auto it = std::lower_bound(sides_.begin(), sides_.end(), border_.back(), precedes);
+            if (it == sides_.end() || precedes(border_.back(), *it)) beyond.push_back(out);
+            else enter(it->cell);
+        }
+    if (!beyond.empty()) return false;
+    std::sort(border_.begin(), border_.end(), precedes);
+    for (std::size_t i = 1; i < border_.size(); ++i)
+        if (border_[i].same_facet(border_[i - 1])) {  // twice, or from both sides: the region bends back to itself
+            beyond.push_back(border_[i].cell);
+            beyond.push_back(border_[i - 1].cell);
+        }
+    if (!beyond.empty()) return false;
+    filled_.clear();
+    for (std::size_t k = 0; k < behind.size(); ++k) {
+        const Points& x = cells_[at(behind[k])];
+        filled_.push_back(x);
+        for (int i = 0; i <= d; ++i) {
+            Side own = side(x, i, behind[k]);
+            const auto border = std::lower_bound(border_.begin(), border_.end(), own, precedes);
+            if (border != border_.end() && !precedes(own, *border)) continue;
+            own.left = !own.left;
+            const auto turned = std::lower_bound(border_.begin(), border_.end(), own, precedes);
+            if (turned != border_.end() && !precedes(own, *turned)) {  // from outside: the border folds
+                beyond.push_back(turned->cell);
+                return false;
+            }
+            const auto it = std::lower_bound(sides_.begin(), sides_.end(), own, precedes);
+            if (it == sides_.end() || precedes(own, *it)) return false;
+            enter(it->cell);
+        }
+    }
+    return has_every_vertex();
+}
+
+template <int d>
+bool Local_delaunay<d>::has_every_vertex() const {
+    std::vector<Index> found;
+    bool at_infinity = false;
+    for (const Points& x : filled_)
+        for (const Index v : x)
+            if (v != infinite) found.push_back(v);
+            else at_infinity = true;
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found.size() == vertices_.size() && at_infinity == at_infinity_;
+}
+
+template class Local_delaunay<2>;
+template class Local_delaunay<3>;
+
+}  // namespace annulus

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/mesh/certificates.h>
+#include <annulus/engine/embedding.h>
+
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// Builds a small part of a triangulation anew where flips are stuck.
+///
+/// A region starts as some cells. The Delaunay triangulation of its vertices is computed; where a facet of the region's border is not
+/// in it, the cell beyond joins the region. When all are, the Delaunay cells behind the border take the region's place. If every cell
+/// outside is right this ends with the cells of the whole Delaunay triangulation there, since then the border consists of facets of
+/// it (docs/theory.md 6.5). Nothing is trusted: the caller looks at what came.
+template <int d>
+class Local_delaunay {
+  public:
+    explicit Local_delaunay(Embedding<d>& embedding) : embedding_(embedding), table_(embedding.table()) {}
+
+    /// Builds anew around these cells, at positions x; cells that touch are one region. `touched` receives what went and what came.
+    /// False when that would cost more than `most` (in cells looked at; price() is what it did) or is not possible.
+    [[nodiscard]] bool rebuild(std::span<const Coordinates<d>> x, std::span<const Index> cells, double most,
+                               std::vector<Index>& touched);
+    [[nodiscard]] double price() const { return price_; }
+
+  private:
+    using Points = Cell_points<d>;
+    /// A facet of a cell, its vertices in a standard order, with the side that the cell is on.
+    struct Side {
+        std::array<Index, static_cast<std::size_t>(d)> vertices;
+        bool left;
+        Index cell;
+        int slot;
+        [[nodiscard]] bool precedes(const Side& o) const {
+            return vertices != o.vertices ? vertices < o.vertices : left < o.left;
+        }
+        [[nodiscard]] bool same_facet(const Side& o) const { return vertices == o.vertices; }
+    };
+
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] static Side side(const Points& x, int slot, Index cell);
+    [[nodiscard]] bool rebuild_region(std::span<const Coordinates<d>> x, std::vector<Index>& region, double most,
+                                      std::vector<Index>& touched);
+    /// The Delaunay cells behind the border, in filled_. False when the border is not in them; `beyond` receives the cells that join.
+    [[nodiscard]] bool fill(std::span<const Index> region, std::vector<Index>& beyond);
+    [[nodiscard]] bool has_every_vertex() const;
+    void mark(Index c, char m) {
+        marked_.push_back(c);
+        mark_[at(c)] = m;
+    }
+
+    Embedding<d>& embedding_;
+    Cell_table<d>& table_;
+    double price_ = 0.0;
+    std::vector<char> mark_;     // by cell: 1 to be built anew, 2 in the region
+    std::vector<Index> marked_;  // where it may not be 0
+    std::vector<Index> vertices_;  // of the region
+    bool at_infinity_ = false;     // and infinity
+    std::vector<Points> cells_;  // Delaunay, of the vertices
+    std::vector<Side> sides_;    // of these, sorted
+    std::vector<Side> border_;   // of the region, seen from inside, sorted
+    std::vector<Points> filled_;
+};
+
+extern template class Local_delaunay<2>;
+extern template class Local_delaunay<3>;
+
+}  // namespace annulus

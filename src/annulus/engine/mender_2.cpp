@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/engine/mender.h>
+
+#include <array>
+
+namespace annulus {
+
+namespace {
+
+/// The two triangles that the other diagonal makes of the bi-cell at h.
+std::array<Cell_points<2>, 2> flipped(const Cell_table<2>& t, Index h) {
+    const Index q = t.vertex(h);
+    const Index p = t.vertex(t.twin(h));
+    return {{{q, t.vertex(t.ccw(h)), p}, {p, t.vertex(t.cw(h)), q}}};
+}
+
+}  // namespace
+
+template <>
+bool Mender<2>::flip(Index f) {
+    const Index h = table_.half(f);
+    const std::array<Index, 2> cells{table_.cell_of(h), table_.cell_of(table_.twin(h))};
+    if (table_.vertex(h) == table_.vertex(table_.twin(h))) return false;
+    for (const Index k : {table_.ccw(h), table_.cw(h), table_.ccw(table_.twin(h)), table_.cw(table_.twin(h))}) {
+        const Index beside = table_.cell_of(table_.twin(k));
+        if (beside == cells[0] || beside == cells[1]) return false;  // it would be beside itself
+    }
+    for (const Cell_points<2>& x : flipped(table_, h))
+        if (signs_.sign(x) <= 0) return false;
+    table_.flip(h);
+    made(cells);
+    return true;
+}
+
+/// A triangle at the border that its vertex turned over by leaving: the edge of the border that it crossed goes.
+template <>
+bool Mender<2>::unfold(Index c) {
+    for (int i = 0; i <= 2; ++i) {
+        const Index h = table_.corner(c, i);
+        if (table_.is_infinite(c) != table_.is_infinite(table_.cell_of(table_.twin(h))) && flip(table_.facet(h))) return true;
+    }
+    return false;
+}
+
+}  // namespace annulus

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/engine/options.h>
+
+namespace annulus {
+
+std::optional<Strategy> strategy_named(std::string_view name) {
+    for (const Strategy s : {Strategy::rebuild, Strategy::relocate, Strategy::relocate_flips, Strategy::in_place,
+                             Strategy::filter, Strategy::filter_each, Strategy::automatic, Strategy::hybrid})
+        if (name_of(s) == name) return s;
+    return std::nullopt;
+}
+
+std::optional<Tolerance_kind> tolerance_kind_named(std::string_view name) {
+    for (const Tolerance_kind k : {Tolerance_kind::certified, Tolerance_kind::paper, Tolerance_kind::floating})
+        if (name_of(k) == name) return k;
+    return std::nullopt;
+}
+
+std::optional<Second_look> second_look_named(std::string_view name) {
+    if (name == "off") return Second_look::off;
+    if (name == "unequal") return Second_look::unequal_moves;
+    if (name == "safe-region") return Second_look::safe_region;
+    return std::nullopt;
+}
+
+}  // namespace annulus

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/certificate/verdict.h>
+#include <annulus/engine/filter.h>
+
+#include <optional>
+#include <string_view>
+
+namespace annulus {
+
+/// How the triangulation is kept right.
+enum class Strategy : std::uint8_t {
+    rebuild,         ///< from scratch at every call, CGAL with spatial sort
+    relocate,        ///< one vertex at a time: locate, insert, remove (the paper's baseline)
+    relocate_flips,  ///< one vertex at a time: flips when no incident cell inverts, else relocate (paper 3.1)
+    in_place,        ///< one vertex at a time: written in place when no topological change is needed, else relocate
+    filter,          ///< whole timestamps: only certificates whose tolerance expired are evaluated
+    filter_each,     ///< one vertex at a time, Delaunay after each; uncertified: the paper's algorithm (3.2)
+    automatic,       ///< whole timestamps, `auto`: the cheapest of tolerances, signs with flips, and rebuilding, as counts tell
+    hybrid,          ///< rebuild until 75 % of a sample stays within tolerance, then filter (paper 4.2)
+};
+
+[[nodiscard]] constexpr std::string_view name_of(Strategy s) {
+    switch (s) {
+        case Strategy::rebuild: return "rebuild";
+        case Strategy::relocate: return "relocate";
+        case Strategy::relocate_flips: return "relocate-flips";
+        case Strategy::in_place: return "in-place";
+        case Strategy::filter: return "filter";
+        case Strategy::filter_each: return "filter-each";
+        case Strategy::automatic: return "auto";
+        case Strategy::hybrid: return "hybrid";
+    }
+    return "";
+}
+
+[[nodiscard]] std::optional<Strategy> strategy_named(std::string_view name);
+[[nodiscard]] std::optional<Tolerance_kind> tolerance_kind_named(std::string_view name);
+[[nodiscard]] std::optional<Second_look> second_look_named(std::string_view name);  ///< off, unequal, safe-region
+
+/// What a caller may choose, as one value.
+struct Options {
+    Strategy strategy = Strategy::filter;
+    Tolerance_kind tolerance = Tolerance_kind::certified;
+    Second_look second_look = Second_look::off;
+    int threads = 1;                ///< for the work that is parallel; results do not depend on it
+    bool merge_duplicates = false;  ///< equal input points become one vertex instead of an error
+    bool report_changes = false;    ///< list the cells a call created in Move_report::changed
+    std::uint64_t seed = 0;         ///< of the sample that `hybrid` draws
+};
+
+}  // namespace annulus

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/engine/repair.h>
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/mesh/border.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace annulus {
+
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+template <int d>
+void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
+    many_ = many;
+    signs_ = false;
+    counted_ = {};
+    mender_.begin(x);
+    forget();
+    x_ = x;
+    const auto& t = embedding_.table();
+    place_of_facet_.resize(at(t.facet_bound()), 0);
+    place_of_cell_.resize(at(t.cell_bound()), 0);
+    disturbed_.clear();
+    reinserted_.clear();
+    changed_.clear();
+    renumbered_.clear();
+    mending_ = false;
+    report_ = {};
+}
+
+template <int d>
+void Repair<d>::forget() {
+    if (placed_) {
+        for (const auto& s : facets_) place_of_facet_[at(s.id)] = 0;
+        for (const auto& s : cells_) place_of_cell_[at(s.id)] = 0;
+    }
+    placed_ = true;
+    facets_.clear();
+    cells_.clear();
+}
+
+template <int d>
+void Repair<d>::assign_places() {
+    if (placed_) return;
+    placed_ = true;
+    for (std::size_t i = 0; i < facets_.size(); ++i) place_of_facet_[at(facets_[i].id)] = static_cast<Index>(i + 1);
+    for (std::size_t i = 0; i < cells_.size(); ++i) place_of_cell_[at(cells_[i].id)] = static_cast<Index>(i + 1);
+}
+
+/// Where a facet or a cell is, or is put, among the suspects of its kind.
+template <int d>
+template <class Suspects>
+typename Suspects::value_type& Repair<d>::suspected(Suspects& suspects, std::vector<Index>& places, Index id) {
+    assign_places();
+    if (at(id) >= places.size()) places.resize(at(id) + 1, 0);
+    Index& place = places[at(id)];
+    if (place == 0) {
+        suspects.emplace_back();
+        place = static_cast<Index>(suspects.size());
+    }
+    return suspects[at(place - 1)];
+}
+
+/// Facet f, seen from half-facet h.
+template <int d>
+void Repair<d>::describe(Facet_suspect& s, Index f, Index h) const {
+    s.id = f;
+    s.stale = true;
+    const Facet_certificate<d> facet = facet_certificate(embedding_.table(), h, kind_ == Tolerance_kind::paper);
+    s.kind = facet.kind;
+    s.point = facet.point;
+}
+
+template <int d>
+void Repair<d>::describe(Cell_suspect& s, Index c) const {
+    s.id = c;
+    s.stale = true;
+    s.point = cell_points(embedding_.table(), c);
+    const bool infinite_cell = std::find(s.point.begin(), s.point.end(), infinite) != s.point.end();
+    s.kind = infinite_cell ? Facet_kind::border : Facet_kind::empty_sphere;
+}
+
+template <int d>
+void Repair<d>::suspect_facet(Index f, Facet_kind kind, const Facet_points<d>& points) {
+    Facet_suspect& s = suspected(facets_, place_of_facet_, f);
+    s.id = f;
+    s.stale = true;
+    s.point = points;
+    s.kind = kind;
+}
+
+template <int d>
+void Repair<d>::suspect_facet(Index f) {
+    describe(suspected(facets_, place_of_facet_, f), f, embedding_.table().half(f));
+}
+
+template <int d>
+void Repair<d>::suspect_cell(Index c) {
+    describe(suspected(cells_, place_of_cell_, c), c);
+}
+
+template <int d>
+void Repair<d>::suspect_everything() {
+    const auto& t = embedding_.table();
+    for (Index f = 0; f < t.facet_bound(); ++f)
+        if (t.is_facet(f)) suspect_facet(f);
+    for (Index c = 0; c < t.cell_bound(); ++c)
+        if (t.is_cell(c)) suspect_cell(c);
+}
+
+template <int d>
+void Repair<d>::suspect_star(Index v) {
+    const auto& t = embedding_.table();
+    const bool alone = facets_.empty() && cells_.empty();
+    if (alone) placed_ = false;
+    for_each_certificate(
+        t, v,
+        [&](Index h) {
+            const Index c = t.cell_of(h);
+            describe(alone ? cells_.emplace_back() : suspected(cells_, place_of_cell_, c), c);
+        },
+        [&](Index h) {
+            const Index f = t.facet(h);
+            describe(alone ? facets_.emplace_back() : suspected(facets_, place_of_facet_, f), f, h);
+        });
+}
+
+template <int d>
+void Repair<d>::suspect_cells(std::span<const Index> cells) {
+    const auto& t = embedding_.table();
+    for (const Index c : cells) {
+        suspect_cell(c);
+        for (int i = 0; i <= d; ++i) suspect_facet(t.facet(t.corner(c, i)));
+    }
+}
+
+template <int d>
+void Repair<d>::list_changes(Move_report& report) const {
+    const auto& t = embedding_.table();
+    for (const Index c : changed_) {
+        if (!t.is_cell(c)) continue;
+        for (int i = 0; i <= d; ++i) report.changed.push_back(t.vertex(t.corner(c, i)));
+    }
+}
+
+template <int d>
+void Repair<d>::note_disturbed(const Facet_points<d>& points) {
+    for (const Index v : points)
+        if (v != none) disturbed_.push_back(v);
+}
+
+/// Hands what does not hold over to the mender.
+template <int d>
+void Repair<d>::collect_violated() {
+    for (const auto& s : cells_) {
+        if (!violated(s)) continue;
+        mender_.signs().inverted().push_back(s.id);
+        disturbed_.insert(disturbed_.end(), s.point.begin(), s.point.end());
+    }
+    for (const auto& s : facets_) {
+        if (s.kind == Facet_kind::border || s.verdict.sign > 0) continue;
+        mender_.signs().violated().push_back(s.id);
+        if (s.kind == Facet_kind::empty_sphere && s.verdict.sign == 0) continue;  // degenerate, not violated yet
+        note_disturbed(s.point);
+    }
+}
+
+template <int d>
+bool Repair<d>::mend_all(std::span<const Coordinates<d>> old, double most) {
+    trial_.assign(x_.begin(), x_.end());
+    return mend({trial_, old}, most);
+}
+
+template <int d>
+bool Repair<d>::mend_one(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& old, double most) {
+    if (collides(v, old)) throw Error(Error_code::collision, "another vertex is at that position");
+    constexpr double reinsertion = d == 2 ? 400.0 : 1500.0;
+    if (mend({x, {}, v, old}, std::min(most, reinsertion))) return true;
+    if (!trusted_) return false;  // nor need it be simplicial then, which restoring wants
+    embedding_.restore_cells(mender_.touched(), renumbered_);
+    return reinsert(v);
+}
+
+template <int d>
+bool Repair<d>::reinsert(Index v) {
+    const auto gone = [this](Index c) { return !embedding_.table().is_cell(c); };
+    std::vector<Index> changed;
+    try {
+        if (!embedding_.reinsert(v, x_[at(v)], changed)) return false;
+    } catch (const Error&) {
+        renumbered_.insert(renumbered_.end(), changed.begin(), changed.end());
+        std::erase_if(renumbered_, gone);
+        throw;
+    }
+    changed_ = std::move(changed);
+    changed_.insert(changed_.end(), renumbered_.begin(), renumbered_.end());
+    std::erase_if(changed_, gone);
+    reinserted_.assign(1, v);
+    many_ = true;
+    signs_ = false;
+    forget();  // what was evaluated before may have the number of something else by now
+    suspect_cells(changed_);
+    suspect_star(v);
+    return evaluate();
+}
+
+template <int d>
+bool Repair<d>::mend(const Course<d>& course, double most) {
+    if (mender_.price() > most) return false;
+    if (!signs_) collect_violated();
+    assign_places();
+    mending_ = true;
+    const bool mended = mender_.mend(course, most);
+    count_signs();
+    if (mended && holds_after_mending()) {
+        report_.flips += mender_.flips();
+        changed_ = mender_.touched();
+        reinserted_ = mender_.reinserted();
+        embedding_.follow(changed_);
+        return true;
+    }
+    report_.undone_flips += mender_.flips();
+    return false;
+}
+
+template <int d>
+bool Repair<d>::holds_after_mending() {
+    const auto& t = embedding_.table();
+    std::vector<Index> alive;
+    std::copy_if(mender_.touched().begin(), mender_.touched().end(), std::back_inserter(alive), [&t](Index c) { return t.is_cell(c); });
+    // Even one mover may have passed over a part of the hull that its cells do not touch.
+    const bool at_border = std::any_of(alive.begin(), alive.end(), [&t](Index c) { return t.is_infinite(c); });
+    many_ |= at_border;
+    if (at_border && !mender_.reinserted().empty() && !border_is_whole(t)) return false;
+    if (signs_) return !border_in_doubt() || border_winds_once(t, x_);
+    suspect_cells(alive);
+    return evaluate();
+}
+
+template class Repair<2>;
+template class Repair<3>;
+
+}  // namespace annulus

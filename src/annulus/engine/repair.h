@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/least_tolerance.h>
+#include <annulus/engine/mender.h>
+#include <annulus/engine/move_report.h>
+#include <annulus/mesh/certificates.h>
+#include <annulus/engine/embedding.h>
+
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// Makes every suspected certificate hold at given positions: evaluates, mends what is violated (Mender), rebuilds as the last
+/// resort.
+///
+/// A caller names the certificates that are not known to hold at the positions x (`suspect_*`), with all others proved
+/// there. After `mend` every certificate of the triangulation holds at x, hence it is Delaunay there (theory 1), and
+/// `facets()` and `cells()` list every certificate that was evaluated or created, with its verdict at x. Nothing but
+/// signs is trusted on the way: flips are a heuristic that either ends with every certificate positive, or a rebuild follows.
+template <int d>
+class Repair {
+  public:
+    /// One certificate under examination.
+    template <class Points>
+    struct Suspect {
+        Index id = none;    ///< facet or cell
+        Points point{};     ///< its points, in the order of the determinant
+        Facet_kind kind{};  ///< of a facet; a cell has `border` when it is infinite, else `empty_sphere`
+        bool stale = true;  ///< verdict not computed for its present points
+        Verdict verdict;
+    };
+    using Facet_suspect = Suspect<Facet_points<d>>;
+    using Cell_suspect = Suspect<Cell_points<d>>;
+
+    /// `trusted`: CGAL's object is Delaunay at its points whenever mend_one() is called, so that CGAL may remove and insert.
+    Repair(Embedding<d>& embedding, Tolerance_kind kind, bool trusted)
+        : embedding_(embedding), mender_(embedding), kind_(kind), trusted_(trusted) {}
+
+    /// Starts an examination at positions x (one for every vertex index). x must outlive it and not change. `many`: x
+    /// differs from where the triangulation was Delaunay last in more than one vertex.
+    void begin(std::span<const Coordinates<d>> x, bool many = true);
+    void suspect_facet(Index f);
+    void suspect_cell(Index c);
+    /// The same for a facet whose points and kind the caller has at hand.
+    void suspect_facet(Index f, Facet_kind kind, const Facet_points<d>& points);
+
+    /// Every certificate of the triangulation, and every one that contains v.
+    void suspect_everything();
+    void suspect_star(Index v);
+    /// Every certificate of these cells and of their facets.
+    void suspect_cells(std::span<const Index> cells);
+
+    /// Evaluates what is stale, in one batch. True when all suspects hold and the border winds once.
+    ///
+    /// Signs alone do not exclude a surface that winds several times (a pentagon permuted into a pentagram turns left
+    /// everywhere). With all cells positive and the border locally convex, everything is embedded if and only if the
+    /// border turns once (docs/theory.md 1.2). Cells and ridges proved by tolerances keep it turning once, and so does
+    /// a single vertex that leaves its cells positive; so the border is walked, O(hull), only when many moved and a
+    /// cell or ridge had to be evaluated, or when inverted cells were unfolded. In space a ridge, whatever the cells, and
+    /// after flips only when they changed the border.
+    [[nodiscard]] bool evaluate();
+
+    /// When every certificate that contains v, the only vertex that moved, holds strictly: true, and `least` has noted their
+    /// tolerances; they are not kept, so `facets()` and `cells()` lack them. Otherwise, and always for the kind `paper`,
+    /// false, and nothing has been noted or counted: suspect_star(v) and evaluate() are to tell.
+    [[nodiscard]] bool star_holds(Index v, Least_tolerance& least);
+
+    /// The same for every certificate of the triangulation, none of which need be named, by signs alone: `facets()` and `cells()` stay
+    /// empty. Gives up, with false, when that costs more than `most` (in cells looked at).
+    [[nodiscard]] bool evaluate_everything(double most);
+    /// The same for every certificate that contains v, the only vertex that moved.
+    [[nodiscard]] bool evaluate_star(Index v);
+
+    /// Repairs after `evaluate` or one of its kind returned false. False: it would cost more than `most` (in cells looked at), or led
+    /// nowhere; then the table is of no use any more, and all is to be rebuilt at x. `old` has the positions of before.
+    [[nodiscard]] bool mend_all(std::span<const Coordinates<d>> old, double most);
+    /// The same after v alone moved, from `old`. x is what begin() was given, and changes for a while. Throws Error(collision), with
+    /// nothing changed but numbers of cells, when another vertex is where v goes. Where flips would be dearer, v is taken out and put back in;
+    /// then the points of CGAL's object are x.
+    [[nodiscard]] bool mend_one(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& old, double most);
+
+    /// What this examination cost without evaluations, in cells looked at.
+    [[nodiscard]] double price() const { return mender_.price(); }
+    [[nodiscard]] std::span<const Facet_suspect> facets() const { return facets_; }
+    [[nodiscard]] std::span<const Cell_suspect> cells() const { return cells_; }
+    /// Vertices of certificates that were found violated, and those around which cells were built anew, of this examination.
+    [[nodiscard]] std::span<const Index> disturbed() const { return disturbed_; }
+    [[nodiscard]] std::span<const Index> reinserted() const { return reinserted_; }
+    /// Cells that were made or changed, some perhaps gone again.
+    [[nodiscard]] std::span<const Index> changed_cells() const { return changed_; }
+    /// Cells whose numbers, and those of their facets, are others than before a collision was found, though they are the same cells.
+    [[nodiscard]] std::span<const Index> renumbered() const { return renumbered_; }
+    /// Appends the vertices of the cells that were made or changed, and that there still are, to
+    /// report.changed.
+    void list_changes(Move_report& report) const;
+    /// Counters of this examination.
+    [[nodiscard]] const Move_report& report() const { return report_; }
+
+    /// False for an entry whose facet or cell did not survive the repair.
+    [[nodiscard]] bool exists(const Facet_suspect& s) const { return !mending_ || embedding_.table().is_facet(s.id); }
+    [[nodiscard]] bool exists(const Cell_suspect& s) const { return !mending_ || embedding_.table().is_cell(s.id); }
+    [[nodiscard]] Tolerance_kind kind() const { return kind_; }
+
+  private:
+    template <class Suspects>
+    [[nodiscard]] typename Suspects::value_type& suspected(Suspects& suspects, std::vector<Index>& places, Index id);
+    void describe(Facet_suspect& s, Index f, Index h) const;
+    void describe(Cell_suspect& s, Index c) const;
+    void assign_places();
+    /// Filter stage; false when the next stage must be asked. Flattened: what is instantiated in other files too may come
+    /// from one that is compiled for less speed.
+    [[nodiscard, gnu::flatten]] bool filter(Facet_suspect& s) const;
+    [[nodiscard, gnu::flatten]] bool filter(Cell_suspect& s) const;
+    [[nodiscard]] bool interval(Facet_suspect& s) const;
+    [[nodiscard]] bool interval(Cell_suspect& s) const;
+    void exact(Facet_suspect& s) const;
+    void exact(Cell_suspect& s) const;
+    template <class S>
+    void evaluate_stale(std::vector<S>& suspects);
+    /// The certificate does not hold. A degenerate sphere is decided by the perturbation, once its cells are positive.
+    [[nodiscard]] bool violated(const Facet_suspect& s) const;
+    [[nodiscard]] bool violated(const Cell_suspect& s) const { return s.verdict.sign <= 0; }
+    [[nodiscard]] bool certified() const { return kind_ == Tolerance_kind::certified; }
+    void collect_violated();
+    void note_disturbed(const Facet_points<d>& points);
+    [[nodiscard]] bool signs_hold(double most);
+    [[nodiscard]] bool border_in_doubt() const;
+    [[nodiscard]] bool mend(const Course<d>& course, double most);
+    [[nodiscard]] bool holds_after_mending();
+    [[nodiscard]] bool reinsert(Index v);
+    void forget();
+    [[nodiscard]] bool collides(Index v, const Coordinates<d>& home) const;
+    void count_signs();
+
+    Embedding<d>& embedding_;
+    Mender<d> mender_;
+    Tolerance_kind kind_;
+    bool trusted_;
+    bool many_ = true;    // vertices moved
+    bool signs_ = false;  // are examined: evaluate_everything, evaluate_star
+    Stage_counts counted_;  // of what mender_ asked
+    std::span<const Coordinates<d>> x_;
+    std::vector<Facet_suspect> facets_;
+    std::vector<Cell_suspect> cells_;
+    std::vector<Index> place_of_facet_;  // facet -> 1 + place in facets_, 0 when absent
+    std::vector<Index> place_of_cell_;
+    bool placed_ = true;    // false: these are still to be filled in; a star has no certificate twice
+    std::vector<Index> reinserted_;
+    std::vector<Index> changed_;
+    std::vector<Index> renumbered_;
+    bool mending_ = false;  // the triangulation may differ from what it was at the beginning
+    std::vector<Index> disturbed_;
+    std::vector<Coordinates<d>> trial_;  // where vertices are while some are held back
+    std::vector<Index> unresolved_;
+    struct Star {
+        std::vector<Cell_points<d>> simplex;
+        std::vector<Tuple<d, d + 1>> orientation;
+        std::vector<Facet_points<d>> bicell;
+        std::vector<Tuple<d, d + 2>> empty_sphere;
+        void clear() {
+            simplex.clear();
+            orientation.clear();
+            bicell.clear();
+            empty_sphere.clear();
+        }
+    };
+    Star star_;
+    std::vector<Verdict> verdict_;
+    Move_report report_;
+};
+
+extern template class Repair<2>;
+extern template class Repair<3>;
+
+}  // namespace annulus

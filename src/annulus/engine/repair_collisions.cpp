@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether a vertex would come to another one's position.
+#include <annulus/engine/repair.h>
+
+#include <cmath>
+
+namespace annulus {
+
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+// They do not underflow.
+double distance(const Coordinates<2>& a, const Coordinates<2>& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+double distance(const Coordinates<3>& a, const Coordinates<3>& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+}  // namespace
+
+/// Whether another vertex is where v goes, v's cells still being those of where it was. From neighbour to neighbour, always nearer: in a
+/// Delaunay triangulation that ends at the nearest vertex. What rounding misses is found by the rebuild that follows when nothing else helps.
+template <int d>
+bool Repair<d>::collides(Index v, const Coordinates<d>& home) const {
+    const auto& t = embedding_.table();
+    const Coordinates<d>& goal = x_[at(v)];
+    Index nearest = v;
+    double least = distance(home, goal);
+    for (Index from = none; from != nearest;) {
+        from = nearest;
+        t.for_each_corner(from, [&](Index h) {
+            const Index c = t.cell_of(h);
+            for (int i = 0; i <= d; ++i) {
+                const Index w = t.vertex(t.corner(c, i));
+                if (w == infinite || w == v) continue;
+                const double here = distance(x_[at(w)], goal);
+                if (!(here < least)) continue;
+                least = here;
+                nearest = w;
+            }
+        });
+    }
+    return nearest != v && x_[at(nearest)] == goal;
+}
+
+template class Repair<2>;
+template class Repair<3>;
+
+}  // namespace annulus

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Signs alone: for when tolerances would not last.
+#include <annulus/engine/repair.h>
+
+#include <annulus/mesh/border.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace annulus {
+
+/// Leaves on the lists what does not hold.
+template <int d>
+bool Repair<d>::signs_hold(double most) {
+    const auto& t = embedding_.table();
+    auto& signs = mender_.signs();
+    signs_ = true;
+    const auto affordable = [&] { return signs.price() <= most; };
+    std::erase_if(signs.inverted(), [&](Index c) { return affordable() && !signs.is_inverted(c); });
+    std::erase_if(signs.violated(), [&](Index f) { return affordable() && !signs.is_violated(f); });
+    for (const Index c : signs.inverted())
+        for (const Index v : cell_points(t, c)) disturbed_.push_back(v);
+    for (const Index f : signs.violated()) note_disturbed(facet_certificate(t, t.half(f), false).point);
+    count_signs();
+    if (!signs.inverted().empty() || !signs.violated().empty()) return false;
+    return !border_in_doubt() || border_winds_once(t, x_);
+}
+
+template <int d>
+bool Repair<d>::evaluate_everything(double most) {
+    mender_.signs().look_at_everything();
+    return signs_hold(most);
+}
+
+template <int d>
+bool Repair<d>::evaluate_star(Index v) {
+    mender_.signs().look_around(v, false);
+    return signs_hold(std::numeric_limits<double>::infinity());
+}
+
+/// What the mender asked since it was counted last.
+template <int d>
+void Repair<d>::count_signs() {
+    const Stage_counts all = mender_.signs().counts();
+    report_.evaluated += all.total() - counted_.total();
+    report_.arithmetic.filter += all.filter - counted_.filter;
+    report_.arithmetic.interval += all.interval - counted_.interval;
+    report_.arithmetic.exact += all.exact - counted_.exact;
+    counted_ = all;
+}
+
+template class Repair<2>;
+template class Repair<3>;
+
+}  // namespace annulus

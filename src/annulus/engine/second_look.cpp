@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The second looks of `filter` after a failed tolerance.
+#include <annulus/engine/filter.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+/// A cheap proof that facet f's certificate holds at x although a tolerance failed; `renewals_` gets new expiries for
+/// commit().
+template <int d>
+bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
+    if constexpr (d == 2) {
+        if (kind_[at(f)] != Facet_kind::empty_sphere || !(tolerance_[at(f)] > 0.0)) return false;
+        return look_ == Second_look::unequal_moves ? unequal_moves(f, x)
+               : look_ == Second_look::safe_region ? safe_region(f, x)
+                                                   : false;
+    } else {
+        return false;  // there are none in space: look_ is off
+    }
+}
+
+/// The delimiter kept with the certificate still separates; every point may then move as far as the circle is. The
+/// renewal holds these distances; commit_renewals() anchors the points where they are and makes expiries of them.
+template <int d>
+bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x) {
+    if constexpr (d == 2) {
+        const Facet_record& r = facet_record_[at(f)];
+        Tuple<d, d + 2> points{};
+        for (std::size_t k = 0; k < r.point.size(); ++k) points[k] = &x[at(r.point[k])];
+        Renewal renewal{f, {}};
+        std::array<double, static_cast<std::size_t>(d + 2)> room{};
+        if (!safe_region_lower(delimiter_[at(f)], points, room)) return false;
+        for (std::size_t k = 0; k < room.size(); ++k) {
+            if (!(room[k] > 0.25 * tolerance_[at(f)])) return false;  // too little to live on until the next step
+            renewal.expiry[k] = room[k];
+            const double now = reading(r.point[k], x[at(r.point[k])]);
+            if (!(now < Expiry::lower(sum_lower(now, room[k])).reading())) return false;  // rounded away
+        }
+        renewals_.push_back(renewal);
+        return true;
+    } else {
+        return false;
+    }
+}
+
+/// Whether facet f's certificate is proved at x by the unequal moves of its two sides (theory 2): the sides travelled
+/// dA and dB since the reference at most, and dA + dB < width. What is left of the width is shared: `renewals_` gets
+/// new expiries ref + dA + rest / 2 and ref + dB + rest / 2, which commit_renewals() writes. A renewed record has tolerance 0:
+/// its next failure is an evaluation.
+template <int d>
+bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x) {
+    const Facet_record& r = facet_record_[at(f)];
+    const double tolerance = tolerance_[at(f)];
+    std::array<double, 2> travelled{};
+    Renewal renewal{f, {}};
+    for (std::size_t k = 0; k < r.point.size(); ++k) {
+        const std::size_t w = at(r.point[k]);
+        const double reading = this->reading(r.point[k], x[w]);
+        // expiry <= reference + tolerance, so this is at least reading - reference up to rounding, which is added.
+        const double expired = r.expiry[k].reading() - tolerance;
+        const double way = (reading - expired) + (reading + tolerance) * 0x1p-50;
+        double& side = travelled[k < static_cast<std::size_t>(d) ? 0 : 1];
+        side = std::max(side, way);
+    }
+    const double rest = 2.0 * tolerance - (travelled[0] + travelled[1]) * (1.0 + 0x1p-50);
+    if (!(rest > 0.25 * tolerance)) return false;  // too little to live on until the next step
+    for (std::size_t k = 0; k < r.point.size(); ++k) {
+        const double side = travelled[k < static_cast<std::size_t>(d) ? 0 : 1];
+        const double reference = r.expiry[k].reading() - tolerance;  // rounded: at most one unit above the reference
+        const double expiry = reference + (side + 0.5 * rest);
+        renewal.expiry[k] = expiry - expiry * 0x1p-50;
+        const double now = this->reading(r.point[k], x[at(r.point[k])]);
+        if (!(now < Expiry::lower(renewal.expiry[k]).reading())) return false;  // rounded away
+    }
+    renewals_.push_back(renewal);
+    return true;
+}
+
+template <int d>
+void Filter<d>::keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x) {
+    if constexpr (d == 2) {
+        if (at(f) >= delimiter_.size()) delimiter_.resize(facet_record_.size());
+        Tuple<d, d + 2> points{};
+        for (std::size_t k = 0; k < point.size(); ++k) points[k] = &x[at(point[k])];
+        delimiter_[at(f)] = standard_delimiter(points);
+    }
+}
+
+template class Filter<2>;
+template class Filter<3>;
+
+}  // namespace annulus

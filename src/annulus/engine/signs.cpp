@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/engine/signs.h>
+
+#include <annulus/certificate/circumcircle_2.h>
+#include <annulus/certificate/circumsphere_3.h>
+#include <annulus/certificate/orientation_sign.h>
+#include <annulus/mesh/degenerate.h>
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <utility>
+
+namespace annulus {
+
+namespace {
+
+template <int d>
+using Circumsphere = std::conditional_t<d == 2, Circumcircle_2, Circumsphere_3>;
+
+// Prices in cells looked at.
+constexpr double exact_price = 20.0;
+constexpr double interval_price = 4.0;
+constexpr double filter_price = 0.5;
+
+}  // namespace
+
+template <int d>
+void Signs<d>::begin(std::span<const Coordinates<d>> x) {
+    x_ = x;
+    has_middle_ = false;
+    inverted_.clear();
+    violated_.clear();
+    decided_ = {};
+    clear_halves_ = 0;
+    price_ = 0.0;
+}
+
+/// Some points are enough, because all that is asked of the middle is to be inside.
+template <int d>
+void Signs<d>::find_middle() {
+    has_middle_ = true;
+    middle_ = {};
+    const Index stride = 1 + table_.vertex_bound() / 4096;
+    double points = 0.0;
+    for (Index v = 0; v < table_.vertex_bound(); v += stride) {
+        if (table_.corner_of(v) == none) continue;
+        for (std::size_t k = 0; k < middle_.size(); ++k) middle_[k] += x_[at(v)][k];
+        points += 1.0;
+    }
+    for (double& c : middle_) c /= std::max(points, 1.0);
+}
+
+template <int d>
+int Signs<d>::decided(Staged_sign s) {
+    decided_.count(s.stage);
+    price_ += s.stage == Stage::interval ? interval_price : exact_price;
+    return s.sign;
+}
+
+template <int d>
+int Signs<d>::sign(const Cell_points<d>& x) {
+    bool at_infinity = false;
+    for (const Index v : x) at_infinity |= v == infinite;
+    if (at_infinity && !has_middle_) find_middle();
+    Tuple<d, d + 1> p{};
+    for (std::size_t k = 0; k < x.size(); ++k) p[k] = position(x[k]);
+    int sign = orientation_sign(p);
+    if (!clearly(sign)) sign = decided(exact_orientation_sign(p));
+    return at_infinity ? -sign : sign;
+}
+
+/// Counts what the filter stage answered.
+template <int d>
+bool Signs<d>::clearly(int sign) {
+    if (sign == 0) return false;
+    ++decided_.filter;
+    price_ += filter_price;
+    return true;
+}
+
+/// Of the bi-cell at half-facet h, by the filter stage: 0 where the next stage has to tell.
+template <int d>
+[[gnu::flatten]] int Signs<d>::sphere_sign(Index h) {
+    const Cell_points<d> v = cell_points(table_, table_.cell_of(h));
+    const Coordinates<d>& p = x_[at(table_.vertex(table_.twin(h)))];
+    return [&]<std::size_t... i>(std::index_sequence<i...>) {
+        const Circumsphere<d> sphere(x_[at(v[i])]...);
+        if (!sphere.positive()) return 0;
+        return sphere.excludes(p) ? 1 : sphere.contains(p) ? -1 : 0;
+    }
+    (std::make_index_sequence<d + 1>());
+}
+
+template <int d>
+bool Signs<d>::is_violated(Index f) {
+    const Index h = table_.half(f);
+    const Facet_kind kind = facet_kind(table_, h);
+    if (kind == Facet_kind::border) return false;
+    if (kind == Facet_kind::ridge) {
+        const auto x = tuple<d, d + 1>(facet_certificate(table_, h, false).point, x_);
+        const int clear = orientation_sign(x);
+        if (clearly(clear)) return clear < 0;
+        const int s = decided(exact_orientation_sign(x));
+        return s != 0 ? s < 0 : !flat_ridge_holds(x);
+    }
+    const int clear = sphere_sign(h);
+    if (clearly(clear)) return clear < 0;
+    const auto x = tuple<d, d + 2>(bicell_points(table_, h), x_);
+    const int s = decided(exact_empty_sphere_sign(x));
+    if (s != 0) return s < 0;
+    if (is_inverted(table_.cell_of(h)) || is_inverted(table_.cell_of(table_.twin(h)))) return false;  // they come first
+    return perturbed_sign(x) < 0;
+}
+
+/// Every facet is asked from both sides if both are looked at, because which side is to ask would be a branch that no processor
+/// predicts, dearer than the answer. Flattened: a call between two halves of a formula would spill every register.
+template <int d>
+[[gnu::flatten]] void Signs<d>::look_at(Index c, bool border) {
+    const auto& t = table_;
+    const Cell_points<d> v = cell_points(t, c);
+    price_ += 1.0;
+    if (std::any_of(v.begin(), v.end(), [](Index w) { return w < 0; })) {
+        if (border) inverted_.push_back(c);
+        for (int i = 0; i <= d; ++i) {
+            const Index h = t.corner(c, i);
+            if (v[static_cast<std::size_t>(i)] != infinite) violated_.push_back(t.facet(h));  // a ridge
+        }
+        return;
+    }
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+        const Circumsphere<d> sphere(x_[at(v[i])]...);
+        const bool positive = sphere.positive();
+        const std::array<Index, d + 1> opposite{t.vertex(t.twin(t.corner(c, static_cast<int>(i))))...};
+        // At infinity a corner stands in, of which nothing can be said.
+        const std::array<bool, d + 1> outside{sphere.excludes(x_[at(opposite[i] < 0 ? v[0] : opposite[i])])...};
+        if ((int{positive} + ... + int{outside[i]}) == d + 2) [[likely]] {
+            clear_halves_ += d + 3;
+            return;
+        }
+        if (positive) clear_halves_ += 2;
+        else inverted_.push_back(c);
+        for (std::size_t k = 0; k <= d; ++k) {
+            if (opposite[k] == infinite) continue;
+            if (positive && outside[k]) ++clear_halves_;
+            else violated_.push_back(t.facet(t.corner(c, static_cast<int>(k))));
+        }
+    }
+    (std::make_index_sequence<d + 1>());
+}
+
+template <int d>
+void Signs<d>::look_at_everything() {
+    for (Index c = 0; c < table_.cell_bound(); ++c)
+        if (table_.is_cell(c)) look_at(c, false);
+    // Ridges are there twice, from both sides.
+    std::sort(violated_.begin(), violated_.end());
+    violated_.erase(std::unique(violated_.begin(), violated_.end()), violated_.end());
+}
+
+template <int d>
+void Signs<d>::look_around(Index v, bool border) {
+    table_.for_each_corner(v, [&](Index h) { look_at(Cell_table<d>::cell_of(h), border); });
+}
+
+template class Signs<2>;
+template class Signs<3>;
+
+}  // namespace annulus

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/certificate/exact_sign.h>
+#include <annulus/engine/move_report.h>
+#include <annulus/mesh/certificates.h>
+
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// Which certificates hold at given positions, by signs alone: one circumsphere a cell, asked for the cell and its facets, and
+/// exact signs where that is not clear.
+///
+/// What is not clear of the cells looked at is on two lists, in which an entry may occur twice, or be gone; is_inverted and
+/// is_violated tell. Positions may change between calls; then what contains the vertex has to be looked at again.
+template <int d>
+class Signs {
+  public:
+    explicit Signs(const Cell_table<d>& table) : table_(table) {}
+
+    /// Starts at positions x, which must outlive the examination. O(1).
+    void begin(std::span<const Coordinates<d>> x);
+
+    /// The same positions, elsewhere in memory.
+    void rebind(std::span<const Coordinates<d>> x) { x_ = x; }
+
+    /// The cell c and its facets; of an infinite cell the ridges, and with `border` whether it faces the middle.
+    void look_at(Index c, bool border);
+    /// Every cell.
+    void look_at_everything();
+    /// Every certificate that contains v.
+    void look_around(Index v, bool border);
+
+    /// Exact. A cell with infinity is inverted when its facet faces away from the middle of the points: that is a hint, no
+    /// certificate.
+    [[nodiscard]] bool is_inverted(Index c) { return sign(cell_points(table_, c)) <= 0; }
+    /// Exact; what is degenerate is decided by the perturbation, once its cells are positive.
+    [[nodiscard]] bool is_violated(Index f);
+    /// Exact sign of a cell with these vertices; infinity allowed.
+    [[nodiscard]] int sign(const Cell_points<d>& x);
+
+    [[nodiscard]] std::vector<Index>& inverted() { return inverted_; }  ///< cells
+    [[nodiscard]] std::vector<Index>& violated() { return violated_; }  ///< facets
+    /// What was asked so far, since begin(), by stage.
+    [[nodiscard]] Stage_counts counts() const {
+        Stage_counts all = decided_;
+        all.filter += clear_halves_ / 2;
+        return all;
+    }
+    /// The price of that, in cells looked at.
+    [[nodiscard]] double price() const { return price_; }
+
+  private:
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] const Coordinates<d>* position(Index v) const { return v == infinite ? &middle_ : &x_[at(v)]; }
+    int decided(Staged_sign s);
+    [[nodiscard]] bool clearly(int sign);
+    [[nodiscard]] int sphere_sign(Index h);
+    void find_middle();
+
+    const Cell_table<d>& table_;
+    std::span<const Coordinates<d>> x_;
+    Coordinates<d> middle_{};  // of some of the points
+    bool has_middle_ = false;
+    std::vector<Index> inverted_;
+    std::vector<Index> violated_;
+    Stage_counts decided_;
+    std::uint64_t clear_halves_ = 0;
+    double price_ = 0.0;
+};
+
+extern template class Signs<2>;
+extern template class Signs<3>;
+
+}  // namespace annulus

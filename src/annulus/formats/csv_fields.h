@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/formats/text_input.h>
+
+#include <string_view>
+#include <vector>
+
+namespace annulus {
+
+/// Splits a line at separators outside quotes; fields are without blanks and quotes around them.
+void split_csv(std::string_view line, char separator, std::vector<std::string_view>& fields);
+
+/// Tab, semicolon or comma: what separates the fields of this first line.
+[[nodiscard]] char csv_separator(std::string_view line);
+
+/// A header has names only. What begins like a number is none, so that `1 2` is not taken for the name of a column.
+[[nodiscard]] bool is_csv_header(const std::vector<std::string_view>& fields);
+
+/// Goes to the next line that is not blank; false at the end.
+bool next_csv_line(Line_reader& reader);
+
+/// A text without the blanks around it.
+[[nodiscard]] std::string_view csv_trimmed(std::string_view text);
+
+}  // namespace annulus

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/arithmetic/error.h>
+#include <annulus/formats/directory_lock.h>
+#include <annulus/formats/output_directory.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <system_error>
+
+namespace annulus {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view private_prefix = ".annulus-";
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& what) {
+    throw Error(Error_code::bad_input, path.string() + ": " + what);
+}
+[[noreturn]] void fail(const fs::path& path, const std::string& what, std::error_code code) {
+    throw std::system_error(code, path.string() + ": " + what);
+}
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+void write_all(const fs::path& file, std::string_view content) {
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor < 0) throw last_error();
+    while (!content.empty()) {
+        const ssize_t done = ::write(descriptor, content.data(), content.size());
+        if (done < 0 && errno == EINTR) continue;
+        if (done < 0) {
+            const std::error_code why = last_error();
+            ::close(descriptor);
+            throw why;
+        }
+        content.remove_prefix(static_cast<std::size_t>(done));
+    }
+    if (::close(descriptor) != 0) throw last_error();  // a full disk may show only here
+}
+
+/// A directory with a name of its own in `parent`, or an error.
+fs::path private_directory_in(const fs::path& parent, std::error_code& code) {
+    std::string name = (parent / (std::string(private_prefix) + "XXXXXX")).string();
+    code.clear();
+    if (::mkdtemp(name.data()) == nullptr) code = last_error();
+    return name;
+}
+
+/// What private_directory_in made and nobody took away, because its run was killed.
+bool is_left_over(const fs::path& path) {
+    const std::string name = path.filename().string();
+    if (!name.starts_with(private_prefix) || name.size() != private_prefix.size() + 6) return false;
+    std::error_code code;
+    if (!fs::is_directory(fs::symlink_status(path, code))) return false;
+    for (fs::directory_iterator entry(path, code); entry != fs::directory_iterator(); entry.increment(code))
+        if (entry->path().filename() != "content") return false;
+    return !code;
+}
+
+/// Something is mounted there: it cannot be renamed.
+bool is_mount_point(const fs::path& path) {
+    struct statx s {};
+    if (::statx(AT_FDCWD, path.c_str(), 0, 0, &s) != 0) return true;
+    return (s.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
+}
+
+}  // namespace
+
+Output_directory::Output_directory(fs::path path, Replaced replaced, bool may_hold_files)
+    : path_(std::move(path)), replaced_(replaced) {
+    if (path_.empty()) refuse("''", "cannot be the output directory");
+    if (!path_.has_filename()) path_ = path_.parent_path();  // a trailing slash made the last component empty
+    std::error_code code;
+    exists_ = fs::exists(fs::symlink_status(path_, code));
+    if (code && code != std::errc::no_such_file_or_directory && code != std::errc::not_a_directory)
+        fail(path_, "cannot be looked at", code);
+    try {
+        if (exists_) look_at_what_is_there(may_hold_files);
+        else make_parents();
+        make_room_for_content();
+    } catch (...) {
+        clean_up();
+        throw;
+    }
+}
+
+Output_directory::~Output_directory() { clean_up(); }
+
+void Output_directory::look_at_what_is_there(bool may_hold_files) {
+    std::error_code code;
+    if (!fs::is_directory(path_, code)) refuse(path_, "is not a directory");
+    const fs::path target = fs::canonical(path_, code);  // a link to a directory stays a link
+    if (code) fail(path_, "cannot be looked at", code);
+    fs::directory_iterator entry(target, code);
+    if (code) fail(path_, "cannot be looked at", code);
+    for (; entry != fs::directory_iterator(); entry.increment(code)) {
+        const std::string name = entry->path().filename().string();
+        if (is_left_over(entry->path())) continue;
+        if (!may_hold_files)
+            refuse(path_,
+                   "holds other files; expected a new or empty directory, or one with results of annulus (or --force)");
+        one_by_one_ = one_by_one_ || !replaced_(name) || entry->is_directory(code);
+    }
+    if (code) fail(path_, "cannot be looked at", code);
+    target_ = target;
+    one_by_one_ = one_by_one_ || target_ == fs::current_path(code) || is_mount_point(target_);
+}
+
+void Output_directory::make_parents() {
+    if (path_.filename() == "." || path_.filename() == "..") refuse(path_, "is not there");
+    target_ = fs::absolute(path_);
+    std::error_code code;
+    std::vector<fs::path> missing;
+    for (fs::path p = target_.parent_path(); !fs::exists(p, code) && p != p.parent_path(); p = p.parent_path())
+        missing.push_back(p);
+    for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
+        if (fs::create_directory(*p, code)) made_.push_back(*p);
+        else if (code == std::errc::not_a_directory) refuse(p->parent_path(), "is not a directory");
+        else if (code) fail(*p, "cannot be made", code);
+    }
+    if (!fs::is_directory(target_.parent_path(), code)) refuse(path_.parent_path(), "is not a directory");
+}
+
+void Output_directory::make_room_for_content() {
+    std::error_code code;
+    fs::path made;
+    if (!one_by_one_) made = private_directory_in(target_.parent_path(), code);
+    // Another run may have taken away the parents that it had made, before anything of ours was in them.
+    for (int turn = 0; !exists_ && code == std::errc::no_such_file_or_directory && turn < 100; ++turn) {
+        make_parents();
+        made = private_directory_in(target_.parent_path(), code);
+    }
+    if (exists_ && (one_by_one_ || code)) {  // its parent may be closed to us, and it open
+        one_by_one_ = true;
+        made = private_directory_in(target_, code);
+    }
+    if (code) fail(path_, exists_ ? "cannot be written to" : "cannot be made", code);
+    private_ = made;
+    content_ = private_ / "content";
+    if (::mkdir(content_.c_str(), 0777) != 0) fail(path_, "cannot be made", last_error());
+    struct stat old {};
+    if (exists_ && ::stat(target_.c_str(), &old) == 0) fs::permissions(content_, fs::perms(old.st_mode & 07777), code);
+}
+
+void Output_directory::write(std::string_view name, std::string_view content) {
+    const fs::path plain(name);
+    if (name.empty() || plain.filename() != plain || name == "." || name == ".." ||
+        std::find(files_.begin(), files_.end(), plain) != files_.end())
+        refuse(path_ / plain, "is not a plain and new file name");
+    try {
+        write_all(content_ / plain, content);
+    } catch (const std::error_code& why) {
+        std::error_code ignored;
+        fs::remove(content_ / plain,
+                   ignored);  // half a file must not be there for a commit that comes in spite of this
+        fail(path_ / plain, "cannot be written", why);
+    }
+    files_.push_back(plain);
+}
+
+void Output_directory::commit() {
+    if (content_.empty()) return;
+    if (!exists_) {
+        // A directory that has come meanwhile is replaced if it is empty or another run has put its results there.
+        if (::rename(content_.c_str(), target_.c_str()) != 0) {
+            const std::error_code why = last_error();
+            if (!holds_results_only() || !exchange()) fail(path_, "cannot be put in its place", why);
+        }
+    } else if (one_by_one_ || !exchange()) {
+        replace_one_by_one();  // also where the file system cannot exchange
+    }
+    made_.clear();
+    clean_up();  // what has been exchanged is there now
+}
+
+bool Output_directory::exchange() {
+    return ::renameat2(AT_FDCWD, content_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
+}
+
+bool Output_directory::holds_results_only() const {
+    std::error_code code;
+    bool only = fs::is_directory(fs::symlink_status(target_, code));
+    for (fs::directory_iterator entry(target_, code); only && entry != fs::directory_iterator(); entry.increment(code))
+        only = replaced_(entry->path().filename().string()) && entry->is_regular_file(code);
+    return only && !code;
+}
+
+void Output_directory::replace_one_by_one() {
+    const Directory_lock writing(target_, Directory_lock::Use::writing);
+    std::error_code code;
+    for (const fs::path& name : files_)
+        if (fs::is_directory(fs::symlink_status(target_ / name, code)))
+            refuse(path_ / name, "is a directory; expected a file or nothing");
+    const auto remove = [&](const fs::path& file) {
+        if (!fs::remove(file, code) && code) fail(file, "cannot be replaced", code);
+    };
+    if (!files_.empty()) remove(target_ / files_.front());
+    std::vector<fs::path> stale;
+    for (const auto& entry : fs::directory_iterator(target_, code)) {
+        const fs::path name = entry.path().filename();
+        const bool is_new = std::find(files_.begin(), files_.end(), name) != files_.end();
+        if (replaced_(name.string()) && !is_new && !entry.is_directory(code)) stale.push_back(entry.path());
+    }
+    for (const fs::path& file : stale) remove(file);
+    for (auto name = files_.rbegin(); name != files_.rend(); ++name) {
+        fs::rename(content_ / *name, target_ / *name, code);
+        if (code) fail(path_ / *name, "cannot be put in its place", code);
+    }
+}
+
+void Output_directory::clean_up() noexcept {
+    std::error_code ignored;
+    if (!private_.empty()) fs::remove_all(private_, ignored);
+    private_.clear();
+    content_.clear();
+    // Only directories that are empty go: somebody else may have begun to use them.
+    for (auto p = made_.rbegin(); p != made_.rend(); ++p) fs::remove(*p, ignored);
+    made_.clear();
+}
+
+}  // namespace annulus

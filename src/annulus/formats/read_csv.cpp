@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/formats/csv_fields.h>
+#include <annulus/formats/frame_readers.h>
+
+#include <array>
+#include <utility>
+
+namespace annulus {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> names{"frame", "id", "x", "y", "z"};
+
+bool is_named(std::string_view field, std::string_view name) {
+    if (field.size() != name.size()) return false;
+    for (std::size_t i = 0; i < name.size(); ++i)
+        if (field[i] != name[i] && field[i] != name[i] - 'a' + 'A') return false;
+    return true;
+}
+
+}  // namespace
+
+/// Which of the fields name columns that are wanted.
+Csv_frames::Header Csv_frames::header() const {
+    Header result;
+    result.all = fields_.size();
+    result.separator = separator_;
+    for (std::size_t i = 0; i < fields_.size(); ++i)
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            if (!is_named(fields_[i], names[k]) || (k == id_column && wanted_ == Wanted::points)) continue;
+            if (result.at[k]) reader_.fail("names two columns " + std::string(names[k]), "one");
+            result.at[k] = i;
+        }
+    return result;
+}
+
+void Csv_frames::split(std::string_view text) {
+    separator_ = csv_separator(text);
+    split_csv(text, separator_, fields_);
+}
+
+/// Finds the columns; the first row is due after that, if there is one.
+void Csv_frames::begin() {
+    begun_ = true;
+    const bool motion = wanted_ == Wanted::motion;
+    std::optional<Header> commented;
+    while (true) {
+        if (!next_csv_line(reader_)) return;
+        const std::string_view text = csv_trimmed(reader_.line());
+        split(text.substr(text[0] == '#' ? 1 : 0));
+        if (text[0] != '#') break;
+        if (!is_csv_header(fields_)) continue;
+        const Header found = header();
+        if (found.at[x_column] && found.at[y_column]) commented = found;
+    }
+    row_is_due_ = !is_csv_header(fields_) && (!motion || commented);
+    has_header_ = !row_is_due_ || commented;
+    if (!row_is_due_) {
+        columns_ = header();
+    } else if (commented) {
+        columns_ = *commented;
+        separator_ = columns_.separator;
+        split_csv(reader_.line(), separator_, fields_);
+    } else {
+        columns_.all = fields_.size();
+        if (columns_.all < 2) reader_.fail("has 1 column", "x, y and perhaps z, separated by comma, semicolon or tab");
+        columns_.at[x_column] = 0;
+        columns_.at[y_column] = 1;
+        if (columns_.all > 2) columns_.at[z_column] = 2;
+    }
+    for (std::size_t k = motion ? frame_column : x_column; k <= y_column; ++k)
+        if (!columns_.at[k])
+            reader_.fail("the header names no column " + std::string(names[k]),
+                         motion ? "frame, id, x, y and perhaps z" : "columns x, y and perhaps z");
+    if (!row_is_due_) (void)next_row();
+}
+
+bool Csv_frames::next_row() {
+    row_is_due_ = next_csv_line(reader_);
+    if (row_is_due_) split_csv(reader_.line(), separator_, fields_);
+    return row_is_due_;
+}
+
+bool Csv_frames::next(Raw_frame& frame) {
+    frame = {};
+    if (!begun_) begin();
+    const auto& at = columns_.at;
+    frame.points.has_z = at[z_column].has_value();
+    if (!row_is_due_) return false;
+    frame.line = reader_.number();
+    do {
+        if (fields_.size() != columns_.all)
+            reader_.fail("has " + counted(fields_.size(), "column"),
+                         std::to_string(columns_.all) + (has_header_ ? " as in the header" : " as in the lines above"));
+        if (at[frame_column]) {
+            const std::uint64_t number = reader_.whole(fields_[*at[frame_column]], "the frame");
+            if (!frame.points.points.empty() && number != frame.number) {
+                if (number > frame.number) return true;
+                reader_.fail("frame " + std::to_string(number) + " after frame " + std::to_string(frame.number),
+                             "frames in order");
+            }
+            frame.number = number;
+        }
+        if (wanted_ == Wanted::motion) frame.id.push_back(reader_.whole(fields_[*at[id_column]], "the id"));
+        frame.points.points.push_back({reader_.real(fields_[*at[x_column]], "x"),
+                                       reader_.real(fields_[*at[y_column]], "y"),
+                                       at[z_column] ? reader_.real(fields_[*at[z_column]], "z") : 0.});
+        frame.points.lines.push_back(reader_.number());
+    } while (next_row());
+    return true;
+}
+
+void Csv_frames::require_last(const Raw_frame& frame) {
+    if (row_is_due_)
+        reader_.fail("a second frame after frame " + std::to_string(frame.number), "one frame, or no column frame");
+}
+
+Raw_points read_csv(const Source& source) {
+    Csv_frames frames(source, Wanted::points);
+    Raw_frame frame;
+    if (frames.next(frame)) frames.require_last(frame);
+    return std::move(frame.points);
+}
+
+}  // namespace annulus

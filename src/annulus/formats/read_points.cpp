@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/arithmetic/domain.h>
+#include <annulus/formats/distinct.h>
+#include <annulus/formats/file_bytes.h>
+#include <annulus/formats/point_formats.h>
+#include <annulus/formats/read_points.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+namespace {
+
+using Reader = Raw_points (*)(const Source&);
+
+Reader reader_of(const std::filesystem::path& file) {
+    const std::string extension = format_extension(file);
+    if (extension == ".xyz") return read_xyz;
+    if (extension == ".csv") return read_csv;
+    if (extension == ".off") return [](const Source& source) { return read_off(source); };
+    if (extension == ".ply") return [](const Source& source) { return read_ply(source); };
+    if (extension == ".mesh") return read_medit_points;
+    throw Input_error(Error_code::bad_input, file.string(), 0,
+                      extension.empty() ? "has no extension" : "has the unknown extension " + shown(extension),
+                      ".xyz, .csv, .off, .ply or .mesh");
+}
+
+Raw_points read_raw(const Source& source, const std::filesystem::path& file) {
+    Raw_points raw = reader_of(file)(source);
+    if (raw.points.empty())
+        throw Input_error(Error_code::bad_input, source.name, 1, "has no points", "at least one point");
+    return raw;
+}
+
+template <int d>
+Point_file<d> points_of(const Source& source, Raw_points raw, const Read_options& options) {
+    static_assert(d == 2 || d == 3);
+    Point_file<d> result;
+    result.name = source.name;
+    if (d == 2 && raw.has_z && !options.ignore_z)
+        throw Input_error(Error_code::bad_input, source.name, raw.lines.front(),
+                          "has a z coordinate; pass --ignore-z to drop it", "x and y only");
+    if (d == 3 && !raw.has_z)
+        throw Input_error(Error_code::bad_input, source.name, raw.lines.front(), "has no z coordinate", "x, y and z");
+    result.points.reserve(raw.points.size());
+    for (const Coordinates<3>& p : raw.points) {
+        Coordinates<d> q;
+        std::copy_n(p.begin(), d, q.begin());
+        result.points.push_back(q);
+    }
+    result.lines = std::move(raw.lines);
+    result.notes = std::move(raw.notes);
+    return result;
+}
+
+}  // namespace
+
+template <int d>
+Point_file<d> read_points(const std::filesystem::path& file, const Read_options& options) {
+    const Source source = load_file(file);
+    return points_of<d>(source, read_raw(source, file), options);
+}
+
+std::variant<Point_file<2>, Point_file<3>> read_points_of_any_dimension(const std::filesystem::path& file,
+                                                                        const Read_options& options) {
+    const Source source = load_file(file);
+    Raw_points raw = read_raw(source, file);
+    if (raw.has_z && !options.ignore_z) return points_of<3>(source, std::move(raw), options);
+    return points_of<2>(source, std::move(raw), options);
+}
+
+template <int d>
+std::vector<Coordinates<d>> distinct_points(const Point_file<d>& file, std::size_t at_least) {
+    std::vector<Coordinates<d>> x = file.points;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        for (double& c : x[i]) c += 0.0;  // no two zeros
+        if (!in_domain(x[i]))
+            throw file.fault(i, Error_code::out_of_domain, "coordinate out of domain", "magnitudes of at most 2^500");
+    }
+    const std::vector<std::size_t> first = first_at_place<d>(x);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (first[i] == i) x[kept++] = x[i];
+    x.resize(kept);
+    if (kept < at_least)
+        throw file.fault(file.points.size() - 1, Error_code::too_few, counted(kept, "distinct point") + " in the file",
+                         "at least " + std::to_string(at_least));
+    return x;
+}
+
+template Point_file<2> read_points<2>(const std::filesystem::path&, const Read_options&);
+template Point_file<3> read_points<3>(const std::filesystem::path&, const Read_options&);
+template std::vector<Coordinates<2>> distinct_points<2>(const Point_file<2>&, std::size_t);
+template std::vector<Coordinates<3>> distinct_points<3>(const Point_file<3>&, std::size_t);
+
+}  // namespace annulus

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/arithmetic/coordinates.h>
+#include <annulus/formats/file_bytes.h>
+#include <annulus/formats/text_input.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+namespace annulus {
+
+namespace {
+
+constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
+
+/// For a decimal that from_chars calls out of range: is its magnitude at least 1? (It says the same for too small.)
+bool is_large(std::string_view text) noexcept {
+    long long exponent = 0;  // of ten, of the first digit that is not zero
+    bool seen = false;
+    bool fraction = false;
+    std::size_t i = 0;
+    for (; i < text.size() && text[i] != 'e' && text[i] != 'E'; ++i) {
+        if (text[i] == '.') fraction = true;
+        if (!is_digit(text[i])) continue;
+        if (fraction && !seen) --exponent;
+        if (!fraction && seen) ++exponent;
+        seen = seen || text[i] != '0';
+    }
+    if (i == text.size()) return exponent >= 0;
+    ++i;
+    const bool negative = i < text.size() && text[i] == '-';
+    if (i < text.size() && (text[i] == '-' || text[i] == '+')) ++i;
+    long long written = 0;
+    // Saturates far beyond any length a file can have, so the sum below cannot overflow.
+    for (; i < text.size(); ++i) written = std::min(written * 10 + (text[i] - '0'), 1LL << 58);
+    return exponent + (negative ? -written : written) >= 0;
+}
+
+}  // namespace
+
+Source load_file(const std::filesystem::path& file) {
+    // A text of coordinates packs to a third or a tenth; what grows without end is no text.
+    constexpr std::uint64_t free = std::uint64_t{64} << 20, ratio = 100;
+    File_bytes bytes(file);
+    Source source{bytes.name(), {}};
+    std::error_code code;
+    const auto size = std::filesystem::is_regular_file(file, code) ? std::filesystem::file_size(file, code) : 0;
+    if (!code && size != static_cast<std::uintmax_t>(-1)) source.content.reserve(size);
+    while (bytes.more(source.content))
+        if (bytes.packed() && source.content.size() > free + ratio * bytes.taken())
+            throw Input_error(Error_code::bad_input, source.name, 0,
+                              "grows to more than " + std::to_string(ratio) + " times its size",
+                              "text, or the file as it is when unpacked");
+    if (source.content.starts_with("\xef\xbb\xbf")) source.content.erase(0, 3);
+    if (source.content.empty()) throw Input_error(Error_code::bad_input, source.name, 1, "is empty", "data");
+    return source;
+}
+
+Number_kind parse_double(std::string_view text, double& value) noexcept {
+    if (text.size() > 1 && text[0] == '+' && (is_digit(text[1]) || text[1] == '.')) text.remove_prefix(1);
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code == std::errc::invalid_argument || end != text.data() + text.size()) return Number_kind::not_a_number;
+    if (code == std::errc::result_out_of_range) {
+        if (is_large(text)) return Number_kind::too_large;
+        value = text[0] == '-' ? -0. : 0.;
+        return Number_kind::finite;
+    }
+    if (std::isnan(value)) return Number_kind::nan;
+    return std::isinf(value) ? Number_kind::too_large : Number_kind::finite;
+}
+
+bool Line_reader::next_line() {
+    fields_.clear();
+    line_ = {};
+    if (rest_.empty()) return false;
+    const std::size_t end = rest_.find('\n');
+    line_ = rest_.substr(0, end);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    if (line_.ends_with('\r')) line_.remove_suffix(1);
+    ++number_;
+    return true;
+}
+
+bool Line_reader::next_record() {
+    while (next_line()) {
+        const std::string_view text = line_.substr(0, line_.find('#'));
+        for (std::size_t i = 0; i < text.size();) {
+            if (is_blank(text[i])) {
+                ++i;
+                continue;
+            }
+            const std::size_t begin = i;
+            while (i < text.size() && !is_blank(text[i])) ++i;
+            fields_.push_back(text.substr(begin, i - begin));
+        }
+        if (!fields_.empty()) return true;
+    }
+    return false;
+}
+
+void Line_reader::fail(std::string fault, std::string expected, Error_code code) const {
+    fail_at(number_, std::move(fault), std::move(expected), code);
+}
+
+void Line_reader::fail_at(std::uint64_t line, std::string fault, std::string expected, Error_code code) const {
+    throw Input_error(code, name_, std::max<std::uint64_t>(line, 1), std::move(fault), std::move(expected));
+}
+
+double Line_reader::real(std::string_view text, std::string_view what) const {
+    double value = 0;
+    const std::string name(what);
+    if (text.empty()) fail(name + " is missing", "a number");
+    switch (parse_double(text, value)) {
+        case Number_kind::finite: return value;
+        case Number_kind::not_a_number: fail(name + " is not a number: " + shown(text), "a number");
+        case Number_kind::nan: fail(name + " is nan: " + shown(text), "a finite number", Error_code::not_finite);
+        case Number_kind::too_large: break;
+    }
+    fail(name + " is infinite or too large for a double: " + shown(text), "a finite number", Error_code::not_finite);
+}
+
+std::uint64_t Line_reader::whole(std::string_view text, std::string_view what) const {
+    std::uint64_t value = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code == std::errc::result_out_of_range && end == text.data() + text.size())
+        fail(std::string(what) + " is too large: " + shown(text), "a count below 2^31");
+    if (code != std::errc() || end != text.data() + text.size())
+        fail(std::string(what) + " is not an integer of 0 or more: " + shown(text), "an integer of 0 or more");
+    return value;
+}
+
+std::size_t Line_reader::room_for(std::uint64_t count, std::uint64_t bytes, std::string_view noun) const {
+    if (count > static_cast<std::uint64_t>(std::numeric_limits<Index>::max()))
+        fail("says " + std::to_string(count) + " " + std::string(noun), "fewer than 2^31");
+    // One byte more than is there, because the last line may have no end.
+    return static_cast<std::size_t>(std::min(count, (static_cast<std::uint64_t>(rest_.size()) + 1) / bytes));
+}
+
+void Line_reader::require_record(std::uint64_t done, std::uint64_t count, std::string_view noun) {
+    if (next_record()) return;
+    fail("the file ends after " + std::to_string(done) + " of " + std::to_string(count) + " " + std::string(noun),
+         std::to_string(count - done) + " more");
+}
+
+}  // namespace annulus

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/mesh/audit_sites.h>
+
+#include <unordered_map>
+
+namespace annulus {
+
+namespace auditing {
+
+int Plane_judge::turn(Index a, Index b, Index c) {
+    const Point& A = s_[at(a)];
+    const Point& B = s_[at(b)];
+    const Point& C = s_[at(c)];
+    mpz_sub(t_[0], *B.x, *A.x);
+    mpz_sub(t_[1], *C.y, *A.y);
+    mpz_sub(t_[2], *B.y, *A.y);
+    mpz_sub(t_[3], *C.x, *A.x);
+    mpz_mul(t_[4], t_[0], t_[1]);
+    mpz_submul(t_[4], t_[2], t_[3]);
+    return sign(t_[4]);
+}
+
+int Plane_judge::inside(Index a, Index b, Index c, Index e) {
+    const std::array<Index, 3> v{a, b, c};
+    const Point& E = s_[at(e)];
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Point& V = s_[at(v[i])];
+        mpz_sub(dx_[i], *V.x, *E.x);
+        mpz_sub(dy_[i], *V.y, *E.y);
+        mpz_mul(lift_[i], dx_[i], dx_[i]);
+        mpz_addmul(lift_[i], dy_[i], dy_[i]);
+        if (V.z != nullptr) {
+            mpz_sub(t_[4], *V.z, *E.z);
+            mpz_addmul(lift_[i], t_[4], t_[4]);
+        }
+    }
+    mpz_set_ui(t_[5], 0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        const std::size_t k = (i + 2) % 3;
+        mpz_mul(t_[4], dx_[j], dy_[k]);
+        mpz_submul(t_[4], dx_[k], dy_[j]);
+        mpz_addmul(t_[5], t_[4], lift_[i]);
+    }
+    return sign(t_[5]);
+}
+
+int Plane_judge::half_plane(Index a, Index b) const {
+    const int dy = mpz_cmp(*s_[at(b)].y, *s_[at(a)].y);
+    if (dy != 0) return dy > 0 ? 1 : -1;
+    return mpz_cmp(*s_[at(b)].x, *s_[at(a)].x) > 0 ? 1 : -1;
+}
+
+Audit_result audit_plane(Plane_judge& judge, std::size_t n, const std::vector<std::array<Index, 3>>& cells,
+                         Audit_result r) {
+    std::vector<char> used(n, 0);
+    // Directed edge a -> b of a cell, with its opposite vertex.
+    std::unordered_map<std::uint64_t, Index> opposite;
+    opposite.reserve(3 * cells.size());
+    const auto key = [](Index a, Index b) {
+        return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) | static_cast<std::uint32_t>(b);
+    };
+    for (const auto& c : cells) {
+        if (*std::min_element(c.begin(), c.end()) < 0 || at(*std::max_element(c.begin(), c.end())) >= n) {
+            fault(r, r.topological_faults, named(r, "a cell names a vertex that is not there:", {c[0], c[1], c[2]}));
+            return r;
+        }
+        for (const Index v : c) used[at(v)] = 1;
+        if (judge.turn(c[0], c[1], c[2]) <= 0)
+            fault(r, r.inverted_cells, named(r, "cell not positively oriented:", {c[0], c[1], c[2]}));
+        for (std::size_t i = 0; i < 3; ++i)
+            if (!opposite.emplace(key(c[(i + 1) % 3], c[(i + 2) % 3]), c[i]).second)
+                fault(r, r.topological_faults,
+                      named(r, "two cells on one side of the edge", {c[(i + 1) % 3], c[(i + 2) % 3]}));
+    }
+    for (std::size_t v = 0; v < n; ++v)
+        if (!used[v]) fault(r, r.topological_faults, named(r, "vertex in no cell:", {static_cast<Index>(v)}));
+
+    // Interior edges are locally Delaunay; border edges a -> b (interior on their left) give the next on the border.
+    std::unordered_map<Index, Index> next;
+    for (const auto& [edge, apex] : opposite) {
+        const auto a = static_cast<Index>(edge >> 32);
+        const auto b = static_cast<Index>(edge & 0xffffffffU);
+        const auto other = opposite.find(key(b, a));
+        if (other == opposite.end()) {
+            if (!next.emplace(a, b).second)
+                fault(r, r.topological_faults, named(r, "the border passes twice through vertex", {a}));
+            continue;
+        }
+        if (a > b) continue;
+        const int side = judge.inside(a, b, apex, other->second);
+        if (side == 0) ++r.degenerate_facets;
+        if (side > 0)
+            fault(r, r.violated_facets, named(r, "not locally Delaunay: edge, opposites", {a, b, apex, other->second}));
+    }
+    // One closed border, convex, turning once: the direction enters the upper half-plane exactly once.
+    if (next.empty()) {
+        fault(r, r.topological_faults, "no border");
+        return r;
+    }
+    std::size_t length = 0;
+    int turns = 0;
+    const Index first = next.begin()->first;
+    Index a = first;
+    do {
+        const auto b = next.find(a);
+        const auto c = b == next.end() ? next.end() : next.find(b->second);
+        if (c == next.end()) {
+            fault(r, r.topological_faults, named(r, "the border is open at vertex", {a}));
+            return r;
+        }
+        const int turn = judge.turn(a, b->second, c->second);
+        const int before = judge.half_plane(a, b->second);
+        const int after = judge.half_plane(b->second, c->second);
+        if (turn < 0) fault(r, r.concave_ridges, named(r, "border not convex at", {a, b->second, c->second}));
+        if (turn == 0 && before != after)
+            fault(r, r.concave_ridges, named(r, "border folds back at", {a, b->second, c->second}));
+        if (before < 0 && after > 0) ++turns;
+        a = b->second;
+        ++length;
+    } while (a != first && length <= next.size());
+    if (length != next.size()) fault(r, r.topological_faults, "the border is more than one closed curve");
+    if (turns != 1) fault(r, r.topological_faults, "the border does not wind once");
+    return r;
+}
+
+}  // namespace auditing
+
+Audit_result audit(const Audit_input<2>& in, Index first_index) {
+    using namespace auditing;
+    Audit_result r;
+    r.first = first_index;
+    const std::vector<Index> order = lexicographic<2>(in.points);
+    find_duplicates<2>(in.points, order, r);
+    const auto sites = integer_sites<2>(in.points);
+    std::vector<Plane_judge::Point> points;
+    for (const auto& s : sites) points.push_back({&s[0], &s[1]});
+    Plane_judge judge(std::move(points));
+    if (std::any_of(in.cells.begin(), in.cells.end(), [](const auto& c) { return c[2] != none; }))
+        return audit_plane(judge, in.points.size(), in.cells, std::move(r));
+    // Points that span no area: all collinear, and the edges join neighbours on the line.
+    for (std::size_t i = 2; i < order.size(); ++i)
+        if (judge.turn(order[0], order[1], order[i]) != 0)
+            fault(r, r.topological_faults,
+                  named(r, "no triangle, but not collinear with the rest: vertex", {order[i]}));
+    expect_chain(in.cells, order, r);
+    return r;
+}
+
+}  // namespace annulus

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The boundary first: if every boundary triangle shows its inner side to a point o, the boundary is spread over the directions
+// seen from o as a covering that may branch at vertices only, and the number of its sheets is the number of triangles that any
+// one ray meets. One sheet: no branching, the boundary is star-shaped and embedded, and being convex at its edges it is convex.
+// Positive cells whose boundary it is cover every point inside once and none outside, because the number of cells at a point
+// that is on no facet is how often the boundary winds around it.
+#include <annulus/mesh/audit_judge_3.h>
+
+#include <unordered_map>
+
+namespace annulus {
+
+namespace {
+
+using namespace auditing;
+
+struct Triple_hash {
+    std::size_t operator()(const Triple& t) const {
+        std::uint64_t h = 0;
+        for (const Index v : t) h = (h ^ static_cast<std::uint32_t>(v)) * 0x9e3779b97f4a7c15U;
+        return static_cast<std::size_t>(h ^ (h >> 32));
+    }
+};
+
+/// A triangle with its least vertex first, turned but not turned over.
+Triple canonical(Triple t) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    return t;
+}
+
+/// The facets of a positive cell as seen from outside, with the vertex behind.
+constexpr std::array<std::array<std::size_t, 4>, 4> outer_facets{
+    {{1, 2, 3, 0}, {0, 3, 2, 1}, {0, 1, 3, 2}, {0, 2, 1, 3}}};
+
+/// A boundary that is one convex surface, traversed once. `border` has triangles that turn left as seen from outside.
+void audit_border(Judge_3& judge, const Cell& any, const std::vector<Triple>& border, Audit_result& r) {
+    if (border.empty()) {
+        fault(r, r.topological_faults, "no boundary");
+        return;
+    }
+    // Directed edge a -> b and the third vertex of the triangle on its left.
+    std::unordered_map<std::uint64_t, Index> left;
+    left.reserve(3 * border.size());
+    const auto key = [](Index a, Index b) {
+        return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) | static_cast<std::uint32_t>(b);
+    };
+    for (const Triple& f : border)
+        for (std::size_t i = 0; i < 3; ++i)
+            if (!left.emplace(key(f[i], f[(i + 1) % 3]), f[(i + 2) % 3]).second)
+                fault(r, r.topological_faults,
+                      named(r, "two boundary triangles on one side of the edge", {f[i], f[(i + 1) % 3]}));
+    for (const auto& [edge, c] : left) {
+        const auto a = static_cast<Index>(edge >> 32);
+        const auto b = static_cast<Index>(edge & 0xffffffffU);
+        const auto other = left.find(key(b, a));
+        if (other == left.end()) {
+            fault(r, r.topological_faults, named(r, "the boundary is open at the edge", {a, b}));
+            continue;
+        }
+        if (a > b) continue;
+        const int side = judge.orientation(a, b, c, other->second);  // positive: outside the triangle a b c
+        if (side > 0 || (side == 0 && !judge.opposite(a, b, c, other->second)))
+            fault(r, r.concave_ridges, named(r, "boundary not convex at edge, opposites", {a, b, c, other->second}));
+    }
+    judge.take_middle(any);
+    bool star_shaped = true;
+    for (const Triple& f : border)
+        if (judge.orientation_of_middle(f) >= 0) {
+            if (star_shaped)
+                fault(r, r.concave_ridges, named(r, "a cell is not behind the boundary triangle", {f[0], f[1], f[2]}));
+            star_shaped = false;
+        }
+    if (!star_shaped) return;
+    std::size_t sheets = 0;
+    for (const Triple& f : border)
+        if (judge.meets(f, border.front())) ++sheets;
+    if (sheets != 1) fault(r, r.topological_faults, "the boundary does not wind once");
+}
+
+/// Points that span no volume.
+Audit_result audit_flat(const Audit_input<3>& in, const std::vector<Index>& order, Audit_result r) {
+    const auto sites = integer_sites<3>(in.points);
+    Judge_3 judge(sites);
+    const bool triangles = std::any_of(in.cells.begin(), in.cells.end(), [](const Cell& c) { return c[2] != none; });
+    if (!triangles) {
+        for (std::size_t i = 2; i < order.size(); ++i)
+            if (!judge.collinear(order[0], order[1], order[i]))
+                fault(r, r.topological_faults,
+                      named(r, "no triangle, but not collinear with the rest: vertex", {order[i]}));
+        expect_chain(in.cells, order, r);
+        return r;
+    }
+    std::vector<Triple> cells;
+    for (const Cell& c : in.cells) {
+        if (*std::min_element(c.begin(), c.begin() + 3) < 0 ||
+            at(*std::max_element(c.begin(), c.end())) >= sites.size()) {
+            fault(r, r.topological_faults, named(r, "a cell names a vertex that is not there:", {c[0], c[1], c[2]}));
+            return r;
+        }
+        cells.push_back({c[0], c[1], c[2]});
+    }
+    const Triple first = cells.front();
+    for (Index v = 0; at(v) < sites.size(); ++v)
+        if (judge.orientation(first[0], first[1], first[2], v) != 0)
+            fault(r, r.topological_faults, named(r, "no cell, but not coplanar with the rest: vertex", {v}));
+    // Seen along an axis along which the first triangle has an area, from the side that it turns left on.
+    std::size_t axis = 0;
+    while (axis < 3 && judge.turn(first[0], first[1], first[2], axis) == 0) ++axis;
+    if (axis == 3) {
+        fault(r, r.inverted_cells, named(r, "cell not positively oriented:", {first[0], first[1], first[2]}));
+        return r;
+    }
+    std::size_t x = (axis + 1) % 3;
+    std::size_t y = (axis + 2) % 3;
+    if (judge.turn(first[0], first[1], first[2], axis) < 0) std::swap(x, y);
+    std::vector<Plane_judge::Point> points;
+    for (const auto& s : sites) points.push_back({&s[x], &s[y], &s[axis]});
+    Plane_judge plane(std::move(points));
+    return audit_plane(plane, sites.size(), cells, std::move(r));
+}
+
+}  // namespace
+
+Audit_result audit(const Audit_input<3>& in, Index first_index) {
+    Audit_result r;
+    r.first = first_index;
+    const std::vector<Index> order = lexicographic<3>(in.points);
+    find_duplicates<3>(in.points, order, r);
+    if (std::none_of(in.cells.begin(), in.cells.end(), [](const Cell& c) { return c[3] != none; }))
+        return audit_flat(in, order, std::move(r));
+
+    const std::size_t n = in.points.size();
+    const auto sites = integer_sites<3>(in.points);
+    Judge_3 judge(sites);
+    std::vector<char> used(n, 0);
+    // Facet as seen from outside its cell, with the vertex behind.
+    std::unordered_map<Triple, Index, Triple_hash> behind;
+    behind.reserve(4 * in.cells.size());
+    std::vector<std::uint64_t> edges;
+    for (const Cell& c : in.cells) {
+        if (*std::min_element(c.begin(), c.end()) < 0 || at(*std::max_element(c.begin(), c.end())) >= n) {
+            fault(r, r.topological_faults,
+                  named(r, "a cell names a vertex that is not there:", {c[0], c[1], c[2], c[3]}));
+            return r;
+        }
+        for (const Index v : c) used[at(v)] = 1;
+        if (judge.orientation(c[0], c[1], c[2], c[3]) <= 0)
+            fault(r, r.inverted_cells, named(r, "cell not positively oriented:", {c[0], c[1], c[2], c[3]}));
+        for (const auto& f : outer_facets)
+            if (!behind.emplace(canonical({c[f[0]], c[f[1]], c[f[2]]}), c[f[3]]).second)
+                fault(r, r.topological_faults,
+                      named(r, "two cells on one side of the facet", {c[f[0]], c[f[1]], c[f[2]]}));
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                edges.push_back((static_cast<std::uint64_t>(std::min(c[i], c[j])) << 32) |
+                                static_cast<std::uint32_t>(std::max(c[i], c[j])));
+    }
+    for (std::size_t v = 0; v < n; ++v)
+        if (!used[v]) fault(r, r.topological_faults, named(r, "vertex in no cell:", {static_cast<Index>(v)}));
+
+    std::vector<Triple> border;
+    for (const auto& [f, q] : behind) {
+        const auto other = behind.find(canonical({f[0], f[2], f[1]}));
+        if (other == behind.end()) {
+            border.push_back(f);
+            continue;
+        }
+        if (f[1] > f[2]) continue;
+        // From inside, f turns the other way.
+        const int side = judge.inside({f[0], f[2], f[1], q}, other->second);
+        if (side == 0) ++r.degenerate_facets;
+        if (side > 0)
+            fault(r, r.violated_facets,
+                  named(r, "not locally Delaunay: facet, opposites", {f[0], f[1], f[2], q, other->second}));
+    }
+    std::sort(edges.begin(), edges.end());
+    const auto e = static_cast<std::size_t>(std::unique(edges.begin(), edges.end()) - edges.begin());
+    const std::size_t facets = border.size() + (behind.size() - border.size()) / 2;
+    if (n + facets != e + in.cells.size() + 1) fault(r, r.topological_faults, "Euler's relation fails");
+    audit_border(judge, in.cells.front(), border, r);
+    return r;
+}
+
+}  // namespace annulus

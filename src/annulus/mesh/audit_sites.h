@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the audits of both dimensions share: coordinates as integers, and how a fault is noted.
+#include <annulus/mesh/audit.h>
+
+#include <gmp.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace annulus::auditing {
+
+inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+/// An integer that frees itself; temporaries are reused, allocation would dominate.
+class Integer {
+  public:
+    Integer() { mpz_init(z_); }
+    Integer(const Integer& o) { mpz_init_set(z_, o.z_); }
+    Integer& operator=(const Integer& o) {
+        mpz_set(z_, o.z_);
+        return *this;
+    }
+    ~Integer() { mpz_clear(z_); }
+    operator mpz_ptr() { return z_; }
+    operator mpz_srcptr() const { return z_; }
+
+  private:
+    mpz_t z_;
+};
+
+inline int sign(const Integer& z) {
+    const mpz_srcptr p = z;
+    return mpz_sgn(p);
+}
+
+template <int d>
+using Site = std::array<Integer, static_cast<std::size_t>(d)>;
+
+/// All coordinates times one power of two that makes them integers.
+template <int d>
+std::vector<Site<d>> integer_sites(const std::vector<Coordinates<d>>& points) {
+    int least = 1100;
+    for (const auto& p : points)
+        for (const double c : p) {
+            int e = 0;
+            if (c == 0.0) continue;
+            (void)std::frexp(c, &e);
+            least = std::min(least, e - 53);
+        }
+    std::vector<Site<d>> sites(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t k = 0; k < points[i].size(); ++k) {
+            if (points[i][k] == 0.0) continue;
+            int e = 0;
+            const double mantissa = std::frexp(points[i][k], &e);
+            mpz_set_d(sites[i][k], std::ldexp(mantissa, 53));
+            mpz_mul_2exp(sites[i][k], sites[i][k], static_cast<mp_bitcnt_t>(e - 53 - least));
+        }
+    return sites;
+}
+
+inline void fault(Audit_result& r, std::uint64_t& counter, const std::string& words) {
+    ++counter;
+    if (r.first_fault.empty()) r.first_fault = words;
+}
+
+/// Words and vertices, counted from r.first.
+inline std::string named(const Audit_result& r, const char* what, std::initializer_list<Index> v) {
+    std::string s = what;
+    for (const Index i : v) {
+        s += ' ';
+        s += std::to_string(static_cast<long long>(i) + r.first);
+    }
+    return s;
+}
+
+template <int d>
+std::vector<Index> lexicographic(const std::vector<Coordinates<d>>& p) {
+    std::vector<Index> order(p.size());
+    for (std::size_t i = 0; i < p.size(); ++i) order[i] = static_cast<Index>(i);
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return p[at(a)] < p[at(b)]; });
+    return order;
+}
+
+/// Notes vertices at one place. `order` is lexicographic.
+template <int d>
+void find_duplicates(const std::vector<Coordinates<d>>& p, const std::vector<Index>& order, Audit_result& r) {
+    for (std::size_t i = 1; i < order.size(); ++i)
+        if (p[at(order[i - 1])] == p[at(order[i])])
+            fault(r, r.topological_faults, named(r, "two vertices at one place:", {order[i - 1], order[i]}));
+}
+
+/// Compares the edges with those that join consecutive points of a line; `order` is lexicographic.
+template <std::size_t k>
+void expect_chain(const std::vector<std::array<Index, k>>& cells, const std::vector<Index>& order, Audit_result& r) {
+    if (order.size() <= 1 && !cells.empty()) fault(r, r.topological_faults, "cells, but not two points to join");
+    if (order.size() <= 1) return;
+    std::vector<std::array<Index, 2>> expected;
+    for (std::size_t i = 1; i < order.size(); ++i)
+        expected.push_back({std::min(order[i - 1], order[i]), std::max(order[i - 1], order[i])});
+    std::vector<std::array<Index, 2>> found;
+    for (const auto& c : cells) found.push_back({std::min(c[0], c[1]), std::max(c[0], c[1])});
+    std::sort(expected.begin(), expected.end());
+    std::sort(found.begin(), found.end());
+    if (expected != found) fault(r, r.topological_faults, "the edges do not join consecutive points of the line");
+}
+
+/// Points of a plane in space, seen from one of its sides: orientation and circles by integers. Lengths are those of space,
+/// so that circles are circles.
+class Plane_judge {
+  public:
+    /// Sites with two coordinates to turn by, and any number more that only add to the squared lengths.
+    struct Point {
+        const Integer* x;
+        const Integer* y;
+        const Integer* z = nullptr;
+    };
+    explicit Plane_judge(std::vector<Point> points) : s_(std::move(points)) {}
+
+    /// Sign of (b - a) x (c - a).
+    int turn(Index a, Index b, Index c);
+    /// Positive when e is strictly inside the circle of the positive triangle a b c: the lifted 3 x 3 determinant.
+    int inside(Index a, Index b, Index c, Index e);
+    /// Sign of the direction from a to b: +1 when it points up, or right when level; -1 otherwise.
+    [[nodiscard]] int half_plane(Index a, Index b) const;
+
+  private:
+    std::vector<Point> s_;
+    std::array<Integer, 6> t_;
+    std::array<Integer, 3> dx_;
+    std::array<Integer, 3> dy_;
+    std::array<Integer, 3> lift_;
+};
+
+/// The audit of triangles that fill a convex polygon; r has what is known already.
+Audit_result audit_plane(Plane_judge& judge, std::size_t vertices, const std::vector<std::array<Index, 3>>& cells,
+                         Audit_result r);
+
+}  // namespace annulus::auditing

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/mesh/cell_table.h>
+
+#include <span>
+
+namespace annulus {
+
+/// Whether the border of a triangulation, at x, winds once. Precondition: every ridge of it is convex there. O(border). (docs/theory.md 1.2)
+[[nodiscard]] bool border_winds_once(const Cell_table<2>& t, std::span<const Coordinates<2>> x);
+[[nodiscard]] bool border_winds_once(const Cell_table<3>& t, std::span<const Coordinates<3>> x);
+
+/// Whether all cells with infinity are one border. Flips keep it whole; a region that was built anew beneath it may have closed off a part, which
+/// would wind by itself. O(cells).
+template <int d>
+[[nodiscard]] bool border_is_whole(const Cell_table<d>& t) {
+    Index all = 0;
+    for (Index c = 0; c < t.cell_bound(); ++c)
+        if (t.is_cell(c) && t.is_infinite(c)) ++all;
+    Index met = 0;
+    if constexpr (d == 2) {
+        const Index first = t.corner_of_infinity();
+        Index h = first;
+        do {
+            ++met;
+            h = t.next_around(h);
+        } while (h != first);
+    } else {
+        t.for_each_corner(infinite, [&met](Index) { ++met; });
+    }
+    return met == all;
+}
+
+}  // namespace annulus

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How often the hull of space winds, read off its silhouette (docs/theory.md 1.2, (c)).
+#include <annulus/mesh/border.h>
+
+#include <annulus/certificate/ladder.h>
+#include <annulus/mesh/certificates.h>
+
+#include <unordered_map>
+
+namespace annulus {
+
+namespace {
+
+/// The first sign that is not 0 of the components z, y, x of (b - a) x (c - a): how that turns seen from (e^2, e, 1). Each
+/// component is an orientation in a coordinate plane.
+int turn(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c) {
+    for (const auto& [i, j] : {std::pair{0U, 1U}, {2U, 0U}, {1U, 2U}}) {
+        const Coordinates<2> p{a[i], a[j]};
+        const Coordinates<2> q{b[i], b[j]};
+        const Coordinates<2> r{c[i], c[j]};
+        if (const int sign = orientation_verdict({&p, &q, &r}, false).sign; sign != 0) return sign;
+    }
+    return 0;
+}
+
+/// The direction from a to b is in the upper half-plane, seen from there.
+bool points_up(const Coordinates<3>& a, const Coordinates<3>& b) {
+    if (a[1] != b[1]) return a[1] < b[1];
+    if (a[2] != b[2]) return a[2] > b[2];
+    return a[0] < b[0];
+}
+
+/// v is strictly between u and w, all three on one line.
+bool between(const Coordinates<3>& u, const Coordinates<3>& v, const Coordinates<3>& w) {
+    return (u < v && v < w) || (w < v && v < u);  // lexicographic order is the order along any line
+}
+
+}  // namespace
+
+/// The silhouette seen from (e^2, e, 1) are the edges of border facets that face there, beyond which the border faces away. The
+/// border, convex at its ridges, winds once if that is one closed polygon that turns left and once.
+bool border_winds_once(const Cell_table<3>& t, std::span<const Coordinates<3>> positions) {
+    const auto x = [&](Index v) -> const Coordinates<3>& { return positions[static_cast<std::size_t>(v)]; };
+    std::vector<Index> outer;  // half-facets at infinity
+    std::vector<char> faces(static_cast<std::size_t>(t.cell_bound()),
+                            0);  // by infinite cell: its facet faces the viewer
+    t.for_each_corner(infinite, [&](Index h) {
+        const auto f = facet_and_vertex(t, h);  // seen from outside it turns left
+        outer.push_back(h);
+        faces[static_cast<std::size_t>(t.cell_of(h))] = turn(x(f[0]), x(f[1]), x(f[2])) > 0 ? 1 : 0;
+    });
+    std::unordered_map<Index, Index> next;
+    for (const Index h : outer) {
+        const Index c = t.cell_of(h);
+        if (faces[static_cast<std::size_t>(c)] == 0) continue;
+        const auto f = facet_and_vertex(t, h);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Index beyond = t.cell_of(t.twin(t.corner(c, t.slot(c, f[i]))));
+            if (faces[static_cast<std::size_t>(beyond)] != 0) continue;
+            if (!next.emplace(f[(i + 1) % 3], f[(i + 2) % 3]).second) return false;
+        }
+    }
+    int entries = 0;
+    for (const auto& [u, v] : next) {
+        const auto after = next.find(v);
+        if (after == next.end()) return false;
+        const Index w = after->second;
+        const int left = turn(x(u), x(v), x(w));
+        if (left < 0 || (left == 0 && !between(x(u), x(v), x(w)))) return false;
+        if (!points_up(x(u), x(v)) && points_up(x(v), x(w))) ++entries;
+    }
+    return entries == 1;
+}
+
+}  // namespace annulus

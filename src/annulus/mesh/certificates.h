@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/certificate/ladder.h>
+#include <annulus/mesh/cell_table.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace annulus {
+
+/// The three kinds of certificate a facet of T can own (theory 1); the fourth, the orientation of a finite cell,
+/// belongs to the cell.
+enum class Facet_kind : std::uint8_t {
+    empty_sphere,  ///< both cells finite
+    border,        ///< one infinite cell: nothing beyond the orientation of the finite one
+    ridge,         ///< both cells infinite: the hull is convex there
+    slab,          ///< the paper's view of a border facet: its own parallel hyperplanes (kind `paper` only)
+};
+
+/// Points of a certificate as vertex indices; a ridge leaves the last entry `none`.
+template <int d>
+using Facet_points = std::array<Index, static_cast<std::size_t>(d + 2)>;
+template <int d>
+using Cell_points = std::array<Index, static_cast<std::size_t>(d + 1)>;
+
+template <int d>
+[[nodiscard]] Facet_kind facet_kind(const Cell_table<d>& t, Index h) {
+    if (t.vertex(h) == infinite || t.vertex(t.twin(h)) == infinite) return Facet_kind::border;
+    return t.is_infinite(t.cell_of(h)) ? Facet_kind::ridge : Facet_kind::empty_sphere;  // as the other cell
+}
+
+/// The points of a finite cell in positive order.
+template <int d>
+[[nodiscard]] Cell_points<d> cell_points(const Cell_table<d>& t, Index c) {
+    Cell_points<d> x{};
+    for (int i = 0; i <= d; ++i) x[static_cast<std::size_t>(i)] = t.vertex(t.corner(c, i));
+    return x;
+}
+
+/// The points of a ridge, ordered so that their orientation is positive where the hull is strictly convex: the
+/// infinite cell of h with infinity replaced by the vertex opposite in the other cell, and two points swapped (an
+/// infinite cell lies outside).
+template <int d>
+[[nodiscard]] Cell_points<d> ridge_points(const Cell_table<d>& t, Index h) {
+    Cell_points<d> x = cell_points(t, t.cell_of(h));
+    for (Index& v : x)
+        if (v == infinite) v = t.vertex(t.twin(h));
+    std::swap(x[0], x[1]);
+    return x;
+}
+
+/// The points of a border facet for the paper's slab: its finite cell in positive order, the vertex off the facet last.
+[[nodiscard]] inline Cell_points<2> slab_points(const Cell_table<2>& t, Index h) {
+    if (t.is_infinite(t.cell_of(h))) h = t.twin(h);
+    return {t.vertex(t.ccw(h)), t.vertex(t.cw(h)), t.vertex(h)};
+}
+
+/// The corners that face corner `slot` of a tetrahedron: with that corner last the four are in positive order.
+inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}}};
+
+/// The facet of half-facet h, its vertices turning left as seen from its own vertex vertex(h), which comes last.
+[[nodiscard]] inline Cell_points<3> facet_and_vertex(const Cell_table<3>& t, Index h) {
+    Cell_points<3> x{};
+    for (std::size_t k = 0; k < 3; ++k)
+        x[k] = t.vertex(t.corner(t.cell_of(h), facing_corners[static_cast<std::size_t>(t.slot_of(h))][k]));
+    x[3] = t.vertex(h);
+    return x;
+}
+[[nodiscard]] inline Cell_points<3> slab_points(const Cell_table<3>& t, Index h) {
+    return facet_and_vertex(t, t.is_infinite(t.cell_of(h)) ? t.twin(h) : h);
+}
+
+/// Turns the points of a ridge so that its own finite vertex comes last.
+[[nodiscard]] inline Cell_points<2> ridge_vertex_last(const Cell_table<2>& t, Index h, Cell_points<2> x) {
+    const Index v = t.vertex(t.ccw(h)) == infinite ? t.vertex(t.cw(h)) : t.vertex(t.ccw(h));
+    while (x[2] != v) x = {x[1], x[2], x[0]};
+    return x;
+}
+
+/// In space: the two vertices of the ridge first, the opposite vertices last.
+[[nodiscard]] inline Cell_points<3> ridge_vertex_last(const Cell_table<3>& t, Index h, Cell_points<3> x) {
+    // Three places turned at a time: an even permutation.
+    const auto bring = [&x](Index v, std::size_t to) {
+        const auto from = static_cast<std::size_t>(std::find(x.begin(), x.end(), v) - x.begin());
+        if (from == to) return;
+        const std::size_t third = from == 0 || to == 0 ? (from == 1 || to == 1 ? 2U : 1U) : 0U;
+        std::swap(x[from], x[to]);
+        std::swap(x[from], x[third]);
+    };
+    bring(t.vertex(t.twin(h)), 3);
+    bring(t.vertex(h), 2);
+    return x;
+}
+
+/// The points {a, b, p, q} of the bi-cell at half-facet h: q = vertex(h) is left of ab, p right of it.
+[[nodiscard]] inline Facet_points<2> bicell_points(const Cell_table<2>& t, Index h) {
+    return {t.vertex(t.ccw(h)), t.vertex(t.cw(h)), t.vertex(t.twin(h)), t.vertex(h)};
+}
+
+/// The points {a, b, c, p, q} of the bi-cell at half-facet h, as the ladder takes them: q = vertex(h).
+[[nodiscard]] inline Facet_points<3> bicell_points(const Cell_table<3>& t, Index h) {
+    const Cell_points<3> x = facet_and_vertex(t, h);
+    return {x[0], x[1], x[2], t.vertex(t.twin(h)), x[3]};
+}
+
+/// The certificate that a facet owns; `point` is padded with `none`, and empty of a border.
+template <int d>
+struct Facet_certificate {
+    Facet_kind kind;
+    Facet_points<d> point;
+};
+
+/// The certificate of half-facet h. A border owns a slab if there are `slabs`, which are the paper's.
+template <int d>
+[[nodiscard]] Facet_certificate<d> facet_certificate(const Cell_table<d>& t, Index h, bool slabs) {
+    Facet_certificate<d> f{facet_kind(t, h), {}};
+    if (f.kind == Facet_kind::empty_sphere) {
+        f.point = bicell_points(t, h);
+        return f;
+    }
+    f.point.fill(none);
+    if (f.kind == Facet_kind::border && slabs) f.kind = Facet_kind::slab;
+    if (f.kind == Facet_kind::border) return f;
+    const Cell_points<d> x =
+        f.kind == Facet_kind::ridge ? ridge_vertex_last(t, h, ridge_points(t, h)) : slab_points(t, h);
+    std::copy(x.begin(), x.end(), f.point.begin());
+    return f;
+}
+
+/// The first k of `point`, where they are in x.
+template <int d, std::size_t k, std::size_t n>
+[[nodiscard]] Tuple<d, static_cast<int>(k)> tuple(const std::array<Index, n>& point,
+                                                  std::span<const Coordinates<d>> x) requires(k <= n) {
+    Tuple<d, static_cast<int>(k)> t{};
+    for (std::size_t i = 0; i < k; ++i) t[i] = &x[static_cast<std::size_t>(point[i])];
+    return t;
+}
+
+/// Visits every certificate that contains v: on_cell(h) with the corner of v in each of its cells, on_facet(k) with a
+/// half-facet of each facet whose bi-cell contains it, once. O(degree).
+template <class On_cell, class On_facet>
+void for_each_certificate(const Cell_table<2>& t, Index v, On_cell on_cell, On_facet on_facet) {
+    t.for_each_corner(v, [&](Index h) {
+        on_cell(h);
+        on_facet(h);
+        on_facet(t.ccw(h));
+    });
+}
+template <class On_cell, class On_facet>
+void for_each_certificate(const Cell_table<3>& t, Index v, On_cell on_cell, On_facet on_facet) {
+    t.for_each_corner(v, [&](Index h) {
+        on_cell(h);
+        on_facet(h);
+        for (int i = 0; i <= 3; ++i) {  // the other three contain v and are seen from two of its cells
+            const Index k = t.corner(t.cell_of(h), i);
+            if (k != h && k < t.twin(k)) on_facet(k);
+        }
+    });
+}
+
+}  // namespace annulus

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/mesh/certificates.h>
+
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// Puts the cells `fresh`, each with its vertices in positive order, infinity among them, in the place of the cells `old`; `made` receives
+/// the numbers of the new ones. Facets on the border of the region keep their index. Precondition: both have the same border, no facet of which is there twice.
+/// O(k log k) for k cells.
+template <int d>
+void replace_cells(Cell_table<d>& t, std::span<const Index> old, std::span<const Cell_points<d>> fresh, std::vector<Index>& made);
+
+extern template void replace_cells<2>(Cell_table<2>&, std::span<const Index>, std::span<const Cell_points<2>>,
+                                      std::vector<Index>&);
+extern template void replace_cells<3>(Cell_table<3>&, std::span<const Index>, std::span<const Cell_points<3>>,
+                                      std::vector<Index>&);
+
+}  // namespace annulus

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/report/axis_ticks.h>
+#include <annulus/formats/markup.h>
+#include <annulus/report/page.h>
+#include <annulus/report/report.h>
+#include <annulus/report/report_plots.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+namespace {
+
+std::string memory(std::uint64_t bytes) {
+    if (bytes == 0) return "unknown";
+    const double value = static_cast<double>(bytes);
+    return value < 1e9 ? readable(value / 1e6) + " MB" : readable(value / 1e9) + " GB";
+}
+
+std::string audit(const Audit_record& record) {
+    if (record.checked == 0) return "none";
+    const std::string checked = grouped(record.checked) + " checked, ";
+    return checked + (record.failed == 0 ? "<span class=\"good\">none failed</span>"
+                                         : "<span class=\"bad\">" + grouped(record.failed) + " failed</span>");
+}
+
+void append_numbers(std::string& out, const Run_record& run) {
+    out += "<div class=\"numbers\"><table>\n";
+    append_row(out, "vertices", grouped(run.vertices) + " <small>in " + std::to_string(run.dimension) + "D</small>");
+    append_row(out, "iterations", grouped(run.iterations));
+    append_row(out, "strategy", escaped(run.strategy));
+    append_row(out, "tolerance", escaped(run.tolerance));
+    append_row(out, "threads", grouped(run.threads));
+    append_row(out, "seed", std::to_string(run.seed));
+    if (run.mean_spacing > 0) append_row(out, "mean spacing", readable(run.mean_spacing));
+    out += "</table><table>\n";
+    append_row(out, "triangulation time", duration(run.seconds.triangulation));
+    append_row(out, "motion time", duration(run.seconds.motion));
+    append_row(out, "total time", duration(run.seconds.total));
+    append_row(out, "peak memory", memory(run.memory_peak_bytes));
+    append_row(out, "audits", audit(run.audit));
+    const std::uint64_t decisions = run.arithmetic.total();
+    append_row(out, "certificates decided", grouped(decisions));
+    append_row(out, "by the filter", with_share(run.arithmetic.filter, decisions));
+    append_row(out, "by intervals", with_share(run.arithmetic.interval, decisions));
+    append_row(out, "exactly", with_share(run.arithmetic.exact, decisions));
+    out += "</table><table>\n";
+    const Moves_record& moves = run.moves;
+    append_row(out, "moves asked for", grouped(moves.asked));
+    append_row(out, "within tolerance", with_share(moves.within_tolerance, moves.asked));
+    append_row(out, "kept in place", with_share(moves.kept_in_place, moves.asked));
+    append_row(out, "flipped", with_share(moves.flipped, moves.asked));
+    append_row(out, "reinserted", with_share(moves.reinserted, moves.asked));
+    append_row(out, "rebuilt", with_share(moves.rebuilt, moves.asked));
+    out += "</table></div>\n";
+}
+
+/// Both pictures show the same part of the plane, or they could not be compared.
+void append_pictures(std::string& out, const Report& report) {
+    if (!report.before && !report.after) return;
+    out += "<h2>The triangulation</h2>\n<div class=\"panels\">\n";
+    std::vector<Coordinates<2>> all;
+    std::size_t most = 12000;
+    for (const auto* picture : {&report.before, &report.after})
+        if (*picture) all.insert(all.end(), (*picture)->points.begin(), (*picture)->points.end());
+    const std::size_t pictures = (report.before ? 1 : 0) + (report.after ? 1 : 0);
+    const Window window = window_of(all, most * pictures, 5000 * pictures);
+    const auto append = [&](const std::optional<Picture>& picture, const char* fallback) {
+        if (!picture) return;
+        std::string caption = escaped(picture->caption.empty() ? fallback : picture->caption);
+        if (!window.whole)
+            caption += ": the " + grouped(points_in(window, picture->points)) +
+                       " vertices in a window in the middle, of " + grouped(picture->points.size());
+        append_figure(out, "", svg_triangulation(*picture, window), caption + ".");
+    };
+    append(report.before, "Before");
+    append(report.after, "After");
+    out += "</div>\n";
+}
+
+void append_comparison(std::string& out, const Comparison_record& comparison) {
+    out += "<h2>Strategies compared</h2>\n";
+    if (!comparison.interrupted)
+        out += comparison.agree ? "<p class=\"verdict good\">All strategies agree.</p>\n"
+                                : "<p class=\"verdict bad\">The strategies disagree.</p>\n";
+    for (const std::string& line : comparison.disagreements) out += "<p>" + escaped(line) + "</p>\n";
+    if (comparison.runs.empty()) return;
+    const auto fastest = std::min_element(
+        comparison.runs.begin(), comparison.runs.end(),
+        [](const auto& a, const auto& b) { return a.seconds.triangulation < b.seconds.triangulation; });
+    const Run_record& first = comparison.runs.front();
+    out +=
+        "<div class=\"scroll\"><table class=\"wide\"><thead><tr><th scope=\"col\">strategy</th>"
+        "<th scope=\"col\">triangulation</th><th scope=\"col\">over fastest</th><th scope=\"col\">" +
+        escaped(first.strategy) +
+        " over it</th><th scope=\"col\">within tolerance</th><th scope=\"col\">audits</th></tr></thead><tbody>\n";
+    const auto ratio = [](double a, double b) { return b > 0 ? readable(a / b) + "×" : std::string("–"); };
+    for (const Run_record& run : comparison.runs)
+        out += "<tr><th scope=\"row\">" + escaped(run.strategy) + "</th><td>" + duration(run.seconds.triangulation) +
+               "</td><td>" + ratio(run.seconds.triangulation, fastest->seconds.triangulation) + "</td><td>" +
+               ratio(first.seconds.triangulation, run.seconds.triangulation) + "</td><td>" +
+               percentage(run.moves.within_tolerance, run.moves.asked) + "</td><td>" + audit(run.audit) +
+               "</td></tr>\n";
+    out += "</tbody></table></div>\n";
+    append_plots(out, "Cumulative time", comparison_plots(comparison),
+                 "Time for keeping the triangulation and its tolerances right, without the motion, summed over the "
+                 "iterations. A curve that flattens belongs to a strategy that gains from small displacements.");
+}
+
+}  // namespace
+
+std::string report_html(const Report& report) {
+    const Run_record& run = report.run;
+    std::string out = page_head(report.title, run.command);
+    if (run.interrupted)
+        out += "<p class=\"verdict bad\">The run was interrupted after " + grouped(run.iterations) +
+               " iterations; this is what it had.</p>\n";
+    if (run.audit.failed > 0)
+        out += "<p class=\"verdict bad\">" + grouped(run.audit.failed) + " of " + grouped(run.audit.checked) +
+               " audits failed: the triangulation was not Delaunay.</p>\n";
+    append_numbers(out, run);
+    if (report.comparison) append_comparison(out, *report.comparison);
+    append_pictures(out, report);
+    append_plots(
+        out, "The mesh", mesh_plots(run),
+        "All six dihedral angles of every cell of the domain. A sliver has one below 10 or above 170 degrees.");
+    append_plots(out, "Convergence", convergence_plots(report),
+                 "Lengths in mean spacings: the square root of the area (cube root of the volume) that one vertex has "
+                 "on average.");
+    append_plots(out, "What a step costs", cost_plots(run), "");
+    for (const Figure& figure : report.figures) append_plots(out, figure.heading, figure.panels, figure.caption);
+    append_notes(out, report.notes);
+    return out + page_foot();
+}
+
+}  // namespace annulus

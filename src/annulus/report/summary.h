@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/report/run_record.h>
+#include <annulus/formats/write_csv.h>
+
+#include <nlohmann/json.hpp>
+
+namespace annulus {
+
+/// The content of summary.json: what every run states, in a fixed order, then memory and the unit of length. Only the one
+/// of an interrupted run has `interrupted`.
+[[nodiscard]] nlohmann::ordered_json summary_json(const Run_record& run);
+
+/// The content of compare.json: `command`, `version`, `agree`, `strategies` by name, and `ratios` "a/b", the triangulation seconds of a over
+/// those of b, for every ordered pair (null when b took no time), then any `disagreements`. An interrupted one has
+/// `interrupted` in place of `agree` and `ratios`. Throws Error(usage) when
+/// two runs have the same strategy.
+[[nodiscard]] nlohmann::ordered_json compare_json(const Comparison_record& comparison);
+
+/// The content of iterations.csv: one row for each step. Where meshes were measured, failures (moves beyond tolerance),
+/// updates for each (certificates evaluated) and what Mesh_step has follow.
+[[nodiscard]] Csv_table iterations_table(const Run_record& run);
+
+/// The content of dihedral.csv: counts of dihedral angles, 5 degrees a column, before the first step (iteration 0) and
+/// after each that was measured.
+[[nodiscard]] Csv_table dihedral_table(const Run_record& run);
+
+}  // namespace annulus

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A vertex' list of expiries beside a table of all of them.
+
+#include <support/arbitrary.h>
+
+#include <annulus/engine/expiry_list.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <vector>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+TEST_CASE("An expiry is reached by the readings that are not below it", "[relocation]") {
+    REQUIRE(rc::check([](const Seed& seed) {
+        Random random = seed.random();
+        for (int i = 0; i < 1000; ++i) {
+            const Expiry e =
+                Expiry::lower(std::ldexp(1.0 + static_cast<double>(random() % 16) / 8, static_cast<int>(random() % 4)));
+            double reading = e.reading();
+            for (std::uint64_t k = random() % 3; k > 0; --k)
+                reading = std::nextafter(reading, random() % 2 == 0 ? 0.0 : 100.0);
+            RC_ASSERT(e.reached(reading) == (reading >= e.reading()));
+        }
+    }));
+    CHECK(!Expiry::never().reached(1e300));
+    CHECK(Expiry::lower(0.0).reached(0.0));
+}
+
+TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not name or announce", "[relocation]",
+                       ((std::size_t capacity), capacity), 6, 14) {
+    REQUIRE(rc::check([](const Seed& seed) {
+        Random random = seed.random();
+        Expiry_list<capacity> list;
+        std::map<Index, Expiry> truth;  // every certificate of the vertex
+        double reading = 0.0;
+        const auto some_expiry = [&] {  // ties are frequent
+            return random() % 16 == 0 ? Expiry::never()
+                                      : Expiry::lower(reading + static_cast<double>(random() % 32) / 4);
+        };
+        const Index certificates = 1 + static_cast<Index>(random() % 40);
+        int dry = 0;
+        for (int step = 0; step < 200; ++step) {
+            if (truth.size() < static_cast<std::size_t>(certificates) && random() % 2 == 0) {
+                const auto id = static_cast<Index>(truth.size());
+                list.put_new(id, truth[id] = some_expiry());
+            } else if (!truth.empty()) {
+                const auto id = static_cast<Index>(random() % truth.size());
+                list.put(id, truth[id] = some_expiry());
+            }
+            Expiry first = Expiry::never();
+            for (const auto& [id, e] : truth) first = std::min(first, e);
+            RC_ASSERT(!(first < list.earliest()));
+            if (random() % 3 != 0) continue;
+            reading += static_cast<double>(random() % 8) / 8;
+            std::set<Index> taken;
+            list.take_reached(reading, [&](Index id) { RC_ASSERT(taken.insert(id).second); });
+            const bool enough = !list.rest().reached(reading);
+            if (enough)
+                for (const auto& [id, e] : truth) RC_ASSERT(!e.reached(reading) || taken.count(id) == 1);
+            for (const Index id : taken)  // evaluated anew, or not expired by its own record
+                list.put(id, truth[id] = truth[id].reached(reading)
+                                             ? Expiry::lower(reading + 1.0 + static_cast<double>(random() % 8))
+                                             : truth[id]);
+            if (!enough) {  // a tour
+                ++dry;
+                list.clear();
+                std::vector<Expiry> expiry;
+                std::vector<Index> ids;
+                for (auto& [id, e] : truth) {
+                    if (e.reached(reading)) e = Expiry::lower(reading + 1.0);
+                    expiry.push_back(e);
+                    ids.push_back(id);
+                }
+                list.put_new(expiry, ids);
+            }
+        }
+        RC_TAG(dry > 0 ? "tours" : "no tour");
+    }));
+}
+
+TEST_CASE("Many certificates at once: those listed come first, the others announce themselves", "[relocation]") {
+    REQUIRE(rc::check([](const Seed& seed) {
+        Random random = seed.random();
+        Expiry_list<14> list;
+        std::vector<Expiry> expiry;
+        std::vector<Index> id;
+        const double base = std::ldexp(1.0, static_cast<int>(random() % 40) - 20);
+        const bool ties = random() % 4 == 0;
+        for (std::uint64_t n = random() % 200; n > 0; --n) {
+            id.push_back(static_cast<Index>(id.size()));
+            const double way = ties ? static_cast<double>(random() % 3) : static_cast<double>(random() >> 11) * 0x1p-53;
+            expiry.push_back(random() % 16 == 0 ? Expiry::never() : Expiry::lower(base + way));
+        }
+        list.put_new(expiry, id);
+        RC_ASSERT(list.earliest() ==
+                  (expiry.empty() ? Expiry::never() : *std::min_element(expiry.begin(), expiry.end())));
+        std::set<Index> listed;
+        list.take_reached(1e300, [&](Index i) { listed.insert(i); });
+        for (std::size_t i = 0; i < id.size(); ++i) RC_ASSERT(listed.contains(id[i]) || !(expiry[i] < list.rest()));
+        // Half of the list at least, unless there is no bound between equal ones.
+        std::erase(expiry, Expiry::never());
+        std::sort(expiry.begin(), expiry.end());
+        const std::size_t most = std::min<std::size_t>(expiry.size(), 15);
+        const auto first = expiry.begin(), last = first + static_cast<std::ptrdiff_t>(most);
+        if (std::adjacent_find(first, last) == last)
+            RC_ASSERT(listed.size() >= std::min<std::size_t>(static_cast<std::size_t>(last - first), 7));
+    }));
+}
+
+TEST_CASE("A list of expiries names the six that come first", "[relocation]") {
+    Expiry_list<6> list;
+    for (Index id = 0; id < 10; ++id) list.put_new(id, Expiry::lower(20.0 - id));
+    CHECK(list.earliest() == Expiry::lower(11.0));
+    CHECK(list.latest() == Expiry::lower(16.0));
+    CHECK(list.rest() == Expiry::lower(17.0));
+    list.put(9, Expiry::lower(30.0));
+    CHECK(list.earliest() == Expiry::lower(12.0));
+    std::vector<Index> taken;
+    list.take_reached(13.5, [&](Index id) { taken.push_back(id); });
+    CHECK(taken == std::vector<Index>{8, 7});
+    list.clear();
+    CHECK(list.earliest() == Expiry::never());
+    list.take_reached(1e300, [&](Index) { FAIL("nothing is listed"); });
+}

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the filters write down is rounded in the safe direction, to the last bit: readings up, expiries and tolerances down. Moves
+// cannot show this, because an expiry is cut to 21 bits and hides the last ones unless it happens to have no others. So these tests put
+// numbers into the filters' books for which rounding to nearest goes the wrong way, and compare with rational numbers.
+
+#include <engine/filter_session.h>
+
+#include <rapidcheck.h>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+REVEAL(List, &Filter<2>::list_);
+REVEAL(Facet_records, &Filter<2>::facet_record_);
+REVEAL(Cell_records, &Filter<2>::cell_record_);
+REVEAL(Examination, &Filter<2>::repair_);
+REVEAL(Reading, &Filter<2>::reading);
+REVEAL(Slack, &Filter<2>::slack);
+REVEAL(Passes, &Filter<2>::passes);
+REVEAL(Set_threshold, &Filter<2>::set_threshold);
+REVEAL(Rebase, &Filter<2>::rebase);
+REVEAL(Renewals, &Filter<2>::renewals_);
+REVEAL(Tolerances, &Filter<2>::tolerance_);
+REVEAL(Unequal_moves, &Filter<2>::unequal_moves);
+REVEAL(Commit_renewals, &Filter<2>::commit_renewals);
+
+struct Filter_session : Session<Filter<2>> {
+    explicit Filter_session(Random& random, Second_look look = Second_look::off) : Session(random, look) {}
+};
+
+double odd(Random& random, int exponent) { return std::ldexp(1.0 + unit(random), exponent); }
+
+}  // namespace
+
+TEST_CASE("A reading is at least base and displacement", "[relocation][rounding]") {
+    REQUIRE(rc::check("of every magnitude", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random);
+        for (int i = 0; i < 200; ++i) {
+            const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
+            const Point f = s.filter.fixed_position(v);
+            const double way = std::ldexp(1.0, -integer(random, 0, 80));
+            const Point x{f[0] + way * between(random, -1, 1), f[1] + way * between(random, -1, 1)};
+            s[List{}][at(v)].base = random() % 4 == 0 ? 0.0 : odd(random, integer(random, -40, 3));
+            const Rational left = Rational(s.call(Reading{}, v, x)) - Rational(s[List{}][at(v)].base);
+            RC_ASSERT(left >= 0);
+            RC_ASSERT(left * left >= exact_squared_distance(x, f));
+        }
+    }));
+}
+
+TEST_CASE("What a vertex may move, and what passes, is below earliest expiry less base", "[relocation][rounding]") {
+    REQUIRE(rc::check("where the difference rounds up", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random);
+        for (int i = 0; i < 200; ++i) {
+            const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
+            auto& list = s[List{}][at(v)];
+            list.base = odd(random, -integer(random, 0, 70));
+            list.clear();
+            const double span = std::ldexp(1.0 + unit(random), -integer(random, 0, 40));
+            list.put_new(0, Expiry::lower(random() % 8 == 0 ? list.base : list.base + span));
+            const Rational room = Rational(list.earliest().reading()) - Rational(list.base);
+            const double tolerance = s.call(Slack{}, v);
+            RC_ASSERT(Rational(tolerance) <= room || tolerance <= 0.0);
+            s.call(Set_threshold{}, v);
+            // Just as far as there is room, and so little that its square is 0.
+            const Point f = s.filter.fixed_position(v);
+            const double reach = room > 0 ? rounded_down(room) : 0x1p-600;
+            const double angle = between(random, 0.0, 6.3);
+            for (const Point& p : {Point{f[0] + reach * std::cos(angle), f[1] + reach * std::sin(angle)},
+                                   Point{f[0] + reach, f[1]}, Point{f[0] + 0x1p-600, f[1]}}) {
+                if (p == f || !s.call(Passes{}, v, p)) continue;
+                RC_ASSERT(room > 0);
+                RC_ASSERT(exact_squared_distance(p, f) < room * room);
+            }
+        }
+    }));
+}
+
+TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]") {
+    REQUIRE(rc::check("where their sum is just below a number of 21 bits", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random);
+        const auto cells = s.finite_cells();
+        s.filter.refresh(cells, s.report);
+        std::vector<double> tolerances;
+        for (const auto& e : s[Examination{}].facets())
+            if (e.kind != Facet_kind::border) tolerances.push_back(e.verdict.tolerance);
+        for (int i = 0; i < 20; ++i) {
+            for (auto& list : s[List{}]) {
+                const double tolerance = tolerances[random() % tolerances.size()];
+                const double sum = 1.0 + std::ldexp(integer(random, 1, 9), -20);
+                if (tolerance < 0.5) list.base = rounded_down(Rational(sum) - Rational(tolerance));
+            }
+            s.filter.refresh(cells, s.report);
+            const auto check = [&](Index v, Expiry e, double tolerance) {
+                RC_ASSERT(Rational(e.reading()) <= Rational(s[List{}][at(v)].base) + Rational(tolerance));
+            };
+            for (const auto& e : s[Examination{}].facets()) {
+                if (e.kind == Facet_kind::border) continue;
+                const auto& record = s[Facet_records{}][at(e.id)];
+                for (std::size_t k = 0; k < record.point.size(); ++k)
+                    if (record.point[k] != none) check(record.point[k], record.expiry[k], e.verdict.tolerance);
+            }
+            for (const auto& e : s[Examination{}].cells()) {
+                if (e.kind == Facet_kind::border) continue;
+                const auto& record = s[Cell_records{}][at(e.id)];
+                for (std::size_t k = 0; k < e.point.size(); ++k)
+                    check(e.point[k], record.expiry[k], e.verdict.tolerance);
+            }
+        }
+    }));
+}
+
+TEST_CASE("Rebasing leaves no certificate more than it had", "[relocation][rounding]") {
+    REQUIRE(rc::check("where the rest is just below a number of 21 bits", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random);
+        for (int i = 0; i < 50; ++i) {
+            const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
+            const double base = random() % 2 == 0 ? odd(random, -integer(random, 55, 70)) : unit(random);
+            std::vector<Expiry*> of_v;
+            for (auto& record : s[Facet_records{}])
+                for (std::size_t k = 0; k < record.point.size(); ++k)
+                    if (record.point[k] == v) of_v.push_back(&record.expiry[k]);
+            std::vector<Rational> before;
+            for (Expiry* e : of_v) {
+                *e = Expiry::lower(1.0 + std::ldexp(integer(random, 0, 9), -20));
+                before.push_back(Rational(e->reading()) - Rational(base));
+            }
+            s[List{}][at(v)].base = base;
+            s.call(Rebase{}, v);
+            RC_ASSERT(s[List{}][at(v)].base == 0.0);
+            for (std::size_t k = 0; k < of_v.size(); ++k)
+                if (*of_v[k] != Expiry::never()) RC_ASSERT(Rational(of_v[k]->reading()) <= before[k]);
+        }
+    }));
+}
+
+TEST_CASE("Rebasing leaves no second look to a certificate that is overdue", "[relocation][rounding]") {
+    // What is left of it is less than nothing, which an expiry cannot say: its reference cannot be inferred any more.
+    REQUIRE(rc::check("and to no other less than it had", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random, Second_look::unequal_moves);
+        const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
+        const double base = 1.0;
+        const auto& t = s.embedding.table();
+        std::vector<bool> overdue(at(t.facet_bound()));
+        const auto expiry_of_v = [&](Index f) {
+            auto& record = s[Facet_records{}][at(f)];
+            const auto k = std::find(record.point.begin(), record.point.end(), v) - record.point.begin();
+            return k == std::ssize(record.point) ? nullptr : &record.expiry[static_cast<std::size_t>(k)];
+        };
+        for (Index f = 0; f < t.facet_bound(); ++f) {
+            s[Tolerances{}][at(f)] = 0.25;
+            if (Expiry* const e = t.is_facet(f) ? expiry_of_v(f) : nullptr) {
+                *e = Expiry::lower(base + std::ldexp(integer(random, -4, 4), -20));
+                overdue[at(f)] = e->reading() < base;
+            }
+        }
+        s[List{}][at(v)].base = base;
+        s.call(Rebase{}, v);
+        for (Index f = 0; f < t.facet_bound(); ++f) RC_ASSERT(s[Tolerances{}][at(f)] == (overdue[at(f)] ? 0.0 : 0.25));
+    }));
+}
+
+TEST_CASE("Second looks leave the two sides of a circle no more than its width", "[relocation][rounding]") {
+    REQUIRE(rc::check("where the sums round up", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random, Second_look::unequal_moves);
+        const auto& t = s.embedding.table();
+        for (Index f = 0; f < t.facet_bound(); ++f) {
+            auto& record = s[Facet_records{}][at(f)];
+            if (!t.is_facet(f) || std::count(record.point.begin(), record.point.end(), none) > 0) continue;
+            const double tolerance = std::ldexp(1.0 + unit(random), -integer(random, 0, 20));
+            s[Tolerances{}][at(f)] = tolerance;
+            for (std::size_t k = 0; k < record.point.size(); ++k) {
+                const double base = unit(random);
+                record.expiry[k] = Expiry::lower(base + tolerance);
+                s[List{}][at(record.point[k])].base = base + tolerance * between(random, 0.2, 0.9);
+            }
+            s[Renewals{}].clear();
+            if (!s.call(Unequal_moves{}, f, std::span<const Point>(s.points))) continue;
+            // The expiry was at most the reference plus the tolerance.
+            std::array<Rational, 2> side{0, 0};
+            for (std::size_t k = 0; k < record.point.size(); ++k) {
+                const Rational reference = Rational(record.expiry[k].reading()) - Rational(tolerance);
+                const Rational allowed = Rational(s[Renewals{}][0].expiry[k]) - reference;
+                side[k / 2] = std::max(side[k / 2], allowed);
+            }
+            RC_ASSERT(side[0] + side[1] <= 2 * Rational(tolerance));
+        }
+    }));
+    REQUIRE(rc::check("and room from where a point is now is added to its base, rounded down", [](const Seed& seed) {
+        Random random = seed.random();
+        Filter_session s(random, Second_look::safe_region);
+        const auto& t = s.embedding.table();
+        for (Index f = 0; f < t.facet_bound(); ++f) {
+            const auto& record = s[Facet_records{}][at(f)];
+            if (!t.is_facet(f) || std::count(record.point.begin(), record.point.end(), none) > 0) continue;
+            auto& renewals = s[Renewals{}];
+            renewals.resize(1);
+            renewals[0].facet = f;
+            for (std::size_t k = 0; k < record.point.size(); ++k) {
+                const double room = 0.4 * unit(random), sum = 1.0 + std::ldexp(integer(random, 1, 9), -20);
+                renewals[0].expiry[k] = room;
+                s[List{}][at(record.point[k])].base = rounded_down(Rational(sum) - Rational(room));
+            }
+            s.call(Commit_renewals{}, std::span<const Point>(s.points));
+            for (std::size_t k = 0; k < record.point.size(); ++k)
+                RC_ASSERT(Rational(record.expiry[k].reading()) <=
+                          Rational(s[List{}][at(record.point[k])].base) + Rational(renewals[0].expiry[k]));
+        }
+    }));
+}
+
+TEST_CASE("A vertex without a tolerance that moves so little that the square is 0 does not pass",
+          "[relocation][rounding]") {
+    // A square: every tolerance is 0.
+    const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    const Point moved{0x1p-600, 0};
+    SECTION("filter") {
+        Cgal_embedding_2<int> embedding;
+        Filter<2> filter(embedding, Tolerance_kind::certified, Second_look::off);
+        Move_report report;
+        embedding.build(square);
+        embedding.mirror();
+        filter.settle(square, report);
+        auto x = square;
+        x[0] = moved;
+        filter.move_all(x, report);
+        CHECK(report.moves.within_tolerance == 3U);
+    }
+    SECTION("filter-each") {
+        Cgal_embedding_2<int> embedding;
+        Filter_each<2> filter(embedding, Tolerance_kind::floating);
+        Move_report report;
+        embedding.build(square);
+        embedding.mirror();
+        filter.settle(square, report);
+        filter.move(0, moved, report);
+        CHECK(report.moves.within_tolerance == 0U);
+    }
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A filter on a triangulation of a few points, whose books are open: tests put numbers there that moves would seldom make.
+
+#include <support/arbitrary.h>
+
+#include <annulus/engine/filter.h>
+#include <annulus/engine/filter_each.h>
+#include <annulus/cgal/embedding_2.h>
+
+#include <gmpxx.h>
+
+#include <cmath>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace annulus::testing {
+
+/// Private members, by name: access is not checked where a template is instantiated explicitly.
+#define REVEAL(Name, ...)                                      \
+    struct Name {};                                            \
+    constexpr auto member(Name);                               \
+    template <auto pointer>                                    \
+    struct Name##_revealed {                                   \
+        friend constexpr auto member(Name) { return pointer; } \
+    };                                                         \
+    template struct Name##_revealed<__VA_ARGS__>
+
+using Rational = mpq_class;
+inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+inline Rational exact_squared_distance(const Point& a, const Point& b) {
+    const Rational x = Rational(a[0]) - Rational(b[0]), y = Rational(a[1]) - Rational(b[1]);
+    return x * x + y * y;
+}
+
+/// The largest double not above x > 0.
+inline double rounded_down(const Rational& x) {
+    double r = std::nextafter(x.get_d(), HUGE_VAL);
+    while (Rational(r) > x) r = std::nextafter(r, 0.0);
+    return r;
+}
+
+/// A triangulation of a few points with a filter on it. Point 0 is the origin.
+template <class Strategy>
+struct Session {
+    static constexpr Tolerance_kind kind =
+        std::is_same_v<Strategy, Filter_each<2>> ? Tolerance_kind::floating : Tolerance_kind::certified;
+    std::vector<Point> points;
+    Cgal_embedding_2<int> embedding;
+    Strategy filter;
+    Move_report report;
+
+    template <class... Arguments>
+    explicit Session(Random& random, Arguments... arguments)
+        : points(point_set(Family::uniform, 7, random)), filter(embedding, kind, arguments...) {
+        points[0] = {0.0, 0.0};
+        embedding.build(points);
+        embedding.mirror();
+        filter.settle(points, report);
+    }
+    template <class Name>
+    auto& operator[](Name) {
+        return filter.*member(Name{});
+    }
+    template <class Name, class... Arguments>
+    auto call(Name, Arguments&&... arguments) {
+        return (filter.*member(Name{}))(std::forward<Arguments>(arguments)...);
+    }
+    [[nodiscard]] std::vector<Index> finite_cells() {
+        std::vector<Index> cells;
+        const auto& t = embedding.table();
+        for (Index c = 0; c < t.cell_bound(); ++c)
+            if (t.is_cell(c) && !t.is_infinite(c)) cells.push_back(c);
+        return cells;
+    }
+};
+
+}  // namespace annulus::testing

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "temporary_directory.h"
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/formats/output_directory.h>
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+#include <csignal>
+#include <stdexcept>
+#include <system_error>
+
+using namespace annulus;
+using annulus_test::content_of;
+using annulus_test::Temporary_directory;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Earlier results have names of one letter.
+bool is_result(std::string_view name) { return name.size() == 1; }
+
+std::string refusal(const fs::path& path, bool may_hold_files = false) {
+    try {
+        Output_directory out(path, is_result, may_hold_files);
+    } catch (const Error& error) {
+        CHECK(error.code() == Error_code::bad_input);
+        return error.what();
+    }
+    return "";
+}
+
+std::size_t entries(const fs::path& path) {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), {}));
+}
+
+ino_t identity(const fs::path& path) {
+    struct stat s {};
+    REQUIRE(::stat(path.c_str(), &s) == 0);
+    return s.st_ino;
+}
+
+}  // namespace
+
+TEST_CASE("nothing is to be seen before the commit, everything after it", "[io][output]") {
+    const Temporary_directory directory;
+    const auto path = directory.path() / "new" / "deep" / "";  // a trailing slash, too
+    {
+        Output_directory out(path, is_result, false);
+        out.write("a.json", "first");
+        out.write("b.csv", std::string("x\0y\n", 4));
+        CHECK(!fs::exists(path));
+        CHECK_THROWS_AS(out.write("a.json", "second"), Error);
+        out.commit();
+        CHECK(content_of(path / "a.json") == "first");
+        out.commit();
+    }
+    CHECK(content_of(path / "b.csv") == std::string("x\0y\n", 4));
+    CHECK(entries(path) == 2);
+    CHECK(entries(path.parent_path().parent_path()) == 1);
+    // What nobody else could enter while it was written has the usual permissions now.
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    CHECK(fs::status(path).permissions() == fs::perms(0777 & ~mask));
+}
+
+TEST_CASE("without a commit nothing is left, not even the directories", "[io][output]") {
+    const Temporary_directory directory;
+    try {
+        Output_directory out(directory.path() / "new" / "deep", is_result, false);
+        out.write("a", "content");
+        throw std::runtime_error("the run fails midway");
+    } catch (const std::runtime_error&) {
+    }
+    CHECK(directory.entries() == 0);
+}
+
+TEST_CASE("what is written before the commit is in a directory that is new, hidden and closed to others",
+          "[io][output]") {
+    const Temporary_directory directory;
+    std::vector<fs::path> names;
+    for (int i = 0; i < 2; ++i) {
+        Output_directory out(directory.path() / "out", is_result, false);
+        out.write("a", "new");
+        for (const auto& entry : fs::directory_iterator(directory.path())) {
+            names.push_back(entry.path().filename());
+            CHECK(fs::status(entry.path()).permissions() == fs::perms::owner_all);
+        }
+    }
+    REQUIRE(names.size() == 2);
+    CHECK(names[0] != names[1]);
+    CHECK(names[0].string().starts_with(".annulus-"));
+}
+
+TEST_CASE("earlier results are replaced as a whole, and stay without a commit", "[io][output]") {
+    const Temporary_directory directory;
+    const auto path = directory.path() / "out";
+    fs::create_directory(path);
+    fs::permissions(path, fs::perms::owner_all);
+    for (const char* name : {"a", "b"}) directory.file(std::string("out/") + name, "old");
+    CHECK(refusal(path).ends_with(
+        "holds other files; expected a new or empty directory, or one with results of annulus (or --force)"));
+    const ino_t old = identity(path);
+    {
+        Output_directory out(path, is_result, true);
+        out.write("a", "new");
+    }
+    CHECK(identity(path) == old);
+    CHECK(content_of(path / "a") == "old");
+    {
+        Output_directory out(path, is_result, true);
+        out.write("a", "new");
+        out.commit();
+    }
+    CHECK(identity(path) != old);  // in one exchange
+    CHECK(content_of(path / "a") == "new");
+    CHECK(!fs::exists(path / "b"));
+    CHECK(entries(path) == 1);
+    CHECK(directory.entries() == 1);
+    CHECK(fs::status(path).permissions() == fs::perms::owner_all);
+}
+
+TEST_CASE("other files stay, and stale results do not", "[io][output]") {
+    const Temporary_directory directory;
+    directory.file("notes", "mine");
+    directory.file("a", "old");
+    directory.file("b", "old");
+    const ino_t old = identity(directory.path());
+    Output_directory out(directory.path(), is_result, true);
+    out.write("a", "new");
+    out.write("c", "new");
+    CHECK(content_of(directory.path() / "a") == "old");
+    out.commit();
+    CHECK(identity(directory.path()) == old);
+    CHECK(content_of(directory.path() / "notes") == "mine");
+    CHECK(content_of(directory.path() / "a") == "new");
+    CHECK(directory.entries() == 3);
+}
+
+TEST_CASE("the working directory is not replaced under the feet of a shell", "[io][output]") {
+    const Temporary_directory directory;
+    const fs::path before = fs::current_path();
+    fs::current_path(directory.path());
+    const ino_t old = identity(".");
+    directory.file("a", "old");
+    Output_directory out(".", is_result, true);
+    out.write("b", "new");
+    out.commit();
+    CHECK(identity(directory.path()) == old);
+    fs::current_path(before);
+    CHECK(content_of(directory.path() / "b") == "new");
+    CHECK(directory.entries() == 1);
+}
+
+TEST_CASE("a directory in the way of a file is told before anything is replaced", "[io][output]") {
+    const Temporary_directory directory;
+    directory.file("a", "old");
+    fs::create_directory(directory.path() / "c");
+    {
+        Output_directory out(directory.path(), is_result, true);
+        out.write("a", "new");
+        out.write("c", "new");
+        CHECK_THROWS_WITH(out.commit(),
+                          (directory.path() / "c").string() + ": is a directory; expected a file or nothing");
+    }
+    CHECK(content_of(directory.path() / "a") == "old");
+    CHECK(directory.entries() == 2);
+}
+
+TEST_CASE("links: one to a directory is followed and stays, one among the results is replaced", "[io][output]") {
+    const Temporary_directory directory;
+    fs::create_directory(directory.path() / "real");
+    fs::create_directory_symlink("real", directory.path() / "link");
+    const auto target = directory.file("target", "old");
+    fs::create_symlink(target, directory.path() / "real" / "a");
+    Output_directory out(directory.path() / "link", is_result, true);
+    out.write("a", "new");
+    out.commit();
+    CHECK(fs::is_symlink(directory.path() / "link"));
+    CHECK(content_of(directory.path() / "real" / "a") == "new");
+    CHECK(content_of(target) == "old");
+    CHECK(directory.entries() == 3);
+}
+
+TEST_CASE("what a run that was killed has left in a directory does not make it another's", "[io][output]") {
+    const Temporary_directory directory;
+    fs::create_directory(directory.path() / ".annulus-Ab12Cd");
+    CHECK(refusal(directory.path()) == "");
+    // What only begins like that is somebody's.
+    for (const char* name : {".annulus-x", ".annulus-Ab12Cd"}) {
+        fs::create_directories(directory.path() / name);
+        directory.file(std::string(name) + "/precious", "1");
+        CHECK(refusal(directory.path()).find("holds other files") != std::string::npos);
+        fs::remove_all(directory.path() / name);
+    }
+}
+
+TEST_CASE("a directory that another run has made meanwhile is replaced if all in it are results", "[io][output]") {
+    const Temporary_directory directory;
+    const fs::path target = directory.path() / "new" / "out";
+    Output_directory out(target, is_result, false);
+    Output_directory other(target, is_result, false);
+    for (Output_directory* o : {&out, &other}) o->write("a", o == &out ? "first" : "second");
+    out.commit();
+    other.commit();
+    CHECK(content_of(target / "a") == "second");
+    CHECK(entries(directory.path() / "new") == 1);
+}
+
+TEST_CASE("a directory that has come meanwhile is not touched", "[io][output]") {
+    const Temporary_directory directory;
+    Output_directory out(directory.path() / "out", is_result, false);
+    out.write("a", "new");
+    fs::create_directory(directory.path() / "out");
+    directory.file("out/mine", "mine");
+    CHECK_THROWS_AS(out.commit(), std::system_error);
+    CHECK(content_of(directory.path() / "out" / "mine") == "mine");
+}
+
+TEST_CASE("paths and names that cannot be are refused", "[io][output]") {
+    const Temporary_directory directory;
+    const auto file = directory.file("file", "content");
+    fs::create_symlink("nowhere", directory.path() / "dangling");
+    for (const fs::path& path :
+         {file, file / "below" / "deep", directory.path() / "dangling", fs::path(), directory.path() / "new" / ".."})
+        CHECK(refusal(path, true) != "");
+    CHECK(directory.entries() == 2);
+    CHECK(content_of(file) == "content");
+    Output_directory out(directory.path() / "out", is_result, false);
+    for (const char* name : {"", ".", "..", "../a", "a/b", "/a"}) CHECK_THROWS_AS(out.write(name, "x"), Error);
+    try {
+        out.write(std::string(300, 'a'), "x");
+        FAIL("a name of 300 bytes was accepted");
+    } catch (const std::system_error& error) {
+        CHECK(error.code() == std::errc::filename_too_long);
+        CHECK(std::string(error.what()).starts_with((directory.path() / "out" / "aaa").string()));
+    }
+    out.write("good", "x");
+    out.commit();  // what could not be written is not half there
+    CHECK(entries(directory.path() / "out") == 1);
+}
+
+TEST_CASE("where the disk ends nothing is left of what was begun", "[io][output]") {
+    const Temporary_directory directory;
+    rlimit old{};
+    REQUIRE(::getrlimit(RLIMIT_FSIZE, &old) == 0);
+    const auto ignored = std::signal(SIGXFSZ, SIG_IGN);
+    {
+        Output_directory out(directory.path() / "out", is_result, false);
+        out.write("a", std::string(1000, 'a'));
+        const rlimit small{5000, old.rlim_max};
+        REQUIRE(::setrlimit(RLIMIT_FSIZE, &small) == 0);
+        try {
+            out.write("b", std::string(10000, 'b'));
+            FAIL("more was written than there is room for");
+        } catch (const std::system_error& error) {
+            CHECK(error.code() == std::errc::file_too_large);
+        }
+        ::setrlimit(RLIMIT_FSIZE, &old);
+        out.commit();
+    }
+    std::signal(SIGXFSZ, ignored);
+    CHECK(entries(directory.path() / "out") == 1);
+    CHECK(directory.entries() == 1);
+}

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Flips of space in the table, and in CGAL's object, which follows: made, and made back.
+#include <annulus/cgal/embedding_3.h>
+#include <annulus/mesh/replace_cells.h>
+#include <annulus/mesh/table_flips_3.h>
+
+#include <support/session_3.h>
+
+#include <catch2/catch.hpp>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+using Embedding_3 = Cgal_embedding_3<No_info>;
+
+/// Every cell of the mirror, sorted within and among themselves: a triangulation whatever its numbers.
+Cells_3 cells_of_mirror(const Cell_table<3>& t) {
+    Cells_3 cells;
+    for (Index c = 0; c < t.cell_bound(); ++c) {
+        if (!t.is_cell(c)) continue;
+        auto x = cell_points(t, c);
+        std::sort(x.begin(), x.end());
+        cells.push_back(x);
+    }
+    std::sort(cells.begin(), cells.end());
+    return cells;
+}
+
+void check_same(const Embedding_3& e) {
+    const auto& tr = e.triangulation();
+    CHECK(tr.tds().is_valid());
+    for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
+        for (int i = 0; i <= 3; ++i) {
+            const Index h = e.table().corner(c->cell(), i);
+            REQUIRE(e.table().vertex(h) == (tr.is_infinite(c->vertex(i)) ? infinite : c->vertex(i)->index()));
+            REQUIRE(e.table().twin(h) == e.table().corner(c->neighbor(i)->cell(), tr.tds().mirror_index(c, i)));
+            REQUIRE(e.table().facet(h) == e.table().facet(e.table().twin(h)));
+            REQUIRE(e.table().is_facet(e.table().facet(h)));
+        }
+}
+
+bool is_edge(const Cell_table<3>& t, Index p, Index q) {
+    for (Index c = 0; c < t.cell_bound(); ++c)
+        if (t.is_cell(c) && t.slot(c, p) >= 0 && t.slot(c, q) >= 0) return true;
+    return false;
+}
+
+bool is_facet(const Cell_table<3>& t, Index p, Index q, Index r) {
+    for (Index c = 0; c < t.cell_bound(); ++c)
+        if (t.is_cell(c) && t.slot(c, p) >= 0 && t.slot(c, q) >= 0 && t.slot(c, r) >= 0) return true;
+    return false;
+}
+
+/// The cells of the mirror without some and with others, as cells_of_mirror has them.
+Cells_3 exchanged(Cells_3 cells, const Cells_3& gone, const Cells_3& came) {
+    for (auto x : gone) {
+        std::sort(x.begin(), x.end());
+        const auto it = std::find(cells.begin(), cells.end(), x);
+        REQUIRE(it != cells.end());
+        cells.erase(it);
+    }
+    for (auto x : came) {
+        std::sort(x.begin(), x.end());
+        cells.push_back(x);
+    }
+    std::sort(cells.begin(), cells.end());
+    return cells;
+}
+
+/// Whether the two orders of vertices are the same but for an even permutation.
+bool same_orientation(const Cell_points<3>& x, const Cell_points<3>& y) {
+    int inversions = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = i + 1; j < 4; ++j)
+            if (std::find(y.begin(), y.end(), x[i]) > std::find(y.begin(), y.end(), x[j])) ++inversions;
+    return inversions % 2 == 0;
+}
+
+/// Both sides of every facet see its vertices turn in opposite directions.
+void check_orientations(const Cell_table<3>& t) {
+    for (Index f = 0; f < t.facet_bound(); ++f) {
+        if (!t.is_facet(f)) continue;
+        Cell_points<3> one = facet_and_vertex(t, t.half(f));
+        Cell_points<3> other = facet_and_vertex(t, t.twin(t.half(f)));
+        one[3] = other[3] = -2;
+        REQUIRE_FALSE(same_orientation(one, other));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL's object follows", "[flips][space]") {
+    std::array<int, 3> made{};
+    for (const Set_3 set : {Set_3::uniform, Set_3::lattice, Set_3::sphere}) {
+        Random random(17);
+        Embedding_3 e;
+        e.build(point_set(set, 30, random));
+        REQUIRE(e.dimension() == 3);
+        e.mirror();
+        auto& t = static_cast<Embedding<3>&>(e).table();
+        std::vector<Index> touched;
+        for (int attempt = 0; attempt < 900; ++attempt) {
+            const auto cell = static_cast<Index>(random() % static_cast<std::size_t>(t.cell_bound()));
+            if (!t.is_cell(cell)) continue;
+            const Index h = t.corner(cell, static_cast<int>(random() % 4));
+            const Index k = t.corner(cell, static_cast<int>((static_cast<std::size_t>(t.slot_of(h)) + 1 + random() % 3) % 4));
+            const auto [a, b, c, q] = facet_and_vertex(t, h);
+            const Index p = t.vertex(t.twin(h));
+            const Cells_3 before = cells_of_mirror(t);
+            const std::size_t kind = random() % 3;
+            std::array<Index, 3> cells{};
+            if (kind == 0) {
+                if (is_edge(t, p, q)) continue;
+                const Index gone = t.cell_of(t.twin(h));
+                REQUIRE(flip_facet(t, h, cells));
+                touched = {cells[0], cells[1], cells[2], gone};
+                CHECK(cells_of_mirror(t) == exchanged(before, {{a, b, c, q}, {a, b, c, p}}, {{a, b, p, q}, {b, c, p, q}, {c, a, p, q}}));
+            } else if (kind == 1) {
+                Cell_points<3> x = facet_and_vertex(t, h);
+                while (x[2] != t.vertex(k)) x = {x[1], x[2], x[0], x[3]};
+                if (is_facet(t, x[2], p, q) || !flip_edge(t, h, k, cells)) {
+                    CHECK(cells_of_mirror(t) == before);
+                    continue;
+                }
+                CHECK_FALSE(t.is_cell(cells[2]));
+                touched = {cells[0], cells[1], cells[2]};
+                CHECK(cells_of_mirror(t) == exchanged(before, {{a, b, c, q}, {a, b, c, p}, {x[0], x[1], p, q}},
+                                                      {{x[2], p, q, x[0]}, {x[2], p, q, x[1]}}));
+            } else {
+                const auto flip = flip_4_4(t, h, k);
+                if (!flip || is_edge(t, p, q)) continue;
+                Cells_3 gone;
+                for (const Index g : flip->gone) gone.push_back(cell_points(t, g));
+                touched.assign(flip->gone.begin(), flip->gone.end());
+                replace_cells<3>(t, flip->gone, flip->came, touched);
+                CHECK(cells_of_mirror(t) == exchanged(before, gone, Cells_3(flip->came.begin(), flip->came.end())));
+            }
+            ++made[kind];
+            check_orientations(t);
+            e.follow(touched);
+            check_same(e);
+        }
+    }
+    for (const int n : made) CHECK(n > 10);
+}
+
+TEST_CASE("Flips that nobody has looked at keep the table a manifold", "[flips][space]") {
+    // Edges and facets come to be there twice; a cell beside itself would not be a flip of a ball any more.
+    int refused = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        Random random(seed);
+        Embedding_3 e;
+        e.build(point_set(Set_3::uniform, 5 + static_cast<std::size_t>(seed % 4), random));
+        e.mirror();
+        auto& t = static_cast<Embedding<3>&>(e).table();
+        for (int attempt = 0; attempt < 200; ++attempt) {
+            const auto cell = static_cast<Index>(random() % static_cast<std::size_t>(t.cell_bound()));
+            if (!t.is_cell(cell)) continue;
+            const Index h = t.corner(cell, static_cast<int>(random() % 4));
+            const Index k = t.corner(cell, static_cast<int>((static_cast<std::size_t>(t.slot_of(h)) + 1 + random() % 3) % 4));
+            std::array<Index, 3> cells{};
+            if (!(random() % 2 == 0 ? flip_facet(t, h, cells) : flip_edge(t, h, k, cells))) ++refused;
+            for (Index c = 0; c < t.cell_bound(); ++c)
+                for (int i = 0; t.is_cell(c) && i <= 3; ++i) {
+                    const Index twin = t.twin(t.corner(c, i));
+                    REQUIRE(t.cell_of(twin) != c);
+                    REQUIRE(t.is_cell(t.cell_of(twin)));
+                    REQUIRE(t.twin(twin) == t.corner(c, i));
+                }
+            check_orientations(t);
+        }
+    }
+    CHECK(refused > 100);
+}
+
+TEST_CASE("A flip of the table is undone by its opposite", "[flips][space]") {
+    Random random(31);
+    Embedding_3 e;
+    e.build(point_set(Set_3::uniform, 40, random));
+    e.mirror();
+    auto& t = static_cast<Embedding<3>&>(e).table();
+    const Cells_3 before = cells_of_mirror(t);
+    int undone = 0;
+    for (Index f = 0; f < t.facet_bound(); ++f) {
+        if (!t.is_facet(f)) continue;
+        const Index h = t.half(f);
+        const Index q = t.vertex(h);
+        if (is_edge(t, t.vertex(t.twin(h)), q)) continue;
+        std::array<Index, 3> three{};
+        REQUIRE(flip_facet(t, h, three));
+        // The facet of two of the three, seen from the first; what lies opposite to the new edge is its corner 0 or 1.
+        const Index inner = t.corner(three[0], 0);
+        const Index third = t.corner(three[0], 1);
+        std::array<Index, 3> two{};
+        REQUIRE(flip_edge(t, inner, third, two));
+        REQUIRE(cells_of_mirror(t) == before);
+        check_orientations(t);
+        ++undone;
+    }
+    CHECK(undone > 20);
+}
+
+TEST_CASE("The corners of a ridge and of a bi-cell are in the order that the certificates take", "[flips][space]") {
+    Random random(29);
+    Embedding_3 e;
+    const Points_3 x = point_set(Set_3::uniform, 60, random);
+    e.build(x);
+    e.mirror();
+    const auto& t = e.table();
+    const auto at = [&](Index v) { return &x[static_cast<std::size_t>(v)]; };
+    int ridges = 0;
+    for (Index f = 0; f < t.facet_bound(); ++f) {
+        REQUIRE(t.is_facet(f));
+        for (const Index h : {t.half(f), t.twin(t.half(f))}) {
+            const Facet_kind kind = facet_kind(t, h);
+            if (kind == Facet_kind::empty_sphere) {
+                const auto p = bicell_points(t, h);
+                CHECK(orientation_verdict({at(p[0]), at(p[1]), at(p[2]), at(p[4])}).sign > 0);
+                CHECK(orientation_verdict({at(p[1]), at(p[0]), at(p[2]), at(p[3])}).sign > 0);
+                CHECK(empty_sphere_verdict({at(p[0]), at(p[1]), at(p[2]), at(p[3]), at(p[4])}).sign > 0);
+            } else if (kind == Facet_kind::ridge) {
+                ++ridges;
+                const auto p = ridge_vertex_last(t, h, ridge_points(t, h));
+                CHECK(p[2] == t.vertex(h));
+                CHECK(p[3] == t.vertex(t.twin(h)));
+                CHECK(orientation_verdict({at(p[0]), at(p[1]), at(p[2]), at(p[3])}).sign > 0);
+            } else {
+                const auto p = slab_points(t, h);
+                CHECK(orientation_verdict({at(p[0]), at(p[1]), at(p[2]), at(p[3])}).sign > 0);
+            }
+        }
+    }
+    CHECK(ridges > 10);
+}

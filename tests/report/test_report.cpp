@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "temporary_directory.h"
+#include "well_formed.h"
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/report/axis_ticks.h>
+#include <annulus/formats/markup.h>
+#include <annulus/report/report.h>
+
+#include <rapidcheck.h>
+#include <catch2/catch.hpp>
+
+#include <clocale>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+
+using namespace annulus;
+using annulus_test::Temporary_directory;
+using annulus_test::well_formed;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1)) ++count;
+    return count;
+}
+
+/// n by n points of a grid with the edges between neighbours.
+Picture grid(Index n) {
+    Picture picture;
+    for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < n; ++j) {
+            picture.points.push_back({static_cast<double>(i), static_cast<double>(j)});
+            if (i > 0) picture.edges.push_back({n * i + j, n * (i - 1) + j});
+            if (j > 0) picture.edges.push_back({n * i + j, n * i + j - 1});
+        }
+    return picture;
+}
+
+Report full_report() {
+    Report report;
+    report.title = "A <title> & \"more\"";
+    report.run.command = "annulus lloyd --input '<script>alert(1)</script>'";
+    report.run.strategy = "filter";
+    report.run.tolerance = "certified";
+    report.run.vertices = 12345;
+    report.run.iterations = 3;
+    report.run.moves = {30, 29, 1, 0, 0, 0};
+    report.run.arithmetic = {1000, 0, 1};
+    report.run.audit = {2, 0};
+    report.run.seconds = {0.5, 1, 1.5};
+    for (std::uint64_t i = 1; i <= 3; ++i) {
+        Iteration_record step;
+        step.iteration = i;
+        step.displacement_mean = 1. / static_cast<double>(i);
+        step.tolerance_mean = 0.1;
+        step.seconds_triangulation = 0.1;
+        step.seconds_cumulative = 0.1 * static_cast<double>(i);
+        step.moves.asked = 10;
+        step.moves.within_tolerance = 9;
+        report.run.steps.push_back(step);
+    }
+    report.before = grid(4);
+    report.after = grid(4);
+    Histogram widths = Histogram::linear(0, 1, 10);
+    widths.add(0.5);
+    report.annulus_widths.push_back({10, widths});
+    report.comparison = Comparison_record{{report.run, report.run}, false, {"step 2: <cells> differ"}};
+    report.comparison->runs[1].strategy = "rebuild & co";
+    report.figures.push_back({"Figure <8>", {{"t", {"x"}, {"y"}, {{"<s>", {1, 2}, {3, 4}, false}}}}, "caption &"});
+    report.notes = {"a note with <b> & 'quotes'"};
+    return report;
+}
+
+}  // namespace
+
+TEST_CASE("text is escaped, and what is no character is replaced") {
+    CHECK(escaped("a<b>&\"'") == "a&lt;b&gt;&amp;&quot;&#39;");
+    CHECK(escaped("é ρ 𝔻 \t\n") == "é ρ 𝔻 \t\n");
+    const std::string bad = "\xef\xbf\xbd";
+    CHECK(escaped(std::string_view("\0\x1b\x7f", 3)) == bad + bad + bad);
+    CHECK(escaped("\xff\xc3") == bad + bad);
+    CHECK(escaped("\xc0\xaf") == bad + bad);                      // overlong
+    CHECK(escaped("\xed\xa0\x80") == bad + bad + bad);            // a surrogate
+    CHECK(escaped("\xf4\x90\x80\x80") == bad + bad + bad + bad);  // beyond the last character
+    CHECK(rc::check("escaped text is always well formed", [] {
+        const auto text =
+            *rc::gen::container<std::string>(rc::gen::elementOf(std::string("<>&\"'\xc3\xa9\xff\x01 ab")));
+        RC_ASSERT(well_formed("<p t=\"" + escaped(text) + "\">" + escaped(text) + "</p>"));
+    }));
+}
+
+TEST_CASE("the report is well formed, complete and alone") {
+    const std::string html = report_html(full_report());
+    CHECK(well_formed(html));
+    CHECK(html.starts_with("<!DOCTYPE html>\n"));
+    CHECK(contains(html, "<h1>A &lt;title&gt; &amp; &quot;more&quot;</h1>"));
+    CHECK(!contains(html, "<script"));
+    CHECK(contains(html, "&lt;script&gt;alert(1)"));
+    for (const char* part : {"12,345", "certified", "rebuild &amp; co", "step 2: &lt;cells&gt; differ",
+                             "The strategies disagree", "iteration 10", "Figure &lt;8&gt;", "caption &amp;",
+                             "a note with &lt;b&gt;", "prefers-color-scheme:dark", "2 checked, "})
+        CHECK(contains(html, part));
+    // Nothing is fetched from anywhere.
+    for (const char* part : {"http", "src=", "href=", "@import", "url("}) CHECK(!contains(html, part));
+    CHECK(occurrences(html, "class=\"mesh\"") == 2);
+    // Convergence 2, cost 2, comparison 2, the caller's 1.
+    CHECK(occurrences(html, "class=\"plot\"") == 7);
+    CHECK(!contains(html, "nan"));
+}
+
+TEST_CASE("an empty report and a failed audit are told plainly") {
+    Report report;
+    CHECK(well_formed(report_html(report)));
+    report.run.audit = {5, 2};
+    CHECK(contains(report_html(report), "2 of 5 audits failed"));
+    report.run.moves = {1000000, 999999, 1, 0, 0, 0};
+    CHECK(contains(report_html(report), "&gt; 99.9 %"));
+    CHECK(contains(report_html(report), "&lt; 0.01 %"));
+}
+
+TEST_CASE("a large triangulation is shown in a window, and the page says so") {
+    Report report;
+    report.before = grid(120);
+    report.after = grid(120);
+    const std::string html = report_html(report);
+    CHECK(well_formed(html));
+    // The square that holds the nearest 5,000 of a grid holds 70 by 70 or 72 by 72 of it.
+    CHECK(occurrences(html, "5,184 vertices in a window in the middle, of 14,400") == 2);
+    report.before = grid(100);
+    report.after = std::nullopt;
+    CHECK(!contains(report_html(report), "window in the middle"));
+}
+
+TEST_CASE("every edge of a picture is drawn once") {
+    CHECK(rc::check("trails cover the edges", [] {
+        Picture picture;
+        const auto n = *rc::gen::inRange<Index>(2, 12);
+        for (Index i = 0; i < n; ++i)  // on a curve without three points in a line, so that segments are told apart
+            picture.points.push_back({static_cast<double>(i), static_cast<double>(i) * i});
+        std::vector<std::pair<Index, Index>> wanted;
+        for (Index i = 0; i < n; ++i)
+            for (Index j = i + 1; j < n; ++j)
+                if (*rc::gen::arbitrary<bool>()) {
+                    picture.edges.push_back({j, i});
+                    wanted.emplace_back(i, j);
+                }
+        const std::string svg = svg_triangulation(picture, window_of(picture.points));
+        const std::size_t at = svg.find(" d=\"") + 4;
+        const std::string path = svg.substr(at, svg.find('"', at) - at);
+        // Reads the path back: M x y l dx dy dx dy ...
+        std::vector<std::pair<long, long>> corners;
+        std::vector<std::pair<std::pair<long, long>, std::pair<long, long>>> drawn;
+        const char* s = path.c_str();
+        bool relative = false;
+        std::pair<long, long> pen;
+        while (*s != '\0') {
+            if (*s == 'M' || *s == 'l') relative = *s++ == 'l';
+            char* end = nullptr;
+            const long x = std::strtol(s, &end, 10);
+            const long y = std::strtol(end, &end, 10);
+            s = end;
+            const auto next = relative ? std::pair{pen.first + x, pen.second + y} : std::pair{x, y};
+            if (relative) drawn.push_back(std::minmax(pen, next));
+            pen = next;
+        }
+        RC_ASSERT(drawn.size() == wanted.size());
+        std::sort(drawn.begin(), drawn.end());
+        RC_ASSERT(std::adjacent_find(drawn.begin(), drawn.end()) == drawn.end());
+    }));
+    Picture bad = grid(2);
+    bad.edges.push_back({0, 4});
+    CHECK_THROWS_AS(svg_triangulation(bad, window_of(bad.points)), Error);
+}
+
+TEST_CASE("plots take any values") {
+    const double inf = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(rc::check("svg_plot is well formed and finite", [&] {
+        const auto value = rc::gen::element(0., -0., 1., -1., 1e-300, 1e300, 5e-324, 3., inf, -inf, nan, 1e-5, 7e4);
+        const auto scale = rc::gen::element(Scale::linear, Scale::log10);
+        Plot plot{"t", {"x", *scale}, {"y", *scale}, {}};
+        for (int i = 0; i < 3; ++i)
+            plot.series.push_back({"s", *rc::gen::container<std::vector<double>>(value),
+                                   *rc::gen::container<std::vector<double>>(value), *rc::gen::arbitrary<bool>()});
+        const std::string svg = svg_plot(plot);
+        RC_ASSERT(well_formed(svg));
+        RC_ASSERT(!contains(svg, "nan"));
+        RC_ASSERT(!contains(svg, "inf"));
+        RC_ASSERT(svg.size() < 100000);
+    }));
+}
+
+TEST_CASE("a plot of many points stays small") {
+    Plot plot{"t", {"x"}, {"y"}, {{"s", {}, {}, false}}};
+    for (int i = 0; i < 200000; ++i) {
+        plot.series[0].x.push_back(i);
+        plot.series[0].y.push_back(std::sin(i * 0.7));
+    }
+    CHECK(svg_plot(plot).size() < 80000);
+}
+
+TEST_CASE("numbers are readable") {
+    CHECK(readable(0) == "0");
+    CHECK(readable(12345) == "12,300");
+    CHECK(readable(0.012345) == "0.0123");
+    CHECK(readable(999.9) == "1,000");
+    CHECK(readable(-2.5) == "−2.5");
+    CHECK(readable(1e-7) == "10⁻⁷");
+    CHECK(readable(1.5e12) == "1.5·10¹²");
+    CHECK(readable(1e7) == "10⁷");
+    CHECK(readable(9990000) == "9,990,000");
+    CHECK(readable(100) == "100");
+    CHECK(grouped(1234567) == "1,234,567");
+    CHECK(grouped(999) == "999");
+}
+
+TEST_CASE("a linear axis has ticks at steps of one, two or five") {
+    const auto labels = [](double upper) {
+        std::string all;
+        const Axis_range range({"", Scale::linear}, {0, upper});
+        for (const Tick& t : range.ticks()) all += t.label + " ";
+        return all;
+    };
+    CHECK(labels(5) == "0 1 2 3 4 5 ");
+    CHECK(labels(10) == "0 2 4 6 8 10 ");
+    CHECK(labels(22) == "0 5 10 15 20 25 ");
+    CHECK(labels(40) == "0 10 20 30 40 ");
+}
+
+TEST_CASE("numbers for people do not follow the locale of the host", "[io][report]") {
+    const Temporary_directory directory;
+    const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+    if (std::setlocale(LC_NUMERIC, "de_DE.UTF-8") == nullptr) {  // few machines have one: it is made
+        const std::string made = (directory.path() / "de_DE.UTF-8").string();
+        if (std::system(("localedef -i de_DE -f UTF-8 " + made + " >/dev/null 2>&1").c_str()) == 0) {
+            ::setenv("LOCPATH", directory.path().c_str(), 1);
+            (void)std::setlocale(LC_NUMERIC, "de_DE.UTF-8");
+            ::unsetenv("LOCPATH");
+        }
+    }
+    const std::string word = readable(0.0125), large = readable(1.25e9), ticks = report_html(full_report());
+    const double half = 0.5;
+    char text[8];
+    std::snprintf(text, sizeof text, "%.1f", half);
+    std::setlocale(LC_NUMERIC, before.c_str());
+    if (std::string(text) != "0,5") {
+        WARN("no locale with a decimal comma here");
+        return;
+    }
+    CHECK(word == readable(0.0125));
+    CHECK(word == "0.0125");
+    CHECK(large == readable(1.25e9));
+    CHECK(ticks == report_html(full_report()));
+}
