@@ -13,7 +13,7 @@ using Moving_delaunay_with_info_2 = Moving_delaunay<Cgal_embedding_2<Info>>;
 /// A moving Delaunay triangulation of the plane.
 using Moving_delaunay_2 = Moving_delaunay_with_info_2<No_info>;
 
-extern template class Cgal_embedding_2<No_info>;
+extern template class Cgal_embedding<Cgal_traits_2<No_info>>;
 extern template class Moving_delaunay<Cgal_embedding_2<No_info>>;
 
 }  // namespace annulus

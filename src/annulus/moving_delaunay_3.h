@@ -13,7 +13,7 @@ using Moving_delaunay_with_info_3 = Moving_delaunay<Cgal_embedding_3<Info>>;
 /// A moving Delaunay triangulation of space.
 using Moving_delaunay_3 = Moving_delaunay_with_info_3<No_info>;
 
-extern template class Cgal_embedding_3<No_info>;
+extern template class Cgal_embedding<Cgal_traits_3<No_info>>;
 extern template class Moving_delaunay<Cgal_embedding_3<No_info>>;
 
 }  // namespace annulus

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Large steps: walks of up to a spacing in every family of points, near-degenerate and with moving hulls; what repair costs, and where.
+#include <annulus/engine/chooser.h>
 #include <common/program.h>
 
 #include "../../bench/motions/families.h"

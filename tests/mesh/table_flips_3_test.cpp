@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Flips of space in the table, and in CGAL's object, which follows: made, and made back.
+#include <annulus/certificate/ladder.h>
 #include <annulus/cgal/embedding_3.h>
 #include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/table_flips_3.h>

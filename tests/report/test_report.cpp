@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "temporary_directory.h"
-#include "well_formed.h"
+#include <formats/temporary_directory.h>
+#include <formats/well_formed.h>
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/report/axis_ticks.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/certificate/ladder_3.h>
 #include <annulus/certificate/bounds.h>
 #include <annulus/certificate/decide.h>
 #include <annulus/certificate/width_terms_3.h>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/cell_table.h>
 #include <annulus/engine/sample.h>
+#include <annulus/mesh/cell_table.h>
+#include <annulus/mesh/measures.h>
 
 #include <array>
 #include <span>
@@ -10,11 +11,14 @@
 
 namespace annulus {
 
-/// The triangulation the strategies work on: CGAL's object and its flat mirror, changed together.
+/// What a move of one vertex came to that the engine left to the embedding. `refused`: another vertex is there, and nothing has changed.
+enum class Relocation { refused, kept, flipped, reinserted };
+
+/// What the engine wants of whoever builds triangulations, inserts and removes: the seam between it and CGAL.
 ///
-/// This is the seam between the code that knows CGAL (compiled in few translation units, a template on the caller's
-/// vertex info) and the code that does not. Vertices are named by index; `infinite` is the vertex at infinity. CGAL's
-/// points are the positions at which the object was last Delaunay; they change only through this interface.
+/// There is the triangulation itself, which others may hold handles of, and its flat mirror, which the engine changes. Vertices are
+/// named by index; `infinite` is the vertex at infinity. The embedding has points of its own: positions at which the triangulation was
+/// last Delaunay; they change only through this interface.
 template <int d>
 class Embedding {
   public:
@@ -24,45 +28,75 @@ class Embedding {
     [[nodiscard]] virtual Cell_table<d>& table() = 0;
     /// Number of vertices in the triangulation, infinity not counted.
     [[nodiscard]] virtual std::size_t vertices() const = 0;
+    /// One more than the largest index in use.
+    [[nodiscard]] virtual std::size_t vertex_bound() const = 0;
     /// Affine dimension of the vertices, -1 when there are none.
     [[nodiscard]] virtual int dimension() const = 0;
+    /// Whether v is in the triangulation. Precondition: v is below the bound.
+    [[nodiscard]] virtual bool has(Index v) const = 0;
 
+    /// Builds from nothing; vertex i is x[i]. Throws Error(collision) naming the pair when two points are equal. O(n log n).
+    virtual void build(std::span<const Coordinates<d>> x) = 0;
+    /// Builds everything anew at x, keeping handles. Throws Error(collision), with nothing changed, when two vertices share a position.
+    virtual void rebuild(std::span<const Coordinates<d>> x) = 0;
+    /// The same after a call that failed half way: x has a position for every index there is to be, `fresh` (or `none`) is one
+    /// that the call inserted.
+    virtual void restore(std::span<const Coordinates<d>> x, Index fresh) = 0;
+    /// No cells, until a rebuild.
+    virtual void clear_cells() noexcept = 0;
+    /// Seconds the last rebuild spent on keeping handles valid.
+    [[nodiscard]] virtual double handle_seconds() const = 0;
     /// The cells of the Delaunay triangulation of some vertices at x, those with infinity too, each in positive order. False when they
     /// are flat, or two of them are at one place.
     [[nodiscard]] virtual bool delaunay_of(std::span<const Coordinates<d>> x, std::span<const Index> vertices,
                                            std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>>& cells) = 0;
-    /// Brings CGAL's cells in line with those of the table, which differ only where it names them: cells that are gone, new, or
-    /// have other vertices or neighbours than they had.
-    virtual void follow(std::span<const Index> cells) = 0;
-    /// The opposite: brings these cells of the table in line with CGAL's, under other numbers; `made` receives these. O(k log k) for k cells.
-    virtual void restore_cells(std::span<const Index> cells, std::vector<Index>& made) = 0;
-    /// Takes v out and puts it back in at p, as CGAL does that, in both; `changed` receives the cells that are new. False, with nothing
-    /// changed, when the rest would be flat. Throws Error(collision), with nothing changed but cells' numbers, when another vertex is there.
-    /// Precondition: CGAL's object is Delaunay at its points, and the mirror is its own.
-    [[nodiscard]] virtual bool reinsert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) = 0;
-    /// Mirrors CGAL's object anew: at first, or after changes of the table that shall not be. O(n log n).
+
+    /// Mirrors the triangulation anew: at first, or after changes of the table that shall not be. O(n).
     virtual void mirror() = 0;
-    /// Forgets the mirror. Strategies that do not use it work on CGAL's object alone, which then costs less.
+    /// Forgets the mirror. Strategies that do not use it work on the triangulation alone, which then costs less.
     virtual void drop_mirror() noexcept = 0;
     [[nodiscard]] virtual bool mirrored() const = 0;
+    /// Brings the triangulation in line with the table, which differs only where it names cells: that are gone, new, or
+    /// have other vertices or neighbours than they had.
+    virtual void follow(std::span<const Index> cells) = 0;
+    /// The opposite: brings these cells of the table in line with the triangulation, under other numbers; `made` receives these.
+    /// O(k log k) for k cells.
+    virtual void restore_cells(std::span<const Index> cells, std::vector<Index>& made) = 0;
 
-    /// Appends the vertices of every finite cell, or of what is the largest there is of lower dimension.
-    virtual void list_cells(std::vector<Index>& vertices) const = 0;
-    /// Whether v is in the triangulation.
-    [[nodiscard]] virtual bool has(Index v) const = 0;
-    /// Looks at a cell of some `count` vertices, at x. O(count).
-    [[nodiscard]] virtual Sample sample(std::span<const Coordinates<d>> x, std::size_t count) const = 0;
+    /// Inserts p as vertex v (a new index, or a vacant one), in both; `changed` receives the cells that are new. False, with nothing
+    /// changed, when a vertex is there.
+    [[nodiscard]] virtual bool insert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) = 0;
+    /// Removes v; its index becomes vacant and its handle invalid.
+    virtual void remove(Index v, std::vector<Index>& changed) = 0;
+    /// Takes v out and puts it back in at p, in both; `changed` receives the cells that are new. False, with nothing
+    /// changed, when the rest would be flat. Throws Error(collision), with nothing changed but cells' numbers, when another vertex is there.
+    /// Precondition: the triangulation is Delaunay at its points, and the mirror is its own.
+    [[nodiscard]] virtual bool reinsert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) = 0;
 
-    /// Writes CGAL's point of v, or of every vertex in the triangulation; no combinatorial change.
+    // Moves of one vertex without a mirror. The triangulation is Delaunay before and after.
+    /// The paper's baseline: locate, insert, remove, with v's handle kept.
+    [[nodiscard]] virtual Relocation relocate(Index v, const Coordinates<d>& p) = 0;
+    /// Section 3.1 of the paper: flips when no incident cell inverts, else relocation. In space in place where no topological change is
+    /// needed, else relocation: paper 3.1 has no flips there, and CGAL's `move_if_no_collision`, whose insertion into a star it has
+    /// just made crashes on degenerate input (5.5), is none either.
+    [[nodiscard]] virtual Relocation relocate_by_flips(Index v, const Coordinates<d>& p) = 0;
+    /// Writes v's point when no topological change is needed. False, with nothing changed, when one is.
+    [[nodiscard]] virtual bool update_in_place(Index v, const Coordinates<d>& p) = 0;
+
+    /// Writes the point of v, or of every vertex in the triangulation; no combinatorial change.
     virtual void set_point(Index v, const Coordinates<d>& p) = 0;
     virtual void set_points(std::span<const Coordinates<d>> x) = 0;
 
-    /// Builds everything anew at x with CGAL (spatial sort), keeping vertex handles. Throws Error(collision), with
-    /// nothing changed, when two vertices share a position.
-    virtual void rebuild(std::span<const Coordinates<d>> x) = 0;
+    /// Appends the vertices of every finite cell, or of what is the largest there is of lower dimension (padded with `none`).
+    virtual void list_cells(std::vector<Index>& vertices) const = 0;
+    /// Looks at a cell of some `count` vertices, at x. O(count).
+    [[nodiscard]] virtual Sample sample(std::span<const Coordinates<d>> x, std::size_t count) const = 0;
+    /// Least tolerance of the certificates of v at the embedding's points, certified. Precondition: dimension d.
+    [[nodiscard]] virtual double star_tolerance(Index v) const = 0;
+    /// Least theta of the finite bi-cells that contain v, at the embedding's points; pi/2 when there is none.
+    [[nodiscard]] virtual double theta(Index v) const = 0;
+    /// Widths, tolerances and theta of everything, at the embedding's points. O(n).
+    [[nodiscard]] virtual Measures measure() const = 0;
 };
-
-/// What a move of one vertex by CGAL came to. `refused`: another vertex is there, and nothing has changed.
-enum class Relocation { refused, kept, flipped, reinserted };
 
 }  // namespace annulus

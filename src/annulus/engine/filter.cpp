@@ -11,11 +11,6 @@
 namespace annulus {
 
 template <int d>
-double Filter<d>::tolerance(Index v) const {
-    return std::max(0.0, slack(v));
-}
-
-template <int d>
 void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     if (tracks_) return move_one(v, p, report);
     // Signs around one vertex cost a thousandth of settling, which then pays for those to come (rent or buy).

@@ -5,7 +5,9 @@
 #include <annulus/engine/chooser.h>
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/expiry_list.h>
+#include <annulus/engine/options.h>
 #include <annulus/engine/repair.h>
+#include <annulus/engine/upkeep.h>
 #include <annulus/engine/vertex_record.h>
 
 #include <limits>
@@ -13,13 +15,6 @@
 #include <vector>
 
 namespace annulus {
-
-/// A cheap test for a certificate whose tolerance failed, before it is evaluated again. In the plane only: in space all are off.
-enum class Second_look : std::uint8_t {
-    off,
-    unequal_moves,  ///< max D over the facet + max D over the opposite vertices < width (theory 2)
-    safe_region,    ///< every point is still on its side of the certificate's standard delimiter (paper 2.3 and 3.2)
-};
 
 /// The strategy `filter`: a whole timestamp at a time, only certificates that expired are evaluated. And `filter-each`, one
 /// vertex at a time (`move_one`), with certified tolerances.
@@ -38,7 +33,7 @@ enum class Second_look : std::uint8_t {
 /// less than the tolerances of these, tolerances are not kept at all (`tracks`); single moves then ask for the signs around
 /// the vertex.
 template <int d>
-class Filter {
+class Filter final : public Upkeep<d> {
   public:
     /// `automatic`: timestamps are rebuilt while that is the cheapest way, and then there is no mirror.
     Filter(Embedding<d>& embedding, Tolerance_kind kind, Second_look look, bool automatic = false)
@@ -54,44 +49,62 @@ class Filter {
     /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh. When it
     /// throws (bad_alloc), no position was written. O(n).
     void settle(std::span<const Coordinates<d>> x, Move_report& report);
-
-    /// The same without evaluating anything: the first timestamps tell whether tolerances pay. With `automatic`.
-    void begin(std::span<const Coordinates<d>> x);
+    /// The same; with `automatic` nothing is evaluated, nor mirrored: the first timestamps tell whether that pays.
+    void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
+    void refresh_all(Move_report& report) override { settle(position_, report); }
 
     /// Moves every vertex to x. Throws Error, with everything as it was: not_finite, out_of_domain, or collision when two
     /// would coincide. Anything else that is thrown (bad_alloc, Error(too_large)) leaves positions() as they were and all else
     /// unspecified: build anew there and settle. Precondition: settled in dimension d.
-    void move_all(std::span<const Coordinates<d>> x, Move_report& report);
-    /// One vertex; precondition: p is in the coordinate domain.
-    void move(Index v, const Coordinates<d>& p, Move_report& report);
+    void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;
+    void move(Index v, const Coordinates<d>& p, Move_report& report) override;
 
     /// A timestamp of single moves, under `filter-each`: begin_each, move_one in any order, end_each. While so many vertices
     /// fail that the signs around a vertex cost less than its tolerances, without tolerances.
-    void begin_each(std::span<const Coordinates<d>> x, Move_report& report) {
+    void begin_each(std::span<const Coordinates<d>> x, Move_report& report) override {
+        noted_ = position_;
         settle_if_it_pays(report);
         note_displacements(x);
     }
     void move_one(Index v, const Coordinates<d>& p, Move_report& report);
-    void end_each(Move_report& report) { end_timestamp(true, report); }
+    void move_in_turn(Index v, const Coordinates<d>& p, Move_report& report) override { move_one(v, p, report); }
+    void end_each(Move_report& report) override {
+        noted_.clear();
+        end_timestamp(true, report);
+    }
+    void take_back() noexcept override {
+        position_.swap(noted_);
+        tracks_ = false;
+    }
+    void resume() override {
+        Move_report nobody_asked;
+        settle(position_, nobody_asked);
+    }
 
-    /// To be called after cells were replaced by other hands (insertion, removal) at the present positions: evaluates
-    /// the certificates of these cells.
-    void refresh(std::span<const Index> cells, Move_report& report);
-    /// The vertex takes position p as moving and fixed position; it was not in the triangulation.
-    void place(Index v, const Coordinates<d>& p);
-    /// Takes back what place() did at the index that is last now, or sets positions before a settling: O(n), throws nothing.
-    void restore(std::span<const Coordinates<d>> x);
+    /// Evaluates the certificates of these cells.
+    void refresh(std::span<const Index> cells, Move_report& report) override;
+    /// The vertex takes position p as moving and fixed position.
+    void place(Index v, const Coordinates<d>& p) override;
+    void put_back(Index v, const Coordinates<d>& p) noexcept override {
+        position_[at(v)] = p;
+        tracks_ = false;
+    }
+    void cut(std::size_t bound) override {
+        position_.resize(bound);
+        tracks_ = false;
+    }
 
-    [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
-    /// Where D is measured from.
-    [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const {
+    [[nodiscard]] std::span<const Coordinates<d>> positions() const override { return position_; }
+    [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const override {
         return !tracks_ ? position_[at(v)] : vertex_[at(v)].fixed;
     }
+    [[nodiscard]] bool filters() const override { return true; }
     /// False while the motion is so fast that tolerances would not last a step and are not kept.
     [[nodiscard]] bool tracks() const { return tracks_; }
-    /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own.
-    /// Precondition: tracks().
-    [[nodiscard]] double tolerance(Index v) const;
+    /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own; while tracks().
+    [[nodiscard]] std::optional<double> tolerance(Index v) const override {
+        return tracks_ ? std::optional(std::max(0.0, slack(v))) : std::nullopt;
+    }
 
   private:
     /// One or two cache lines: around a vertex are 12 certificates in the plane, 80 in space.
@@ -209,6 +222,7 @@ class Filter {
     std::uint64_t untracked_ = 0;  // steps since tolerances were given up
     std::uint64_t single_moves_ = 0;  // since then
     std::vector<Coordinates<d>> position_;
+    std::vector<Coordinates<d>> noted_;  // position_ before a timestamp of single moves
     std::vector<Vertex_record<d>> vertex_;
     std::vector<List> list_;  // by vertex
     std::vector<Facet_record> facet_record_;

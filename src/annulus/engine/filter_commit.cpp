@@ -49,9 +49,11 @@ void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
 }
 
 template <int d>
-void Filter<d>::begin(std::span<const Coordinates<d>> x) {
-    position_.assign(x.begin(), x.end());
+void Filter<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
+    if (!automatic_) return settle(x, report);
+    if (x.data() != position_.data()) position_.assign(x.begin(), x.end());
     stop_tracking();
+    embedding_.drop_mirror();
 }
 
 /// In blocks that stay in the cache from the evaluation to the record.
@@ -94,13 +96,6 @@ void Filter<d>::place(Index v, const Coordinates<d>& p) {
     resize();
     vertex_[at(v)] = {p, {}};
     list_[at(v)].clear();
-}
-
-template <int d>
-void Filter<d>::restore(std::span<const Coordinates<d>> x) {
-    position_.resize(x.size());  // not more than there were
-    if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
-    tracks_ = false;
 }
 
 template <int d>

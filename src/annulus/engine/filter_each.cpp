@@ -55,11 +55,11 @@ void Filter_each<d>::place(Index v, const Coordinates<d>& p) {
 }
 
 template <int d>
-void Filter_each<d>::restore(const Snapshot& s) noexcept {
-    std::copy(s.position.begin(), s.position.end(), position_.begin());
-    std::copy(s.fixed.begin(), s.fixed.end(), fixed_.begin());
-    std::copy(s.epsilon.begin(), s.epsilon.end(), epsilon_.begin());
-    std::copy(s.threshold.begin(), s.threshold.end(), threshold_.begin());
+void Filter_each<d>::take_back() noexcept {
+    position_.swap(noted_.position);
+    fixed_.swap(noted_.fixed);
+    epsilon_.swap(noted_.epsilon);
+    threshold_.swap(noted_.threshold);
     queue_.clear();
     std::fill(queued_.begin(), queued_.end(), char{0});
 }
@@ -183,6 +183,12 @@ void Filter_each<d>::move(Index v, const Coordinates<d>& p, Move_report& report)
         throw;
     }
     queue_.clear();
+}
+
+template <int d>
+void Filter_each<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
+    for (std::size_t v = 0; v < x.size(); ++v)
+        if (embedding_.has(static_cast<Index>(v))) move(static_cast<Index>(v), x[v], report);
 }
 
 template class Filter_each<2>;

@@ -4,6 +4,7 @@
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/least_tolerance.h>
 #include <annulus/engine/repair.h>
+#include <annulus/engine/upkeep.h>
 
 #include <span>
 #include <vector>
@@ -22,30 +23,33 @@ namespace annulus {
 /// Certificates are evaluated at the fixed positions, where the triangulation is Delaunay at all times: a tolerance that is
 /// too large gives a wrong answer at the moving positions but never breaks the triangulation CGAL works on.
 template <int d>
-class Filter_each {
+class Filter_each final : public Upkeep<d> {
   public:
     Filter_each(Embedding<d>& embedding, Tolerance_kind kind) : embedding_(embedding), repair_(embedding, kind, true) {}
 
     /// As in Filter.
     void report_changes(bool on) { report_changes_ = on; }
     void settle(std::span<const Coordinates<d>> x, Move_report& report);
-    void move(Index v, const Coordinates<d>& p, Move_report& report);
-    void refresh(std::span<const Index> cells, Move_report& report);
-    void place(Index v, const Coordinates<d>& p);
+    void begin(std::span<const Coordinates<d>> x, Move_report& report) override { settle(x, report); }
+    void refresh_all(Move_report& report) override { settle(position_, report); }
+    void move(Index v, const Coordinates<d>& p, Move_report& report) override;
+    /// One after another, in the order of their indices.
+    void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;
+    void refresh(std::span<const Index> cells, Move_report& report) override;
+    void place(Index v, const Coordinates<d>& p) override;
+    void cut(std::size_t bound) override { position_.resize(bound); }
+    void put_back(Index v, const Coordinates<d>& p) noexcept override { position_[at(v)] = p; }
 
-    /// The state of every vertex, to be put back with the triangulation it belongs to.
-    struct Snapshot {
-        std::vector<Coordinates<d>> position, fixed;
-        std::vector<double> epsilon, threshold;
-    };
-    [[nodiscard]] Snapshot save() const { return {position_, fixed_, epsilon_, threshold_}; }
-    void restore(const Snapshot& s) noexcept;
-    /// Forgets vertices from this index on; a settling has to follow.
-    void restore_bound(std::size_t bound) { position_.resize(bound); }
+    void begin_each(std::span<const Coordinates<d>>, Move_report&) override { noted_ = {position_, fixed_, epsilon_, threshold_}; }
+    void end_each(Move_report&) override { noted_ = {}; }
+    void take_back() noexcept override;
+    void resume() override {}
+    [[nodiscard]] std::span<const Coordinates<d>> standing() const override { return fixed_; }
 
-    [[nodiscard]] const std::vector<Coordinates<d>>& positions() const { return position_; }
-    [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const { return fixed_[at(v)]; }
-    [[nodiscard]] double tolerance(Index v) const { return std::max(0.0, epsilon_[at(v)]); }
+    [[nodiscard]] std::span<const Coordinates<d>> positions() const override { return position_; }
+    [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const override { return fixed_[at(v)]; }
+    [[nodiscard]] std::optional<double> tolerance(Index v) const override { return std::max(0.0, epsilon_[at(v)]); }
+    [[nodiscard]] bool filters() const override { return true; }
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -60,8 +64,15 @@ class Filter_each {
     void process(Index h, Move_report& report, bool first);
     void rebuild(Index h, const Coordinates<d>& old_fixed, Move_report& report);
 
+    /// The state of every vertex, to be put back with the triangulation it belongs to.
+    struct Snapshot {
+        std::vector<Coordinates<d>> position, fixed;
+        std::vector<double> epsilon, threshold;
+    };
+
     Embedding<d>& embedding_;
     Repair<d> repair_;
+    Snapshot noted_;
     bool report_changes_ = false;
     std::vector<Coordinates<d>> position_;
     std::vector<Coordinates<d>> fixed_;

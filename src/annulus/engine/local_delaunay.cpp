@@ -4,6 +4,7 @@
 #include <annulus/mesh/replace_cells.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace annulus {
 
@@ -68,8 +69,10 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
             for (const Index v : cell_points(table_, c))
                 if (v != infinite) vertices_.push_back(v);
                 else at_infinity_ = true;
+        if (comes_ != none) vertices_.push_back(comes_);
         std::sort(vertices_.begin(), vertices_.end());
         vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+        if (goes_ != none) std::erase(vertices_, goes_);
         price_ += point_price * static_cast<double>(vertices_.size());
         if (price_ > most) return false;
         cells_.clear();
@@ -94,6 +97,22 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
         if (region.size() == before) return false;  // it is everything
     }
     return false;
+}
+
+template <int d>
+bool Local_delaunay<d>::insert(std::span<const Coordinates<d>> x, std::span<const Index> cells, Index v, std::vector<Index>& touched) {
+    comes_ = v;
+    const bool done = rebuild(x, cells, std::numeric_limits<double>::infinity(), touched);
+    comes_ = none;
+    return done;
+}
+
+template <int d>
+bool Local_delaunay<d>::remove(std::span<const Coordinates<d>> x, std::span<const Index> cells, Index v, std::vector<Index>& touched) {
+    goes_ = v;
+    const bool done = rebuild(x, cells, std::numeric_limits<double>::infinity(), touched);
+    goes_ = none;
+    return done;
 }
 
 template <int d>

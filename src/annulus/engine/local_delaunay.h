@@ -24,6 +24,9 @@ class Local_delaunay {
     /// False when that would cost more than `most` (in cells looked at; price() is what it did) or is not possible.
     [[nodiscard]] bool rebuild(std::span<const Coordinates<d>> x, std::span<const Index> cells, double most,
                                std::vector<Index>& touched);
+    /// The same with one vertex more, whose place these cells hold, or with one less, whose star they are.
+    [[nodiscard]] bool insert(std::span<const Coordinates<d>> x, std::span<const Index> cells, Index v, std::vector<Index>& touched);
+    [[nodiscard]] bool remove(std::span<const Coordinates<d>> x, std::span<const Index> cells, Index v, std::vector<Index>& touched);
     [[nodiscard]] double price() const { return price_; }
 
   private:
@@ -59,6 +62,8 @@ class Local_delaunay {
     std::vector<Index> marked_;  // where it may not be 0
     std::vector<Index> vertices_;  // of the region
     bool at_infinity_ = false;     // and infinity
+    Index comes_ = none;           // a vertex that is not in it yet
+    Index goes_ = none;            // one that is not to be in it any more
     std::vector<Points> cells_;  // Delaunay, of the vertices
     std::vector<Side> sides_;    // of these, sorted
     std::vector<Side> border_;   // of the region, seen from inside, sorted

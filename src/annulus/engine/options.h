@@ -2,12 +2,18 @@
 #pragma once
 
 #include <annulus/certificate/verdict.h>
-#include <annulus/engine/filter.h>
 
 #include <optional>
 #include <string_view>
 
 namespace annulus {
+
+/// A cheap test for a certificate whose tolerance failed, before it is evaluated again. In the plane only: in space all are off.
+enum class Second_look : std::uint8_t {
+    off,
+    unequal_moves,  ///< max D over the facet + max D over the opposite vertices < width (theory 2)
+    safe_region,    ///< every point is still on its side of the certificate's standard delimiter (paper 2.3 and 3.2)
+};
 
 /// How the triangulation is kept right.
 enum class Strategy : std::uint8_t {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/verdict.h>
 #include <annulus/mesh/cell_table.h>
 
 #include <algorithm>
@@ -38,16 +38,19 @@ template <int d>
     return x;
 }
 
-/// The points of a ridge, ordered so that their orientation is positive where the hull is strictly convex: the
-/// infinite cell of h with infinity replaced by the vertex opposite in the other cell, and two points swapped (an
-/// infinite cell lies outside).
+/// The points of a ridge, ordered so that their orientation is positive where the hull is strictly convex: an infinite cell with
+/// infinity replaced by `beyond`, the vertex opposite to its facet `slot` in the other cell, and two points swapped (an infinite
+/// cell lies outside).
+template <int d>
+[[nodiscard]] Cell_points<d> ridge_points(Cell_points<d> cell, Index beyond) {
+    for (Index& v : cell)
+        if (v == infinite) v = beyond;
+    std::swap(cell[0], cell[1]);
+    return cell;
+}
 template <int d>
 [[nodiscard]] Cell_points<d> ridge_points(const Cell_table<d>& t, Index h) {
-    Cell_points<d> x = cell_points(t, t.cell_of(h));
-    for (Index& v : x)
-        if (v == infinite) v = t.vertex(t.twin(h));
-    std::swap(x[0], x[1]);
-    return x;
+    return ridge_points<d>(cell_points(t, t.cell_of(h)), t.vertex(t.twin(h)));
 }
 
 /// The points of a border facet for the paper's slab: its finite cell in positive order, the vertex off the facet last.
@@ -71,15 +74,13 @@ inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0
     return facet_and_vertex(t, t.is_infinite(t.cell_of(h)) ? t.twin(h) : h);
 }
 
-/// Turns the points of a ridge so that its own finite vertex comes last.
-[[nodiscard]] inline Cell_points<2> ridge_vertex_last(const Cell_table<2>& t, Index h, Cell_points<2> x) {
-    const Index v = t.vertex(t.ccw(h)) == infinite ? t.vertex(t.cw(h)) : t.vertex(t.ccw(h));
-    while (x[2] != v) x = {x[1], x[2], x[0]};
+/// Turns the points of a ridge, an edge of the hull in space and a vertex in the plane, so that in space the two vertices of the
+/// ridge come first and in the plane its one comes last. `own` is the vertex of the infinite cell opposite to the ridge, `beyond` that of the other.
+[[nodiscard]] inline Cell_points<2> ridge_in_order(Cell_points<2> x, Index own, Index beyond) {
+    while (x[2] == own || x[2] == beyond) x = {x[1], x[2], x[0]};
     return x;
 }
-
-/// In space: the two vertices of the ridge first, the opposite vertices last.
-[[nodiscard]] inline Cell_points<3> ridge_vertex_last(const Cell_table<3>& t, Index h, Cell_points<3> x) {
+[[nodiscard]] inline Cell_points<3> ridge_in_order(Cell_points<3> x, Index own, Index beyond) {
     // Three places turned at a time: an even permutation.
     const auto bring = [&x](Index v, std::size_t to) {
         const auto from = static_cast<std::size_t>(std::find(x.begin(), x.end(), v) - x.begin());
@@ -88,9 +89,13 @@ inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0
         std::swap(x[from], x[to]);
         std::swap(x[from], x[third]);
     };
-    bring(t.vertex(t.twin(h)), 3);
-    bring(t.vertex(h), 2);
+    bring(beyond, 3);
+    bring(own, 2);
     return x;
+}
+template <int d>
+[[nodiscard]] Cell_points<d> ridge_vertex_last(const Cell_table<d>& t, Index h, const Cell_points<d>& x) {
+    return ridge_in_order(x, t.vertex(h), t.vertex(t.twin(h)));
 }
 
 /// The points {a, b, p, q} of the bi-cell at half-facet h: q = vertex(h) is left of ab, p right of it.
@@ -124,6 +129,31 @@ template <int d>
     if (f.kind == Facet_kind::border) return f;
     const Cell_points<d> x =
         f.kind == Facet_kind::ridge ? ridge_vertex_last(t, h, ridge_points(t, h)) : slab_points(t, h);
+    std::copy(x.begin(), x.end(), f.point.begin());
+    return f;
+}
+
+/// The certificate of the facet opposite to corner `slot` of a cell with these vertices, `beyond` being the vertex of the other cell.
+[[nodiscard]] inline Facet_points<2> bicell_points(const Cell_points<2>& cell, std::size_t slot, Index beyond) {
+    return {cell[(slot + 1) % 3], cell[(slot + 2) % 3], beyond, cell[slot]};
+}
+[[nodiscard]] inline Facet_points<3> bicell_points(const Cell_points<3>& cell, std::size_t slot, Index beyond) {
+    const auto& facing = facing_corners[slot];
+    return {cell[static_cast<std::size_t>(facing[0])], cell[static_cast<std::size_t>(facing[1])],
+            cell[static_cast<std::size_t>(facing[2])], beyond, cell[slot]};
+}
+template <int d>
+[[nodiscard]] Facet_certificate<d> facet_certificate(const Cell_points<d>& cell, std::size_t slot, Index beyond) {
+    if (cell[slot] == infinite || beyond == infinite) {
+        Facet_certificate<d> f{Facet_kind::border, {}};
+        f.point.fill(none);
+        return f;
+    }
+    if (std::find(cell.begin(), cell.end(), infinite) == cell.end())
+        return {Facet_kind::empty_sphere, bicell_points(cell, slot, beyond)};
+    Facet_certificate<d> f{Facet_kind::ridge, {}};
+    f.point.fill(none);
+    const Cell_points<d> x = ridge_in_order(ridge_points<d>(cell, beyond), cell[slot], beyond);
     std::copy(x.begin(), x.end(), f.point.begin());
     return f;
 }

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Cgal_embedding_3: building from nothing, and anew with the caller's handles kept.
-#include <annulus/cgal/embedding_3.h>
+// Cgal_embedding: building from nothing, and anew with the caller's handles kept.
+#include <annulus/cgal/embedding.h>
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 
 namespace annulus {
 
-template <class Info>
-void Cgal_embedding_3<Info>::insert_all(Triangulation& tr, std::span<const Coordinates<3>> x, std::span<const Index> order,
+template <class Traits>
+void Cgal_embedding<Traits>::insert_all(Triangulation& tr, std::span<const Coordinates<d>> x, std::span<const Index> order,
                                         std::vector<Vertex_handle>* handle) {
     // An error is thrown outside, where the thread's table is known to be sound.
     std::exception_ptr collision;
-    cgal_3::with_sound_table([&] {
+    Traits::edit([&] {
         try {
-            insert_in_order<3>(tr, x, order, [&](Vertex_handle v, Index i) {
+            insert_in_order<Traits>(tr, x, order, [&](Vertex_handle v, Index i) {
                 v->set_index(i);
                 if (handle != nullptr) (*handle)[at(i)] = v;
             });
@@ -27,8 +28,8 @@ void Cgal_embedding_3<Info>::insert_all(Triangulation& tr, std::span<const Coord
     if (collision) std::rethrow_exception(collision);
 }
 
-template <class Info>
-void Cgal_embedding_3<Info>::build(std::span<const Coordinates<3>> x) {
+template <class Traits>
+void Cgal_embedding<Traits>::build(std::span<const Coordinates<d>> x) {
     Triangulation tr;
     std::vector<Vertex_handle> handle(x.size());
     order_.forget();
@@ -38,8 +39,8 @@ void Cgal_embedding_3<Info>::build(std::span<const Coordinates<3>> x) {
     mirrored_ = shuffled_ = false;
 }
 
-template <class Info>
-void Cgal_embedding_3<Info>::restore(std::span<const Coordinates<3>> x, Index fresh) {
+template <class Traits>
+void Cgal_embedding<Traits>::restore(std::span<const Coordinates<d>> x, Index fresh) {
     if (fresh != none && at(fresh) < handle_.size()) handle_[at(fresh)] = Vertex_handle();
     handle_.resize(x.size());
     order_.forget();
@@ -52,16 +53,16 @@ void Cgal_embedding_3<Info>::restore(std::span<const Coordinates<3>> x, Index fr
     rebuild(x);
 }
 
-template <class Info>
-void Cgal_embedding_3<Info>::clear_cells() noexcept {
-    tr_.tds().cells().clear();
+template <class Traits>
+void Cgal_embedding<Traits>::clear_cells() noexcept {
+    Traits::cells(tr_.tds()).clear();
     tr_.tds().set_dimension(-1);
     table_.clear(0);
     cell_.clear();
 }
 
-template <class Info>
-void Cgal_embedding_3<Info>::rebuild(std::span<const Coordinates<3>> x) {
+template <class Traits>
+void Cgal_embedding<Traits>::rebuild(std::span<const Coordinates<d>> x) {
     Triangulation other;
     insert_all(other, x, order_.of(x, [this](Index i) { return handle_[at(i)] != Vertex_handle(); }), nullptr);
     const auto start = std::chrono::steady_clock::now();
@@ -72,31 +73,38 @@ void Cgal_embedding_3<Info>::rebuild(std::span<const Coordinates<3>> x) {
 }
 
 /// Gives our vertices, which callers hold handles of, the cells and points of another triangulation of the same set.
-template <class Info>
-void Cgal_embedding_3<Info>::take_cells(Triangulation& other) noexcept {
+template <class Traits>
+void Cgal_embedding<Traits>::take_cells(Triangulation& other) noexcept {
     auto& tds = tr_.tds();
-    tds.cells().swap(other.tds().cells());
+    auto& cells = Traits::cells(tds);
+    cells.swap(Traits::cells(other.tds()));
     tds.set_dimension(other.dimension());
     const auto ours = [&](Vertex_handle v) {
         return v == other.infinite_vertex() ? tr_.infinite_vertex() : handle_[at(v->index())];
     };
     const int last = std::max(tds.dimension(), 0);
-    for (auto c = tds.cells().begin(); c != tds.cells().end(); ++c)
+    for (auto c = cells.begin(); c != cells.end(); ++c)
         for (int i = 0; i <= last; ++i)
             if (c->vertex(i) != Vertex_handle()) c->set_vertex(i, ours(c->vertex(i)));
     for (auto v = other.tds().vertices().begin(); v != other.tds().vertices().end(); ++v) {
         const Vertex_handle to = ours(v);
-        to->set_cell(v->cell());
+        Traits::set_cell_of(to, Traits::cell_of(v));
         if (to != tr_.infinite_vertex()) to->set_point(v->point());
     }
-    other.tds().cells().clear();  // ours of before, whose vertices are not theirs
+    Traits::cells(other.tds()).clear();  // ours of before, whose vertices are not theirs
     other.tds().set_dimension(-2);
 }
 
-template <class Info>
-void Cgal_embedding_3<Info>::set_points(std::span<const Coordinates<3>> x) {
+template <class Traits>
+void Cgal_embedding<Traits>::set_points(std::span<const Coordinates<d>> x) {
     for (std::size_t i = 0; i < handle_.size(); ++i)
         if (handle_[i] != Vertex_handle()) handle_[i]->set_point(point(x[i]));
+}
+
+template <class Traits>
+bool Cgal_embedding<Traits>::delaunay_of(std::span<const Coordinates<d>> x, std::span<const Index> vertices,
+                                         std::vector<Points>& cells) {
+    return cgal_delaunay_of<typename Traits::Plain>(x, vertices, cells);
 }
 
 }  // namespace annulus

@@ -57,22 +57,41 @@ class Insertion_order {
 /// Inserts x[i] for every i of the order, the last vertex' place as hint, and calls assign(vertex, i). Throws Error(collision) naming
 /// a point whose position another has. CGAL's insertion of a range of points with info does just this; here the assigner learns of
 /// duplicates.
-template <int d, class Tr, class Assign>
-void insert_in_order(Tr& tr, std::span<const Coordinates<d>> x, std::span<const Index> order, Assign assign) {
-    using Point = typename Tr::Point;
-    typename Tr::Vertex_handle last;
+template <class Traits, class Assign>
+void insert_in_order(typename Traits::Triangulation& tr, std::span<const Coordinates<Traits::dimension>> x,
+                     std::span<const Index> order, Assign assign) {
+    typename Traits::Vertex_handle last;
     std::size_t count = 0;
     for (const Index i : order) {
-        const Coordinates<d>& p = x[static_cast<std::size_t>(i)];
-        if constexpr (d == 2)
-            last = count == 0 ? tr.insert(Point(p[0], p[1])) : tr.insert(Point(p[0], p[1]), last->face());
-        else
-            last = count == 0 ? tr.insert(Point(p[0], p[1], p[2])) : tr.insert(Point(p[0], p[1], p[2]), last);
+        last = Traits::insert(tr, Traits::point(x[static_cast<std::size_t>(i)]), last);
         if (tr.number_of_vertices() == count)
             throw Error(Error_code::collision, "point " + std::to_string(i) + " has the position of another point");
         ++count;
         assign(last, i);
     }
+}
+
+/// The cells of the Delaunay triangulation of some vertices at x (Embedding::delaunay_of). Traits has no info.
+template <class Traits>
+[[nodiscard]] bool cgal_delaunay_of(std::span<const Coordinates<Traits::dimension>> x, std::span<const Index> vertices,
+                                    std::vector<std::array<Index, static_cast<std::size_t>(Traits::dimension + 1)>>& cells) {
+    typename Traits::Triangulation tr;
+    Traits::edit([&] {
+        typename Traits::Vertex_handle last;
+        for (const Index i : vertices) {
+            last = Traits::insert(tr, Traits::point(x[static_cast<std::size_t>(i)]), last);
+            last->set_index(i);
+        }
+    });
+    if (tr.dimension() != Traits::dimension || tr.number_of_vertices() != vertices.size()) return false;
+    Traits::for_each_cell(tr, [&](typename Traits::Cell_handle c) {
+        auto& v = cells.emplace_back();
+        for (int i = 0; i <= Traits::dimension; ++i) {
+            const auto w = c->vertex(i);
+            v[static_cast<std::size_t>(i)] = tr.is_infinite(w) ? infinite : w->index();
+        }
+    });
+    return true;
 }
 
 }  // namespace annulus

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/cgal/insertion_order.h>
+#include <annulus/engine/embedding.h>
+#include <annulus/mesh/evaluate.h>
+#include <annulus/mesh/measures.h>
+#include <annulus/mesh/neighbours.h>
+#include <annulus/mesh/replace_cells.h>
+
+#include <utility>
+#include <vector>
+
+namespace annulus {
+
+/// CGAL's Delaunay triangulation with its flat mirror: the only code that changes both.
+///
+/// Traits is Cgal_traits_2<Info> or Cgal_traits_3<Info>. A cell of CGAL's knows its cell of the mirror; `none` means that it is not
+/// mirrored yet.
+template <class Traits>
+class Cgal_embedding final : public Embedding<Traits::dimension> {
+  public:
+    static constexpr int d = Traits::dimension;
+    static constexpr int dimension_of_space = d;
+    using Triangulation = typename Traits::Triangulation;
+    using Point = typename Traits::Point;
+    using Vertex_handle = typename Traits::Vertex_handle;
+    using Cell_handle = typename Traits::Cell_handle;
+    using Points = Cell_points<d>;
+
+    [[nodiscard]] static Coordinates<d> coordinates(const Point& p) { return Traits::coordinates(p); }
+    [[nodiscard]] static Point point(const Coordinates<d>& x) { return Traits::point(x); }
+
+    [[nodiscard]] const Triangulation& triangulation() const { return tr_; }
+    [[nodiscard]] Triangulation& triangulation() { return tr_; }
+    [[nodiscard]] Vertex_handle handle(Index v) const { return handle_[at(v)]; }
+    /// CGAL's cell of a cell of the mirror.
+    [[nodiscard]] Cell_handle cell(Index c) const { return cell_[at(c)]; }
+
+    [[nodiscard]] Cell_table<d>& table() override { return table_; }
+    [[nodiscard]] const Cell_table<d>& table() const { return table_; }
+    [[nodiscard]] std::size_t vertices() const override { return tr_.number_of_vertices(); }
+    [[nodiscard]] std::size_t vertex_bound() const override { return handle_.size(); }
+    [[nodiscard]] int dimension() const override { return tr_.dimension(); }
+    [[nodiscard]] bool has(Index v) const override { return handle_[at(v)] != Vertex_handle(); }
+
+    // build.h
+    void build(std::span<const Coordinates<d>> x) override;
+    void rebuild(std::span<const Coordinates<d>> x) override;
+    void restore(std::span<const Coordinates<d>> x, Index fresh) override;
+    void clear_cells() noexcept override;
+    [[nodiscard]] double handle_seconds() const override { return handle_seconds_; }
+    [[nodiscard]] bool delaunay_of(std::span<const Coordinates<d>> x, std::span<const Index> vertices,
+                                   std::vector<Points>& cells) override;
+
+    // mirror.h
+    void mirror() override;
+    void drop_mirror() noexcept override;
+    [[nodiscard]] bool mirrored() const override { return mirrored_; }
+    void follow(std::span<const Index> cells) override;
+    void restore_cells(std::span<const Index> cells, std::vector<Index>& made) override;
+
+    // relocation.h
+    [[nodiscard]] bool insert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) override;
+    void remove(Index v, std::vector<Index>& changed) override;
+    [[nodiscard]] bool reinsert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) override;
+    [[nodiscard]] Relocation relocate(Index v, const Coordinates<d>& p) override;
+    [[nodiscard]] Relocation relocate_by_flips(Index v, const Coordinates<d>& p) override;
+    [[nodiscard]] bool update_in_place(Index v, const Coordinates<d>& p) override;
+    void set_point(Index v, const Coordinates<d>& p) override { handle_[at(v)]->set_point(point(p)); }
+    void set_points(std::span<const Coordinates<d>> x) override;
+
+    // readings.h
+    void list_cells(std::vector<Index>& vertices) const override {
+        for_each_finite_cell([&](const auto& cell) { vertices.insert(vertices.end(), cell.begin(), cell.end()); });
+    }
+    [[nodiscard]] Sample sample(std::span<const Coordinates<d>> x, std::size_t count) const override;
+    [[nodiscard]] double star_tolerance(Index v) const override;
+    [[nodiscard]] double theta(Index v) const override;
+    [[nodiscard]] Measures measure() const override;
+    /// Calls visit(vertices) for each finite cell, or of what is the largest there is when all points are in a plane or on a line
+    /// (padded with `none`).
+    template <class Visit>
+    void for_each_finite_cell(Visit visit) const;
+    /// Neighbour lists of every vertex. O(n).
+    void neighbours(Neighbours_2& out) const requires(Traits::dimension == 2);
+
+  private:
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+    template <class T>
+    [[nodiscard]] static Index index_of(const T& tr, typename T::Vertex_handle v) {
+        return tr.is_infinite(v) ? infinite : v->index();
+    }
+    template <class T, class Cell>
+    [[nodiscard]] static Points points_of(const T& tr, Cell c) {
+        Points x{};
+        for (int i = 0; i <= d; ++i) x[static_cast<std::size_t>(i)] = index_of(tr, c->vertex(i));
+        return x;
+    }
+    [[nodiscard]] Vertex_handle vertex_of(Index v) const {
+        return v == infinite ? tr_.infinite_vertex() : handle_[at(v)];
+    }
+    [[nodiscard]] Vertex_handle vertex_beyond(Cell_handle c, int i) const {
+        return c->neighbor(i)->vertex(Traits::slot_beyond(tr_.tds(), c, i));
+    }
+    static void insert_all(Triangulation& tr, std::span<const Coordinates<d>> x, std::span<const Index> order,
+                           std::vector<Vertex_handle>* handle);
+    void take_cells(Triangulation& other) noexcept;
+
+    void put_in_order(std::vector<Cell_handle>& cells) const;
+    void adopt(std::vector<Cell_handle> cells, std::vector<Index> old, std::vector<Index>& changed);
+    void join_replaced(const std::vector<Cell_handle>& cells, std::vector<Index>& old);
+
+    [[nodiscard]] std::vector<Cell_handle> star(Vertex_handle v) const;
+    void substitute(Vertex_handle old, Vertex_handle replacement);
+    [[nodiscard]] std::vector<Cell_handle> take_out(Vertex_handle v);
+    [[nodiscard]] bool detach(Index v, std::vector<Index>& changed);
+    [[nodiscard]] bool attach(Index v, const Coordinates<d>& p, Vertex_handle near, std::vector<Index>& changed);
+    void exchange(Vertex_handle v, Vertex_handle inserted, const Coordinates<d>& p);
+    [[nodiscard]] Relocation relocate_flat(Index v, const Coordinates<d>& p);
+
+    /// The certificate of facet (c, i), and where its points are.
+    struct Certificate {
+        Facet_kind kind{};
+        Facet_points<d> point{};
+        std::array<Coordinates<d>, static_cast<std::size_t>(d + 2)> x{};
+    };
+    [[nodiscard]] Certificate certificate(Cell_handle c, int i) const;
+    [[nodiscard]] Verdict verdict_of_cell(Cell_handle c) const;
+    template <class Visit>
+    void for_each_facet_around(Vertex_handle v, Visit visit) const;
+
+    Triangulation tr_;
+    Cell_table<d> table_;
+    std::vector<Cell_handle> cell_;      // by cell
+    std::vector<Vertex_handle> handle_;  // by vertex; default for a vacant index
+    Insertion_order<Triangulation, d> order_;
+    bool mirrored_ = false;
+    bool shuffled_ = false;  // CGAL's removal has had a say in the order of its cells
+    double handle_seconds_ = 0.0;
+};
+
+}  // namespace annulus
+
+#include <annulus/cgal/build.h>
+#include <annulus/cgal/mirror.h>
+#include <annulus/cgal/readings.h>
+#include <annulus/cgal/relocation.h>

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/cgal/mesh_embedding.h>
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/cgal/insertion_order.h>
+#include <annulus/cgal/traits_2.h>
+#include <annulus/cgal/traits_3.h>
+#include <annulus/mesh/table_readings.h>
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <type_traits>
+
+namespace annulus {
+
+/// What knows CGAL.
+template <int d>
+struct Mesh_embedding<d>::Builder {
+    using Traits = std::conditional_t<d == 2, Cgal_traits_2<No_info>, Cgal_traits_3<No_info>>;
+    using Triangulation = typename Traits::Triangulation;
+    using Cell_handle = typename Traits::Cell_handle;
+    using Vertex_handle = typename Traits::Vertex_handle;
+
+    Insertion_order<Triangulation, d> order;
+
+    /// Throws Error(collision).
+    template <class Lives>
+    void insert(Triangulation& tr, std::span<const Coordinates<d>> x, Lives lives) {
+        std::exception_ptr collision;  // thrown outside, where the thread's table is known to be sound
+        Traits::edit([&] {
+            try {
+                insert_in_order<Traits>(tr, x, order.of(x, lives), [](Vertex_handle v, Index i) { v->set_index(i); });
+            } catch (const Error&) {
+                collision = std::current_exception();
+            }
+        });
+        if (collision) std::rethrow_exception(collision);
+    }
+    static Index index_of(const Triangulation& tr, Vertex_handle v) { return tr.is_infinite(v) ? infinite : v->index(); }
+
+    static void copy(const Triangulation& tr, std::size_t bound, Cell_table<d>& table) {
+        std::vector<Cell_handle> cell;
+        Traits::for_each_cell(tr, [&](Cell_handle c) {
+            c->set_cell(static_cast<Index>(cell.size()));
+            cell.push_back(c);
+        });
+        table.clear(bound, cell.size());
+        for (const Cell_handle c : cell)
+            for (int i = 0; i <= d; ++i) {
+                table.set_vertex(table.corner(c->cell(), i), index_of(tr, c->vertex(i)));
+                const Index n = c->neighbor(i)->cell();
+                if (n > c->cell())
+                    table.glue(table.corner(c->cell(), i), table.corner(n, Traits::slot_beyond(tr.tds(), c, i)));
+            }
+    }
+
+    static void list_flat(const Triangulation& tr, std::vector<Index>& cells) {
+        const auto list = [&](auto cell, int corners) {
+            for (int i = 0; i <= d; ++i) cells.push_back(i < corners ? cell->vertex(i)->index() : none);
+        };
+        if constexpr (d == 3)
+            if (tr.dimension() == 2)
+                for (auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f) list(f->first, 3);
+        if (tr.dimension() == 1)
+            for (auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e) list(e->first, 2);
+    }
+};
+
+template <int d>
+Mesh_embedding<d>::Mesh_embedding() : builder_(std::make_unique<Builder>()) {}
+template <int d>
+Mesh_embedding<d>::~Mesh_embedding() = default;
+
+template <int d>
+void Mesh_embedding<d>::build(std::span<const Coordinates<d>> x) {
+    builder_->order.forget();
+    present_.assign(x.size(), 1);
+    point_.assign(x.begin(), x.end());
+    vertices_ = x.size();
+    rebuild(x);
+}
+
+template <int d>
+void Mesh_embedding<d>::rebuild(std::span<const Coordinates<d>> x) {
+    typename Builder::Triangulation tr;
+    builder_->insert(tr, x, [this](Index i) { return has(i); });
+    std::vector<Index> flat;
+    Cell_table<d> table;
+    table.clear(x.size());
+    if (tr.dimension() == d) Builder::copy(tr, x.size(), table);
+    else Builder::list_flat(tr, flat);
+    if (x.data() != point_.data()) std::copy(x.begin(), x.end(), point_.begin());
+    flat_cells_ = std::move(flat);
+    table_ = std::move(table);
+    dimension_ = tr.dimension();
+}
+
+template <int d>
+void Mesh_embedding<d>::rebuild_at_points() {
+    rebuild(point_);
+}
+
+template <int d>
+void Mesh_embedding<d>::restore(std::span<const Coordinates<d>> x, Index fresh) {
+    if (fresh != none && at(fresh) < present_.size()) present_[at(fresh)] = 0;
+    present_.resize(x.size(), 0);
+    point_.resize(x.size());
+    vertices_ = static_cast<std::size_t>(std::count(present_.begin(), present_.end(), char{1}));
+    builder_->order.forget();
+    rebuild(x);
+}
+
+template <int d>
+void Mesh_embedding<d>::clear_cells() noexcept {
+    table_.clear(0);
+    flat_cells_.clear();
+    dimension_ = -1;
+}
+
+template <int d>
+bool Mesh_embedding<d>::delaunay_of(std::span<const Coordinates<d>> x, std::span<const Index> vertices,
+                                    std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>>& cells) {
+    return cgal_delaunay_of<typename Builder::Traits>(x, vertices, cells);
+}
+
+/// What is outside of them is Delaunay at the points, and so were they.
+template <int d>
+void Mesh_embedding<d>::restore_cells(std::span<const Index> cells, std::vector<Index>& made) {
+    std::vector<Index> present;
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(present), [this](Index c) { return table_.is_cell(c); });
+    if (local_.rebuild(point_, present, std::numeric_limits<double>::infinity(), made)) return;
+    rebuild_at_points();
+    for (Index c = 0; c < table_.cell_bound(); ++c) made.push_back(c);
+}
+
+template <int d>
+bool Mesh_embedding<d>::is_taken(const Coordinates<d>& p, Index but) const {
+    if (dimension_ < d) {
+        for (std::size_t v = 0; v < point_.size(); ++v)
+            if (present_[v] != 0 && static_cast<Index>(v) != but && point_[v] == p) return true;
+        return false;
+    }
+    const Index c = locate<d>(table_, point_, p, table_.cell_of(table_.corner_of_infinity()));
+    for (const Index v : cell_points(table_, c))
+        if (v != infinite && v != but && point_[at(v)] == p) return true;
+    return false;
+}
+
+/// v goes to p, where nobody is.
+template <int d>
+bool Mesh_embedding<d>::attach(Index v, const Coordinates<d>& p, std::vector<Index>& changed) {
+    const Index c = locate<d>(table_, point_, p, table_.cell_of(table_.corner_of_infinity()));
+    for (const Index w : cell_points(table_, c))
+        if (w != infinite && point_[at(w)] == p) return false;
+    const Coordinates<d> home = std::exchange(point_[at(v)], p);
+    try {
+        if (!local_.insert(point_, std::array{c}, v, changed)) {
+            rebuild_at_points();
+            for (Index k = 0; k < table_.cell_bound(); ++k) changed.push_back(k);
+        }
+    } catch (...) {
+        point_[at(v)] = home;
+        throw;
+    }
+    return true;
+}
+
+/// False, with nothing changed, when the rest would be flat.
+template <int d>
+bool Mesh_embedding<d>::detach(Index v, std::vector<Index>& changed) {
+    if (dimension_ != d || vertices_ <= d + 1U) return false;
+    std::vector<Index> star;
+    table_.for_each_corner(v, [&](Index h) { star.push_back(table_.cell_of(h)); });
+    if (!local_.remove(point_, star, v, changed)) return false;
+    table_.set_absent(v);
+    return true;
+}
+
+template <int d>
+bool Mesh_embedding<d>::insert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) {
+    if (is_taken(p, none)) return false;
+    builder_->order.forget();
+    if (at(v) >= point_.size()) {
+        point_.resize(at(v) + 1);
+        present_.resize(at(v) + 1, 0);
+    }
+    present_[at(v)] = 1;
+    ++vertices_;
+    if (dimension_ < d) {
+        point_[at(v)] = p;
+        rebuild_at_points();
+        return true;
+    }
+    table_.set_vertex_bound(point_.size());
+    return attach(v, p, changed);
+}
+
+template <int d>
+void Mesh_embedding<d>::remove(Index v, std::vector<Index>& changed) {
+    builder_->order.forget();
+    if (detach(v, changed)) {
+        present_[at(v)] = 0;
+        --vertices_;
+        return;
+    }
+    present_[at(v)] = 0;
+    --vertices_;
+    rebuild_at_points();
+}
+
+template <int d>
+bool Mesh_embedding<d>::reinsert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) {
+    if (is_taken(p, v)) throw Error(Error_code::collision, "another vertex is at that position");
+    return detach(v, changed) && attach(v, p, changed);
+}
+
+template <int d>
+Relocation Mesh_embedding<d>::relocate(Index v, const Coordinates<d>& p) {
+    if (point_[at(v)] == p) return Relocation::kept;
+    if (is_taken(p, v)) return Relocation::refused;
+    std::vector<Index> changed;
+    if (detach(v, changed)) {
+        (void)attach(v, p, changed);
+    } else {
+        std::vector<Coordinates<d>> x = point_;
+        x[at(v)] = p;
+        rebuild(x);
+    }
+    return Relocation::reinserted;
+}
+
+template <int d>
+Relocation Mesh_embedding<d>::relocate_by_flips(Index v, const Coordinates<d>& p) {
+    return update_in_place(v, p) ? Relocation::kept : relocate(v, p);
+}
+
+template <int d>
+bool Mesh_embedding<d>::update_in_place(Index v, const Coordinates<d>& p) {
+    if (dimension_ != d) return false;
+    const Coordinates<d> home = std::exchange(point_[at(v)], p);
+    const bool holds = star_holds<d>(table_, point_, v);
+    if (!holds) point_[at(v)] = home;
+    return holds;
+}
+
+template <int d>
+void Mesh_embedding<d>::set_points(std::span<const Coordinates<d>> x) {
+    std::copy(x.begin(), x.end(), point_.begin());
+}
+
+template <int d>
+void Mesh_embedding<d>::list_cells(std::vector<Index>& vertices) const {
+    if (dimension_ != d) {
+        vertices.insert(vertices.end(), flat_cells_.begin(), flat_cells_.end());
+        return;
+    }
+    for (Index c = 0; c < table_.cell_bound(); ++c) {
+        if (!table_.is_cell(c) || table_.is_infinite(c)) continue;
+        const auto v = cell_points(table_, c);
+        vertices.insert(vertices.end(), v.begin(), v.end());
+    }
+}
+
+template <int d>
+Sample Mesh_embedding<d>::sample(std::span<const Coordinates<d>> x, std::size_t count) const {
+    Sample sample;
+    if (dimension_ != d) return sample;
+    const std::size_t stride = 1 + point_.size() / (count + 1);
+    for (std::size_t v = 0; v < point_.size(); v += stride) {
+        if (present_[v] == 0) continue;
+        const Index c = table_.cell_of(table_.corner_of(static_cast<Index>(v)));
+        if (table_.is_infinite(c)) continue;
+        Cell_points<d> beyond{};
+        for (int i = 0; i <= d; ++i) beyond[static_cast<std::size_t>(i)] = table_.vertex(table_.twin(table_.corner(c, i)));
+        add_cell(sample, x, cell_points(table_, c), beyond);
+    }
+    return sample;
+}
+
+template <int d>
+double Mesh_embedding<d>::star_tolerance(Index v) const {
+    return annulus::star_tolerance<d>(table_, point_, v);
+}
+
+template <int d>
+double Mesh_embedding<d>::theta(Index v) const {
+    return dimension_ == d ? star_theta<d>(table_, point_, v) : 1.5707963267948966;
+}
+
+template <int d>
+Measures Mesh_embedding<d>::measure() const {
+    if (dimension_ == d) {
+        Measures m = annulus::measure<d>(table_, point_);
+        return m;
+    }
+    Measures m;
+    m.tolerance.assign(point_.size(), std::numeric_limits<double>::infinity());
+    return m;
+}
+
+template class Mesh_embedding<2>;
+template class Mesh_embedding<3>;
+
+}  // namespace annulus

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/embedding.h>
+#include <annulus/engine/local_delaunay.h>
+
+#include <memory>
+#include <vector>
+
+namespace annulus {
+
+/// A triangulation that is a Cell_table and nothing else. CGAL builds it, and small parts of it, and is gone again.
+///
+/// The table is the triangulation, so there is nothing that has to follow it; whether it is "mirrored" says only whether a strategy works on it.
+/// What the engine has changed and wants back is built anew at the points (`restore_cells`).
+template <int d>
+class Mesh_embedding final : public Embedding<d> {
+  public:
+    Mesh_embedding();
+    ~Mesh_embedding() override;
+
+    [[nodiscard]] Cell_table<d>& table() override { return table_; }
+    [[nodiscard]] const Cell_table<d>& table() const { return table_; }
+    [[nodiscard]] std::size_t vertices() const override { return vertices_; }
+    [[nodiscard]] std::size_t vertex_bound() const override { return point_.size(); }
+    [[nodiscard]] int dimension() const override { return dimension_; }
+    [[nodiscard]] bool has(Index v) const override { return present_[at(v)] != 0; }
+
+    void build(std::span<const Coordinates<d>> x) override;
+    void rebuild(std::span<const Coordinates<d>> x) override;
+    void restore(std::span<const Coordinates<d>> x, Index fresh) override;
+    void clear_cells() noexcept override;
+    [[nodiscard]] double handle_seconds() const override { return 0.0; }
+    [[nodiscard]] bool delaunay_of(std::span<const Coordinates<d>> x, std::span<const Index> vertices,
+                                   std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>>& cells) override;
+
+    void mirror() override { mirrored_ = true; }
+    void drop_mirror() noexcept override { mirrored_ = false; }
+    [[nodiscard]] bool mirrored() const override { return mirrored_; }
+    void follow(std::span<const Index>) override {}
+    void restore_cells(std::span<const Index> cells, std::vector<Index>& made) override;
+
+    [[nodiscard]] bool insert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) override;
+    void remove(Index v, std::vector<Index>& changed) override;
+    [[nodiscard]] bool reinsert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) override;
+    [[nodiscard]] Relocation relocate(Index v, const Coordinates<d>& p) override;
+    /// In place where no topological change is needed, else relocation, in the plane too.
+    [[nodiscard]] Relocation relocate_by_flips(Index v, const Coordinates<d>& p) override;
+    [[nodiscard]] bool update_in_place(Index v, const Coordinates<d>& p) override;
+    void set_point(Index v, const Coordinates<d>& p) override { point_[at(v)] = p; }
+    void set_points(std::span<const Coordinates<d>> x) override;
+
+    void list_cells(std::vector<Index>& vertices) const override;
+    [[nodiscard]] Sample sample(std::span<const Coordinates<d>> x, std::size_t count) const override;
+    [[nodiscard]] double star_tolerance(Index v) const override;
+    [[nodiscard]] double theta(Index v) const override;
+    [[nodiscard]] Measures measure() const override;
+
+  private:
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    struct Builder;
+
+    void rebuild_at_points();
+    [[nodiscard]] bool attach(Index v, const Coordinates<d>& p, std::vector<Index>& changed);
+    [[nodiscard]] bool detach(Index v, std::vector<Index>& changed);
+    [[nodiscard]] bool is_taken(const Coordinates<d>& p, Index but) const;
+
+    Cell_table<d> table_;
+    std::vector<Coordinates<d>> point_;  // by vertex: where it was Delaunay last
+    std::vector<char> present_;          // by vertex; 0 for a vacant index
+    std::size_t vertices_ = 0;
+    int dimension_ = -1;
+    std::vector<Index> flat_cells_;      // d + 1 a cell, padded; of points of lower dimension
+    bool mirrored_ = false;
+    std::unique_ptr<Builder> builder_;
+    Local_delaunay<d> local_{*this};
+};
+
+extern template class Mesh_embedding<2>;
+extern template class Mesh_embedding<3>;
+
+}  // namespace annulus

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Engine: made, kept whole, and what it tells. Moves are in engine_moves.cpp.
+#include <annulus/engine/engine.h>
+
+#include <annulus/arithmetic/domain.h>
+#include <annulus/arithmetic/environment.h>
+#include <annulus/arithmetic/error.h>
+#include <annulus/engine/displacement.h>
+#include <annulus/engine/filter.h>
+#include <annulus/engine/filter_each.h>
+#include <annulus/engine/guarded.h>
+#include <annulus/engine/plain.h>
+
+#include <map>
+
+namespace annulus {
+
+template <int d>
+Engine<d>::Engine(Embedding<d>& embedding, const Options& options)
+    : options_(options), strategy_(options.strategy), embedding_(embedding), upkeep_(upkeep_of(strategy_)), random_(options.seed) {
+    require_sound_environment();
+}
+
+template <int d>
+Engine<d>::~Engine() = default;
+
+template <int d>
+std::unique_ptr<Upkeep<d>> Engine<d>::upkeep_of(Strategy strategy) const {
+    const bool changes = options_.report_changes;
+    const bool tolerances = strategy == Strategy::filter || strategy == Strategy::automatic;
+    if (tolerances || (strategy == Strategy::filter_each && certified())) {
+        auto filter = std::make_unique<Filter<d>>(embedding_, options_.tolerance, options_.second_look,
+                                                  strategy == Strategy::automatic);
+        filter->report_changes(changes);
+        return filter;
+    }
+    if (strategy == Strategy::filter_each) {
+        auto filter = std::make_unique<Filter_each<d>>(embedding_, options_.tolerance);
+        filter->report_changes(changes);
+        return filter;
+    }
+    return std::make_unique<Plain<d>>(embedding_, strategy, changes);
+}
+
+template <int d>
+void Engine<d>::build(std::span<const Point> points) {
+    for (const auto& p : points) require_in_domain(p);
+    if (points.size() > Horizons::vertices)
+        throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::vertices) + " vertices");
+    std::vector<Point> distinct;
+    index_of_input_.reserve(points.size());
+    if (options_.merge_duplicates) {
+        std::map<Point, Index> seen;
+        for (auto p : points) {
+            for (double& c : p) c += 0.0;  // -0 and 0 are one place
+            const auto [it, fresh] = seen.emplace(p, static_cast<Index>(distinct.size()));
+            if (fresh) distinct.push_back(p);
+            index_of_input_.push_back(it->second);
+        }
+        points = distinct;
+    } else {
+        for (std::size_t i = 0; i < points.size(); ++i) index_of_input_.push_back(static_cast<Index>(i));
+    }
+    embedding_.build(points);
+    Move_report report;
+    begin(points, report);
+}
+
+/// Hands positions and triangulation to the strategy in force as given and Delaunay.
+template <int d>
+void Engine<d>::begin(std::span<const Point> x, Move_report& report) {
+    if (upkeep_->filters() && strategy_ != Strategy::automatic && !embedding_.mirrored()) embedding_.mirror();
+    upkeep_->begin(x, report);
+}
+
+template <int d>
+void Engine<d>::require_whole() {
+    if (whole_) return;
+    recover(index_bound(), none);
+    if (!whole_) throw std::bad_alloc();
+}
+
+/// Whatever is left, one set of positions is whole: those of before the call.
+template <int d>
+void Engine<d>::recover(std::size_t bound, Index fresh) noexcept {
+    whole_ = false;
+    try {
+        upkeep_->cut(bound);
+        embedding_.restore(positions(), fresh);
+        Move_report nobody_asked;
+        upkeep_->begin(positions(), nobody_asked);
+        whole_ = true;
+    } catch (...) {
+        embedding_.clear_cells();
+    }
+}
+
+template <int d>
+bool Engine<d>::is_vertex(Index i) const {
+    return i >= 0 && at(i) < index_bound() && at(i) < embedding_.vertex_bound() && embedding_.has(i);
+}
+
+template <int d>
+void Engine<d>::require_vertex(Index i) const {
+    if (!is_vertex(i)) throw Error(Error_code::unknown_vertex, "no vertex has index " + std::to_string(i));
+}
+
+template <int d>
+auto Engine<d>::positions() const -> std::span<const Point> {
+    return upkeep_->positions();
+}
+
+template <int d>
+auto Engine<d>::fixed_position(Index i) const -> Point {
+    return upkeep_->fixed_position(i);
+}
+
+template <int d>
+double Engine<d>::tolerance(Index i) const {
+    if (embedding_.dimension() != d) return 0.0;
+    const auto kept = upkeep_->tolerance(i);
+    return kept ? *kept : embedding_.star_tolerance(i);
+}
+
+template <int d>
+double Engine<d>::displacement(Index i) const {
+    return distance_upper<d>(positions()[at(i)], upkeep_->fixed_position(i));
+}
+
+template <int d>
+Move_report Engine<d>::settle() {
+    Move_report report;
+    guarded([&] {
+        if (certified()) upkeep_->refresh_all(report);
+        else make_trusted(report);
+    });
+    return report;
+}
+
+/// Insertion and removal need Delaunay triangulations; tolerances that are not certified may have left another, or one at other
+/// positions.
+template <int d>
+void Engine<d>::make_trusted(Move_report& report) {
+    if (certified() || !upkeep_->filters()) return;
+    const std::vector<Point> x(positions().begin(), positions().end());
+    embedding_.rebuild(x);
+    upkeep_->begin(x, report);
+}
+
+template <int d>
+Index Engine<d>::insert(const Point& p, Move_report& report) {
+    require_in_domain(p);
+    require_whole();
+    if (vacant_.empty() && index_bound() >= Horizons::vertices)
+        throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::vertices) + " vertices");
+    const Index i = vacant_.empty() ? static_cast<Index>(index_bound()) : vacant_.back();
+    guarded(
+        [&] {
+            make_trusted(report);
+            std::vector<Index> changed;
+            const int before = embedding_.dimension();
+            if (!embedding_.insert(i, p, changed)) throw Error(Error_code::collision, "another vertex is at that position");
+            upkeep_->place(i, p);
+            if (before != d && embedding_.mirrored()) upkeep_->refresh_all(report);
+            else upkeep_->refresh(changed, report);
+            list_changes(report, changed);
+        },
+        i);
+    if (!vacant_.empty()) vacant_.pop_back();
+    return i;
+}
+
+template <int d>
+void Engine<d>::remove(Index i, Move_report& report) {
+    vacant_.reserve(vacant_.size() + 1);
+    guarded([&] {
+        make_trusted(report);
+        std::vector<Index> changed;
+        try {
+            embedding_.remove(i, changed);
+        } catch (...) {
+            if (!embedding_.has(i)) vacant_.push_back(i);  // gone, but what followed failed
+            throw;
+        }
+        vacant_.push_back(i);
+        if (!changed.empty()) upkeep_->refresh(changed, report);
+        else if (embedding_.mirrored()) upkeep_->refresh_all(report);
+        list_changes(report, changed);
+    });
+}
+
+/// Where nobody knows better, whatever may have changed: every finite cell.
+template <int d>
+void Engine<d>::list_changes(Move_report& report, std::span<const Index> cells) const {
+    if (!options_.report_changes) return;
+    if (cells.empty()) {
+        report.changed.clear();
+        embedding_.list_cells(report.changed);
+        return;
+    }
+    const Cell_table<d>& t = embedding_.table();
+    for (const Index c : cells)
+        for (int k = 0; k <= d; ++k) report.changed.push_back(t.vertex(t.corner(c, k)));
+}
+
+template <int d>
+Audit_input<d> Engine<d>::audit_input() const {
+    Audit_input<d> input;
+    std::vector<Index> squeezed(index_bound(), none);
+    for (std::size_t i = 0; i < index_bound(); ++i) {
+        if (!is_vertex(static_cast<Index>(i))) continue;
+        squeezed[i] = static_cast<Index>(input.points.size());
+        input.points.push_back(positions()[i]);
+    }
+    std::vector<Index> corners;
+    embedding_.list_cells(corners);
+    for (std::size_t k = 0; k < corners.size(); k += d + 1) {
+        auto& cell = input.cells.emplace_back();
+        for (std::size_t i = 0; i <= d; ++i) cell[i] = corners[k + i] == none ? none : squeezed[at(corners[k + i])];
+    }
+    return input;
+}
+
+template class Engine<2>;
+template class Engine<3>;
+
+}  // namespace annulus

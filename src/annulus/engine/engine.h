@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/embedding.h>
+#include <annulus/engine/move_report.h>
+#include <annulus/engine/options.h>
+#include <annulus/mesh/audit.h>
+
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace annulus {
+
+template <int d>
+class Upkeep;
+
+/// Vertices that move, under a strategy, and their triangulation in an embedding: what Moving_delaunay and Moving_mesh promise is kept
+/// here, and they say what it is. Vertices are named by index.
+template <int d>
+class Engine {
+  public:
+    using Point = Coordinates<d>;
+
+    /// The embedding must outlive it, and is changed by nobody else.
+    Engine(Embedding<d>& embedding, const Options& options);
+    ~Engine();
+
+    /// Triangulates these points. Once.
+    void build(std::span<const Point> points);
+
+    Move_report move(Index i, const Point& p);
+    Move_report move(std::span<const Index> indices, std::span<const Point> points);
+    Move_report move_all(std::span<const Point> points);
+    /// Returns the index of the new vertex.
+    Index insert(const Point& p, Move_report& report);
+    void remove(Index i, Move_report& report);
+    Move_report settle();
+
+    [[nodiscard]] std::size_t index_bound() const { return positions().size(); }
+    [[nodiscard]] bool is_vertex(Index i) const;
+    /// Throws unknown_vertex.
+    void require_vertex(Index i) const;
+    [[nodiscard]] std::span<const Index> index_of_input() const { return index_of_input_; }
+    [[nodiscard]] std::span<const Point> positions() const;
+    [[nodiscard]] Point fixed_position(Index i) const;
+    [[nodiscard]] double tolerance(Index i) const;
+    [[nodiscard]] double displacement(Index i) const;
+    [[nodiscard]] Audit_input<d> audit_input() const;
+    [[nodiscard]] const Options& options() const { return options_; }
+    [[nodiscard]] Strategy strategy() const { return strategy_; }
+
+  private:
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] std::unique_ptr<Upkeep<d>> upkeep_of(Strategy strategy) const;
+    [[nodiscard]] bool certified() const { return options_.tolerance == Tolerance_kind::certified; }
+    template <class Call>
+    void guarded(Call call, Index fresh = none);
+    void recover(std::size_t bound, Index fresh) noexcept;
+    void require_whole();
+    void begin(std::span<const Point> x, Move_report& report);
+    void rebuild_all(std::span<const Point> x, Move_report& report);
+    void move_one(Index i, const Point& p, Move_report& report);
+    void move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report);
+    static void count_movers(std::uint64_t movers, Move_counts& moves);
+    void move_everything(std::span<const Point> points, Move_report& report);
+    void move_in_turn(std::span<const Point> x, Move_report& report);
+    void try_move_in_turn(std::span<const Point> x, Move_report& report);
+    void order_by_blockers(std::span<const Point> x, std::vector<Index>& waiting) const;
+    void make_trusted(Move_report& report);
+    void consider_switch(std::span<const Point> x, Move_report& report);
+    void list_changes(Move_report& report, std::span<const Index> cells) const;
+
+    Options options_;
+    Strategy strategy_;
+    Embedding<d>& embedding_;
+    std::unique_ptr<Upkeep<d>> upkeep_;
+    std::unique_ptr<Upkeep<d>> before_;  // of `hybrid`, in the call in which it switches
+    std::vector<Index> vacant_;
+    std::vector<Index> index_of_input_;
+    std::mt19937_64 random_;
+    std::uint64_t steps_ = 0;
+    bool whole_ = true;  // false: there are positions but no cells, because memory ran out twice
+};
+
+extern template class Engine<2>;
+extern template class Engine<3>;
+
+}  // namespace annulus

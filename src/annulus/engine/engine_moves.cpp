@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Engine: moves, under every strategy.
+#include <annulus/engine/engine.h>
+
+#include <annulus/arithmetic/domain.h>
+#include <annulus/arithmetic/error.h>
+#include <annulus/engine/displacement.h>
+#include <annulus/engine/guarded.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+template <int d>
+Move_report Engine<d>::move(Index i, const Point& p) {
+    require_vertex(i);
+    require_in_domain(p);
+    Move_report report;
+    guarded([&] { move_one(i, Point(p), report); });
+    return report;
+}
+
+/// Under the filters single moves of flat sets are rebuilds.
+template <int d>
+void Engine<d>::move_one(Index i, const Point& p, Move_report& report) {
+    if (!upkeep_->filters() || embedding_.dimension() == d) {
+        upkeep_->move(i, p, report);
+        return;
+    }
+    std::vector<Point> x(positions().begin(), positions().end());
+    x[at(i)] = p;
+    const Move_counts before = report.moves;
+    rebuild_all(x, report);
+    report.moves = before;
+    ++report.moves.asked;
+    ++report.moves.rebuilt;
+}
+
+template <int d>
+Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Point> points) {
+    if (indices.size() != points.size())
+        throw Error(Error_code::wrong_size, std::to_string(indices.size()) + " indices, and " + std::to_string(points.size()) + " points");
+    for (const Index i : indices) require_vertex(i);
+    for (const Point& p : points) require_in_domain(p);
+    Move_report report;
+    guarded([&] { move_some(indices, points, report); });
+    return report;
+}
+
+/// One by one while they are few, as a timestamp otherwise. The last position of an index that is named twice holds. A vertex that stands where
+/// another goes, and goes itself, is no collision: then, too, it is a timestamp.
+template <int d>
+void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report) {
+    constexpr std::size_t share = 64;
+    std::vector<std::pair<Index, Point>> home;  // of those that were moved, and of the one that was not
+    const auto put_back = [&] {
+        for (; !home.empty(); home.pop_back()) upkeep_->put_back(home.back().first, home.back().second);
+    };
+    try {
+        if (share * indices.size() <= embedding_.vertices() && upkeep_->filters() && embedding_.dimension() == d) {
+            home.reserve(indices.size());
+            try {
+                for (std::size_t k = 0; k < indices.size(); ++k) {
+                    home.emplace_back(indices[k], positions()[at(indices[k])]);
+                    upkeep_->move(indices[k], points[k], report);
+                }
+                return;
+            } catch (const Error& e) {
+                if (e.code() != Error_code::collision) throw;
+            }
+        }
+        std::vector<Point> x(positions().begin(), positions().end());
+        for (auto it = home.rbegin(); it != home.rend(); ++it) x[at(it->first)] = it->second;
+        const std::vector<Point> old = x;
+        for (std::size_t k = 0; k < indices.size(); ++k) x[at(indices[k])] = points[k];
+        report.moves = {};
+        try {
+            move_everything(x, report);
+        } catch (const Error&) {
+            Move_report nobody_asked;
+            if (!home.empty()) move_everything(old, nobody_asked);
+            throw;
+        }
+    } catch (const Error& e) {
+        if (e.code() == Error_code::too_large) put_back();
+        throw;
+    } catch (...) {
+        put_back();
+        throw;
+    }
+    std::vector<Index> distinct(indices.begin(), indices.end());
+    std::sort(distinct.begin(), distinct.end());
+    count_movers(static_cast<std::uint64_t>(std::unique(distinct.begin(), distinct.end()) - distinct.begin()), report.moves);
+}
+
+/// Of a timestamp, those that were to move.
+template <int d>
+void Engine<d>::count_movers(std::uint64_t movers, Move_counts& moves) {
+    moves.asked = movers;
+    std::uint64_t left = movers;
+    for (std::uint64_t* const n : {&moves.kept_in_place, &moves.flipped, &moves.reinserted, &moves.rebuilt}) {
+        *n = std::min(*n, left);
+        left -= *n;
+    }
+    moves.within_tolerance = left;
+}
+
+template <int d>
+Move_report Engine<d>::move_all(std::span<const Point> points) {
+    if (points.size() != index_bound())
+        throw Error(Error_code::wrong_size, "move_all takes " + std::to_string(index_bound()) + " points, not " +
+                                                std::to_string(points.size()));
+    // The filter looks at every position anyway and finds out itself.
+    if ((strategy_ != Strategy::filter && strategy_ != Strategy::automatic) || embedding_.dimension() != d)
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (is_vertex(static_cast<Index>(i))) require_in_domain(points[i]);
+    Move_report report;
+    guarded([&] { move_everything(points, report); });
+    return report;
+}
+
+template <int d>
+void Engine<d>::move_everything(std::span<const Point> points, Move_report& report) {
+    if (strategy_ == Strategy::hybrid && steps_++ % 4 == 0) consider_switch(points, report);
+    const bool each = strategy_ != Strategy::rebuild && strategy_ != Strategy::hybrid && strategy_ != Strategy::filter &&
+                      strategy_ != Strategy::automatic;
+    if (upkeep_->filters() && embedding_.dimension() != d) rebuild_all(points, report);
+    else if (each) move_in_turn(points, report);
+    else upkeep_->move_all(points, report);
+}
+
+template <int d>
+void Engine<d>::rebuild_all(std::span<const Point> x, Move_report& report) {
+    embedding_.rebuild(x);
+    report.handle_seconds += embedding_.handle_seconds();
+    report.moves.asked += embedding_.vertices();
+    report.moves.rebuilt += embedding_.vertices();
+    list_changes(report, {});
+    upkeep_->begin(x, report);
+}
+
+/// Vertices in an order in which each finds its place left by the one that is there, as far as there is one (not in a cycle).
+/// O(n log n).
+template <int d>
+void Engine<d>::order_by_blockers(std::span<const Point> x, std::vector<Index>& waiting) const {
+    const auto now = positions();
+    std::vector<Index> by_place = waiting;
+    std::sort(by_place.begin(), by_place.end(), [&](Index l, Index r) { return now[at(l)] < now[at(r)]; });
+    const auto blocker = [&](Index i) {
+        const auto it = std::lower_bound(by_place.begin(), by_place.end(), x[at(i)],
+                                         [&](Index k, const Point& p) { return now[at(k)] < p; });
+        return it != by_place.end() && now[at(*it)] == x[at(i)] && *it != i ? *it : none;
+    };
+    std::vector<char> done(x.size(), 1);
+    for (const Index i : waiting) done[at(i)] = 0;
+    std::vector<Index> order;
+    std::vector<Index> chain;
+    for (const Index first : waiting) {
+        for (Index i = first; i != none && done[at(i)] == 0; i = blocker(i)) {
+            done[at(i)] = 1;
+            chain.push_back(i);
+        }
+        for (; !chain.empty(); chain.pop_back()) order.push_back(chain.back());
+    }
+    waiting = std::move(order);
+}
+
+/// A timestamp under a strategy that moves one vertex at a time. A position that another vertex has yet to leave is
+/// no collision of the timestamp: such vertices are moved last, in an order that is sought once, and when that does not help (a
+/// cycle) all is rebuilt.
+template <int d>
+void Engine<d>::try_move_in_turn(std::span<const Point> x, Move_report& report) {
+    std::vector<Index> waiting;
+    for (Index i = 0; at(i) < x.size(); ++i)
+        if (is_vertex(i)) waiting.push_back(i);
+    std::vector<Index> refused;
+    bool ordered = false;
+    for (bool progress = true; progress && !waiting.empty();) {
+        refused.clear();
+        for (const Index i : waiting) {
+            if (upkeep_->filters() && embedding_.dimension() != d) {
+                // Single moves of a flat set are rebuilds: do them all at once.
+                report.moves = {};
+                rebuild_all(x, report);
+                return;
+            }
+            try {
+                upkeep_->move_in_turn(i, x[at(i)], report);
+            } catch (const Error& e) {
+                if (e.code() != Error_code::collision) throw;
+                refused.push_back(i);
+                if (!ordered) break;
+            }
+        }
+        if (!ordered && !refused.empty()) {  // those that were moved are no longer in anybody's way
+            ordered = true;
+            const auto tried = std::find(waiting.begin(), waiting.end(), refused.back());
+            waiting.erase(waiting.begin(), tried);
+            order_by_blockers(x, waiting);
+            continue;
+        }
+        progress = refused.size() < waiting.size();
+        std::swap(waiting, refused);
+    }
+    if (waiting.empty()) return;
+    report.moves = {};
+    rebuild_all(x, report);
+}
+
+template <int d>
+void Engine<d>::move_in_turn(std::span<const Point> x, Move_report& report) {
+    upkeep_->begin_each(x, report);
+    try {
+        try_move_in_turn(x, report);
+    } catch (const Error& e) {
+        upkeep_->take_back();
+        if (e.code() == Error_code::too_large) throw;
+        embedding_.rebuild(upkeep_->standing());
+        upkeep_->resume();
+        throw;
+    } catch (...) {  // the caller builds anew
+        upkeep_->take_back();
+        throw;
+    }
+    upkeep_->end_each(report);
+}
+
+/// The paper's switch (4.2): of 40 random vertices 75 % (55 % in 3D) have a tolerance above their displacement.
+template <int d>
+void Engine<d>::consider_switch(std::span<const Point> x, Move_report& report) {
+    constexpr int sample = 40;
+    constexpr double share = d == 2 ? 0.75 : 0.55;
+    if (embedding_.dimension() != d || embedding_.vertices() < 4) return;
+    int within = 0;
+    for (int k = 0; k < sample; ++k) {
+        Index i = 0;
+        do i = static_cast<Index>(random_() % index_bound());
+        while (!is_vertex(i));
+        within += distance_upper<d>(x[at(i)], positions()[at(i)]) < embedding_.star_tolerance(i) ? 1 : 0;
+    }
+    if (within < share * sample) return;
+    before_ = std::move(upkeep_);
+    strategy_ = Strategy::filter;
+    upkeep_ = upkeep_of(strategy_);
+    begin(before_->positions(), report);
+}
+
+template class Engine<2>;
+template class Engine<3>;
+
+}  // namespace annulus

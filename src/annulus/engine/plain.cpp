@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/engine/plain.h>
+
+#include <annulus/arithmetic/error.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+template <int d>
+void Plain<d>::begin(std::span<const Coordinates<d>> x, Move_report&) {
+    if (x.data() != position_.data()) position_.assign(x.begin(), x.end());
+}
+
+/// For the strategies that leave the book-keeping to CGAL: whatever may have changed, which is every finite cell.
+template <int d>
+void Plain<d>::list_everything(Move_report& report) const {
+    if (!report_changes_) return;
+    report.changed.clear();
+    embedding_.list_cells(report.changed);
+}
+
+template <int d>
+void Plain<d>::rebuild(std::span<const Coordinates<d>> x, Move_report& report) {
+    embedding_.rebuild(x);
+    report.handle_seconds += embedding_.handle_seconds();
+    list_everything(report);
+}
+
+template <int d>
+void Plain<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
+    rebuild(x, report);
+    report.moves.asked += embedding_.vertices();
+    report.moves.rebuilt += embedding_.vertices();
+    if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
+}
+
+template <int d>
+void Plain<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
+    if (position_[at(v)] == p) {
+        ++report.moves.asked;
+        ++report.moves.within_tolerance;
+        return;
+    }
+    if (strategy_ == Strategy::rebuild || strategy_ == Strategy::hybrid) {
+        std::vector<Coordinates<d>> x = position_;
+        x[at(v)] = p;
+        rebuild(x, report);
+        ++report.moves.rebuilt;
+    } else if (strategy_ == Strategy::in_place && embedding_.update_in_place(v, p)) {
+        ++report.moves.kept_in_place;
+    } else {
+        switch (strategy_ == Strategy::relocate_flips ? embedding_.relocate_by_flips(v, p) : embedding_.relocate(v, p)) {
+            case Relocation::refused: throw Error(Error_code::collision, "another vertex is at that position");
+            case Relocation::kept: ++report.moves.kept_in_place; break;
+            case Relocation::flipped: ++report.moves.flipped; break;
+            case Relocation::reinserted: ++report.moves.reinserted; break;
+        }
+        list_everything(report);
+    }
+    ++report.moves.asked;
+    position_[at(v)] = p;
+}
+
+template <int d>
+void Plain<d>::place(Index v, const Coordinates<d>& p) {
+    if (at(v) >= position_.size()) position_.resize(at(v) + 1);
+    position_[at(v)] = p;
+}
+
+template class Plain<2>;
+template class Plain<3>;
+
+}  // namespace annulus

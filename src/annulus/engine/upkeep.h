@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+#include <annulus/engine/move_report.h>
+
+#include <optional>
+#include <span>
+
+namespace annulus {
+
+/// A strategy at work: owns the positions of the vertices and keeps the triangulation of an embedding right at them.
+///
+/// What throws leaves positions() as they were, unless it says otherwise; the triangulation and all else is then unspecified but
+/// after Error(collision), after which it is right. Engine builds anew after the others.
+template <int d>
+class Upkeep {
+  public:
+    virtual ~Upkeep() = default;
+
+    /// Takes the present triangulation and positions x as given and Delaunay. When it throws, no position was written. O(n).
+    virtual void begin(std::span<const Coordinates<d>> x, Move_report& report) = 0;
+    /// Makes every tolerance fresh, where any are kept. O(n).
+    virtual void refresh_all(Move_report& report) = 0;
+
+    [[nodiscard]] virtual std::span<const Coordinates<d>> positions() const = 0;
+    /// Where D is measured from; the position for strategies without tolerances. Precondition: dimension d.
+    [[nodiscard]] virtual const Coordinates<d>& fixed_position(Index v) const = 0;
+    /// How far v may be from there while every other vertex is within its own tolerance; nothing while none are kept.
+    [[nodiscard]] virtual std::optional<double> tolerance(Index v) const = 0;
+    /// Whether it works on the mirror.
+    [[nodiscard]] virtual bool filters() const = 0;
+
+    /// Moves every vertex to x.
+    virtual void move_all(std::span<const Coordinates<d>> x, Move_report& report) = 0;
+    /// Moves one vertex. Precondition: p is in the coordinate domain.
+    virtual void move(Index v, const Coordinates<d>& p, Move_report& report) = 0;
+
+    /// The vertex takes position p; it was not in the triangulation, and is now.
+    virtual void place(Index v, const Coordinates<d>& p) = 0;
+    /// After these cells were replaced by other hands (insertion, removal) at the present positions.
+    virtual void refresh(std::span<const Index> cells, Move_report& report) = 0;
+    /// Forgets what is at indices from this one on, or writes a position and nothing else; a rebuild and `begin` have to follow.
+    virtual void cut(std::size_t bound) = 0;
+    virtual void put_back(Index v, const Coordinates<d>& p) noexcept = 0;
+
+    // A timestamp of single moves, which is taken back as a whole when one of them is refused.
+    /// Notes the present state. x are where vertices are going to be.
+    virtual void begin_each(std::span<const Coordinates<d>> x, Move_report& report) = 0;
+    virtual void end_each(Move_report& report) = 0;
+    /// Single moves of it, which do not look whether tolerances pay.
+    virtual void move_in_turn(Index v, const Coordinates<d>& p, Move_report& report) { move(v, p, report); }
+    /// Positions, and what is kept with them, as noted.
+    virtual void take_back() noexcept = 0;
+    /// After take_back(): the positions at which the triangulation is to be built anew, and then the rest.
+    [[nodiscard]] virtual std::span<const Coordinates<d>> standing() const { return positions(); }
+    virtual void resume() = 0;
+};
+
+}  // namespace annulus

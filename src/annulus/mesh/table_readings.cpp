@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/mesh/table_readings.h>
+
+#include <annulus/mesh/evaluate.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace annulus {
+
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+constexpr double right_angle = 1.5707963267948966;
+
+/// The positions of points; where there is none it does not matter.
+template <int d, std::size_t k>
+std::array<Coordinates<d>, k> places(std::span<const Coordinates<d>> x, const std::array<Index, k>& point) {
+    std::array<Coordinates<d>, k> y{};
+    for (std::size_t i = 0; i < k; ++i)
+        if (point[i] != none) y[i] = x[at(point[i])];
+    return y;
+}
+
+/// Calls visit(points, verdict) for every certificate of v until it says no.
+template <int d, class Visit>
+void for_each_verdict(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v, Visit visit) {
+    bool on = true;
+    for_each_certificate(
+        t, v,
+        [&](Index h) {
+            if (on && !t.is_infinite(t.cell_of(h))) on = visit(cell_verdict(places<d>(x, cell_points(t, t.cell_of(h)))));
+        },
+        [&](Index h) {
+            if (!on) return;
+            const Facet_certificate<d> f = facet_certificate(t, h, false);
+            on = visit(facet_verdict(f.kind, places<d>(x, f.point)));
+        });
+}
+
+}  // namespace
+
+template <int d>
+double star_tolerance(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v) {
+    double least = std::numeric_limits<double>::infinity();
+    for_each_verdict(t, x, v, [&](const Verdict& verdict) {
+        least = std::min(least, verdict.tolerance);
+        return true;
+    });
+    return least;
+}
+
+template <int d>
+bool star_holds(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v) {
+    bool holds = true;
+    for_each_verdict(t, x, v, [&](const Verdict& verdict) { return holds = verdict.sign > 0; });
+    return holds;
+}
+
+template <int d>
+double star_theta(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v) {
+    double least = right_angle;
+    for_each_certificate(t, v, [](Index) {}, [&](Index h) {
+        const Facet_certificate<d> f = facet_certificate(t, h, false);
+        if (f.kind == Facet_kind::empty_sphere) least = std::min(least, bicell_theta(places<d>(x, f.point)));
+    });
+    return least;
+}
+
+template <int d>
+Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
+    Measures m;
+    m.tolerance.assign(x.size(), std::numeric_limits<double>::infinity());
+    const auto lower = [&](const auto& points, double tolerance) {
+        for (const Index v : points)
+            if (v != none) m.tolerance[at(v)] = std::min(m.tolerance[at(v)], tolerance);
+    };
+    for (Index c = 0; c < t.cell_bound(); ++c)
+        if (t.is_cell(c) && !t.is_infinite(c)) lower(cell_points(t, c), cell_verdict(places<d>(x, cell_points(t, c))).tolerance);
+    for (Index i = 0; i < t.facet_bound(); ++i) {
+        if (!t.is_facet(i)) continue;
+        const Facet_certificate<d> f = facet_certificate(t, t.half(i), false);
+        if (f.kind == Facet_kind::border) continue;
+        const auto y = places<d>(x, f.point);
+        lower(f.point, facet_verdict(f.kind, y).tolerance);
+        if (f.kind != Facet_kind::empty_sphere) continue;
+        m.annulus_width.push_back(annulus_width_lower(y));
+        m.theta_min = std::min(m.theta_min, bicell_theta(y));
+    }
+    return m;
+}
+
+template <int d>
+Index locate(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Coordinates<d>& p, Index start) {
+    std::uint32_t random = 1;
+    Index c = start;
+    if (t.is_infinite(c)) c = t.cell_of(t.twin(t.corner(c, t.slot(c, infinite))));
+    for (bool inside = false; !inside && !t.is_infinite(c);) {
+        inside = true;
+        random = random * 1664525U + 1013904223U;
+        const Cell_points<d> v = cell_points(t, c);
+        for (int k = 0; inside && k <= d; ++k) {
+            const int i = (k + static_cast<int>(random >> 16) % (d + 1)) % (d + 1);
+            auto y = places<d>(x, v);
+            y[static_cast<std::size_t>(i)] = p;
+            if (cell_verdict(y).sign >= 0) continue;
+            c = t.cell_of(t.twin(t.corner(c, i)));
+            inside = false;
+        }
+    }
+    return c;
+}
+
+#define ANNULUS_READINGS(d)                                                                                                     \
+    template double star_tolerance<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                            \
+    template double star_theta<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                                \
+    template bool star_holds<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                                  \
+    template Measures measure<d>(const Cell_table<d>&, std::span<const Coordinates<d>>);                                        \
+    template Index locate<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, const Coordinates<d>&, Index);
+ANNULUS_READINGS(2)
+ANNULUS_READINGS(3)
+#undef ANNULUS_READINGS
+
+}  // namespace annulus

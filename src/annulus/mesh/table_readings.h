@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/mesh/certificates.h>
+#include <annulus/mesh/measures.h>
+
+#include <span>
+
+// What the certificates of a table measure at positions x, at which it is Delaunay.
+namespace annulus {
+
+/// Least tolerance of the certificates of v, certified. O(degree).
+template <int d>
+[[nodiscard]] double star_tolerance(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v);
+/// Least theta of the finite bi-cells that contain v; pi/2 when there is none. O(degree).
+template <int d>
+[[nodiscard]] double star_theta(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v);
+/// Whether every certificate of v holds. O(degree).
+template <int d>
+[[nodiscard]] bool star_holds(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v);
+/// Widths, tolerances and theta of everything. O(n).
+template <int d>
+[[nodiscard]] Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x);
+/// A cell that holds p, itself or its border; one with infinity when p is outside the hull. By walking from `start`, which is a cell; steps
+/// are taken at random, and the same ones every time. Expected O(n^(1/d)).
+template <int d>
+[[nodiscard]] Index locate(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Coordinates<d>& p, Index start);
+
+}  // namespace annulus

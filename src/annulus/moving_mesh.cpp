@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/moving_mesh.h>
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/cgal/mesh_embedding.h>
+#include <annulus/engine/engine.h>
+
+#include <cstring>
+
+namespace annulus {
+
+template <int d>
+struct Moving_mesh<d>::Parts {
+    explicit Parts(const Options& options) : engine(embedding, options) {}
+    Mesh_embedding<d> embedding;
+    Engine<d> engine;
+};
+
+namespace {
+
+template <int d>
+std::vector<Coordinates<d>> points_of(std::span<const double> coordinates) {
+    if (coordinates.size() % d != 0)
+        throw Error(Error_code::wrong_size, std::to_string(coordinates.size()) + " numbers are not " + std::to_string(d) + " a point");
+    std::vector<Coordinates<d>> points(coordinates.size() / d);
+    if (!points.empty()) std::memcpy(points.data(), coordinates.data(), coordinates.size_bytes());
+    return points;
+}
+
+void hand_over(Move_report& done, Move_report* report) {
+    if (report != nullptr) *report = std::move(done);
+}
+
+}  // namespace
+
+template <int d>
+Moving_mesh<d>::Moving_mesh(std::span<const Point> points, const Options& options) : parts_(std::make_unique<Parts>(options)) {
+    parts_->engine.build(points);
+}
+template <int d>
+Moving_mesh<d>::Moving_mesh(std::span<const double> coordinates, const Options& options)
+    : Moving_mesh(std::span<const Point>(points_of<d>(coordinates)), options) {}
+template <int d>
+Moving_mesh<d>::~Moving_mesh() = default;
+template <int d>
+Moving_mesh<d>::Moving_mesh(Moving_mesh&&) noexcept = default;
+template <int d>
+Moving_mesh<d>& Moving_mesh<d>::operator=(Moving_mesh&&) noexcept = default;
+
+template <int d>
+Move_report Moving_mesh<d>::move(Index i, const Point& p) {
+    return parts_->engine.move(i, p);
+}
+template <int d>
+Move_report Moving_mesh<d>::move(std::span<const Index> indices, std::span<const Point> points) {
+    return parts_->engine.move(indices, points);
+}
+template <int d>
+Move_report Moving_mesh<d>::move_all(std::span<const Point> points) {
+    return parts_->engine.move_all(points);
+}
+template <int d>
+Index Moving_mesh<d>::insert(const Point& p, Move_report* report) {
+    Move_report done;
+    const Index i = parts_->engine.insert(p, done);
+    hand_over(done, report);
+    return i;
+}
+template <int d>
+void Moving_mesh<d>::remove(Index i, Move_report* report) {
+    parts_->engine.require_vertex(i);
+    Move_report done;
+    parts_->engine.remove(i, done);
+    hand_over(done, report);
+}
+template <int d>
+Move_report Moving_mesh<d>::settle() {
+    return parts_->engine.settle();
+}
+
+template <int d>
+std::size_t Moving_mesh<d>::number_of_vertices() const {
+    return parts_->embedding.vertices();
+}
+template <int d>
+int Moving_mesh<d>::dimension() const {
+    return parts_->embedding.dimension();
+}
+template <int d>
+std::size_t Moving_mesh<d>::index_bound() const {
+    return parts_->engine.index_bound();
+}
+template <int d>
+bool Moving_mesh<d>::is_vertex(Index i) const {
+    return parts_->engine.is_vertex(i);
+}
+template <int d>
+std::span<const Index> Moving_mesh<d>::index_of_input() const {
+    return parts_->engine.index_of_input();
+}
+template <int d>
+auto Moving_mesh<d>::points() const -> std::span<const Point> {
+    return parts_->engine.positions();
+}
+
+template <int d>
+Mesh_cells<d> Moving_mesh<d>::cells() const {
+    Mesh_cells<d> out;
+    std::vector<Index> corners;
+    parts_->embedding.list_cells(corners);
+    const std::size_t cells = corners.size() / (d + 1);
+    out.vertices.resize(cells);
+    for (std::size_t c = 0; c < cells; ++c) std::copy_n(&corners[c * (d + 1)], d + 1, out.vertices[c].begin());
+    out.neighbours.resize(cells);
+    for (auto& n : out.neighbours) n.fill(none);
+    if (dimension() != d) return out;
+    const Cell_table<d>& t = parts_->embedding.table();
+    std::vector<Index> number(static_cast<std::size_t>(t.cell_bound()), none);  // as list_cells counts them
+    Index next = 0;
+    for (Index c = 0; c < t.cell_bound(); ++c)
+        if (t.is_cell(c) && !t.is_infinite(c)) number[static_cast<std::size_t>(c)] = next++;
+    for (Index c = 0; c < t.cell_bound(); ++c) {
+        if (number[static_cast<std::size_t>(c)] == none) continue;
+        auto& around = out.neighbours[static_cast<std::size_t>(number[static_cast<std::size_t>(c)])];
+        for (int i = 0; i <= d; ++i)
+            around[static_cast<std::size_t>(i)] = number[static_cast<std::size_t>(t.cell_of(t.twin(t.corner(c, i))))];
+    }
+    return out;
+}
+
+template <int d>
+std::vector<double> Moving_mesh<d>::tolerances() const {
+    std::vector<double> out(index_bound(), 0.0);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        if (is_vertex(static_cast<Index>(i))) out[i] = parts_->engine.tolerance(static_cast<Index>(i));
+    return out;
+}
+template <int d>
+double Moving_mesh<d>::tolerance(Index i) const {
+    parts_->engine.require_vertex(i);
+    return parts_->engine.tolerance(i);
+}
+template <int d>
+auto Moving_mesh<d>::fixed_position(Index i) const -> Point {
+    parts_->engine.require_vertex(i);
+    return parts_->engine.fixed_position(i);
+}
+template <int d>
+double Moving_mesh<d>::displacement(Index i) const {
+    parts_->engine.require_vertex(i);
+    return parts_->engine.displacement(i);
+}
+template <int d>
+double Moving_mesh<d>::theta(Index i) const {
+    parts_->engine.require_vertex(i);
+    return parts_->embedding.theta(i);
+}
+template <int d>
+Measures Moving_mesh<d>::measure() const {
+    return parts_->embedding.measure();
+}
+template <int d>
+Audit_input<d> Moving_mesh<d>::audit_input() const {
+    return parts_->engine.audit_input();
+}
+template <int d>
+const Options& Moving_mesh<d>::options() const {
+    return parts_->engine.options();
+}
+template <int d>
+Strategy Moving_mesh<d>::strategy() const {
+    return parts_->engine.strategy();
+}
+
+template class Moving_mesh<2>;
+template class Moving_mesh<3>;
+
+}  // namespace annulus

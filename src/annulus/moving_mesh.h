@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/options.h>
+#include <annulus/engine/move_report.h>
+#include <annulus/mesh/audit.h>
+#include <annulus/mesh/measures.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// The finite cells of a triangulation in one numbering, 0, 1, 2 .., and how they lie.
+template <int d>
+struct Mesh_cells {
+    /// d + 1 vertex indices a cell, positively oriented: counter-clockwise in the plane; in space the first three turn left as seen from
+    /// the fourth, so that det(b - a, c - a, e - a) > 0. Padded with `none` where all points are in a plane or on a line.
+    std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>> vertices;
+    /// The cell beyond the facet opposite to each vertex; `none` outside the hull, and where all points are in a plane or on a line.
+    std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>> neighbours;
+};
+
+/// A Delaunay triangulation that is kept right while its vertices move, as arrays: Moving_delaunay without an object of CGAL's, for
+/// who needs no handles. The same engine, options, strategies and errors, and the same promises: with Tolerance_kind::certified the
+/// cells are Delaunay at the positions of the vertices after every call, proved; positions and indices are as they were when a call
+/// throws. Positions are in the caller's unit of length. Not thread-safe; const members may run concurrently.
+///
+/// Vertices have an index in input order. Removing a vertex leaves its index vacant; the next insertion takes the index vacated last.
+template <int d>
+class Moving_mesh {
+  public:
+    using Point = Coordinates<d>;
+
+    explicit Moving_mesh(const Options& options = {}) : Moving_mesh(std::span<const Point>{}, options) {}
+    /// O(n log n). Throws not_finite, out_of_domain, collision (unless options.merge_duplicates), too_large, environment.
+    explicit Moving_mesh(std::span<const Point> points, const Options& options = {});
+    /// The same from d numbers a point. Throws wrong_size too, when a number is missing.
+    explicit Moving_mesh(std::span<const double> coordinates, const Options& options = {});
+    ~Moving_mesh();
+    /// One that was moved from can be destroyed and assigned to, nothing else. O(1).
+    Moving_mesh(Moving_mesh&&) noexcept;
+    Moving_mesh& operator=(Moving_mesh&&) noexcept;
+
+    /// As in Moving_delaunay.
+    Move_report move(Index i, const Point& p);
+    Move_report move(std::span<const Index> indices, std::span<const Point> points);
+    Move_report move_all(std::span<const Point> points);
+    /// Inserts a vertex and returns its index. Throws not_finite, out_of_domain, collision.
+    Index insert(const Point& p, Move_report* report = nullptr);
+    /// Throws unknown_vertex.
+    void remove(Index i, Move_report* report = nullptr);
+    /// Makes every fixed position the moving one and every tolerance fresh. O(n).
+    Move_report settle();
+
+    [[nodiscard]] std::size_t number_of_vertices() const;
+    /// Affine dimension of the points, -1 when there are none.
+    [[nodiscard]] int dimension() const;
+    /// One more than the largest index in use or vacant: the number of points move_all takes.
+    [[nodiscard]] std::size_t index_bound() const;
+    /// Whether this index is a vertex'.
+    [[nodiscard]] bool is_vertex(Index i) const;
+    /// Vertex index of every input point; differs from 0, 1, 2 ... only where duplicates were merged.
+    [[nodiscard]] std::span<const Index> index_of_input() const;
+
+    /// Positions by index; vacant entries are unspecified.
+    [[nodiscard]] std::span<const Point> points() const;
+    /// Every finite cell. O(n).
+    [[nodiscard]] Mesh_cells<d> cells() const;
+    /// By vertex index: how far it may be from its fixed position while every other vertex is within its own tolerance of its own; a
+    /// certified lower bound with Tolerance_kind::certified. While no tolerances are kept, the least tolerance of its certificates.
+    /// 0 at vacant indices and where all points are in a plane or on a line. O(n).
+    [[nodiscard]] std::vector<double> tolerances() const;
+    [[nodiscard]] double tolerance(Index i) const;
+    /// Where D is measured from, and an upper bound of |position - fixed position|. Throws unknown_vertex, here and below.
+    [[nodiscard]] Point fixed_position(Index i) const;
+    [[nodiscard]] double displacement(Index i) const;
+    /// Least theta of the finite bi-cells of a vertex in radians; pi/2 when it has none.
+    [[nodiscard]] double theta(Index i) const;
+    /// Fresh tolerances, annulus widths and theta of everything, whatever the strategy. O(n).
+    [[nodiscard]] Measures measure() const;
+
+    /// Exact verdict at the present positions; see audit.h. O(n).
+    [[nodiscard]] Audit_result audit() const { return annulus::audit(audit_input()); }
+    [[nodiscard]] Audit_input<d> audit_input() const;
+
+    [[nodiscard]] const Options& options() const;
+    /// The strategy in force: that of the options, except that `hybrid` becomes `filter` when it switches.
+    [[nodiscard]] Strategy strategy() const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+extern template class Moving_mesh<2>;
+extern template class Moving_mesh<3>;
+
+using Moving_mesh_2 = Moving_mesh<2>;
+using Moving_mesh_3 = Moving_mesh<3>;
+
+}  // namespace annulus
