@@ -83,8 +83,10 @@ Session_of<d>::Session_of(const Program_of<d>& program) : setting_(program.setti
         if (is_out_of_room(e.code()) ? refusal.has_value() : refusal != e.code())
             throw Fault{std::string("the constructor threw: ") + e.what()};
         dt_.emplace(options);
+        twin_.emplace(program.points, options, e.code());
         return;
     }
+    twin_.emplace(program.points, options, std::nullopt);
     for (const auto& p : program.points) sites_.emplace_back(p);
     for (std::size_t i = 0; i < sites_.size(); ++i) handles_.push_back(dt_->vertex(i));
 }
@@ -136,6 +138,7 @@ void Session_of<d>::make(const Operation_of<d>& o) {
         ++coverage_.refused[static_cast<std::size_t>(e.code()) % coverage_.refused.size()];
         if (!certified() && (e.code() == Error_code::collision || is_out_of_room(e.code()))) {
             wrecked_ = true;  // the model cannot tell when a wrong triangulation notices a collision
+            (void)twin_->apply(o, e.code());
             return;
         }
         if (!is_out_of_room(e.code())) {
@@ -144,6 +147,8 @@ void Session_of<d>::make(const Operation_of<d>& o) {
         }
         const std::string changed = difference(before, state_of(*dt_), renews_tolerances(o.kind, e.code()));
         if (!changed.empty()) throw Fault{"a failed call changed:" + changed};
+        if (const std::string words = twin_->apply(o, e.code()); !words.empty()) throw Fault{words};
+        if (const std::string words = twin_->fault(sites_, before.cells); !words.empty()) throw Fault{words + ", after a refused call"};
         return;
     }
     refused_ = false;
@@ -151,6 +156,7 @@ void Session_of<d>::make(const Operation_of<d>& o) {
     if (refusal) wrecked_ = true;
     follow(o);
     if (const std::string words = report_fault(last_); !words.empty()) throw Fault{words};
+    if (const std::string words = twin_->apply(o, std::nullopt); !words.empty()) throw Fault{words};
     coverage_.report += last_;
     if (setting_.second_look == Second_look::unequal_moves) coverage_.renewed_by_unequal_moves += last_.renewed;
     if (setting_.second_look == Second_look::safe_region) coverage_.renewed_by_safe_region += last_.renewed;

@@ -5,6 +5,7 @@
 // knows what every call has to do. Shared by the fuzz targets (which decode bytes into programs) and the property tests.
 // Whoever only runs programs needs no more than operation.h, and is spared CGAL.
 
+#include "mesh_twin.h"
 #include "motion.h"
 #include "operation.h"
 #include "oracle.h"
@@ -82,6 +83,7 @@ class Session_of {
 
     Setting setting_;
     std::optional<Moving> dt_;
+    std::optional<Mesh_twin<d>> twin_;
     Sites_of<d> sites_;
     std::vector<typename Moving::Vertex_handle> handles_;
     std::vector<Index> vacant_;

@@ -52,6 +52,7 @@ void Session_of<d>::check() const {
     if (cells != rebuilt_cells(sites_))
         throw Fault{audit.degenerate_facets == 0 ? "the cells are not those of a rebuild"
                                                  : "the cells are not those of a rebuild (degenerate)"};
+    if (const std::string words = twin_->fault(sites_, cells); !words.empty()) throw Fault{words};
     if constexpr (d == 3)
         if (const std::string words = mirror_fault(*dt_); !words.empty()) throw Fault{words};
 }

@@ -56,6 +56,9 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
 
     // mirror.h
     void mirror() override;
+    void revert() override {
+        if (mirrored_) mirror();
+    }
     void drop_mirror() noexcept override;
     [[nodiscard]] bool mirrored() const override { return mirrored_; }
     void follow(std::span<const Index> cells) override;

@@ -124,14 +124,26 @@ bool Mesh_embedding<d>::delaunay_of(std::span<const Coordinates<d>> x, std::span
     return cgal_delaunay_of<typename Builder::Traits>(x, vertices, cells);
 }
 
+/// Of what was listed from `first` on those that there are, once.
+template <int d>
+void Mesh_embedding<d>::keep_present(std::vector<Index>& cells, std::size_t first) const {
+    const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(begin, cells.end());
+    const auto gone = [this](Index c) { return !table_.is_cell(c); };
+    cells.erase(std::remove_if(begin, std::unique(begin, cells.end()), gone), cells.end());
+}
+
 /// What is outside of them is Delaunay at the points, and so were they.
 template <int d>
 void Mesh_embedding<d>::restore_cells(std::span<const Index> cells, std::vector<Index>& made) {
     std::vector<Index> present;
     std::copy_if(cells.begin(), cells.end(), std::back_inserter(present), [this](Index c) { return table_.is_cell(c); });
-    if (local_.rebuild(point_, present, std::numeric_limits<double>::infinity(), made)) return;
-    rebuild_at_points();
-    for (Index c = 0; c < table_.cell_bound(); ++c) made.push_back(c);
+    const std::size_t first = made.size();
+    if (!local_.rebuild(point_, present, std::numeric_limits<double>::infinity(), made)) {
+        rebuild_at_points();
+        for (Index c = 0; c < table_.cell_bound(); ++c) made.push_back(c);
+    }
+    keep_present(made, first);
 }
 
 template <int d>
@@ -154,6 +166,7 @@ bool Mesh_embedding<d>::attach(Index v, const Coordinates<d>& p, std::vector<Ind
     for (const Index w : cell_points(table_, c))
         if (w != infinite && point_[at(w)] == p) return false;
     const Coordinates<d> home = std::exchange(point_[at(v)], p);
+    const std::size_t first = changed.size();
     try {
         if (!local_.insert(point_, std::array{c}, v, changed)) {
             rebuild_at_points();
@@ -163,6 +176,7 @@ bool Mesh_embedding<d>::attach(Index v, const Coordinates<d>& p, std::vector<Ind
         point_[at(v)] = home;
         throw;
     }
+    keep_present(changed, first);
     return true;
 }
 
@@ -172,7 +186,9 @@ bool Mesh_embedding<d>::detach(Index v, std::vector<Index>& changed) {
     if (dimension_ != d || vertices_ <= d + 1U) return false;
     std::vector<Index> star;
     table_.for_each_corner(v, [&](Index h) { star.push_back(table_.cell_of(h)); });
+    const std::size_t first = changed.size();
     if (!local_.remove(point_, star, v, changed)) return false;
+    keep_present(changed, first);
     table_.set_absent(v);
     return true;
 }
@@ -212,7 +228,10 @@ void Mesh_embedding<d>::remove(Index v, std::vector<Index>& changed) {
 template <int d>
 bool Mesh_embedding<d>::reinsert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) {
     if (is_taken(p, v)) throw Error(Error_code::collision, "another vertex is at that position");
-    return detach(v, changed) && attach(v, p, changed);
+    if (!detach(v, changed)) return false;
+    (void)attach(v, p, changed);
+    keep_present(changed, 0);
+    return true;
 }
 
 template <int d>

@@ -35,6 +35,7 @@ class Mesh_embedding final : public Embedding<d> {
                                    std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>>& cells) override;
 
     void mirror() override { mirrored_ = true; }
+    void revert() override { rebuild_at_points(); }
     void drop_mirror() noexcept override { mirrored_ = false; }
     [[nodiscard]] bool mirrored() const override { return mirrored_; }
     void follow(std::span<const Index>) override {}
@@ -61,6 +62,7 @@ class Mesh_embedding final : public Embedding<d> {
     struct Builder;
 
     void rebuild_at_points();
+    void keep_present(std::vector<Index>& cells, std::size_t first) const;
     [[nodiscard]] bool attach(Index v, const Coordinates<d>& p, std::vector<Index>& changed);
     [[nodiscard]] bool detach(Index v, std::vector<Index>& changed);
     [[nodiscard]] bool is_taken(const Coordinates<d>& p, Index but) const;

@@ -51,8 +51,11 @@ class Embedding {
     [[nodiscard]] virtual bool delaunay_of(std::span<const Coordinates<d>> x, std::span<const Index> vertices,
                                            std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>>& cells) = 0;
 
-    /// Mirrors the triangulation anew: at first, or after changes of the table that shall not be. O(n).
+    /// Mirrors the triangulation. O(n).
     virtual void mirror() = 0;
+    /// After changes of the table that shall not be: brings it in line with the triangulation again, all of it, if there is a mirror.
+    /// O(n log n).
+    virtual void revert() = 0;
     /// Forgets the mirror. Strategies that do not use it work on the triangulation alone, which then costs less.
     virtual void drop_mirror() noexcept = 0;
     [[nodiscard]] virtual bool mirrored() const = 0;

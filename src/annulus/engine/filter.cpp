@@ -168,10 +168,8 @@ void Filter<d>::rebuild(std::span<const Coordinates<d>> x) {
         }
         embedding_.rebuild(x);
     } catch (const Error&) {
-        if (embedding_.mirrored()) {
-            embedding_.mirror();
-            renumbered_ = true;
-        }
+        embedding_.revert();
+        renumbered_ = embedding_.mirrored();
         throw;
     }
 }

@@ -156,7 +156,7 @@ void Filter_each<d>::rebuild(Index h, const Coordinates<d>& old_fixed, Move_repo
         embedding_.rebuild(position_);
     } catch (const Error&) {
         fixed_[at(h)] = old_fixed;
-        embedding_.mirror();
+        embedding_.revert();
         throw;
     }
     if (report_changes_) embedding_.list_cells(report.changed);

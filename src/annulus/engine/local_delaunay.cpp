@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/local_delaunay.h>
 
+#include <annulus/mesh/evaluate.h>
 #include <annulus/mesh/replace_cells.h>
 
 #include <algorithm>
@@ -77,7 +78,9 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
         if (price_ > most) return false;
         cells_.clear();
         beyond.clear();
-        if (embedding_.delaunay_of(x, vertices_, cells_) && fill(region, beyond)) {
+        const bool filled = embedding_.delaunay_of(x, vertices_, cells_) && fill(region, beyond);
+        if (filled && comes_ != none) find_violated(x, beyond);
+        if (filled && beyond.empty()) {
             std::vector<Index> made;
             replace_cells<d>(table_, region, filled_, made);
             for (const Index c : region) mark_[at(c)] = 0;
@@ -123,6 +126,7 @@ bool Local_delaunay<d>::fill(std::span<const Index> region, std::vector<Index>& 
         for (int i = 0; i <= d; ++i) sides_.push_back(side(cells_[c], i, static_cast<Index>(c)));
     std::sort(sides_.begin(), sides_.end(), precedes);
     border_.clear();
+    seam_.clear();
     std::vector<Index> behind;  // cells of the small triangulation
     std::vector<char> met(cells_.size(), 0);
     const auto enter = [&](Index c) {
@@ -132,12 +136,17 @@ bool Local_delaunay<d>::fill(std::span<const Index> region, std::vector<Index>& 
     };
     for (const Index c : region)
         for (int i = 0; i <= d; ++i) {
-            const Index out = table_.cell_of(table_.twin(table_.corner(c, i)));
+            const Index twin = table_.twin(table_.corner(c, i));
+            const Index out = table_.cell_of(twin);
             if (mark_[at(out)] == 2) continue;
             border_.push_back(side(cell_points(table_, c), i, out));
             const auto it = std::lower_bound(sides_.begin(), sides_.end(), border_.back(), precedes);
-            if (it == sides_.end() || precedes(border_.back(), *it)) beyond.push_back(out);
-            else enter(it->cell);
+            if (it == sides_.end() || precedes(border_.back(), *it)) {
+                beyond.push_back(out);
+                continue;
+            }
+            enter(it->cell);
+            seam_.push_back({it->cell, it->slot, out, table_.vertex(twin)});
         }
     if (!beyond.empty()) return false;
     std::sort(border_.begin(), border_.end(), precedes);
@@ -167,6 +176,17 @@ bool Local_delaunay<d>::fill(std::span<const Index> region, std::vector<Index>& 
         }
     }
     return has_every_vertex();
+}
+
+template <int d>
+void Local_delaunay<d>::find_violated(std::span<const Coordinates<d>> x, std::vector<Index>& beyond) const {
+    for (const Seam& s : seam_) {
+        const Facet_certificate<d> f = facet_certificate<d>(cells_[at(s.inside)], static_cast<std::size_t>(s.slot), s.beyond);
+        std::array<Coordinates<d>, static_cast<std::size_t>(d + 2)> y{};
+        for (std::size_t k = 0; k < y.size(); ++k)
+            if (f.point[k] != none) y[k] = x[at(f.point[k])];
+        if (facet_verdict(f.kind, y).sign < 0) beyond.push_back(s.outside);
+    }
 }
 
 template <int d>

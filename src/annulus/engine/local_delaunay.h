@@ -24,7 +24,8 @@ class Local_delaunay {
     /// False when that would cost more than `most` (in cells looked at; price() is what it did) or is not possible.
     [[nodiscard]] bool rebuild(std::span<const Coordinates<d>> x, std::span<const Index> cells, double most,
                                std::vector<Index>& touched);
-    /// The same with one vertex more, whose place these cells hold, or with one less, whose star they are.
+    /// The same with one vertex more, whose place these cells hold, or with one less, whose star they are. With the vertex that comes the
+    /// region grows until no cell outside has it in its sphere.
     [[nodiscard]] bool insert(std::span<const Coordinates<d>> x, std::span<const Index> cells, Index v, std::vector<Index>& touched);
     [[nodiscard]] bool remove(std::span<const Coordinates<d>> x, std::span<const Index> cells, Index v, std::vector<Index>& touched);
     [[nodiscard]] double price() const { return price_; }
@@ -50,6 +51,8 @@ class Local_delaunay {
     /// The Delaunay cells behind the border, in filled_. False when the border is not in them; `beyond` receives the cells that join.
     [[nodiscard]] bool fill(std::span<const Index> region, std::vector<Index>& beyond);
     [[nodiscard]] bool has_every_vertex() const;
+    /// Of filled cells and those beyond the border: where a vertex came, the latter need not be right any more.
+    void find_violated(std::span<const Coordinates<d>> x, std::vector<Index>& beyond) const;
     void mark(Index c, char m) {
         marked_.push_back(c);
         mark_[at(c)] = m;
@@ -67,6 +70,13 @@ class Local_delaunay {
     std::vector<Points> cells_;  // Delaunay, of the vertices
     std::vector<Side> sides_;    // of these, sorted
     std::vector<Side> border_;   // of the region, seen from inside, sorted
+    struct Seam {
+        Index inside;  // of cells_
+        int slot;
+        Index outside;
+        Index beyond;  // the vertex of that cell
+    };
+    std::vector<Seam> seam_;  // of cells_ and what is outside the region
     std::vector<Points> filled_;
 };
 
