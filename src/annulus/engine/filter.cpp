@@ -108,12 +108,12 @@ template <int d>
 void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
     if (!embedding_.mirrored()) {
         require_domain(x);
-        if (rebuilds(x)) {
-            rebuild_all(x, report);
-            return;
-        }
+        const bool mends_next = next_is_mended(x);
+        rebuild_all(x, report);
+        if (!mends_next) return;
         require_mirror();
-        mirroring_ = Repair_prices<d>::mirror * static_cast<double>(embedding_.vertices());
+        report.price += Prices<d>::mirror * static_cast<double>(embedding_.vertices());
+        return;
     }
     if (settles_next_) {
         require_domain(x);
@@ -139,12 +139,13 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
     if (embedding_.mirrored()) end_timestamp(false, report);
 }
 
-/// Without a mirror: whether this timestamp is to be rebuilt.
+/// Without a mirror, by what this timestamp brings: whether it will pay to have one. This timestamp is rebuilt all the same, since a
+/// mirror, repair that gives up, and then a rebuild would be too much for one.
 template <int d>
-bool Filter<d>::rebuilds(std::span<const Coordinates<d>> x) {
-    constexpr std::size_t most_cells = 128;
+bool Filter<d>::next_is_mended(std::span<const Coordinates<d>> x) {
+    constexpr std::size_t most_cells = 512;
     constexpr std::size_t share = 16;
-    return !chooser_.mends(embedding_.sample(x, std::min(most_cells, 1 + x.size() / share)));
+    return chooser_.mends(embedding_.sample(x, std::min(most_cells, 1 + x.size() / share)));
 }
 
 template <int d>
@@ -178,7 +179,11 @@ void Filter<d>::rebuild(std::span<const Coordinates<d>> x) {
 template <int d>
 double Filter<d>::dearer() const {
     if (repair_.kind() == Tolerance_kind::paper) return 0.0;
-    return prepared_ + Repair_prices<d>::evaluation * static_cast<double>(repair_.facets().size() + repair_.cells().size());
+    const std::size_t evaluated = repair_.facets().size() + repair_.cells().size();
+    if (evaluated == 0) return prepared_;
+    const Stage_counts& by = repair_.report().arithmetic;
+    return prepared_ + Prices<d>::evaluation * static_cast<double>(evaluated) +
+           interval_evaluation_price * static_cast<double>(by.interval) + exact_evaluation_price * static_cast<double>(by.exact);
 }
 
 /// When so many certificates have expired that their tolerances would cost more than repair may, signs are asked instead.
@@ -187,13 +192,13 @@ bool Filter<d>::examine(std::span<const Coordinates<d>> x, Index mover, Scope& s
     renewals_.clear();
     repair_.begin(x, mover == none);
     tours_ = 0;
-    prepared_ = mover == none ? mirroring_ : 0.0;
-    mirroring_ = 0.0;
+    prepared_ = 0.0;
     if (scope == Scope::star) return repair_.evaluate_star(mover);
     if (scope == Scope::expired) {
         find_expired(x);
-        prepared_ += Repair_prices<d>::failure * static_cast<double>(failed_.size());
-        if (mover != none || repair_.kind() == Tolerance_kind::paper || (repair_.price() + dearer()) <= 0.5 * most_repair()) return repair_.evaluate();
+        prepared_ += Prices<d>::failure * static_cast<double>(failed_.size());
+        if (mover != none || repair_.kind() == Tolerance_kind::paper || 
+            repair_.price() + dearer() <= 0.5 * most_repair()) return repair_.evaluate();
         undo_anchoring();
         renewals_.clear();
         scope = Scope::everything;
@@ -239,7 +244,7 @@ template <int d>
 void Filter<d>::finish(std::span<const Coordinates<d>> x, Index mover, Scope scope, bool rebuilt, Move_report& report) {
     const bool tolerances = scope == Scope::expired;
     report += repair_.report();
-    report.price += (repair_.price() + dearer());
+    report.price += repair_.price() + dearer();
     if (mover == none) ++(tolerances ? report.tolerance_steps : report.sign_steps);
     if (report_changes_) {
         if (rebuilt) embedding_.list_cells(report.changed);

@@ -169,7 +169,7 @@ class Filter final : public Upkeep<d> {
     [[nodiscard]] double most_repair() const { return Chooser<d>::most_repair(embedding_.vertices()); }
     void rebuild(std::span<const Coordinates<d>> x);
     void settle_if_it_pays(Move_report& report);
-    [[nodiscard]] bool rebuilds(std::span<const Coordinates<d>> x);
+    [[nodiscard]] bool next_is_mended(std::span<const Coordinates<d>> x);
     void rebuild_all(std::span<const Coordinates<d>> x, Move_report& report);
     void find_expired(std::span<const Coordinates<d>> x);
     void commit(std::span<const Coordinates<d>> x);
@@ -210,8 +210,7 @@ class Filter final : public Upkeep<d> {
     Chooser<d> chooser_;
     bool renumbered_ = false;  // cells are, by a call that failed
     bool settles_next_ = false;  // tolerances would last, as the last timestamp was
-    double prepared_ = 0.0;    // price of looking for what expired, and of the mirror, of this timestamp
-    double mirroring_ = 0.0;   // of the mirror that has just been made
+    double prepared_ = 0.0;    // price of looking for what expired, of this timestamp
     bool report_changes_ = false;
     Second_look look_;
     bool tracks_ = true;                        // tolerances; if not, records and lists are void

@@ -8,27 +8,6 @@
 namespace annulus {
 
 namespace {
-// Prices in units of 400 ns, measured.
-template <int d>
-struct Prices;
-template <>
-struct Prices<2> {
-    static constexpr double failure = 0.4;
-    static constexpr double evaluation = 0.6;
-    static constexpr double signs = 0.11;     // of all signs, a vertex
-    static constexpr double star = 0.5;       // of the signs around a vertex that moves alone
-    static constexpr double settling = 0.8;   // a vertex
-    static constexpr double expected = 0.74;  // of a certificate that the outlook lets expire, which is more than do
-};
-template <>
-struct Prices<3> {
-    static constexpr double failure = 4.0;
-    static constexpr double evaluation = 1.0;
-    static constexpr double signs = 1.2;
-    static constexpr double star = 5.5;
-    static constexpr double settling = 12.0;
-    static constexpr double expected = 2.5;
-};
 constexpr std::uint64_t check_interval = 8;  // steps without tolerances, between looks whether they would pay
 }  // namespace
 
@@ -38,13 +17,13 @@ template <int d>
 bool Filter<d>::too_dear() const {
     if (repair_.kind() == Tolerance_kind::paper) return false;
     const auto n = static_cast<double>(embedding_.vertices());
-    return overdraft_ + static_cast<double>(failed_.size()) > (Prices<d>::settling + Prices<d>::signs) * n;
+    return overdraft_ + Prices<d>::failure * static_cast<double>(failed_.size()) > (Prices<d>::settling + Prices<d>::signs) * n;
 }
 
 /// Whether looking for what expired would already cost a good part of what repair may.
 template <int d>
 bool Filter<d>::too_many_failed() const {
-    return repair_.kind() != Tolerance_kind::paper && Repair_prices<d>::failure * static_cast<double>(failed_.size()) > 0.25 * most_repair();
+    return repair_.kind() != Tolerance_kind::paper && Prices<d>::failure * static_cast<double>(failed_.size()) > 0.25 * most_repair();
 }
 
 /// What a step of tolerances cost above what signs would have, or saved, is added up; savings are not put aside.
@@ -108,9 +87,9 @@ double Filter<d>::outlook(Move_report& report) {
 template <int d>
 void Filter<d>::reconsider(bool each, Move_report& report) {
     if (displacement_.empty()) return;
-    constexpr double certificates = d == 2 ? 5.0 : 20.0;  // facets and cells a vertex
+    constexpr double margin = 0.75;  // the first of them costs a settling
     settles_next_ =
-        Prices<d>::expected * certificates * outlook(report) <= (each ? Prices<d>::star : Prices<d>::signs);
+        Prices<d>::expected * Prices<d>::certificates * outlook(report) <= margin * (each ? Prices<d>::star : Prices<d>::signs);
     displacement_.clear();
 }
 
@@ -119,7 +98,7 @@ template <int d>
 void Filter<d>::settle_if_it_pays(Move_report& report) {
     if (!settles_next_) return;
     settles_next_ = false;
-    report.price += Repair_prices<d>::settling * static_cast<double>(embedding_.vertices());
+    report.price += Prices<d>::settling * static_cast<double>(embedding_.vertices());
     settle(position_, report);
 }
 
