@@ -138,7 +138,7 @@ class Strategies(ToolTest):
         self.succeed("compare", "--output", "out", "--", "lloyd", "--points", "60", "--iterations", "3")
         self.assertEqual({p.name for p in (self.here / "out").iterdir()},
                          {"compare.json", "report.html", "iterations-rebuild.csv", "iterations-relocate.csv",
-                          "iterations-filter.csv"})
+                          "iterations-auto.csv"})
 
     def test_tolerances_pass_more_as_the_motion_dies_down(self):
         self.succeed("lloyd", "--points", "300", "--iterations", "150", "--output", "out", "--quiet")

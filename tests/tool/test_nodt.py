@@ -172,10 +172,10 @@ class Nodt(tool.ToolTest):
                 meshes.add((tuple(points), tuple(sorted(tuple(sorted(c)) for c in cells))))
         self.assertEqual(len(meshes), 1)
 
-    def test_filter_is_what_runs_without_a_word(self):
+    def test_auto_is_what_runs_without_a_word(self):
         self.nodt("--sphere", "--vertices", "100", "--iterations", "3")
         summary = self.summary("out")
-        self.assertEqual((summary["strategy"], summary["tolerance"]), ("filter", "certified"))
+        self.assertEqual((summary["strategy"], summary["tolerance"]), ("auto", "certified"))
         self.assertGreater(summary["arithmetic"]["filter"], 0)
 
     def test_failures_and_updates(self):

@@ -27,7 +27,7 @@ class Outputs(ToolTest):
         for key, inner in SUMMARY.items():
             self.assertLessEqual(inner, set(summary[key]), key)
         self.assertEqual((summary["dimension"], summary["vertices"], summary["iterations"]), (2, 60, 4))
-        self.assertEqual((summary["strategy"], summary["tolerance"]), ("filter", "certified"))
+        self.assertEqual((summary["strategy"], summary["tolerance"]), ("auto", "certified"))
         self.assertEqual((summary["threads"], summary["seed"]), (2, 9))
         self.assertEqual(summary["audit"], {"checked": 2, "failed": 0})
         moves = dict(summary["moves"])
@@ -60,7 +60,7 @@ class Outputs(ToolTest):
         self.assertEqual(root.get("type"), "UnstructuredGrid")
         report = (self.here / "out" / "report.html").read_text(encoding="utf-8")
         self.assertTrue(report.rstrip().endswith("</html>"))
-        self.assertIn("<h1>60 vertices, 3 Lloyd iterations: filter</h1>", report)
+        self.assertIn("<h1>60 vertices, 3 Lloyd iterations: auto</h1>", report)
         self.assertEqual(report.count("annulus lloyd --points 60"), 1)
         self.assertNotRegex(report, r"(?i)src=[\"']https?:|<link[^>]+https?:", "the report fetches something")
 
@@ -215,7 +215,7 @@ class Outputs(ToolTest):
         self.write("motion.csv", "frame,id,x,y\n0,1,0,0\n0,2,1,0\n0,3,0,1\n1,1,0,0\n1,2,1,0\n1,3,0,1\n1,4,1,1\n")
         self.succeed("replay", "motion.csv", "--output", "out", "--quiet")
         self.assertEqual(self.summary("out")["vertices"], 4)
-        self.assertIn("<h1>4 vertices, 1 step: filter</h1>", (self.here / "out" / "report.html").read_text(encoding="utf-8"))
+        self.assertIn("<h1>4 vertices, 1 step: auto</h1>", (self.here / "out" / "report.html").read_text(encoding="utf-8"))
 
     def test_a_tolerance_without_end(self):
         """Of points on a line the outer ones have no certificate: infinite, and not 0."""

@@ -30,7 +30,7 @@ struct Common_arguments {
 
 /// What every subcommand that runs a motion takes.
 struct Tracking_arguments {
-    std::string strategy = "filter";
+    std::string strategy = "auto";
     std::string tolerance = "certified";
     std::string second_look = "off";
     std::uint64_t audit = 100;

@@ -22,7 +22,7 @@ namespace {
 
 struct Compare_call {
     Common_arguments common;
-    std::vector<std::string> strategies{"rebuild", "relocate", "filter"};
+    std::vector<std::string> strategies{"rebuild", "relocate", "auto"};
 };
 
 /// Positions of some consecutive timestamps, recorded so that each strategy follows them without the others (and

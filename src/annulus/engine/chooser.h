@@ -19,6 +19,8 @@ class Chooser {
     [[nodiscard]] static double rebuild_price(std::size_t vertices) {
         return Prices<d>::rebuild * static_cast<double>(vertices);
     }
+    /// Of a rebuild of ours.
+    [[nodiscard]] static double again_price(std::size_t vertices) { return Prices<d>::again * static_cast<double>(vertices); }
     /// What repair may cost before it gives up: with the rebuild that follows, no step costs more than one and a half of CGAL's.
     [[nodiscard]] static double most_repair(std::size_t vertices) { return least + share * static_cast<double>(vertices); }
 
@@ -48,7 +50,7 @@ class Chooser {
 
   private:
     static constexpr double least = 2000.0;
-    static constexpr double share = 1.45 * Prices<d>::rebuild - Prices<d>::again - (Prices<d>::signs - Prices<d>::cells);  // a vertex
+    static constexpr double share = 1.43 * Prices<d>::rebuild - Prices<d>::again - (Prices<d>::signs - Prices<d>::cells);  // a vertex
     static constexpr std::uint32_t longest_wait = 64;
 
     /// A vertex, of mending.

@@ -10,7 +10,7 @@
 namespace annulus {
 
 namespace {
-constexpr double point_price = 80.0;  // in cells looked at
+constexpr double point_price = 160.0;  // in cells looked at
 constexpr int most_rounds = 40;
 }  // namespace
 

@@ -47,7 +47,7 @@ enum class Strategy : std::uint8_t {
 
 /// What a caller may choose, as one value.
 struct Options {
-    Strategy strategy = Strategy::filter;
+    Strategy strategy = Strategy::automatic;
     Tolerance_kind tolerance = Tolerance_kind::certified;
     Second_look second_look = Second_look::off;
     int threads = 1;                ///< for the work that is parallel; results do not depend on it

@@ -16,7 +16,7 @@ struct Prices<2> {
     static constexpr double cells = 2.0;     // the signs of everything: cells a vertex
     static constexpr double signs = 2.5;     // with what is written for each vertex
     static constexpr double mirror = 4.0;
-    static constexpr double settling = 11.0;
+    static constexpr double settling = 9.0;
     // Each, of cells that a sample shows:
     static constexpr double violated = 12.0;
     static constexpr double inverted = 95.0;
@@ -36,7 +36,7 @@ struct Prices<3> {
     static constexpr double cells = 6.75;
     static constexpr double signs = 9.3;
     static constexpr double mirror = 13.0;
-    static constexpr double settling = 84.0;
+    static constexpr double settling = 50.0;
     static constexpr double violated = 10.5;
     static constexpr double inverted = 230.0;
     static constexpr double unclear = 20.0;
