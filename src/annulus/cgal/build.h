@@ -3,6 +3,7 @@
 
 // Cgal_embedding: building from nothing, and anew with the caller's handles kept.
 #include <annulus/cgal/embedding.h>
+#include <annulus/mesh/parallel_runs.h>
 
 #include <algorithm>
 #include <chrono>
@@ -97,8 +98,10 @@ void Cgal_embedding<Traits>::take_cells(Triangulation& other) noexcept {
 
 template <class Traits>
 void Cgal_embedding<Traits>::set_points(std::span<const Coordinates<d>> x) {
-    for (std::size_t i = 0; i < handle_.size(); ++i)
-        if (handle_[i] != Vertex_handle()) handle_[i]->set_point(point(x[i]));
+    for_each_run(handle_.size(), std::size_t{1} << 14, this->threads_, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            if (handle_[i] != Vertex_handle()) handle_[i]->set_point(point(x[i]));
+    });
 }
 
 template <class Traits>

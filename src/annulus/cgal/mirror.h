@@ -108,7 +108,7 @@ void Cgal_embedding<Traits>::adopt(std::vector<Cell_handle> cells, std::vector<I
     for (const Index c : old) cell_[at(c)] = Cell_handle();
     const std::size_t first = changed.size();
     replace_cells<d>(table_, old, vertices, changed);
-    cell_.resize(at(table_.cell_bound()));
+    grow(cell_, at(table_.cell_bound()));
     for (std::size_t k = 0; k < cells.size(); ++k) {
         cell_[at(changed[first + k])] = cells[k];
         cells[k]->set_cell(changed[first + k]);
@@ -118,7 +118,7 @@ void Cgal_embedding<Traits>::adopt(std::vector<Cell_handle> cells, std::vector<I
 template <class Traits>
 void Cgal_embedding<Traits>::follow(std::span<const Index> cells) {
     auto& tds = tr_.tds();
-    cell_.resize(at(table_.cell_bound()));
+    grow(cell_, at(table_.cell_bound()));
     for (const Index c : cells) {
         if (table_.is_cell(c) || cell_[at(c)] == Cell_handle()) continue;
         Traits::delete_cell(tds, cell_[at(c)]);
@@ -157,7 +157,7 @@ void Cgal_embedding<Traits>::restore_cells(std::span<const Index> cells, std::ve
     }
     const std::size_t first = made.size();
     replace_cells<d>(table_, present, vertices, made);
-    cell_.resize(at(table_.cell_bound()));
+    grow(cell_, at(table_.cell_bound()));
     for (std::size_t k = 0; k < theirs.size(); ++k) {
         cell_[at(made[first + k])] = theirs[k];
         theirs[k]->set_cell(made[first + k]);

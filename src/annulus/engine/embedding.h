@@ -23,6 +23,8 @@ template <int d>
 class Embedding {
   public:
     virtual ~Embedding() = default;
+    /// For what is parallel; nothing depends on it.
+    void set_threads(int threads) { threads_ = threads; }
 
     /// The flat mirror; meaningful while `dimension() == d`.
     [[nodiscard]] virtual Cell_table<d>& table() = 0;
@@ -100,6 +102,9 @@ class Embedding {
     [[nodiscard]] virtual double theta(Index v) const = 0;
     /// Widths, tolerances and theta of everything, at the embedding's points. O(n).
     [[nodiscard]] virtual Measures measure() const = 0;
+
+  protected:
+    int threads_ = 1;
 };
 
 }  // namespace annulus

@@ -11,6 +11,7 @@
 #include <annulus/engine/guarded.h>
 #include <annulus/engine/plain.h>
 
+#include <algorithm>
 #include <map>
 
 namespace annulus {
@@ -19,6 +20,7 @@ template <int d>
 Engine<d>::Engine(Embedding<d>& embedding, const Options& options)
     : options_(options), strategy_(options.strategy), embedding_(embedding), upkeep_(upkeep_of(strategy_)), random_(options.seed) {
     require_sound_environment();
+    embedding.set_threads(std::max(1, options.threads));
 }
 
 template <int d>
@@ -32,6 +34,7 @@ std::unique_ptr<Upkeep<d>> Engine<d>::upkeep_of(Strategy strategy) const {
         auto filter = std::make_unique<Filter<d>>(embedding_, options_.tolerance, options_.second_look,
                                                   strategy == Strategy::automatic);
         filter->report_changes(changes);
+        filter->set_threads(std::max(1, options_.threads));
         return filter;
     }
     if (strategy == Strategy::filter_each) {

@@ -218,7 +218,7 @@ void Filter<d>::process(std::span<const Coordinates<d>> x, Scope scope, Move_rep
             rebuilt = true;
         }
     } catch (...) {
-        if (scope == Scope::expired) undo_anchoring();
+        if (scope == Scope::expired && tracks_) undo_anchoring();
         throw;
     }
     finish(x, none, scope, rebuilt, report);
@@ -234,7 +234,7 @@ void Filter<d>::process_one(Index v, const Coordinates<d>& old, Scope scope, Mov
             rebuilt = true;
         }
     } catch (...) {
-        if (scope == Scope::expired) undo_anchoring();
+        if (scope == Scope::expired && tracks_) undo_anchoring();
         throw;
     }
     finish(position_, v, scope, rebuilt, report);

@@ -43,6 +43,7 @@ class Filter final : public Upkeep<d> {
           repair_(embedding, kind, kind == Tolerance_kind::certified),
           look_(d == 2 ? look : Second_look::off) {}
 
+    void set_threads(int threads) { repair_.set_threads(threads); }
     /// Whether reports list the cells that changed.
     void report_changes(bool on) { report_changes_ = on; }
 

@@ -14,32 +14,33 @@ constexpr std::size_t prefetched = 8;  // certificates ahead
 template <int d>
 void Filter<d>::resize() {
     const std::size_t n = at(table_.vertex_bound());
-    position_.resize(n);
-    vertex_.resize(n);
-    list_.resize(n);
-    disturbed_stamp_.resize(n, 0);
+    grow(position_, n);
+    grow(disturbed_stamp_, n);
+    if (!tracks_) return;
+    grow(vertex_, n);
+    grow(list_, n);
     Facet_record no_facet{};
     no_facet.expiry.fill(never);
     no_facet.point.fill(none);
     const std::size_t facets = at(table_.facet_bound());
-    facet_record_.resize(facets, no_facet);
-    kind_.resize(facets, Facet_kind::border);
-    if (look_ != Second_look::off) tolerance_.resize(facets, 0.0);
+    grow(facet_record_, facets, no_facet);
+    grow(kind_, facets, Facet_kind::border);
+    if (look_ != Second_look::off) grow(tolerance_, facets);
     Cell_record no_cell{};
     no_cell.expiry.fill(never);
     const std::size_t cells = at(table_.cell_bound());
-    cell_record_.resize(cells, no_cell);
+    grow(cell_record_, cells, no_cell);
 }
 
 template <int d>
 void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
     const bool own = x.data() == position_.data();
     if (!embedding_.mirrored()) embedding_.mirror();
+    tracks_ = true;
     resize();
     if (own) x = position_;
     failures_ = evaluated_ = 0;
     overdraft_ = 0.0;
-    tracks_ = true;
     settles_next_ = false;
     ++report.settlings;
     for (std::size_t v = 0; v < x.size(); ++v) vertex_[v] = {x[v], {}};
@@ -83,6 +84,13 @@ void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& rep
 template <int d>
 void Filter<d>::stop_tracking() {
     tracks_ = false;
+    vertex_ = {};
+    list_ = {};
+    facet_record_ = {};
+    cell_record_ = {};
+    kind_ = {};
+    tolerance_ = {};
+    delimiter_ = {};
     settles_next_ = false;
     untracked_ = 0;
     single_moves_ = 0;
@@ -94,6 +102,7 @@ void Filter<d>::place(Index v, const Coordinates<d>& p) {
     position_[at(v)] = p;
     if (!embedding_.mirrored()) return;
     resize();
+    if (!tracks_) return;
     vertex_[at(v)] = {p, {}};
     list_[at(v)].clear();
 }

@@ -36,7 +36,7 @@ bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<con
                                 std::vector<Index>& touched) {
     price_ = 0.0;
     for (const Index c : marked_) mark_[at(c)] = 0;  // those of a call that threw or gave up
-    mark_.resize(at(table_.cell_bound()), 0);        // there may be fewer
+    grow(mark_, at(table_.cell_bound()));            // there may be fewer
     marked_.clear();
     for (const Index c : cells) mark(c, 1);
     std::vector<Index> region;
@@ -53,7 +53,7 @@ bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<con
                 region.push_back(n);
             }
         if (!rebuild_region(x, region, most, touched)) return false;
-        mark_.resize(at(table_.cell_bound()), 0);
+        grow(mark_, at(table_.cell_bound()));
     }
     return true;
 }

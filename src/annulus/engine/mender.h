@@ -43,6 +43,7 @@ class Mender {
     /// Starts an examination at the goals x. The lists of signs() are to be filled with what is not known to hold there, before mend().
     void begin(std::span<const Coordinates<d>> x);
     [[nodiscard]] Signs<d>& signs() { return signs_; }
+    void set_threads(int threads) { signs_.set_threads(threads); }
 
     /// False: what was done cost `most` (in cells looked at) or led nowhere. The table is then of no use, as when it throws, until the cells
     /// that were touched are restored. On return course.x has the goals again.

@@ -24,8 +24,8 @@ void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
     forget();
     x_ = x;
     const auto& t = embedding_.table();
-    place_of_facet_.resize(at(t.facet_bound()), 0);
-    place_of_cell_.resize(at(t.cell_bound()), 0);
+    grow(place_of_facet_, at(t.facet_bound()));
+    grow(place_of_cell_, at(t.cell_bound()));
     disturbed_.clear();
     reinserted_.clear();
     changed_.clear();
@@ -58,7 +58,7 @@ template <int d>
 template <class Suspects>
 typename Suspects::value_type& Repair<d>::suspected(Suspects& suspects, std::vector<Index>& places, Index id) {
     assign_places();
-    if (at(id) >= places.size()) places.resize(at(id) + 1, 0);
+    if (at(id) >= places.size()) grow(places, at(id) + 1);
     Index& place = places[at(id)];
     if (place == 0) {
         suspects.emplace_back();

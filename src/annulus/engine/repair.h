@@ -38,6 +38,8 @@ class Repair {
     Repair(Embedding<d>& embedding, Tolerance_kind kind, bool trusted)
         : embedding_(embedding), mender_(embedding), kind_(kind), trusted_(trusted) {}
 
+    void set_threads(int threads) { mender_.set_threads(threads); }
+
     /// Starts an examination at positions x (one for every vertex index). x must outlive it and not change. `many`: x
     /// differs from where the triangulation was Delaunay last in more than one vertex.
     void begin(std::span<const Coordinates<d>> x, bool many = true);

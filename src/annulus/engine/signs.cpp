@@ -5,6 +5,7 @@
 #include <annulus/certificate/circumsphere_3.h>
 #include <annulus/certificate/orientation_sign.h>
 #include <annulus/mesh/degenerate.h>
+#include <annulus/mesh/parallel_runs.h>
 
 #include <algorithm>
 #include <array>
@@ -29,10 +30,10 @@ template <int d>
 void Signs<d>::begin(std::span<const Coordinates<d>> x) {
     x_ = x;
     has_middle_ = false;
-    inverted_.clear();
-    violated_.clear();
+    found_.inverted.clear();
+    found_.violated.clear();
+    found_.clear_halves = found_.cells = 0;
     decided_ = {};
-    clear_halves_ = 0;
     price_ = 0.0;
 }
 
@@ -116,15 +117,15 @@ bool Signs<d>::is_violated(Index f) {
 /// Every facet is asked from both sides if both are looked at, because which side is to ask would be a branch that no processor
 /// predicts, dearer than the answer. Flattened: a call between two halves of a formula would spill every register.
 template <int d>
-[[gnu::flatten]] void Signs<d>::look_at(Index c, bool border) {
+[[gnu::flatten]] void Signs<d>::look_at(Index c, bool border, Found& found) const {
     const auto& t = table_;
     const Cell_points<d> v = cell_points(t, c);
-    price_ += 1.0;
+    ++found.cells;
     if (std::any_of(v.begin(), v.end(), [](Index w) { return w < 0; })) {
-        if (border) inverted_.push_back(c);
+        if (border) found.inverted.push_back(c);
         for (int i = 0; i <= d; ++i) {
             const Index h = t.corner(c, i);
-            if (v[static_cast<std::size_t>(i)] != infinite) violated_.push_back(t.facet(h));  // a ridge
+            if (v[static_cast<std::size_t>(i)] != infinite) found.violated.push_back(t.facet(h));  // a ridge
         }
         return;
     }
@@ -135,32 +136,48 @@ template <int d>
         // At infinity a corner stands in, of which nothing can be said.
         const std::array<bool, d + 1> outside{sphere.excludes(x_[at(opposite[i] < 0 ? v[0] : opposite[i])])...};
         if ((int{positive} + ... + int{outside[i]}) == d + 2) [[likely]] {
-            clear_halves_ += d + 3;
+            found.clear_halves += d + 3;
             return;
         }
-        if (positive) clear_halves_ += 2;
-        else inverted_.push_back(c);
+        if (positive) found.clear_halves += 2;
+        else found.inverted.push_back(c);
         for (std::size_t k = 0; k <= d; ++k) {
             if (opposite[k] == infinite) continue;
-            if (positive && outside[k]) ++clear_halves_;
-            else violated_.push_back(t.facet(t.corner(c, static_cast<int>(k))));
+            if (positive && outside[k]) ++found.clear_halves;
+            else found.violated.push_back(t.facet(t.corner(c, static_cast<int>(k))));
         }
     }
     (std::make_index_sequence<d + 1>());
 }
 
+/// Adds what was found in a run of cells, in the order of the runs.
+template <int d>
+void Signs<d>::take(const Found& found) {
+    found_.inverted.insert(found_.inverted.end(), found.inverted.begin(), found.inverted.end());
+    found_.violated.insert(found_.violated.end(), found.violated.begin(), found.violated.end());
+    found_.clear_halves += found.clear_halves;
+    found_.cells += found.cells;
+}
+
 template <int d>
 void Signs<d>::look_at_everything() {
-    for (Index c = 0; c < table_.cell_bound(); ++c)
-        if (table_.is_cell(c)) look_at(c, false);
+    constexpr std::size_t run = 1U << 14;  // whatever the number of threads
+    const auto cells = static_cast<std::size_t>(table_.cell_bound());
+    std::vector<Found> found((cells + run - 1) / run);
+    for_each_run(cells, run, threads_, [&](std::size_t first, std::size_t last) {
+        Found& here = found[first / run];
+        for (std::size_t c = first; c < last; ++c)
+            if (table_.is_cell(static_cast<Index>(c))) look_at(static_cast<Index>(c), false, here);
+    });
+    for (const Found& here : found) take(here);
     // Ridges are there twice, from both sides.
-    std::sort(violated_.begin(), violated_.end());
-    violated_.erase(std::unique(violated_.begin(), violated_.end()), violated_.end());
+    std::sort(found_.violated.begin(), found_.violated.end());
+    found_.violated.erase(std::unique(found_.violated.begin(), found_.violated.end()), found_.violated.end());
 }
 
 template <int d>
 void Signs<d>::look_around(Index v, bool border) {
-    table_.for_each_corner(v, [&](Index h) { look_at(Cell_table<d>::cell_of(h), border); });
+    table_.for_each_corner(v, [&](Index h) { look_at(Cell_table<d>::cell_of(h), border, found_); });
 }
 
 template class Signs<2>;

@@ -20,6 +20,9 @@ class Signs {
   public:
     explicit Signs(const Cell_table<d>& table) : table_(table) {}
 
+    /// For look_at_everything(). What it finds does not depend on it.
+    void set_threads(int threads) { threads_ = threads; }
+
     /// Starts at positions x, which must outlive the examination. O(1).
     void begin(std::span<const Coordinates<d>> x);
 
@@ -27,7 +30,7 @@ class Signs {
     void rebind(std::span<const Coordinates<d>> x) { x_ = x; }
 
     /// The cell c and its facets; of an infinite cell the ridges, and with `border` whether it faces the middle.
-    void look_at(Index c, bool border);
+    void look_at(Index c, bool border) { look_at(c, border, found_); }
     /// Every cell.
     void look_at_everything();
     /// Every certificate that contains v.
@@ -41,20 +44,29 @@ class Signs {
     /// Exact sign of a cell with these vertices; infinity allowed.
     [[nodiscard]] int sign(const Cell_points<d>& x);
 
-    [[nodiscard]] std::vector<Index>& inverted() { return inverted_; }  ///< cells
-    [[nodiscard]] std::vector<Index>& violated() { return violated_; }  ///< facets
+    [[nodiscard]] std::vector<Index>& inverted() { return found_.inverted; }  ///< cells
+    [[nodiscard]] std::vector<Index>& violated() { return found_.violated; }  ///< facets
     /// What was asked so far, since begin(), by stage.
     [[nodiscard]] Stage_counts counts() const {
         Stage_counts all = decided_;
-        all.filter += clear_halves_ / 2;
+        all.filter += found_.clear_halves / 2;
         return all;
     }
     /// The price of that, in cells looked at.
-    [[nodiscard]] double price() const { return price_; }
+    [[nodiscard]] double price() const { return price_ + static_cast<double>(found_.cells); }
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] const Coordinates<d>* position(Index v) const { return v == infinite ? &middle_ : &x_[at(v)]; }
+    /// What was seen of some cells.
+    struct Found {
+        std::vector<Index> inverted;
+        std::vector<Index> violated;
+        std::uint64_t clear_halves = 0;
+        std::uint64_t cells = 0;
+    };
+    void look_at(Index c, bool border, Found& found) const;
+    void take(const Found& found);
     int decided(Staged_sign s);
     [[nodiscard]] bool clearly(int sign);
     [[nodiscard]] int sphere_sign(Index h);
@@ -64,10 +76,9 @@ class Signs {
     std::span<const Coordinates<d>> x_;
     Coordinates<d> middle_{};  // of some of the points
     bool has_middle_ = false;
-    std::vector<Index> inverted_;
-    std::vector<Index> violated_;
+    Found found_;
+    int threads_ = 1;
     Stage_counts decided_;
-    std::uint64_t clear_halves_ = 0;
     double price_ = 0.0;
 };
 

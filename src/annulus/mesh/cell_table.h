@@ -4,6 +4,7 @@
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/horizons.h>
+#include <annulus/mesh/grow.h>
 #include <annulus/mesh/small_set.h>
 
 #include <algorithm>
@@ -186,10 +187,10 @@ Index Cell_table<d>::new_cell() {
     } else {
         c = cell_bound();
         if (c >= Horizons::cells) throw_too_large();
-        alive_.push_back(0);
-        vertex_.resize(vertex_.size() + 4, none);
-        twin_.resize(twin_.size() + 4, none);
-        facet_.resize(facet_.size() + 4, none);
+        grow(alive_, alive_.size() + 1);
+        grow(vertex_, vertex_.size() + 4, none);
+        grow(twin_, twin_.size() + 4, none);
+        grow(facet_, facet_.size() + 4, none);
     }
     alive_[at(c)] = 1;
     return c;
@@ -209,7 +210,7 @@ Index Cell_table<d>::glue(Index h, Index t, Index f) {
             free_facets_.pop_back();
         } else {
             f = facet_bound();
-            half_of_facet_.push_back(none);
+            grow(half_of_facet_, half_of_facet_.size() + 1, none);
         }
     }
     twin_[at(h)] = t;

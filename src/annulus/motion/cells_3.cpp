@@ -2,7 +2,7 @@
 #include <annulus/motion/cells_3.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/motion/parallel_runs.h>
+#include <annulus/mesh/parallel_runs.h>
 
 #include <algorithm>
 #include <cmath>

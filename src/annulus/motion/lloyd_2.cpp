@@ -3,7 +3,7 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/motion/moments_2.h>
-#include <annulus/motion/parallel_runs.h>
+#include <annulus/mesh/parallel_runs.h>
 #include <annulus/motion/voronoi_cell_2.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/motion/dihedral.h>
-#include <annulus/motion/parallel_runs.h>
+#include <annulus/mesh/parallel_runs.h>
 #include <annulus/motion/surface_stars.h>
 
 #include <algorithm>
