@@ -14,5 +14,8 @@ step("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${SCRATCH}/build" -G "${GENERATOR}"
      "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_BUILD_TYPE=${CONFIG}"
      -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
 step("${CMAKE_COMMAND}" --build "${SCRATCH}/build" --config "${CONFIG}")
-find_program(CONSUMER consumer PATHS "${SCRATCH}/build" "${SCRATCH}/build/${CONFIG}" NO_DEFAULT_PATH REQUIRED)
-step("${CONSUMER}")
+foreach(name IN ITEMS consumer mesh-consumer toolkit-consumer)
+    unset(CONSUMER CACHE)
+    find_program(CONSUMER ${name} PATHS "${SCRATCH}/build" "${SCRATCH}/build/${CONFIG}" NO_DEFAULT_PATH REQUIRED)
+    step("${CONSUMER}")
+endforeach()

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/arithmetic/environment.h>  // refuses -ffast-math: CGAL's predicates are compiled here, with the caller's flags
 #include <annulus/arithmetic/error.h>
 #include <annulus/cgal/insertion_order.h>
+#include <annulus/cgal/neighbours_2.h>
 #include <annulus/engine/embedding.h>
 #include <annulus/mesh/evaluate.h>
 #include <annulus/mesh/measures.h>
-#include <annulus/mesh/neighbours.h>
 #include <annulus/mesh/replace_cells.h>
 
 #include <utility>
