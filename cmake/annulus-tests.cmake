@@ -68,6 +68,5 @@ endfunction()
 # on it once more. Never installed, and compiled quickly rather than well. What knows nothing of horizons is shared.
 if(ANNULUS_BUILD_TINY)
     set(annulus_tiny_sources ${annulus_sources})
-    list(FILTER annulus_tiny_sources INCLUDE REGEX "/annulus/(mesh/|engine/|moving_delaunay)")
     add_subdirectory("${PROJECT_SOURCE_DIR}/tests/tiny" "${PROJECT_BINARY_DIR}/tests/tiny")
 endif()

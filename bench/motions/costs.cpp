@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What does not depend on a motion: construction, memory, a step in which all pass, the move of one vertex, two threads. A JSON object a line.
+#include "families.h"
+
+#include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_delaunay_3.h>
+#include <annulus/moving_mesh.h>
+
+#include <nlohmann/json.hpp>
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+
+namespace {
+
+using namespace annulus;
+using nlohmann::ordered_json;
+
+template <class F>
+double nanoseconds(F f) {
+    const auto begin = std::chrono::steady_clock::now();
+    f();
+    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Bytes that are allocated, by malloc's own count.
+double allocated() {
+    const auto m = mallinfo2();
+    return static_cast<double>(m.uordblks) + static_cast<double>(m.hblkhd);
+}
+
+double median(std::vector<double> v) {
+    std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+    return v[v.size() / 2];
+}
+
+/// CGAL's triangulation with an index at each vertex.
+template <int d>
+auto cgal(const bench::Points<d>& x) {
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+    using Point = std::conditional_t<d == 2, typename Kernel::Point_2, typename Kernel::Point_3>;
+    std::vector<std::pair<Point, Index>> points;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if constexpr (d == 2) points.emplace_back(Point(x[i][0], x[i][1]), static_cast<Index>(i));
+        else points.emplace_back(Point(x[i][0], x[i][1], x[i][2]), static_cast<Index>(i));
+    }
+    if constexpr (d == 2) {
+        using Vb = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
+        return std::make_unique<CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vb>>>(points.begin(), points.end());
+    } else {
+        using Vb = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
+        using Tds = CGAL::Triangulation_data_structure_3<Vb, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+        return std::make_unique<CGAL::Delaunay_triangulation_3<Kernel, Tds>>(points.begin(), points.end());
+    }
+}
+
+/// Of an object in the state that steps of `spacings` leave it in.
+template <class Moving, int d>
+void costs(const char* name, std::size_t n, double spacings) {
+    bench::Scene<d> scene("uniform", "walk", n, spacings, 1);
+    bench::Points<d> x = scene.points();
+    const auto per_vertex = [n](double sum) { return sum / static_cast<double>(n); };
+    ordered_json out{{"what", name}, {"dimension", d}, {"points", n}, {"spacings", spacings}};
+
+    std::vector<double> build;
+    std::vector<double> rebuild;
+    double cgal_bytes = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        const double before = allocated();
+        decltype(cgal<d>(x)) tr;
+        rebuild.push_back(nanoseconds([&] { tr = cgal<d>(x); }));
+        cgal_bytes = allocated() - before;
+        tr.reset();
+        build.push_back(nanoseconds([&] { Moving dt{std::span<const Coordinates<d>>(x)}; }));
+    }
+    out["cgal_construction_ns"] = per_vertex(median(rebuild));
+    out["construction_ns"] = per_vertex(median(build));
+    out["cgal_bytes"] = per_vertex(cgal_bytes);
+
+    const double before = allocated();
+    auto dt = std::make_unique<Moving>(std::span<const Coordinates<d>>(x));
+    out["bytes_new"] = per_vertex(allocated() - before);
+    for (int step = 0; step < 12; ++step) {
+        scene.step();
+        (void)dt->move_all(std::span<const Coordinates<d>>(scene.points()));
+    }
+    x = scene.points();
+    out["bytes"] = per_vertex(allocated() - before);
+
+    std::vector<double> pass;
+    std::vector<double> read;
+    double sum = 0.0;
+    for (int k = 0; k < 31; ++k) {
+        pass.push_back(nanoseconds([&] { (void)dt->move_all(std::span<const Coordinates<d>>(x)); }));
+        // What any step has to do: read where the vertices are and are to be, and write that.
+        static bench::Points<d> here;
+        here.resize(n);
+        read.push_back(nanoseconds([&] {
+            for (std::size_t i = 0; i < n; ++i) {
+                sum += here[i][0] - x[i][0];
+                here[i] = x[i];
+            }
+        }));
+    }
+    out["pass_ns"] = per_vertex(median(pass));
+    out["arrays_ns"] = per_vertex(median(read));
+
+    std::vector<double> one;
+    const double reach = 0.01 * std::pow(static_cast<double>(n), -1.0 / d);
+    for (std::size_t k = 0; k < 1000; ++k) {
+        const auto v = static_cast<Index>(7919 * k % n);
+        auto p = x[static_cast<std::size_t>(v)];
+        p[0] += reach;
+        one.push_back(nanoseconds([&] { (void)dt->move(v, p); }));
+        x[static_cast<std::size_t>(v)] = p;
+    }
+    out["one_move_ns"] = median(one);
+    out["audit"] = dt->audit().delaunay() && sum == sum;
+    std::cout << out.dump() << std::endl;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::size_t n = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 100000;
+    for (const double spacings : {1e-5, 1e-3}) {  // with tolerances, and without
+        costs<Moving_delaunay_3, 3>("Moving_delaunay_3", n, spacings);
+        costs<Moving_mesh_3, 3>("Moving_mesh<3>", n, spacings);
+        costs<Moving_delaunay_2, 2>("Moving_delaunay_2", n, spacings);
+        costs<Moving_mesh_2, 2>("Moving_mesh<2>", n, spacings);
+    }
+}
