@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/arithmetic/error.h>
+#include <annulus/cgal/order_age.h>
 
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -22,11 +23,11 @@ namespace annulus {
 template <class Tr, int d>
 class Insertion_order {
   public:
-    /// Of the indices i with lives(i). O(n log n), or O(1) when it was sorted a while ago.
+    /// Of the indices i with lives(i). O(n log n), or O(1) when it was sorted a while ago and vertices have not gone far.
     template <class Lives>
     std::span<const Index> of(std::span<const Coordinates<d>> x, Lives lives) {
         constexpr int most_uses = 16;
-        if (!order_.empty() && uses_++ < most_uses) return order_;
+        if (!order_.empty() && uses_++ < most_uses && !age_.is_stale(order_, x)) return order_;
         uses_ = 0;
         using Point = typename Tr::Point;
         std::vector<Point> points;
@@ -44,6 +45,7 @@ class Insertion_order {
                                           CGAL::Spatial_sort_traits_adapter_3<Geometry, Map>>;
         CGAL::spatial_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(points)));
         order_.assign(order.begin(), order.end());
+        age_.note(order_, x);
         return order_;
     }
     /// To be called when vertices come or go.
@@ -51,6 +53,7 @@ class Insertion_order {
 
   private:
     std::vector<Index> order_;
+    Order_age<d> age_;
     int uses_ = 0;
 };
 

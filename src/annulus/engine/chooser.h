@@ -24,10 +24,12 @@ class Chooser {
     /// What repair may cost before it gives up: with the rebuild that follows, no step costs more than one and a half of CGAL's.
     [[nodiscard]] static double most_repair(std::size_t vertices) { return least + share * static_cast<double>(vertices); }
 
+    /// While every step is a rebuild: no need to ask a larger sample, nor to count how often it was asked.
+    [[nodiscard]] bool is_hopeless(const Sample& few) const { return price_of(few) > 3.0 * share; }
     /// While every step is a rebuild: whether the next is to be mended, as far as these cells tell.
     [[nodiscard]] bool mends(const Sample& sample) {
         const double price = price_of(sample);
-        const bool calmer = price < 0.7 * gave_up_at_;
+        const bool calmer = price < 0.4 * gave_up_at_;
         if (wait_ > 0 && !calmer) {
             --wait_;
             return false;

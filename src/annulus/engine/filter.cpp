@@ -145,7 +145,8 @@ template <int d>
 bool Filter<d>::next_is_mended(std::span<const Coordinates<d>> x) {
     constexpr std::size_t most_cells = 512;
     constexpr std::size_t share = 16;
-    return chooser_.mends(embedding_.sample(x, std::min(most_cells, 1 + x.size() / share)));
+    const std::size_t cells = std::min(most_cells, 1 + x.size() / share);
+    return !chooser_.is_hopeless(embedding_.sample(x, cells / 8)) && chooser_.mends(embedding_.sample(x, cells));
 }
 
 template <int d>

@@ -20,8 +20,8 @@ template <int d>
 using Circumsphere = std::conditional_t<d == 2, Circumcircle_2, Circumsphere_3>;
 
 // Prices in cells looked at.
-constexpr double exact_price = 40.0;
-constexpr double interval_price = 9.0;
+constexpr double exact_price = 50.0;
+constexpr double interval_price = 7.0;
 constexpr double filter_price = 0.5;
 
 }  // namespace

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// How far vertices have gone since their spatial sort, beside how far it is from one to the next: by some of them.
+template <int d>
+class Order_age {
+  public:
+    /// They are sorted now.
+    void note(std::span<const Index> order, std::span<const Coordinates<d>> x);
+    /// They have gone farther than three times the way to the next, in the mean of squares. The order is that which was noted. O(1).
+    [[nodiscard]] bool is_stale(std::span<const Index> order, std::span<const Coordinates<d>> x) const;
+
+  private:
+    std::vector<Coordinates<d>> noted_;
+    double gaps_ = 0.0;  // sum of squares
+};
+
+extern template class Order_age<2>;
+extern template class Order_age<3>;
+
+}  // namespace annulus
