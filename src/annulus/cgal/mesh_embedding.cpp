@@ -5,6 +5,7 @@
 #include <annulus/cgal/insertion_order.h>
 #include <annulus/cgal/traits_2.h>
 #include <annulus/cgal/traits_3.h>
+#include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/table_readings.h>
 
 #include <algorithm>
@@ -124,6 +125,20 @@ bool Mesh_embedding<d>::delaunay_of(std::span<const Coordinates<d>> x, std::span
     return cgal_delaunay_of<typename Builder::Traits>(x, vertices, cells);
 }
 
+/// The same under other numbers, all of which `made` receives: the table does not become smaller, since the engine may have noted some.
+template <int d>
+void Mesh_embedding<d>::replace_everything(std::vector<Index>& made) {
+    std::vector<Index> vertices;
+    for (std::size_t v = 0; v < present_.size(); ++v)
+        if (present_[v] != 0) vertices.push_back(static_cast<Index>(v));
+    std::vector<Cell_points<d>> cells;
+    if (!delaunay_of(point_, vertices, cells)) throw Error(Error_code::collision, "two vertices are at one place");
+    std::vector<Index> old;
+    for (Index c = 0; c < table_.cell_bound(); ++c)
+        if (table_.is_cell(c)) old.push_back(c);
+    replace_cells<d>(table_, old, cells, made);
+}
+
 /// Of what was listed from `first` on those that there are, once.
 template <int d>
 void Mesh_embedding<d>::keep_present(std::vector<Index>& cells, std::size_t first) const {
@@ -140,8 +155,7 @@ void Mesh_embedding<d>::restore_cells(std::span<const Index> cells, std::vector<
     std::copy_if(cells.begin(), cells.end(), std::back_inserter(present), [this](Index c) { return table_.is_cell(c); });
     const std::size_t first = made.size();
     if (!local_.rebuild(point_, present, std::numeric_limits<double>::infinity(), made)) {
-        rebuild_at_points();
-        for (Index c = 0; c < table_.cell_bound(); ++c) made.push_back(c);
+        replace_everything(made);
     }
     keep_present(made, first);
 }
@@ -168,10 +182,7 @@ bool Mesh_embedding<d>::attach(Index v, const Coordinates<d>& p, std::vector<Ind
     const Coordinates<d> home = std::exchange(point_[at(v)], p);
     const std::size_t first = changed.size();
     try {
-        if (!local_.insert(point_, std::array{c}, v, changed)) {
-            rebuild_at_points();
-            for (Index k = 0; k < table_.cell_bound(); ++k) changed.push_back(k);
-        }
+        if (!local_.insert(point_, std::array{c}, v, changed)) replace_everything(changed);
     } catch (...) {
         point_[at(v)] = home;
         throw;
@@ -266,56 +277,6 @@ bool Mesh_embedding<d>::update_in_place(Index v, const Coordinates<d>& p) {
 template <int d>
 void Mesh_embedding<d>::set_points(std::span<const Coordinates<d>> x) {
     std::copy(x.begin(), x.end(), point_.begin());
-}
-
-template <int d>
-void Mesh_embedding<d>::list_cells(std::vector<Index>& vertices) const {
-    if (dimension_ != d) {
-        vertices.insert(vertices.end(), flat_cells_.begin(), flat_cells_.end());
-        return;
-    }
-    for (Index c = 0; c < table_.cell_bound(); ++c) {
-        if (!table_.is_cell(c) || table_.is_infinite(c)) continue;
-        const auto v = cell_points(table_, c);
-        vertices.insert(vertices.end(), v.begin(), v.end());
-    }
-}
-
-template <int d>
-Sample Mesh_embedding<d>::sample(std::span<const Coordinates<d>> x, std::size_t count) const {
-    Sample sample;
-    if (dimension_ != d) return sample;
-    const std::size_t stride = 1 + point_.size() / (count + 1);
-    for (std::size_t v = 0; v < point_.size(); v += stride) {
-        if (present_[v] == 0) continue;
-        const Index c = table_.cell_of(table_.corner_of(static_cast<Index>(v)));
-        if (table_.is_infinite(c)) continue;
-        Cell_points<d> beyond{};
-        for (int i = 0; i <= d; ++i) beyond[static_cast<std::size_t>(i)] = table_.vertex(table_.twin(table_.corner(c, i)));
-        add_cell(sample, x, cell_points(table_, c), beyond);
-    }
-    return sample;
-}
-
-template <int d>
-double Mesh_embedding<d>::star_tolerance(Index v) const {
-    return annulus::star_tolerance<d>(table_, point_, v);
-}
-
-template <int d>
-double Mesh_embedding<d>::theta(Index v) const {
-    return dimension_ == d ? star_theta<d>(table_, point_, v) : 1.5707963267948966;
-}
-
-template <int d>
-Measures Mesh_embedding<d>::measure() const {
-    if (dimension_ == d) {
-        Measures m = annulus::measure<d>(table_, point_);
-        return m;
-    }
-    Measures m;
-    m.tolerance.assign(point_.size(), std::numeric_limits<double>::infinity());
-    return m;
 }
 
 template class Mesh_embedding<2>;

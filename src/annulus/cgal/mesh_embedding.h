@@ -62,6 +62,7 @@ class Mesh_embedding final : public Embedding<d> {
     struct Builder;
 
     void rebuild_at_points();
+    void replace_everything(std::vector<Index>& made);
     void keep_present(std::vector<Index>& cells, std::size_t first) const;
     [[nodiscard]] bool attach(Index v, const Coordinates<d>& p, std::vector<Index>& changed);
     [[nodiscard]] bool detach(Index v, std::vector<Index>& changed);

@@ -35,7 +35,7 @@ template <class Traits>
 void Cgal_embedding<Traits>::drop_mirror() noexcept {
     mirrored_ = false;
     table_ = {};
-    cell_ = {};
+    release(cell_);
 }
 
 /// Corners in an order that depends on the vertices of a cell alone, which they are and their orientation, and cells in the order of

@@ -8,6 +8,7 @@
 #include <annulus/engine/guarded.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace annulus {
 
@@ -43,7 +44,8 @@ Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Poin
     for (const Index i : indices) require_vertex(i);
     for (const Point& p : points) require_in_domain(p);
     Move_report report;
-    guarded([&] { move_some(indices, points, report); });
+    const std::vector<Point> goals(points.begin(), points.end());  // they may be positions(), which change on the way
+    guarded([&] { move_some(indices, goals, report); });
     return report;
 }
 
@@ -52,17 +54,22 @@ Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Poin
 template <int d>
 void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report) {
     constexpr std::size_t share = 64;
+    // Each once, with its last goal. What may throw comes before the moves.
+    std::vector<std::pair<Index, std::size_t>> movers;
+    for (std::size_t k = 0; k < indices.size(); ++k) movers.emplace_back(indices[k], k);
+    std::sort(movers.begin(), movers.end(), std::greater<>());
+    movers.erase(std::unique(movers.begin(), movers.end(), [](const auto& l, const auto& r) { return l.first == r.first; }), movers.end());
     std::vector<std::pair<Index, Point>> home;  // of those that were moved, and of the one that was not
     const auto put_back = [&] {
         for (; !home.empty(); home.pop_back()) upkeep_->put_back(home.back().first, home.back().second);
     };
     try {
-        if (share * indices.size() <= embedding_.vertices() && upkeep_->filters() && embedding_.dimension() == d) {
-            home.reserve(indices.size());
+        if (share * movers.size() <= embedding_.vertices() && upkeep_->filters() && embedding_.dimension() == d) {
+            home.reserve(movers.size());
             try {
-                for (std::size_t k = 0; k < indices.size(); ++k) {
-                    home.emplace_back(indices[k], positions()[at(indices[k])]);
-                    upkeep_->move(indices[k], points[k], report);
+                for (const auto& [i, k] : movers) {
+                    home.emplace_back(i, positions()[at(i)]);
+                    upkeep_->move(i, points[k], report);
                 }
                 return;
             } catch (const Error& e) {
@@ -72,7 +79,7 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
         std::vector<Point> x(positions().begin(), positions().end());
         for (auto it = home.rbegin(); it != home.rend(); ++it) x[at(it->first)] = it->second;
         const std::vector<Point> old = x;
-        for (std::size_t k = 0; k < indices.size(); ++k) x[at(indices[k])] = points[k];
+        for (const auto& [i, k] : movers) x[at(i)] = points[k];
         report.moves = {};
         try {
             move_everything(x, report);
@@ -88,9 +95,7 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
         put_back();
         throw;
     }
-    std::vector<Index> distinct(indices.begin(), indices.end());
-    std::sort(distinct.begin(), distinct.end());
-    count_movers(static_cast<std::uint64_t>(std::unique(distinct.begin(), distinct.end()) - distinct.begin()), report.moves);
+    count_movers(movers.size(), report.moves);
 }
 
 /// Of a timestamp, those that were to move.

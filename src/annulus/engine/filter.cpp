@@ -108,11 +108,7 @@ template <int d>
 void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
     if (!embedding_.mirrored()) {
         require_domain(x);
-        const bool mends_next = next_is_mended(x);
-        rebuild_all(x, report);
-        if (!mends_next) return;
-        require_mirror();
-        report.price += Prices<d>::mirror * static_cast<double>(embedding_.vertices());
+        rebuild_all(x, next_is_mended(x), report);
         return;
     }
     if (settles_next_) {
@@ -150,9 +146,13 @@ bool Filter<d>::next_is_mended(std::span<const Coordinates<d>> x) {
 }
 
 template <int d>
-void Filter<d>::rebuild_all(std::span<const Coordinates<d>> x, Move_report& report) {
+void Filter<d>::rebuild_all(std::span<const Coordinates<d>> x, bool mirrors, Move_report& report) {
     embedding_.rebuild(x);
     if (report_changes_) embedding_.list_cells(report.changed);
+    if (mirrors) {
+        require_mirror();
+        report.price += Prices<d>::mirror * static_cast<double>(embedding_.vertices());
+    }
     std::copy(x.begin(), x.end(), position_.begin());
     ++report.rebuild_steps;
     report.moves.asked += embedding_.vertices();
@@ -281,42 +281,6 @@ void Filter<d>::renew_renumbered() {
         refresh(cells, nobody_asked);
     }
     renumbered_ = false;
-}
-
-template <int d>
-void Filter<d>::count(Index mover, bool rebuilt, Move_report& report) {
-    const std::size_t asked = mover == none ? embedding_.vertices() : 1;
-    report.moves.asked += asked;
-    if (rebuilt) {
-        report.moves.rebuilt += asked;
-        return;
-    }
-    if (step_ >= Horizons::stamps - 3) {  // the sum would wrap before it was compared
-        std::fill(disturbed_stamp_.begin(), disturbed_stamp_.end(), 0);
-        step_ = 0;
-    }
-    step_ += 2;  // its mark, and the one above it
-    std::size_t left = asked;
-    const auto once = [this](Index v) {
-        if (disturbed_stamp_[at(v)] == step_) return false;
-        disturbed_stamp_[at(v)] = step_;
-        return true;
-    };
-    for (const Index v : repair_.reinserted()) {
-        if ((mover != none && v != mover) || !once(v)) continue;
-        ++report.moves.reinserted;
-        --left;
-    }
-    // Marks the disturbed that are not reinserted; those of them that failed were flipped.
-    for (const Index v : repair_.disturbed())
-        if (disturbed_stamp_[at(v)] != step_) disturbed_stamp_[at(v)] = step_ + 1;
-    for (const Index v : failed_) {
-        const std::uint32_t stamp = disturbed_stamp_[at(v)];
-        if (stamp == step_) continue;
-        ++(stamp == step_ + 1 ? report.moves.flipped : report.moves.kept_in_place);
-        --left;
-    }
-    report.moves.within_tolerance += left;
 }
 
 template class Filter<2>;

@@ -157,6 +157,7 @@ class Filter final : public Upkeep<d> {
     void note_expenses(bool each);
     void note_displacements(std::span<const Coordinates<d>> x);
     void end_timestamp(bool each, Move_report& report);
+    void take_up(std::span<const Coordinates<d>> x, Move_report& report);
     void evaluate_all(std::span<const Coordinates<d>> x, Move_report& report);
     void stop_tracking();
     void resize();
@@ -171,7 +172,7 @@ class Filter final : public Upkeep<d> {
     void rebuild(std::span<const Coordinates<d>> x);
     void settle_if_it_pays(Move_report& report);
     [[nodiscard]] bool next_is_mended(std::span<const Coordinates<d>> x);
-    void rebuild_all(std::span<const Coordinates<d>> x, Move_report& report);
+    void rebuild_all(std::span<const Coordinates<d>> x, bool mirrors, Move_report& report);
     void find_expired(std::span<const Coordinates<d>> x);
     void commit(std::span<const Coordinates<d>> x);
     void anchor(Index v, std::span<const Coordinates<d>> x);

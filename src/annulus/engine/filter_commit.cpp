@@ -37,8 +37,20 @@ void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
     const bool own = x.data() == position_.data();
     if (!embedding_.mirrored()) embedding_.mirror();
     tracks_ = true;
-    resize();
-    if (own) x = position_;
+    try {
+        resize();
+        if (own) x = position_;
+        take_up(x, report);
+    } catch (...) {
+        tracks_ = false;
+        throw;
+    }
+    if (!own) std::copy(x.begin(), x.end(), position_.begin());
+}
+
+/// Fresh tolerances of everything at x.
+template <int d>
+void Filter<d>::take_up(std::span<const Coordinates<d>> x, Move_report& report) {
     failures_ = evaluated_ = 0;
     overdraft_ = 0.0;
     settles_next_ = false;
@@ -46,7 +58,6 @@ void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
     for (std::size_t v = 0; v < x.size(); ++v) vertex_[v] = {x[v], {}};
     std::fill(list_.begin(), list_.end(), List{});
     if (embedding_.dimension() == d) evaluate_all(x, report);
-    if (!own) std::copy(x.begin(), x.end(), position_.begin());
 }
 
 template <int d>
@@ -84,13 +95,13 @@ void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& rep
 template <int d>
 void Filter<d>::stop_tracking() {
     tracks_ = false;
-    vertex_ = {};
-    list_ = {};
-    facet_record_ = {};
-    cell_record_ = {};
-    kind_ = {};
-    tolerance_ = {};
-    delimiter_ = {};
+    release(vertex_);
+    release(list_);
+    release(facet_record_);
+    release(cell_record_);
+    release(kind_);
+    release(tolerance_);
+    release(delimiter_);
     settles_next_ = false;
     untracked_ = 0;
     single_moves_ = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace annulus {
 
@@ -87,9 +88,16 @@ double Filter<d>::outlook(Move_report& report) {
 template <int d>
 void Filter<d>::reconsider(bool each, Move_report& report) {
     if (displacement_.empty()) return;
+    double share = 0.0;
+    try {
+        share = outlook(report);
+    } catch (const std::bad_alloc&) {  // the timestamp has been made, and this has no say in what is right
+        displacement_.clear();
+        return;
+    }
     constexpr double margin = 0.75;  // the first of them costs a settling
     settles_next_ =
-        Prices<d>::expected * Prices<d>::certificates * outlook(report) <= margin * (each ? Prices<d>::star : Prices<d>::signs);
+        Prices<d>::expected * Prices<d>::certificates * share <= margin * (each ? Prices<d>::star : Prices<d>::signs);
     displacement_.clear();
 }
 

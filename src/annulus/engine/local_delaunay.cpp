@@ -12,6 +12,18 @@ namespace annulus {
 namespace {
 constexpr double point_price = 160.0;  // in cells looked at
 constexpr int most_rounds = 40;
+
+/// A vertex that is named for the length of a call, however that ends.
+class Named {
+  public:
+    Named(Index& name, Index v) : name_(name) { name_ = v; }
+    ~Named() { name_ = none; }
+    Named(const Named&) = delete;
+    Named& operator=(const Named&) = delete;
+
+  private:
+    Index& name_;
+};
 }  // namespace
 
 /// Corners but one, in the order that makes an even permutation of the cell with that one last; turned to a standard order, which is
@@ -104,18 +116,14 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
 
 template <int d>
 bool Local_delaunay<d>::insert(std::span<const Coordinates<d>> x, std::span<const Index> cells, Index v, std::vector<Index>& touched) {
-    comes_ = v;
-    const bool done = rebuild(x, cells, std::numeric_limits<double>::infinity(), touched);
-    comes_ = none;
-    return done;
+    const Named named(comes_, v);
+    return rebuild(x, cells, std::numeric_limits<double>::infinity(), touched);
 }
 
 template <int d>
 bool Local_delaunay<d>::remove(std::span<const Coordinates<d>> x, std::span<const Index> cells, Index v, std::vector<Index>& touched) {
-    goes_ = v;
-    const bool done = rebuild(x, cells, std::numeric_limits<double>::infinity(), touched);
-    goes_ = none;
-    return done;
+    const Named named(goes_, v);
+    return rebuild(x, cells, std::numeric_limits<double>::infinity(), touched);
 }
 
 template <int d>
@@ -149,6 +157,10 @@ bool Local_delaunay<d>::fill(std::span<const Index> region, std::vector<Index>& 
             seam_.push_back({it->cell, it->slot, out, table_.vertex(twin)});
         }
     if (!beyond.empty()) return false;
+    if (border_.empty()) {  // the region is everything
+        filled_ = cells_;
+        return has_every_vertex();
+    }
     std::sort(border_.begin(), border_.end(), precedes);
     for (std::size_t i = 1; i < border_.size(); ++i)
         if (border_[i].same_facet(border_[i - 1])) {  // twice, or from both sides: the region bends back to itself

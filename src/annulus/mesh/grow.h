@@ -14,4 +14,10 @@ void grow(std::vector<T>& x, std::size_t size, const T& value = T()) {
     x.resize(size, value);
 }
 
+/// Gives the memory of an array back, which `x = {}` does not.
+template <class T>
+void release(std::vector<T>& x) noexcept {
+    std::vector<T>().swap(x);
+}
+
 }  // namespace annulus
