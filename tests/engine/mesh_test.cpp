@@ -1,112 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moving_mesh beyond what every program asks of it (fuzz/common/mesh_twin.h): memory that runs out, moves of some vertices, spans into
-// itself, objects that are moved.
+// Moving_mesh beyond what every program asks of it (fuzz/common/mesh_twin.h): moves of some vertices, spans into itself, objects that are
+// moved, points so few that a region is everything. Memory that runs out: mesh_allocation_test.cpp.
 #include <annulus/arithmetic/error.h>
 #include <annulus/moving_mesh.h>
 
-#include <support/failing_new.h>
 #include <support/generators.h>
+#include <support/meshes.h>
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
-#include <functional>
 #include <utility>
 
 using namespace annulus;
 using namespace annulus::testing;
-
-namespace {
-
-template <int d>
-using Points_d = std::vector<Coordinates<d>>;
-
-/// A grid, leaning: cospherical here and there, and no two points at one place.
-template <int d>
-Points_d<d> grid() {
-    Points_d<d> x;
-    for (int i = 0; i < (d == 2 ? 25 : 27); ++i) {
-        Coordinates<d> p{};
-        const int side = d == 2 ? 5 : 3;
-        for (int k = 0, rest = i; k < d; ++k, rest /= side) p[static_cast<std::size_t>(k)] = rest % side;
-        p[0] += 0.125 * p[1];
-        x.push_back(p);
-    }
-    return x;
-}
-
-template <int d>
-auto sorted_cells(const Moving_mesh<d>& mesh) {
-    auto cells = mesh.cells().vertices;
-    for (auto& c : cells) std::sort(c.begin(), c.end());
-    std::sort(cells.begin(), cells.end());
-    return cells;
-}
-
-template <int d>
-Points_d<d> sheared(Points_d<d> x, double by) {
-    for (auto& p : x) p[1] += by * p[0];
-    return x;
-}
-
-}  // namespace
-
-TEMPLATE_TEST_CASE_SIG("A mesh whose call runs out of memory is as it was, and goes on, dimension", "[mesh]", ((int d), d), 2, 3) {
-    struct Call {
-        const char* name;
-        std::function<void(Moving_mesh<d>&)> make;
-    };
-    Coordinates<d> inside;
-    inside.fill(1.3);
-    Coordinates<d> outside;
-    outside.fill(-3.25);
-    const std::vector<Call> calls{
-        {"move_all", [](auto& m) { (void)m.move_all(sheared<d>(Points_d<d>(m.points().begin(), m.points().end()), 1e-3)); }},
-        {"move_all, far", [](auto& m) { (void)m.move_all(sheared<d>(Points_d<d>(m.points().begin(), m.points().end()), 0.7)); }},
-        {"move some", [](auto& m) {
-             Points_d<d> x(m.points().begin(), m.points().begin() + 3);
-             for (auto& p : x) p[0] -= 0.1;
-             (void)m.move(std::vector<Index>{0, 1, 2}, x);
-         }},
-        {"move", [=](auto& m) { (void)m.move(5, inside); }},
-        {"insert", [=](auto& m) { (void)m.insert(inside); }},
-        {"insert outside", [=](auto& m) { (void)m.insert(outside); }},
-        {"remove", [](auto& m) { m.remove(12); }},
-        {"settle", [](auto& m) { (void)m.settle(); }}};
-    for (const Strategy strategy : {Strategy::automatic, Strategy::filter, Strategy::filter_each, Strategy::relocate})
-        for (const int before : {0, 1, 4})  // timestamps
-            for (const Memory memory : {Memory::short_once, Memory::short_for_good})
-                for (const Call& call : calls) {
-                    bool done = false;
-                    for (std::uint64_t n = 0; !done && n < 100000; n += 1 + n / 12) {
-                        CAPTURE(name_of(strategy), before, static_cast<int>(memory), call.name, n);
-                        Options options;
-                        options.strategy = strategy;
-                        Moving_mesh<d> mesh(std::span<const Coordinates<d>>(grid<d>()), options);
-                        for (int step = 0; step < before; ++step) (void)mesh.move_all(sheared<d>(grid<d>(), 1e-3 * step));
-                        const Points_d<d> points(mesh.points().begin(), mesh.points().end());
-                        const auto cells = sorted_cells(mesh);
-                        const Starved became = starve(n, memory, [&] { call.make(mesh); });
-                        done = became == Starved::done;
-                        if (became == Starved::refused) {
-                            const bool gone = std::string_view(call.name) == "remove" && !mesh.is_vertex(12);
-                            REQUIRE(Points_d<d>(mesh.points().begin(), mesh.points().end()) == points);
-                            if (memory == Memory::short_for_good) (void)mesh.settle();  // there may have been no cells
-                            if (!gone) REQUIRE(sorted_cells(mesh) == cells);
-                            if (!gone) call.make(mesh);
-                        }
-                        REQUIRE(mesh.audit().first_fault == "");
-                        (void)mesh.insert([] {
-                            Coordinates<d> p;
-                            p.fill(0.77);
-                            return p;
-                        }());
-                        mesh.remove(7);
-                        REQUIRE(mesh.audit().first_fault == "");
-                    }
-                    REQUIRE(done);
-                }
-}
 
 TEST_CASE("A few points of space whose region is everything are inserted all the same", "[mesh]") {
     // Found by an attack: the table became smaller than the numbers that the filter had noted.
