@@ -166,45 +166,6 @@ TEST_CASE("One Lloyd and one natural ODT may be asked by several threads, with t
     for (const auto& s : at_once(nodt_targets)) CHECK((s == alone3));
 }
 
-namespace {
-
-/// All that reports say, and the cells in the end. Enough cells for several runs of them.
-template <int d>
-std::vector<double> walked(int with, Strategy strategy, double spacings) {
-    bench::Scene<d> scene("uniform", "walk", d == 2 ? 12000 : 4000, spacings, 3);
-    Options options;
-    options.strategy = strategy;
-    options.threads = with;
-    Moving_mesh<d> mesh(std::span<const Coordinates<d>>(scene.points()), options);
-    std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3> dt(std::span<const Coordinates<d>>(scene.points()), options);
-    std::vector<double> said;
-    const auto say = [&said](const Move_report& r) {
-        for (const auto n : {r.moves.within_tolerance, r.moves.kept_in_place, r.moves.flipped, r.moves.reinserted, r.moves.rebuilt, r.evaluated,
-                             r.arithmetic.filter, r.arithmetic.interval, r.arithmetic.exact, r.flips, r.sign_steps, r.rebuild_steps})
-            said.push_back(static_cast<double>(n));
-        said.push_back(r.price);
-    };
-    for (int step = 0; step < 8; ++step) {
-        scene.step();
-        say(mesh.move_all(scene.points()));
-        say(dt.move_all(std::span<const Coordinates<d>>(scene.points())));
-    }
-    for (const auto& cell : mesh.cells().vertices) said.insert(said.end(), cell.begin(), cell.end());
-    for (const auto& cell : dt.audit_input().cells) said.insert(said.end(), cell.begin(), cell.end());
-    return said;
-}
-
-}  // namespace
-
-TEMPLATE_TEST_CASE_SIG("Timestamps in several threads are those in one, counters and order of cells included, dimension", "[threads]",
-                       ((int d), d), 2, 3) {
-    for (const Strategy strategy : {Strategy::automatic, Strategy::filter})
-        for (const double spacings : {3e-3, 0.05}) {
-            const auto alone = walked<d>(1, strategy, spacings);
-            for (const int with : {2, 5, 0, -3}) CHECK((walked<d>(with, strategy, spacings) == alone));
-        }
-}
-
 TEST_CASE("Const members of a mesh may run at the same time", "[threads]") {
     bench::Scene<3> scene("uniform", "walk", 300, 1e-3, 1);
     for (const Strategy strategy : {Strategy::automatic, Strategy::filter}) {
