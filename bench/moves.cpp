@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A timestamp of 10,000 uniform points: when every vertex passes, against reading and comparing the arrays; and under
 // rebuild, relocate and filter at displacements of 1e-4 to 0.3 spacings.
+#include <annulus/engine/displacement.h>
 #include <annulus/moving_delaunay_2.h>
 
 #include <benchmark/benchmark.h>
