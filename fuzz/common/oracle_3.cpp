@@ -34,7 +34,7 @@ std::string mirror_fault(const Moving_delaunay_3& dt) {
             if (t.twin(h) != t.corner(c->neighbor(i)->cell(), tr.tds().mirror_index(c, i)))
                 return "a corner of the mirror has another neighbour";
             if (t.facet(h) != t.facet(t.twin(h)) || !t.is_facet(t.facet(h))) return "a facet of the mirror is wrong";
-            if (t.half(t.facet(h)) != h && t.half(t.facet(h)) != t.twin(h)) return "a facet has a foreign half";
+            if (t.facet(h) != h && t.facet(h) != t.twin(h)) return "a facet has a foreign half";
             facets.insert(t.facet(h));
             if (v != infinite && t.vertex(t.corner_of(v)) != v) return "a vertex has a foreign corner";
         }
@@ -42,7 +42,7 @@ std::string mirror_fault(const Moving_delaunay_3& dt) {
     if (facets.size() != 2 * cells) return "two facets share a number";
     std::size_t counted = 0;
     for (Index f = 0; f < t.facet_bound(); ++f) counted += t.is_facet(f) ? 1U : 0U;
-    return counted == facets.size() ? std::string() : "a facet was not freed";
+    return counted == facets.size() ? std::string() : "a facet is counted twice";
 }
 
 std::string tolerance_fault(const Moving_delaunay_3& dt) {

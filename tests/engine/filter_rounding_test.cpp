@@ -20,8 +20,7 @@ using namespace annulus::testing;
 namespace {
 
 REVEAL(List, &Filter<2>::list_);
-REVEAL(Facet_records, &Filter<2>::facet_record_);
-REVEAL(Cell_records, &Filter<2>::cell_record_);
+REVEAL(Expiries, &Filter<2>::expiries_);
 REVEAL(Examination, &Filter<2>::repair_);
 REVEAL(Reading, &Filter<2>::reading);
 REVEAL(Slack, &Filter<2>::slack);
@@ -36,6 +35,17 @@ REVEAL(Commit_renewals, &Filter<2>::commit_renewals);
 struct Filter_session : Session<Filter<2>> {
     explicit Filter_session(Random& random, Second_look look = Second_look::off) : Session(random, look) {}
 };
+
+/// The expiries of facet f, point by point.
+std::vector<Expiry*> expiries(Filter_session& s, Index f) {
+    std::vector<Expiry*> out;
+    for (std::size_t k = 0; k < 4; ++k) out.push_back(&s[Expiries{}].of_facet(f, s.embedding.table().twin(f), k));
+    return out;
+}
+bool is_empty_sphere(const Filter_session& s, Index f) {
+    const auto& t = s.embedding.table();
+    return t.is_facet(f) && facet_kind(t, f) == Facet_kind::empty_sphere;
+}
 
 double odd(Random& random, int exponent) { return std::ldexp(1.0 + unit(random), exponent); }
 
@@ -108,15 +118,13 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
             };
             for (const auto& e : s[Examination{}].facets()) {
                 if (e.kind == Facet_kind::border) continue;
-                const auto& record = s[Facet_records{}][at(e.id)];
-                for (std::size_t k = 0; k < record.point.size(); ++k)
-                    if (record.point[k] != none) check(record.point[k], record.expiry[k], e.verdict.tolerance);
+                for (const Index v : e.point)
+                    if (v != none) check(v, std::as_const(s[Expiries{}]).of_facet(s.embedding.table(), e.id, v), e.verdict.tolerance);
             }
             for (const auto& e : s[Examination{}].cells()) {
                 if (e.kind == Facet_kind::border) continue;
-                const auto& record = s[Cell_records{}][at(e.id)];
                 for (std::size_t k = 0; k < e.point.size(); ++k)
-                    check(e.point[k], record.expiry[k], e.verdict.tolerance);
+                    check(e.point[k], s[Expiries{}].of_cell(Cell_table<2>::corner(e.id, static_cast<int>(k))), e.verdict.tolerance);
             }
         }
     }));
@@ -130,9 +138,10 @@ TEST_CASE("Rebasing leaves no certificate more than it had", "[relocation][round
             const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
             const double base = random() % 2 == 0 ? odd(random, -integer(random, 55, 70)) : unit(random);
             std::vector<Expiry*> of_v;
-            for (auto& record : s[Facet_records{}])
-                for (std::size_t k = 0; k < record.point.size(); ++k)
-                    if (record.point[k] == v) of_v.push_back(&record.expiry[k]);
+            const auto& t = s.embedding.table();
+            for (Index f = 0; f < t.facet_bound(); ++f)
+                for (std::size_t k = 0; t.is_facet(f) && k < 4; ++k)
+                    if (points_around(t, f)[k] == v) of_v.push_back(expiries(s, f)[k]);
             std::vector<Rational> before;
             for (Expiry* e : of_v) {
                 *e = Expiry::lower(1.0 + std::ldexp(integer(random, 0, 9), -20));
@@ -157,9 +166,9 @@ TEST_CASE("Rebasing leaves no second look to a certificate that is overdue", "[r
         const auto& t = s.embedding.table();
         std::vector<bool> overdue(at(t.facet_bound()));
         const auto expiry_of_v = [&](Index f) {
-            auto& record = s[Facet_records{}][at(f)];
-            const auto k = std::find(record.point.begin(), record.point.end(), v) - record.point.begin();
-            return k == std::ssize(record.point) ? nullptr : &record.expiry[static_cast<std::size_t>(k)];
+            const Facet_points<2> point = points_around(t, f);
+            const auto k = std::find(point.begin(), point.end(), v) - point.begin();
+            return k == std::ssize(point) ? nullptr : expiries(s, f)[at(static_cast<Index>(k))];
         };
         for (Index f = 0; f < t.facet_bound(); ++f) {
             s[Tolerances{}][at(f)] = 0.25;
@@ -180,21 +189,22 @@ TEST_CASE("Second looks leave the two sides of a circle no more than its width",
         Filter_session s(random, Second_look::unequal_moves);
         const auto& t = s.embedding.table();
         for (Index f = 0; f < t.facet_bound(); ++f) {
-            auto& record = s[Facet_records{}][at(f)];
-            if (!t.is_facet(f) || std::count(record.point.begin(), record.point.end(), none) > 0) continue;
+            if (!is_empty_sphere(s, f)) continue;
+            const Facet_points<2> point = points_around(t, f);
+            const std::vector<Expiry*> expiry = expiries(s, f);
             const double tolerance = std::ldexp(1.0 + unit(random), -integer(random, 0, 20));
             s[Tolerances{}][at(f)] = tolerance;
-            for (std::size_t k = 0; k < record.point.size(); ++k) {
+            for (std::size_t k = 0; k < point.size(); ++k) {
                 const double base = unit(random);
-                record.expiry[k] = Expiry::lower(base + tolerance);
-                s[List{}][at(record.point[k])].base = base + tolerance * between(random, 0.2, 0.9);
+                *expiry[k] = Expiry::lower(base + tolerance);
+                s[List{}][at(point[k])].base = base + tolerance * between(random, 0.2, 0.9);
             }
             s[Renewals{}].clear();
             if (!s.call(Unequal_moves{}, f, std::span<const Point>(s.points))) continue;
             // The expiry was at most the reference plus the tolerance.
             std::array<Rational, 2> side{0, 0};
-            for (std::size_t k = 0; k < record.point.size(); ++k) {
-                const Rational reference = Rational(record.expiry[k].reading()) - Rational(tolerance);
+            for (std::size_t k = 0; k < point.size(); ++k) {
+                const Rational reference = Rational(expiry[k]->reading()) - Rational(tolerance);
                 const Rational allowed = Rational(s[Renewals{}][0].expiry[k]) - reference;
                 side[k / 2] = std::max(side[k / 2], allowed);
             }
@@ -206,20 +216,21 @@ TEST_CASE("Second looks leave the two sides of a circle no more than its width",
         Filter_session s(random, Second_look::safe_region);
         const auto& t = s.embedding.table();
         for (Index f = 0; f < t.facet_bound(); ++f) {
-            const auto& record = s[Facet_records{}][at(f)];
-            if (!t.is_facet(f) || std::count(record.point.begin(), record.point.end(), none) > 0) continue;
+            if (!is_empty_sphere(s, f)) continue;
+            const Facet_points<2> point = points_around(t, f);
+            const std::vector<Expiry*> expiry = expiries(s, f);
             auto& renewals = s[Renewals{}];
             renewals.resize(1);
             renewals[0].facet = f;
-            for (std::size_t k = 0; k < record.point.size(); ++k) {
+            for (std::size_t k = 0; k < point.size(); ++k) {
                 const double room = 0.4 * unit(random), sum = 1.0 + std::ldexp(integer(random, 1, 9), -20);
                 renewals[0].expiry[k] = room;
-                s[List{}][at(record.point[k])].base = rounded_down(Rational(sum) - Rational(room));
+                s[List{}][at(point[k])].base = rounded_down(Rational(sum) - Rational(room));
             }
             s.call(Commit_renewals{}, std::span<const Point>(s.points));
-            for (std::size_t k = 0; k < record.point.size(); ++k)
-                RC_ASSERT(Rational(record.expiry[k].reading()) <=
-                          Rational(s[List{}][at(record.point[k])].base) + Rational(renewals[0].expiry[k]));
+            for (std::size_t k = 0; k < point.size(); ++k)
+                RC_ASSERT(Rational(expiry[k]->reading()) <=
+                          Rational(s[List{}][at(point[k])].base) + Rational(renewals[0].expiry[k]));
         }
     }));
 }

@@ -95,8 +95,7 @@ void Cgal_embedding<Traits>::join_replaced(const std::vector<Cell_handle>& cells
         }
 }
 
-/// Mirrors a changed region: `cells` are what CGAL has there now, those of `old` were there before; not all need be named. Facets on
-/// the border keep their index.
+/// Mirrors a changed region: `cells` are what CGAL has there now, those of `old` were there before; not all need be named.
 template <class Traits>
 void Cgal_embedding<Traits>::adopt(std::vector<Cell_handle> cells, std::vector<Index> old, std::vector<Index>& changed) {
     put_in_order(cells);

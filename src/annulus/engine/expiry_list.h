@@ -51,7 +51,7 @@ class alignas(64) Expiry_list {  // whole cache lines
         for (std::size_t i = 0; i < count; ++i) visit(id_of(queue[i]));
     }
     /// States that certificate `id` now expires at `expiry`.
-    void put(Index id, Expiry expiry) {
+    void put(std::uint32_t id, Expiry expiry) {
         Entry found = 0;  // all ones from where the entry of `id` is
         for (std::size_t i = 0; i < capacity; ++i) {
             const Entry next = i + 1 < capacity ? entry_[i + 1] : vacant;
@@ -61,8 +61,8 @@ class alignas(64) Expiry_list {  // whole cache lines
         put_new(id, expiry);
     }
     /// The same for a certificate that is not listed.
-    void put_new(Index id, Expiry expiry) {
-        Entry moving = (Entry{expiry.bits()} << 32) | static_cast<std::uint32_t>(id);
+    void put_new(std::uint32_t id, Expiry expiry) {
+        Entry moving = (Entry{expiry.bits()} << 32) | id;
         for (Entry& e : entry_) {
             const Entry exchange = (e ^ moving) & mask(moving < e);
             e ^= exchange;
@@ -73,7 +73,7 @@ class alignas(64) Expiry_list {  // whole cache lines
 
     /// The same for many certificates none of which is listed: sooner than one by one where most are for `rest`. A bound that
     /// about `capacity` of them are below is found by counting, which no branch depends on.
-    void put_new(std::span<const Expiry> expiry, std::span<const Index> id) {
+    void put_new(std::span<const Expiry> expiry, std::span<const std::uint32_t> id) {
         const std::uint32_t never = Expiry::never().bits();
         std::uint32_t low = never;
         for (const Expiry e : expiry) low = std::min(low, e.bits());
@@ -101,12 +101,12 @@ class alignas(64) Expiry_list {  // whole cache lines
 
   private:
     using Entry = std::uint64_t;  // expiry and id: the order is that of expiries
-    static constexpr Entry vacant = (Entry{Expiry::never().bits()} << 32) | static_cast<std::uint32_t>(none);
+    static constexpr Entry vacant = (Entry{Expiry::never().bits()} << 32) | 0xFFFFFFFFU;  // no certificate has that number
 
     /// All ones or all zeros; compilers make branches of the conditional operator and of std::min.
     [[nodiscard]] static Entry mask(bool b) { return Entry{0} - static_cast<Entry>(b); }
     [[nodiscard]] static Expiry expiry_of(Entry e) { return Expiry::of_bits(static_cast<std::uint32_t>(e >> 32)); }
-    [[nodiscard]] static Index id_of(Entry e) { return static_cast<Index>(static_cast<std::uint32_t>(e)); }
+    [[nodiscard]] static std::uint32_t id_of(Entry e) { return static_cast<std::uint32_t>(e); }
 
     Expiry rest_ = Expiry::never();
     std::array<Entry, capacity> entry_ = [] {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/certificate/delimiter.h>
+#include <annulus/engine/certificate_expiries.h>
 #include <annulus/engine/chooser.h>
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/expiry_list.h>
@@ -110,15 +111,6 @@ class Filter final : public Upkeep<d> {
   private:
     /// One or two cache lines: around a vertex are 12 certificates in the plane, 80 in space.
     using List = Expiry_list<Horizons::listed(d)>;
-    /// The points of a facet's certificate and at which readings of each it expires. In 2D half a cache line: what is
-    /// seldom asked for has arrays of its own.
-    struct Facet_record {
-        std::array<Expiry, static_cast<std::size_t>(d + 2)> expiry;  // by point
-        Facet_points<d> point;
-    };
-    struct Cell_record {
-        std::array<Expiry, static_cast<std::size_t>(d + 1)> expiry;  // by slot
-    };
     struct Failed {
         Vertex_record<d> record;
         List list;
@@ -128,9 +120,6 @@ class Filter final : public Upkeep<d> {
         std::array<double, static_cast<std::size_t>(d + 2)> expiry;
     };
 
-    // Certificates in expiry lists: facets and cells in one numbering.
-    static Index id_of_facet(Index f) { return 2 * f; }
-    static Index id_of_cell(Index c) { return 2 * c + 1; }
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] static bool within(const Coordinates<d>& p, double limit) {
         bool near = true;
@@ -183,7 +172,7 @@ class Filter final : public Upkeep<d> {
     [[nodiscard]] bool safe_region(Index f, std::span<const Coordinates<d>> x);
     void keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x);
     /// Looks at one certificate of v: expired at this reading, or else back on the list.
-    void look_at(Index id, Index v, double reading, List& list, std::span<const Coordinates<d>> x);
+    void look_at(Certificate_id id, Index v, double reading, List& list, std::span<const Coordinates<d>> x);
     void tour(Index v, double reading, List& list, std::span<const Coordinates<d>> x);
     void rebase(Index v);
     template <class Points>
@@ -192,8 +181,8 @@ class Filter final : public Upkeep<d> {
     /// `fresh`: no certificate in question is on any list.
     template <bool fresh>
     void commit_evaluated(std::span<const Coordinates<d>> x);
-    template <bool fresh, class S>
-    void commit_points(const S& suspect, Index id, std::span<Expiry> expiry, std::span<const Coordinates<d>> x);
+    template <bool fresh, class S, class Expiry_of>
+    void commit_points(const S& suspect, Certificate_id id, Expiry_of expiry_of, std::span<const Coordinates<d>> x);
     void set_threshold(Index v) { vertex_[at(v)].threshold = Upper_half::lower(squared_threshold_lower(slack(v))); }
     /// How far v may be from its fixed position (proofs/coq/float_displacement.v, passes_2_sound).
     [[nodiscard]] double slack(Index v) const {
@@ -226,17 +215,15 @@ class Filter final : public Upkeep<d> {
     std::vector<Coordinates<d>> noted_;  // position_ before a timestamp of single moves
     std::vector<Vertex_record<d>> vertex_;
     std::vector<List> list_;  // by vertex
-    std::vector<Facet_record> facet_record_;
-    std::vector<Cell_record> cell_record_;
-    std::vector<Facet_kind> kind_;        // by facet
+    Certificate_expiries<d> expiries_;
     std::vector<double> tolerance_;       // by facet, when there are second looks; 0: no second look
     std::vector<Delimiter_2> delimiter_;  // by facet, for the second look that needs it
     // Of one step:
     std::vector<Index> failed_;
     std::vector<Failed> before_;               // of failed_, what they were before the step
-    std::vector<std::uint32_t> certificates_;  // of one vertex: 2 facet, or 2 corner + 1
+    std::vector<std::uint32_t> certificates_;  // of one vertex: 2 half-facet, or 2 corner + 1
     std::vector<Expiry> listed_;               // of these, not reached
-    std::vector<Index> listed_id_;
+    std::vector<Certificate_id> listed_id_;
     std::vector<Index> anchored_;
     std::vector<Renewal> renewals_;
     std::vector<std::uint32_t> disturbed_stamp_;

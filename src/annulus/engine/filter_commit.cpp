@@ -19,17 +19,8 @@ void Filter<d>::resize() {
     if (!tracks_) return;
     grow(vertex_, n);
     grow(list_, n);
-    Facet_record no_facet{};
-    no_facet.expiry.fill(never);
-    no_facet.point.fill(none);
-    const std::size_t facets = at(table_.facet_bound());
-    grow(facet_record_, facets, no_facet);
-    grow(kind_, facets, Facet_kind::border);
-    if (look_ != Second_look::off) grow(tolerance_, facets);
-    Cell_record no_cell{};
-    no_cell.expiry.fill(never);
-    const std::size_t cells = at(table_.cell_bound());
-    grow(cell_record_, cells, no_cell);
+    expiries_.resize(table_.cell_bound());
+    if (look_ != Second_look::off) grow(tolerance_, at(table_.facet_bound()));
 }
 
 template <int d>
@@ -72,7 +63,7 @@ void Filter<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
 template <int d>
 void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& report) {
     const auto in_blocks = [&](Index bound, auto suspect) {
-        constexpr Index block = 512;
+        constexpr Index block = 1024;
         for (Index first = 0; first < bound; first += block) {
             repair_.begin(x, false);
             for (Index i = first; i < std::min(bound, first + block); ++i) suspect(i);
@@ -97,9 +88,7 @@ void Filter<d>::stop_tracking() {
     tracks_ = false;
     release(vertex_);
     release(list_);
-    release(facet_record_);
-    release(cell_record_);
-    release(kind_);
+    expiries_.free();
     release(tolerance_);
     release(delimiter_);
     settles_next_ = false;
@@ -148,17 +137,18 @@ void Filter<d>::anchor(Index v, std::span<const Coordinates<d>> x) {
 
 /// Gives a certificate evaluated at x its expiries and tells its points.
 template <int d>
-template <bool fresh, class S>
-void Filter<d>::commit_points(const S& s, Index id, std::span<Expiry> expiry, std::span<const Coordinates<d>> x) {
+template <bool fresh, class S, class Expiry_of>
+void Filter<d>::commit_points(const S& s, Certificate_id id, Expiry_of expiry_of, std::span<const Coordinates<d>> x) {
     for (std::size_t k = 0; k < s.point.size(); ++k) {
         if (s.point[k] == none) continue;
         if constexpr (!fresh) anchor(s.point[k], x);
         List& list = list_[at(s.point[k])];
-        expiry[k] = Expiry::lower(sum_lower(list.base, s.verdict.tolerance));
+        const Expiry expiry = Expiry::lower(sum_lower(list.base, s.verdict.tolerance));
+        expiry_of(k) = expiry;
         if constexpr (fresh) {
-            list.put_new(id, expiry[k]);
+            list.put_new(id, expiry);
         } else {
-            list.put(id, expiry[k]);
+            list.put(id, expiry);
         }
     }
 }
@@ -167,17 +157,19 @@ template <int d>
 void Filter<d>::commit_renewals(std::span<const Coordinates<d>> x) {
     for (const Renewal& renewal : renewals_) {
         if (!table_.is_facet(renewal.facet)) continue;
-        Facet_record& r = facet_record_[at(renewal.facet)];
+        const Index twin = table_.twin(renewal.facet);
+        const Facet_points<d> point = points_around(table_, renewal.facet);
+        if (std::find(point.begin(), point.end(), infinite) != point.end()) continue;  // it is another by now
         if (look_ == Second_look::unequal_moves) tolerance_[at(renewal.facet)] = 0.0;
-        for (std::size_t k = 0; k < r.point.size(); ++k) {
-            const Index v = r.point[k];
+        for (std::size_t k = 0; k < point.size(); ++k) {
+            const Index v = point[k];
             double expiry = renewal.expiry[k];
             if (look_ == Second_look::safe_region) {  // the room is around the present position
                 anchor(v, x);
                 expiry = sum_lower(list_[at(v)].base, expiry);
             }
-            r.expiry[k] = Expiry::lower(expiry);
-            list_[at(v)].put(id_of_facet(renewal.facet), r.expiry[k]);
+            expiries_.of_facet(renewal.facet, twin, k) = Expiry::lower(expiry);
+            list_[at(v)].put(id_of_facet(renewal.facet), Expiry::lower(expiry));
             if (list_[at(v)].stamp != stamp_) set_threshold(v);
         }
     }
@@ -199,22 +191,33 @@ void Filter<d>::commit_evaluated(std::span<const Coordinates<d>> x) {
         if (!fresh && i + prefetched < facets.size()) prefetch(facets[i + prefetched].point);
         const auto& s = facets[i];
         if (!repair_.exists(s)) continue;
-        Facet_record& r = facet_record_[at(s.id)];
-        r.point = s.point;
-        r.expiry.fill(never);
-        kind_[at(s.id)] = s.kind;
+        const Index twin = table_.twin(s.id);
         if (look_ != Second_look::off) tolerance_[at(s.id)] = s.verdict.tolerance;
         if constexpr (d == 2)
             if (look_ == Second_look::safe_region && s.kind == Facet_kind::empty_sphere)
                 keep_delimiter(s.id, s.point, x);
-        if (s.kind != Facet_kind::border) commit_points<fresh>(s, id_of_facet(s.id), r.expiry, x);
+        const auto expiry_of = [&](std::size_t k) -> Expiry& { return expiries_.of_facet(s.id, twin, k); };
+        if (s.kind == Facet_kind::empty_sphere) {
+            commit_points<fresh>(s, id_of_facet(s.id), expiry_of, x);
+            continue;
+        }
+        for (std::size_t k = 0; k < s.point.size(); ++k) expiry_of(k) = never;
+        if (s.kind == Facet_kind::border) continue;
+        const Facet_points<d> around = points_around(table_, s.id);
+        const auto place_of = [&](std::size_t k) {
+            return static_cast<std::size_t>(std::find(around.begin(), around.end(), s.point[k]) - around.begin());
+        };
+        commit_points<fresh>(s, id_of_facet(s.id), [&](std::size_t k) -> Expiry& { return expiry_of(place_of(k)); }, x);
     }
     for (const auto& s : repair_.cells()) {
         if (!repair_.exists(s)) continue;
-        Cell_record& r = cell_record_[at(s.id)];
-        r.expiry.fill(never);
+        const auto expiry_of = [&](std::size_t k) -> Expiry& {
+            return expiries_.of_cell(Cell_table<d>::corner(s.id, static_cast<int>(k)));
+        };
         if (s.kind != Facet_kind::border && repair_.kind() != Tolerance_kind::paper)
-            commit_points<fresh>(s, id_of_cell(s.id), r.expiry, x);
+            commit_points<fresh>(s, id_of_cell(s.id), expiry_of, x);
+        else
+            for (std::size_t k = 0; k < s.point.size(); ++k) expiry_of(k) = never;
     }
 }
 
@@ -226,7 +229,7 @@ void Filter<d>::rebase(Index v) {
     const double base = list.base;
     list.clear();
     list.base = 0.0;
-    const auto shift = [&](Expiry& e, Index id) {
+    const auto shift = [&](Expiry& e, Certificate_id id) {
         if (e == never) return;
         const double left = e.reading() - base;
         e = Expiry::lower(left - left * 0x1p-52);
@@ -235,17 +238,17 @@ void Filter<d>::rebase(Index v) {
     for_each_certificate(
         table_, v,
         [&](Index h) {
-            const Index c = table_.cell_of(h);
-            shift(cell_record_[at(c)].expiry[static_cast<std::size_t>(table_.slot_of(h))], id_of_cell(c));
+            shift(expiries_.of_cell(h), id_of_cell(table_.cell_of(h)));
         },
         [&](Index h) {
             const Index f = table_.facet(h);
-            Facet_record& r = facet_record_[at(f)];
-            for (std::size_t k = 0; k < r.point.size(); ++k) {
-                if (r.point[k] != v) continue;
+            const Facet_points<d> point = points_around(table_, f);
+            for (std::size_t k = 0; k < point.size(); ++k) {
+                if (point[k] != v) continue;
+                Expiry& e = expiries_.of_facet(f, table_.twin(f), k);
                 // Unequal moves infer the reference from the expiry, which they cannot once it has been cut off at 0.
-                if (look_ != Second_look::off && r.expiry[k].reading() < base) tolerance_[at(f)] = 0.0;
-                shift(r.expiry[k], id_of_facet(f));
+                if (look_ != Second_look::off && e.reading() < base) tolerance_[at(f)] = 0.0;
+                shift(e, id_of_facet(f));
             }
         });
 }

@@ -6,22 +6,14 @@
 
 namespace annulus {
 
-/// The expiry of v in a record, without branches: which point v is cannot be predicted. Never when it is none of them.
-template <std::size_t k>
-Expiry expiry_of(Index v, const std::array<Index, k>& point, const std::array<Expiry, k>& expiry) {
-    Expiry e = Expiry::never();
-    for (std::size_t i = 0; i < k; ++i) e = point[i] == v ? expiry[i] : e;
-    return e;
-}
-
 template <int d>
-void Filter<d>::look_at(Index id, Index v, double reading, List& list, std::span<const Coordinates<d>> x) {
-    const Index i = id >> 1;
-    if (id & 1) {
-        if (at(i) >= cell_record_.size() || !table_.is_cell(i)) return;
+void Filter<d>::look_at(Certificate_id id, Index v, double reading, List& list, std::span<const Coordinates<d>> x) {
+    const Index i = owner_of(id);
+    if (is_of_cell(id)) {
+        if (!expiries_.has(i) || !table_.is_cell(i)) return;
         const int slot = table_.slot(i, v);
         if (slot < 0) return;
-        const Expiry expiry = cell_record_[at(i)].expiry[static_cast<std::size_t>(slot)];
+        const Expiry expiry = expiries_.of_cell(table_.corner(i, slot));
         if (expiry.reached(reading)) {
             repair_.suspect_cell(i);
         } else {
@@ -29,19 +21,20 @@ void Filter<d>::look_at(Index id, Index v, double reading, List& list, std::span
         }
         return;
     }
-    const Facet_record& r = facet_record_[at(i)];
-    const Expiry expiry = expiry_of(v, r.point, r.expiry);
-    if (expiry == Expiry::never() || !table_.is_facet(i)) return;
+    if (!expiries_.has(table_.cell_of(i)) || !table_.is_facet(i)) return;
+    const Expiry expiry = expiries_.of_facet(table_, i, v);
+    if (expiry == Expiry::never()) return;
     if (!expiry.reached(reading)) {
         list.put(id, expiry);
     } else if (look_ != Second_look::off && second_look(i, x)) {
         const Renewal& renewal = renewals_.back();
         double until = 0.0;
-        for (std::size_t k = 0; k < r.point.size(); ++k)
-            if (r.point[k] == v) until = renewal.expiry[k];
+        const Facet_points<d> point = points_around(table_, i);
+        for (std::size_t k = 0; k < point.size(); ++k)
+            if (point[k] == v) until = renewal.expiry[k];
         list.put(id, Expiry::lower(look_ == Second_look::safe_region ? sum_lower(reading, until) : until));
     } else {
-        repair_.suspect_facet(i, kind_[at(i)], r.point);
+        repair_.suspect_facet(i);
     }
 }
 
@@ -57,26 +50,20 @@ void Filter<d>::tour(Index v, double reading, List& list, std::span<const Coordi
     for_each_certificate(
         table_, v,
         [&](Index h) {
-            const Cell_record& r = cell_record_[at(table_.cell_of(h))];
-            __builtin_prefetch(&r);
+            expiries_.prefetch(table_.cell_of(h));
             certificates_.push_back(2 * static_cast<std::uint32_t>(h) + 1);
         },
-        [&](Index h) {
-            const Index f = table_.facet(h);
-            const Facet_record& r = facet_record_[at(f)];
-            __builtin_prefetch(&r);
-            __builtin_prefetch(&r.point.back());
-            certificates_.push_back(2 * static_cast<std::uint32_t>(f));
-        });
+        [&](Index h) { certificates_.push_back(2 * static_cast<std::uint32_t>(h)); });
     for (const std::uint32_t k : certificates_) {
-        const Index i = static_cast<Index>(k >> 1);
-        Index id = id_of_facet(i);
+        const Index h = static_cast<Index>(k >> 1);
+        Certificate_id id = id_of_cell(table_.cell_of(h));
         Expiry expiry;
         if (k & 1) {
-            id = id_of_cell(table_.cell_of(i));
-            expiry = cell_record_[at(table_.cell_of(i))].expiry[static_cast<std::size_t>(table_.slot_of(i))];
+            expiry = expiries_.of_cell(h);
         } else {
-            expiry = expiry_of(v, facet_record_[at(i)].point, facet_record_[at(i)].expiry);
+            const Index f = table_.facet(h);
+            id = id_of_facet(f);
+            expiry = table_.vertex(h) == v ? expiries_.of_opposite(h) : expiries_.of_facet(table_, f, v);
         }
         if (expiry.reached(reading)) {
             look_at(id, v, reading, list, x);

@@ -63,7 +63,7 @@ void Filter<d>::end_timestamp(bool each, Move_report& report) {
 /// By a sample of facets: a certificate of tolerance s expires after s / max |u| steps.
 template <int d>
 double Filter<d>::outlook(Move_report& report) {
-    const Index stride = 1 + table_.facet_bound() / 512;
+    const Index stride = 1 + table_.facet_bound() / 1024;
     repair_.begin(position_, false);
     for (Index f = 0; f < table_.facet_bound(); f += stride)
         if (table_.is_facet(f)) repair_.suspect_facet(f);

@@ -180,8 +180,8 @@ bool Mender<d>::finish_locally() {
         if (table_.is_cell(c) && signs_.is_inverted(c)) seed(c);
     for (const Index f : violated) {
         if (!table_.is_facet(f) || !signs_.is_violated(f)) continue;
-        seed(table_.cell_of(table_.half(f)));
-        seed(table_.cell_of(table_.twin(table_.half(f))));
+        seed(table_.cell_of(f));
+        seed(table_.cell_of(table_.twin(f)));
     }
     signs_.inverted().clear();
     violated.clear();

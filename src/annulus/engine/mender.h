@@ -72,8 +72,8 @@ class Mender {
     [[nodiscard]] bool unfold(Index c);
     [[nodiscard]] bool hold_back(Index c);
     [[nodiscard]] bool flip_violated();
-    /// The flip that mends a violated facet, if there is one that leaves positive cells.
-    [[nodiscard]] bool flip(Index f);
+    /// The flip that mends a violated facet, of which h is a half, if there is one that leaves positive cells.
+    [[nodiscard]] bool flip(Index h);
     /// Whether anybody got nearer to the goal, or there.
     [[nodiscard]] bool go_on();
     [[nodiscard]] bool finish_locally();
@@ -103,11 +103,11 @@ class Mender {
 template <>
 bool Mender<2>::unfold(Index c);
 template <>
-bool Mender<2>::flip(Index f);
+bool Mender<2>::flip(Index h);
 template <>
 bool Mender<3>::unfold(Index c);
 template <>
-bool Mender<3>::flip(Index f);
+bool Mender<3>::flip(Index h);
 
 extern template class Mender<2>;
 extern template class Mender<3>;

@@ -17,8 +17,7 @@ std::array<Cell_points<2>, 2> flipped(const Cell_table<2>& t, Index h) {
 }  // namespace
 
 template <>
-bool Mender<2>::flip(Index f) {
-    const Index h = table_.half(f);
+bool Mender<2>::flip(Index h) {
     const std::array<Index, 2> cells{table_.cell_of(h), table_.cell_of(table_.twin(h))};
     if (table_.vertex(h) == table_.vertex(table_.twin(h))) return false;
     for (const Index k : {table_.ccw(h), table_.cw(h), table_.ccw(table_.twin(h)), table_.cw(table_.twin(h))}) {
@@ -37,7 +36,7 @@ template <>
 bool Mender<2>::unfold(Index c) {
     for (int i = 0; i <= 2; ++i) {
         const Index h = table_.corner(c, i);
-        if (table_.is_infinite(c) != table_.is_infinite(table_.cell_of(table_.twin(h))) && flip(table_.facet(h))) return true;
+        if (table_.is_infinite(c) != table_.is_infinite(table_.cell_of(table_.twin(h))) && flip(h)) return true;
     }
     return false;
 }

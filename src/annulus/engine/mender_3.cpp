@@ -11,8 +11,7 @@ namespace annulus {
 /// Of the two triangulations of five points one is locally Delaunay: 2-3 where the edge of the opposite vertices crosses the facet, 3-2
 /// where it passes by one side. Where four of the points are coplanar, 4-4 if the two edges cross.
 template <>
-bool Mender<3>::flip(Index f) {
-    const Index h = table_.half(f);
+bool Mender<3>::flip(Index h) {
     const Cell_points<3> x = facet_and_vertex(table_, h);
     const Index q = x[3];
     const Index p = table_.vertex(table_.twin(h));
@@ -66,7 +65,7 @@ bool Mender<3>::unfold(Index c) {
             alone = alone && (j == i || table_.is_infinite(n) || !signs_.is_inverted(n));
         }
         if (!alone) continue;
-        if (flip(table_.facet(h))) return true;
+        if (flip(h)) return true;
     }
     return false;
 }

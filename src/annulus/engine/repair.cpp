@@ -23,9 +23,7 @@ void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
     mender_.begin(x);
     forget();
     x_ = x;
-    const auto& t = embedding_.table();
-    grow(place_of_facet_, at(t.facet_bound()));
-    grow(place_of_cell_, at(t.cell_bound()));
+    grow(suspects_of_, at(embedding_.table().cell_bound()));
     disturbed_.clear();
     reinserted_.clear();
     changed_.clear();
@@ -37,8 +35,8 @@ void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
 template <int d>
 void Repair<d>::forget() {
     if (placed_) {
-        for (const auto& s : facets_) place_of_facet_[at(s.id)] = 0;
-        for (const auto& s : cells_) place_of_cell_[at(s.id)] = 0;
+        for (const auto& s : facets_) suspects_of_[at(Cell_table<d>::cell_of(s.id))] = 0;
+        for (const auto& s : cells_) suspects_of_[at(s.id)] = 0;
     }
     placed_ = true;
     facets_.clear();
@@ -49,30 +47,47 @@ template <int d>
 void Repair<d>::assign_places() {
     if (placed_) return;
     placed_ = true;
-    for (std::size_t i = 0; i < facets_.size(); ++i) place_of_facet_[at(facets_[i].id)] = static_cast<Index>(i + 1);
-    for (std::size_t i = 0; i < cells_.size(); ++i) place_of_cell_[at(cells_[i].id)] = static_cast<Index>(i + 1);
+    for (std::size_t i = 0; i < facets_.size(); ++i) enter(facets_[i], Cell_table<d>::cell_of(facets_[i].id), facet_place(i));
+    for (std::size_t i = 0; i < cells_.size(); ++i) enter(cells_[i], cells_[i].id, cell_place(i));
 }
 
-/// Where a facet or a cell is, or is put, among the suspects of its kind.
+/// Puts a suspect on the list of its cell.
 template <int d>
-template <class Suspects>
-typename Suspects::value_type& Repair<d>::suspected(Suspects& suspects, std::vector<Index>& places, Index id) {
+template <class S>
+void Repair<d>::enter(S& s, Index cell, Place place) {
+    s.next = suspects_of_[at(cell)];
+    suspects_of_[at(cell)] = place;
+}
+
+/// Where facet f is, or is put, among the suspects.
+template <int d>
+auto Repair<d>::suspected_facet(Index f) -> Facet_suspect& {
     assign_places();
-    if (at(id) >= places.size()) grow(places, at(id) + 1);
-    Index& place = places[at(id)];
-    if (place == 0) {
-        suspects.emplace_back();
-        place = static_cast<Index>(suspects.size());
-    }
-    return suspects[at(place - 1)];
+    const Index c = Cell_table<d>::cell_of(f);
+    if (at(c) >= suspects_of_.size()) grow(suspects_of_, at(c) + 1);
+    for (Place p = suspects_of_[at(c)]; p != 0; p = next(p))
+        if (is_facet_place(p) && facets_[place(p)].id == f) return facets_[place(p)];
+    facets_.emplace_back();
+    enter(facets_.back(), c, facet_place(facets_.size() - 1));
+    return facets_.back();
 }
 
-/// Facet f, seen from half-facet h.
 template <int d>
-void Repair<d>::describe(Facet_suspect& s, Index f, Index h) const {
+auto Repair<d>::suspected_cell(Index c) -> Cell_suspect& {
+    assign_places();
+    if (at(c) >= suspects_of_.size()) grow(suspects_of_, at(c) + 1);
+    for (Place p = suspects_of_[at(c)]; p != 0; p = next(p))
+        if (!is_facet_place(p)) return cells_[place(p)];
+    cells_.emplace_back();
+    enter(cells_.back(), c, cell_place(cells_.size() - 1));
+    return cells_.back();
+}
+
+template <int d>
+void Repair<d>::describe(Facet_suspect& s, Index f) const {
     s.id = f;
     s.stale = true;
-    const Facet_certificate<d> facet = facet_certificate(embedding_.table(), h, kind_ == Tolerance_kind::paper);
+    const Facet_certificate<d> facet = facet_certificate(embedding_.table(), f, kind_ == Tolerance_kind::paper);
     s.kind = facet.kind;
     s.point = facet.point;
 }
@@ -87,22 +102,13 @@ void Repair<d>::describe(Cell_suspect& s, Index c) const {
 }
 
 template <int d>
-void Repair<d>::suspect_facet(Index f, Facet_kind kind, const Facet_points<d>& points) {
-    Facet_suspect& s = suspected(facets_, place_of_facet_, f);
-    s.id = f;
-    s.stale = true;
-    s.point = points;
-    s.kind = kind;
-}
-
-template <int d>
 void Repair<d>::suspect_facet(Index f) {
-    describe(suspected(facets_, place_of_facet_, f), f, embedding_.table().half(f));
+    describe(suspected_facet(f), f);
 }
 
 template <int d>
 void Repair<d>::suspect_cell(Index c) {
-    describe(suspected(cells_, place_of_cell_, c), c);
+    describe(suspected_cell(c), c);
 }
 
 template <int d>
@@ -123,11 +129,11 @@ void Repair<d>::suspect_star(Index v) {
         t, v,
         [&](Index h) {
             const Index c = t.cell_of(h);
-            describe(alone ? cells_.emplace_back() : suspected(cells_, place_of_cell_, c), c);
+            describe(alone ? cells_.emplace_back() : suspected_cell(c), c);
         },
         [&](Index h) {
             const Index f = t.facet(h);
-            describe(alone ? facets_.emplace_back() : suspected(facets_, place_of_facet_, f), f, h);
+            describe(alone ? facets_.emplace_back() : suspected_facet(f), f);
         });
 }
 

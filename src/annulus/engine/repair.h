@@ -26,6 +26,7 @@ class Repair {
     template <class Points>
     struct Suspect {
         Index id = none;    ///< facet or cell
+        std::uint32_t next = 0;  ///< suspect of the same cell
         Points point{};     ///< its points, in the order of the determinant
         Facet_kind kind{};  ///< of a facet; a cell has `border` when it is infinite, else `empty_sphere`
         bool stale = true;  ///< verdict not computed for its present points
@@ -45,8 +46,6 @@ class Repair {
     void begin(std::span<const Coordinates<d>> x, bool many = true);
     void suspect_facet(Index f);
     void suspect_cell(Index c);
-    /// The same for a facet whose points and kind the caller has at hand.
-    void suspect_facet(Index f, Facet_kind kind, const Facet_points<d>& points);
 
     /// Every certificate of the triangulation, and every one that contains v.
     void suspect_everything();
@@ -106,9 +105,18 @@ class Repair {
     [[nodiscard]] Tolerance_kind kind() const { return kind_; }
 
   private:
-    template <class Suspects>
-    [[nodiscard]] typename Suspects::value_type& suspected(Suspects& suspects, std::vector<Index>& places, Index id);
-    void describe(Facet_suspect& s, Index f, Index h) const;
+    /// Where a suspect is: 1 + twice its place among facets, or 2 + twice that among cells. 0: nowhere.
+    using Place = std::uint32_t;
+    [[nodiscard]] static Place facet_place(std::size_t i) { return 2 * static_cast<Place>(i) + 1; }
+    [[nodiscard]] static Place cell_place(std::size_t i) { return 2 * static_cast<Place>(i) + 2; }
+    [[nodiscard]] static bool is_facet_place(Place p) { return (p & 1U) != 0; }
+    [[nodiscard]] static std::size_t place(Place p) { return (p - 1) / 2; }
+    [[nodiscard]] Place next(Place p) const { return is_facet_place(p) ? facets_[place(p)].next : cells_[place(p)].next; }
+    template <class S>
+    void enter(S& s, Index cell, Place place);
+    [[nodiscard]] Facet_suspect& suspected_facet(Index f);
+    [[nodiscard]] Cell_suspect& suspected_cell(Index c);
+    void describe(Facet_suspect& s, Index f) const;
     void describe(Cell_suspect& s, Index c) const;
     void assign_places();
     /// Filter stage; false when the next stage must be asked. Flattened: what is instantiated in other files too may come
@@ -146,8 +154,7 @@ class Repair {
     std::span<const Coordinates<d>> x_;
     std::vector<Facet_suspect> facets_;
     std::vector<Cell_suspect> cells_;
-    std::vector<Index> place_of_facet_;  // facet -> 1 + place in facets_, 0 when absent
-    std::vector<Index> place_of_cell_;
+    std::vector<Place> suspects_of_;  // by cell: the first of itself and its facets, which lead to the others
     bool placed_ = true;    // false: these are still to be filled in; a star has no certificate twice
     std::vector<Index> reinserted_;
     std::vector<Index> changed_;

@@ -20,7 +20,7 @@ bool Repair<d>::signs_hold(double most) {
     std::erase_if(signs.violated(), [&](Index f) { return affordable() && !signs.is_violated(f); });
     for (const Index c : signs.inverted())
         for (const Index v : cell_points(t, c)) disturbed_.push_back(v);
-    for (const Index f : signs.violated()) note_disturbed(facet_certificate(t, t.half(f), false).point);
+    for (const Index f : signs.violated()) note_disturbed(facet_certificate(t, f, false).point);
     count_signs();
     if (!signs.inverted().empty() || !signs.violated().empty()) return false;
     return !border_in_doubt() || border_winds_once(t, x_);

@@ -11,7 +11,7 @@ namespace annulus {
 template <int d>
 bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
     if constexpr (d == 2) {
-        if (kind_[at(f)] != Facet_kind::empty_sphere || !(tolerance_[at(f)] > 0.0)) return false;
+        if (facet_kind(table_, f) != Facet_kind::empty_sphere || !(tolerance_[at(f)] > 0.0)) return false;
         return look_ == Second_look::unequal_moves ? unequal_moves(f, x)
                : look_ == Second_look::safe_region ? safe_region(f, x)
                                                    : false;
@@ -25,16 +25,15 @@ bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
 template <int d>
 bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x) {
     if constexpr (d == 2) {
-        const Facet_record& r = facet_record_[at(f)];
-        Tuple<d, d + 2> points{};
-        for (std::size_t k = 0; k < r.point.size(); ++k) points[k] = &x[at(r.point[k])];
+        const Facet_points<d> point = points_around(table_, f);
+        const auto points = tuple<d, d + 2>(point, x);
         Renewal renewal{f, {}};
         std::array<double, static_cast<std::size_t>(d + 2)> room{};
         if (!safe_region_lower(delimiter_[at(f)], points, room)) return false;
         for (std::size_t k = 0; k < room.size(); ++k) {
             if (!(room[k] > 0.25 * tolerance_[at(f)])) return false;  // too little to live on until the next step
             renewal.expiry[k] = room[k];
-            const double now = reading(r.point[k], x[at(r.point[k])]);
+            const double now = reading(point[k], x[at(point[k])]);
             if (!(now < Expiry::lower(sum_lower(now, room[k])).reading())) return false;  // rounded away
         }
         renewals_.push_back(renewal);
@@ -50,27 +49,29 @@ bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x) {
 /// its next failure is an evaluation.
 template <int d>
 bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x) {
-    const Facet_record& r = facet_record_[at(f)];
+    const Facet_points<d> point = points_around(table_, f);
+    std::array<double, static_cast<std::size_t>(d + 2)> expiry{};
+    for (std::size_t k = 0; k < point.size(); ++k) expiry[k] = expiries_.of_facet(f, table_.twin(f), k).reading();
     const double tolerance = tolerance_[at(f)];
     std::array<double, 2> travelled{};
     Renewal renewal{f, {}};
-    for (std::size_t k = 0; k < r.point.size(); ++k) {
-        const std::size_t w = at(r.point[k]);
-        const double reading = this->reading(r.point[k], x[w]);
+    for (std::size_t k = 0; k < point.size(); ++k) {
+        const std::size_t w = at(point[k]);
+        const double reading = this->reading(point[k], x[w]);
         // expiry <= reference + tolerance, so this is at least reading - reference up to rounding, which is added.
-        const double expired = r.expiry[k].reading() - tolerance;
+        const double expired = expiry[k] - tolerance;
         const double way = (reading - expired) + (reading + tolerance) * 0x1p-50;
         double& side = travelled[k < static_cast<std::size_t>(d) ? 0 : 1];
         side = std::max(side, way);
     }
     const double rest = 2.0 * tolerance - (travelled[0] + travelled[1]) * (1.0 + 0x1p-50);
     if (!(rest > 0.25 * tolerance)) return false;  // too little to live on until the next step
-    for (std::size_t k = 0; k < r.point.size(); ++k) {
+    for (std::size_t k = 0; k < point.size(); ++k) {
         const double side = travelled[k < static_cast<std::size_t>(d) ? 0 : 1];
-        const double reference = r.expiry[k].reading() - tolerance;  // rounded: at most one unit above the reference
-        const double expiry = reference + (side + 0.5 * rest);
-        renewal.expiry[k] = expiry - expiry * 0x1p-50;
-        const double now = this->reading(r.point[k], x[at(r.point[k])]);
+        const double reference = expiry[k] - tolerance;  // rounded: at most one unit above the reference
+        const double until = reference + (side + 0.5 * rest);
+        renewal.expiry[k] = until - until * 0x1p-50;
+        const double now = this->reading(point[k], x[at(point[k])]);
         if (!(now < Expiry::lower(renewal.expiry[k]).reading())) return false;  // rounded away
     }
     renewals_.push_back(renewal);
@@ -80,10 +81,8 @@ bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x) {
 template <int d>
 void Filter<d>::keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x) {
     if constexpr (d == 2) {
-        if (at(f) >= delimiter_.size()) delimiter_.resize(facet_record_.size());
-        Tuple<d, d + 2> points{};
-        for (std::size_t k = 0; k < point.size(); ++k) points[k] = &x[at(point[k])];
-        delimiter_[at(f)] = standard_delimiter(points);
+        if (at(f) >= delimiter_.size()) delimiter_.resize(at(table_.facet_bound()));
+        delimiter_[at(f)] = standard_delimiter(tuple<d, d + 2>(point, x));
     }
 }
 

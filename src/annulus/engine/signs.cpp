@@ -95,22 +95,21 @@ template <int d>
 
 template <int d>
 bool Signs<d>::is_violated(Index f) {
-    const Index h = table_.half(f);
-    const Facet_kind kind = facet_kind(table_, h);
+    const Facet_kind kind = facet_kind(table_, f);
     if (kind == Facet_kind::border) return false;
     if (kind == Facet_kind::ridge) {
-        const auto x = tuple<d, d + 1>(facet_certificate(table_, h, false).point, x_);
+        const auto x = tuple<d, d + 1>(facet_certificate(table_, f, false).point, x_);
         const int clear = orientation_sign(x);
         if (clearly(clear)) return clear < 0;
         const int s = decided(exact_orientation_sign(x));
         return s != 0 ? s < 0 : !flat_ridge_holds(x);
     }
-    const int clear = sphere_sign(h);
+    const int clear = sphere_sign(f);
     if (clearly(clear)) return clear < 0;
-    const auto x = tuple<d, d + 2>(bicell_points(table_, h), x_);
+    const auto x = tuple<d, d + 2>(bicell_points(table_, f), x_);
     const int s = decided(exact_empty_sphere_sign(x));
     if (s != 0) return s < 0;
-    if (is_inverted(table_.cell_of(h)) || is_inverted(table_.cell_of(table_.twin(h)))) return false;  // they come first
+    if (is_inverted(table_.cell_of(f)) || is_inverted(table_.cell_of(table_.twin(f)))) return false;  // they come first
     return perturbed_sign(x) < 0;
 }
 

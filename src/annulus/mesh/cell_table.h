@@ -21,19 +21,21 @@ namespace annulus {
 ///
 /// Cell c has d + 1 corners h = 4c + i. Corner h carries a vertex and stands for the facet opposite to it, seen from c
 /// (a half-facet). `twin(h)` is the same facet seen from the other side, so `vertex(h)` and `vertex(twin(h))` are the
-/// opposite vertices of the bi-cell. Both half-facets carry the index of their facet. Cells are positively oriented
-/// as in CGAL, whose triangulation this mirrors corner by corner. All operations are O(1) unless they say otherwise.
+/// opposite vertices of the bi-cell. A facet has the index of the lesser of its two half-facets, which changes with its
+/// cells; nothing is stored of it. Cells are positively oriented as in CGAL, whose triangulation this mirrors corner by
+/// corner. All operations are O(1) unless they say otherwise.
 template <int d>
 class Cell_table {
   public:
     static constexpr Index stride = 4;  // also in 2D: corners are found by shifts, and a cell is one 16-byte line
 
-    /// The cells and facets that exist: indices below these bounds, holes among them.
+    /// The cells and facets that exist: indices below these bounds, holes among them (more than half of facets').
     [[nodiscard]] Index cell_bound() const { return static_cast<Index>(alive_.size()); }
-    [[nodiscard]] Index facet_bound() const { return static_cast<Index>(half_of_facet_.size()); }
+    [[nodiscard]] Index facet_bound() const { return static_cast<Index>(twin_.size()); }
     [[nodiscard]] Index vertex_bound() const { return static_cast<Index>(corner_of_vertex_.size()); }
     [[nodiscard]] bool is_cell(Index c) const { return alive_[at(c)] != 0; }
-    [[nodiscard]] bool is_facet(Index f) const { return half_of_facet_[at(f)] != none; }
+    /// That f is the index of a facet: a half-facet of a cell that exists, and the lesser of the two.
+    [[nodiscard]] bool is_facet(Index f) const { return slot_of(f) <= d && is_cell(cell_of(f)) && f < twin(f); }
 
     [[nodiscard]] static constexpr Index cell_of(Index h) { return h >> 2; }
     [[nodiscard]] static constexpr int slot_of(Index h) { return static_cast<int>(h & 3); }
@@ -41,9 +43,8 @@ class Cell_table {
 
     [[nodiscard]] Index vertex(Index h) const { return vertex_[at(h)]; }
     [[nodiscard]] Index twin(Index h) const { return twin_[at(h)]; }
-    [[nodiscard]] Index facet(Index h) const { return facet_[at(h)]; }
-    /// One of the two half-facets of facet f.
-    [[nodiscard]] Index half(Index f) const { return half_of_facet_[at(f)]; }
+    /// The facet that h is a half of.
+    [[nodiscard]] Index facet(Index h) const { return std::min(h, twin(h)); }
     /// A corner whose vertex is v; `none` for a vertex that is not in the triangulation.
     [[nodiscard]] Index corner_of(Index v) const { return corner_of_vertex_[at(v)]; }
 
@@ -119,9 +120,11 @@ class Cell_table {
         note_corner(v, h);
     }
     void set_absent(Index v) { corner_of_vertex_[at(v)] = none; }
-    /// Makes h and t the two sides of facet f; of a new facet when f is `none`. Returns the facet.
-    Index glue(Index h, Index t, Index f = none);
-    void free_facet(Index f);
+    /// Makes h and t the two sides of a facet.
+    void glue(Index h, Index t) {
+        twin_[at(h)] = t;
+        twin_[at(t)] = h;
+    }
 
     /// 2D: replaces the edge opposite to corner h by the other diagonal of its bi-cell, corner for corner as CGAL's
     /// `flip(face, i)` does. Precondition: the opposite vertices are not adjacent.
@@ -147,23 +150,17 @@ class Cell_table {
     Index corner_of_infinity_ = none;
     std::vector<Index> vertex_;            // by corner
     std::vector<Index> twin_;              // by corner
-    std::vector<Index> facet_;             // by corner
     std::vector<char> alive_;              // by cell
-    std::vector<Index> half_of_facet_;     // by facet
     std::vector<Index> corner_of_vertex_;  // by vertex
     std::vector<Index> free_cells_;
-    std::vector<Index> free_facets_;
 };
 
 template <int d>
 void Cell_table<d>::clear(std::size_t vertices) {
     vertex_.clear();
     twin_.clear();
-    facet_.clear();
     alive_.clear();
-    half_of_facet_.clear();
     free_cells_.clear();
-    free_facets_.clear();
     corner_of_vertex_.assign(vertices, none);
 }
 
@@ -173,9 +170,7 @@ void Cell_table<d>::clear(std::size_t vertices, std::size_t cells) {
     clear(vertices);
     vertex_.assign(4 * cells, none);
     twin_.assign(4 * cells, none);
-    facet_.assign(4 * cells, none);
     alive_.assign(cells, 1);
-    half_of_facet_.reserve((d + 1) * cells / 2);
 }
 
 template <int d>
@@ -190,7 +185,6 @@ Index Cell_table<d>::new_cell() {
         grow(alive_, alive_.size() + 1);
         grow(vertex_, vertex_.size() + 4, none);
         grow(twin_, twin_.size() + 4, none);
-        grow(facet_, facet_.size() + 4, none);
     }
     alive_[at(c)] = 1;
     return c;
@@ -203,46 +197,18 @@ void Cell_table<d>::free_cell(Index c) {
 }
 
 template <int d>
-Index Cell_table<d>::glue(Index h, Index t, Index f) {
-    if (f == none) {
-        if (!free_facets_.empty()) {
-            f = free_facets_.back();
-            free_facets_.pop_back();
-        } else {
-            f = facet_bound();
-            grow(half_of_facet_, half_of_facet_.size() + 1, none);
-        }
-    }
-    twin_[at(h)] = t;
-    twin_[at(t)] = h;
-    facet_[at(h)] = f;
-    facet_[at(t)] = f;
-    half_of_facet_[at(f)] = h;
-    return f;
-}
-
-template <int d>
-void Cell_table<d>::free_facet(Index f) {
-    half_of_facet_[at(f)] = none;
-    free_facets_.push_back(f);
-}
-
-template <int d>
 void Cell_table<d>::flip(Index h) requires(d == 2) {
     const Index t = twin(h);
     const Index a = vertex(ccw(h));
     const Index b = vertex(cw(h));
-    const Index diagonal = facet(h);
     const Index h_side = twin(ccw(h));  // across the edge b p
     const Index t_side = twin(ccw(t));  // across the edge a q
-    const Index h_facet = facet(ccw(h));
-    const Index t_facet = facet(ccw(t));
     // (p, a, b) becomes (p, a, q); (q, b, a) becomes (q, b, p).
     vertex_[at(cw(h))] = vertex(t);
     vertex_[at(cw(t))] = vertex(h);
-    glue(h, t_side, t_facet);
-    glue(t, h_side, h_facet);
-    glue(ccw(h), ccw(t), diagonal);
+    glue(h, t_side);
+    glue(t, h_side);
+    glue(ccw(h), ccw(t));
     note_corner(a, ccw(h));
     note_corner(b, ccw(t));
     note_corner(vertex(h), h);

@@ -13,12 +13,11 @@ template <int d>
 struct Side {
     std::array<Index, static_cast<std::size_t>(d)> vertices;  // sorted
     Index half;                                               // outside the region, or in a fresh cell
-    Index facet;                                              // of a border; `none` within the region
 };
 
 template <int d>
-Side<d> side(const Cell_points<d>& x, std::size_t slot, Index half, Index facet) {
-    Side<d> s{{}, half, facet};
+Side<d> side(const Cell_points<d>& x, std::size_t slot, Index half) {
+    Side<d> s{{}, half};
     for (std::size_t k = 0, n = 0; k < x.size(); ++k)
         if (k != slot) s.vertices[n++] = x[k];
     std::sort(s.vertices.begin(), s.vertices.end());
@@ -37,11 +36,8 @@ void replace_cells(Cell_table<d>& t, std::span<const Index> old, std::span<const
         for (int i = 0; i <= d; ++i) {
             const Index h = t.corner(c, i);
             const Index twin = t.twin(h);
-            if (!std::binary_search(gone.begin(), gone.end(), t.cell_of(twin))) {
-                sides.push_back(side<d>(cell_points(t, c), static_cast<std::size_t>(i), twin, t.facet(h)));
-            } else if (h < twin) {
-                t.free_facet(t.facet(h));
-            }
+            if (!std::binary_search(gone.begin(), gone.end(), t.cell_of(twin)))
+                sides.push_back(side<d>(cell_points(t, c), static_cast<std::size_t>(i), twin));
         }
     for (const Index c : gone) t.free_cell(c);
     for (const Cell_points<d>& x : fresh) {
@@ -50,14 +46,14 @@ void replace_cells(Cell_table<d>& t, std::span<const Index> old, std::span<const
         for (std::size_t i = 0; i < x.size(); ++i) {
             const Index h = t.corner(c, static_cast<int>(i));
             t.set_vertex(h, x[i]);
-            sides.push_back(side<d>(x, i, h, none));
+            sides.push_back(side<d>(x, i, h));
         }
     }
-    // A border before what is glued to it; each occurs twice.
-    std::stable_sort(sides.begin(), sides.end(), [](const Side<d>& l, const Side<d>& r) { return l.vertices < r.vertices; });
+    // Each occurs twice.
+    std::sort(sides.begin(), sides.end(), [](const Side<d>& l, const Side<d>& r) { return l.vertices < r.vertices; });
     for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
         assert(sides[i].vertices == sides[i + 1].vertices);
-        t.glue(sides[i].half, sides[i + 1].half, sides[i].facet);
+        t.glue(sides[i].half, sides[i + 1].half);
     }
 }
 

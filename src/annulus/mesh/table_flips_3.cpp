@@ -9,16 +9,8 @@ namespace annulus {
 
 namespace {
 
-/// What lies beyond a cell that goes: the half-facet there, and the index of the facet.
-struct Beyond {
-    Index half;
-    Index facet;
-};
-
-Beyond beyond(const Cell_table<3>& t, Index c, Index v) {
-    const Index h = t.corner(c, t.slot(c, v));
-    return {t.twin(h), t.facet(h)};
-}
+/// The half-facet beyond a cell that goes, opposite to its vertex v.
+Index beyond(const Cell_table<3>& t, Index c, Index v) { return t.twin(t.corner(c, t.slot(c, v))); }
 
 void fill(Cell_table<3>& t, Index c, const Cell_points<3>& x) {
     for (int i = 0; i <= 3; ++i) t.set_vertex(t.corner(c, i), x[static_cast<std::size_t>(i)]);
@@ -33,22 +25,20 @@ bool flip_facet(Cell_table<3>& t, Index h, std::array<Index, 3>& made) {
     const Index cell_q = t.cell_of(h);
     const Index cell_p = t.cell_of(t.twin(h));
     if (p == q) return false;
-    std::array<Beyond, 3> at_q{};  // opposite to x[i]
-    std::array<Beyond, 3> at_p{};
-    const auto goes = [&](const Beyond& b) { return t.cell_of(b.half) == cell_q || t.cell_of(b.half) == cell_p; };
+    std::array<Index, 3> at_q{};  // opposite to x[i]
+    std::array<Index, 3> at_p{};
+    const auto goes = [&](Index b) { return t.cell_of(b) == cell_q || t.cell_of(b) == cell_p; };
     for (std::size_t i = 0; i < 3; ++i) {
         at_q[i] = beyond(t, cell_q, x[i]);
         at_p[i] = beyond(t, cell_p, x[i]);
         if (goes(at_q[i]) || goes(at_p[i])) return false;
     }
-    const Index facet = t.facet(h);
     made = {cell_q, cell_p, t.new_cell()};
-    t.free_facet(facet);
     for (std::size_t i = 0; i < 3; ++i) fill(t, made[i], {x[i], x[(i + 1) % 3], p, q});
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t off = (i + 2) % 3;
-        t.glue(t.corner(made[i], 2), at_q[off].half, at_q[off].facet);
-        t.glue(t.corner(made[i], 3), at_p[off].half, at_p[off].facet);
+        t.glue(t.corner(made[i], 2), at_q[off]);
+        t.glue(t.corner(made[i], 3), at_p[off]);
         t.glue(t.corner(made[i], 0), t.corner(made[(i + 1) % 3], 1));
     }
     return true;
@@ -61,19 +51,18 @@ bool flip_edge(Cell_table<3>& t, Index h, Index k, std::array<Index, 3>& made) {
     const Index p = t.vertex(t.twin(h));
     const Index one = t.cell_of(h);
     const Index other = t.cell_of(t.twin(h));
-    const Index over_one = beyond(t, one, c).half;
+    const Index over_one = beyond(t, one, c);
     const Index third = t.cell_of(over_one);
     if (p == q || third == one || third == other || t.vertex(over_one) != p) return false;
-    if (t.cell_of(beyond(t, other, c).half) != third || beyond(t, third, q).half != t.corner(other, t.slot(other, c)))
+    if (t.cell_of(beyond(t, other, c)) != third || beyond(t, third, q) != t.corner(other, t.slot(other, c)))
         return false;
-    const std::array<Beyond, 3> at_a{beyond(t, one, a), beyond(t, third, a), beyond(t, other, a)};
-    const std::array<Beyond, 3> at_b{beyond(t, one, b), beyond(t, third, b), beyond(t, other, b)};
-    const auto goes = [&](const Beyond& out) {
-        const Index n = t.cell_of(out.half);
+    const std::array<Index, 3> at_a{beyond(t, one, a), beyond(t, third, a), beyond(t, other, a)};
+    const std::array<Index, 3> at_b{beyond(t, one, b), beyond(t, third, b), beyond(t, other, b)};
+    const auto goes = [&](Index out) {
+        const Index n = t.cell_of(out);
         return n == one || n == other || n == third;
     };
     if (std::any_of(at_a.begin(), at_a.end(), goes) || std::any_of(at_b.begin(), at_b.end(), goes)) return false;
-    for (const Index f : {t.facet(h), t.facet(over_one), beyond(t, other, c).facet}) t.free_facet(f);
     t.free_cell(third);
     made = {one, other, third};
     fill(t, one, {c, q, p, b});
@@ -81,8 +70,8 @@ bool flip_edge(Cell_table<3>& t, Index h, Index k, std::array<Index, 3>& made) {
     constexpr std::array<int, 3> in_one{2, 0, 1};
     constexpr std::array<int, 3> in_other{2, 1, 0};
     for (std::size_t i = 0; i < 3; ++i) {
-        t.glue(t.corner(one, in_one[i]), at_a[i].half, at_a[i].facet);
-        t.glue(t.corner(other, in_other[i]), at_b[i].half, at_b[i].facet);
+        t.glue(t.corner(one, in_one[i]), at_a[i]);
+        t.glue(t.corner(other, in_other[i]), at_b[i]);
     }
     t.glue(t.corner(one, 3), t.corner(other, 3));
     return true;
@@ -95,17 +84,17 @@ std::optional<Flip_4_4> flip_4_4(const Cell_table<3>& t, Index h, Index k) {
     const Index p = t.vertex(t.twin(h));
     const Index cell_q = t.cell_of(h);
     const Index cell_p = t.cell_of(t.twin(h));
-    const Index over_q = beyond(t, cell_q, c).half;
-    const Index over_p = beyond(t, cell_p, c).half;
+    const Index over_q = beyond(t, cell_q, c);
+    const Index over_p = beyond(t, cell_p, c);
     const Index r = t.vertex(over_q);
     const Index one = t.cell_of(over_q);
     const Index other = t.cell_of(over_p);
     if (r != t.vertex(over_p) || one == cell_p || one == other || other == cell_q || r == c || p == q) return std::nullopt;
-    if (t.cell_of(beyond(t, one, q).half) != other) return std::nullopt;
+    if (t.cell_of(beyond(t, one, q)) != other) return std::nullopt;
     const std::array<Index, 4> gone{cell_q, cell_p, one, other};
     for (const Index cell : gone)
         for (const Index v : {u, w})
-            if (std::find(gone.begin(), gone.end(), t.cell_of(beyond(t, cell, v).half)) != gone.end()) return std::nullopt;
+            if (std::find(gone.begin(), gone.end(), t.cell_of(beyond(t, cell, v))) != gone.end()) return std::nullopt;
     return Flip_4_4{gone,
                     {Cell_points<3>{w, c, p, q}, Cell_points<3>{c, u, p, q}, Cell_points<3>{r, w, p, q}, Cell_points<3>{u, r, p, q}}};
 }

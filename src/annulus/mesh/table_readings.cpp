@@ -80,7 +80,7 @@ Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
         if (t.is_cell(c) && !t.is_infinite(c)) lower(cell_points(t, c), cell_verdict(places<d>(x, cell_points(t, c))).tolerance);
     for (Index i = 0; i < t.facet_bound(); ++i) {
         if (!t.is_facet(i)) continue;
-        const Facet_certificate<d> f = facet_certificate(t, t.half(i), false);
+        const Facet_certificate<d> f = facet_certificate(t, i, false);
         if (f.kind == Facet_kind::border) continue;
         const auto y = places<d>(x, f.point);
         lower(f.point, facet_verdict(f.kind, y).tolerance);

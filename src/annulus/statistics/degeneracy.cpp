@@ -147,7 +147,7 @@ class Survey {
         Batch<Simplex> border;
         for (Index f = 0; f < t_.facet_bound(); ++f) {
             if (!t_.is_facet(f)) continue;
-            const Index h = t_.half(f);
+            const Index h = f;
             switch (facet_kind(t_, h)) {
                 case Facet_kind::empty_sphere: append(bicells, bicell_points(t_, h), f); break;
                 case Facet_kind::ridge: append(ridges, ridge_vertex_last(t_, h, ridge_points(t_, h)), f); break;

@@ -16,7 +16,7 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 template <int d>
 Facet_certificate<d> certificate_of(const Cell_table<d>& t, Index f) {
-    return facet_certificate(t, t.half(f), true);
+    return facet_certificate(t, f, true);
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/expiry.h>
+#include <annulus/mesh/certificates.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace annulus {
+
+/// A certificate in an expiry list: of a facet or of a cell, in one numbering.
+using Certificate_id = std::uint32_t;
+[[nodiscard]] constexpr Certificate_id id_of_facet(Index f) { return 2 * static_cast<Certificate_id>(f); }
+[[nodiscard]] constexpr Certificate_id id_of_cell(Index c) { return 2 * static_cast<Certificate_id>(c) + 1; }
+[[nodiscard]] constexpr bool is_of_cell(Certificate_id id) { return (id & 1U) != 0; }
+/// The facet or the cell.
+[[nodiscard]] constexpr Index owner_of(Certificate_id id) { return static_cast<Index>(id >> 1); }
+
+/// The vertices of facet f, then those opposite to it from its twin and from itself; `infinite` among them where the certificate is no empty sphere.
+template <int d>
+[[nodiscard]] Facet_points<d> points_around(const Cell_table<d>& t, Index f) {
+    return bicell_points(t, f);
+}
+
+/// At which readings certificates expire, each of its points: the truth, of which expiry lists hold hints.
+///
+/// Everything is kept at the corners of the cells, nothing by facet, so that what a vertex has to look at on a tour is in its own
+/// cells: one cache line each in space. The certificate of facet f has the d + 2 points that points_around() gives at most: the d
+/// of the facet, of which the first d - 1 are kept at f and the last at its twin, then vertex(twin(f)), kept at the twin, and
+/// vertex(f), kept at f. 64 bytes a cell in space, 36 in the plane. What is kept of a cell or a facet that changes is to be written
+/// anew, as its certificate is to be evaluated anew.
+template <int d>
+class Certificate_expiries {
+  public:
+    /// Room for this many cells; what is new never expires.
+    void resize(Index cells) { grow(corner_, static_cast<std::size_t>(cells)); }
+    void free() noexcept { release(corner_); }
+    [[nodiscard]] bool has(Index cell) const { return static_cast<std::size_t>(cell) < corner_.size(); }
+
+    /// Of the certificate of the cell of corner h, for its vertex.
+    [[nodiscard]] Expiry& of_cell(Index h) { return at(h).cell; }
+    [[nodiscard]] const Expiry& of_cell(Index h) const { return at(h).cell; }
+    /// Of the certificate of the facet opposite to corner h, for its vertex.
+    [[nodiscard]] Expiry& of_opposite(Index h) { return at(h).opposite; }
+    [[nodiscard]] const Expiry& of_opposite(Index h) const { return at(h).opposite; }
+    /// Of the certificate of facet f for the k-th of points_around(f).
+    [[nodiscard]] Expiry& of_facet(Index f, Index twin, std::size_t k) {
+        if (k < d - 1) return at(f).own[k];
+        return k == d - 1 ? at(twin).own[0] : of_opposite(k == d ? twin : f);
+    }
+    [[nodiscard]] const Expiry& of_facet(Index f, Index twin, std::size_t k) const {
+        return const_cast<Certificate_expiries&>(*this).of_facet(f, twin, k);
+    }
+    /// The same for point v, without branches: which it is cannot be predicted. Never when it is none of them.
+    [[nodiscard]] Expiry of_facet(const Cell_table<d>& t, Index f, Index v) const {
+        const Index twin = t.twin(f);
+        const Facet_points<d> point = points_around(t, f);
+        Expiry e = Expiry::never();
+        for (std::size_t k = 0; k < point.size(); ++k) e = point[k] == v ? of_facet(f, twin, k) : e;
+        return e;
+    }
+    void prefetch(Index cell) const { __builtin_prefetch(&corner_[static_cast<std::size_t>(cell)]); }
+
+  private:
+    struct Corner {
+        Expiry cell = Expiry::never();
+        Expiry opposite = Expiry::never();
+        std::array<Expiry, d - 1> own = [] {
+            std::array<Expiry, d - 1> e{};
+            e.fill(Expiry::never());
+            return e;
+        }();
+    };
+    struct alignas(d == 3 ? 64 : 4) Cell {
+        std::array<Corner, d + 1> corner;
+    };
+    static_assert(sizeof(Cell) == (d == 3 ? 64 : 36));
+
+    [[nodiscard]] Corner& at(Index h) {
+        return corner_[static_cast<std::size_t>(h >> 2)].corner[static_cast<std::size_t>(Cell_table<d>::slot_of(h))];
+    }
+    [[nodiscard]] const Corner& at(Index h) const { return const_cast<Certificate_expiries&>(*this).at(h); }
+
+    std::vector<Cell> corner_;
+};
+
+}  // namespace annulus
