@@ -37,20 +37,20 @@ TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not na
     REQUIRE(rc::check([](const Seed& seed) {
         Random random = seed.random();
         Expiry_list<capacity> list;
-        std::map<Index, Expiry> truth;  // every certificate of the vertex
+        std::map<std::uint32_t, Expiry> truth;  // every certificate of the vertex
         double reading = 0.0;
         const auto some_expiry = [&] {  // ties are frequent
             return random() % 16 == 0 ? Expiry::never()
                                       : Expiry::lower(reading + static_cast<double>(random() % 32) / 4);
         };
-        const Index certificates = 1 + static_cast<Index>(random() % 40);
+        const std::uint32_t certificates = 1 + static_cast<std::uint32_t>(random() % 40);
         int dry = 0;
         for (int step = 0; step < 200; ++step) {
             if (truth.size() < static_cast<std::size_t>(certificates) && random() % 2 == 0) {
-                const auto id = static_cast<Index>(truth.size());
+                const auto id = static_cast<std::uint32_t>(truth.size());
                 list.put_new(id, truth[id] = some_expiry());
             } else if (!truth.empty()) {
-                const auto id = static_cast<Index>(random() % truth.size());
+                const auto id = static_cast<std::uint32_t>(random() % truth.size());
                 list.put(id, truth[id] = some_expiry());
             }
             Expiry first = Expiry::never();
@@ -58,12 +58,12 @@ TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not na
             RC_ASSERT(!(first < list.earliest()));
             if (random() % 3 != 0) continue;
             reading += static_cast<double>(random() % 8) / 8;
-            std::set<Index> taken;
-            list.take_reached(reading, [&](Index id) { RC_ASSERT(taken.insert(id).second); });
+            std::set<std::uint32_t> taken;
+            list.take_reached(reading, [&](std::uint32_t id) { RC_ASSERT(taken.insert(id).second); });
             const bool enough = !list.rest().reached(reading);
             if (enough)
                 for (const auto& [id, e] : truth) RC_ASSERT(!e.reached(reading) || taken.count(id) == 1);
-            for (const Index id : taken)  // evaluated anew, or not expired by its own record
+            for (const std::uint32_t id : taken)  // evaluated anew, or not expired by its own record
                 list.put(id, truth[id] = truth[id].reached(reading)
                                              ? Expiry::lower(reading + 1.0 + static_cast<double>(random() % 8))
                                              : truth[id]);
@@ -71,7 +71,7 @@ TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not na
                 ++dry;
                 list.clear();
                 std::vector<Expiry> expiry;
-                std::vector<Index> ids;
+                std::vector<std::uint32_t> ids;
                 for (auto& [id, e] : truth) {
                     if (e.reached(reading)) e = Expiry::lower(reading + 1.0);
                     expiry.push_back(e);
@@ -89,19 +89,19 @@ TEST_CASE("Many certificates at once: those listed come first, the others announ
         Random random = seed.random();
         Expiry_list<14> list;
         std::vector<Expiry> expiry;
-        std::vector<Index> id;
+        std::vector<std::uint32_t> id;
         const double base = std::ldexp(1.0, static_cast<int>(random() % 40) - 20);
         const bool ties = random() % 4 == 0;
         for (std::uint64_t n = random() % 200; n > 0; --n) {
-            id.push_back(static_cast<Index>(id.size()));
+            id.push_back(static_cast<std::uint32_t>(id.size()));
             const double way = ties ? static_cast<double>(random() % 3) : static_cast<double>(random() >> 11) * 0x1p-53;
             expiry.push_back(random() % 16 == 0 ? Expiry::never() : Expiry::lower(base + way));
         }
         list.put_new(expiry, id);
         RC_ASSERT(list.earliest() ==
                   (expiry.empty() ? Expiry::never() : *std::min_element(expiry.begin(), expiry.end())));
-        std::set<Index> listed;
-        list.take_reached(1e300, [&](Index i) { listed.insert(i); });
+        std::set<std::uint32_t> listed;
+        list.take_reached(1e300, [&](std::uint32_t i) { listed.insert(i); });
         for (std::size_t i = 0; i < id.size(); ++i) RC_ASSERT(listed.contains(id[i]) || !(expiry[i] < list.rest()));
         // Half of the list at least, unless there is no bound between equal ones.
         std::erase(expiry, Expiry::never());
@@ -115,16 +115,16 @@ TEST_CASE("Many certificates at once: those listed come first, the others announ
 
 TEST_CASE("A list of expiries names the six that come first", "[relocation]") {
     Expiry_list<6> list;
-    for (Index id = 0; id < 10; ++id) list.put_new(id, Expiry::lower(20.0 - id));
+    for (std::uint32_t id = 0; id < 10; ++id) list.put_new(id, Expiry::lower(20.0 - id));
     CHECK(list.earliest() == Expiry::lower(11.0));
     CHECK(list.latest() == Expiry::lower(16.0));
     CHECK(list.rest() == Expiry::lower(17.0));
     list.put(9, Expiry::lower(30.0));
     CHECK(list.earliest() == Expiry::lower(12.0));
-    std::vector<Index> taken;
-    list.take_reached(13.5, [&](Index id) { taken.push_back(id); });
-    CHECK(taken == std::vector<Index>{8, 7});
+    std::vector<std::uint32_t> taken;
+    list.take_reached(13.5, [&](std::uint32_t id) { taken.push_back(id); });
+    CHECK(taken == std::vector<std::uint32_t>{8, 7});
     list.clear();
     CHECK(list.earliest() == Expiry::never());
-    list.take_reached(1e300, [&](Index) { FAIL("nothing is listed"); });
+    list.take_reached(1e300, [&](std::uint32_t) { FAIL("nothing is listed"); });
 }
