@@ -3,6 +3,7 @@
 #include <annulus/certificate/ladder.h>
 #include <annulus/cgal/embedding_3.h>
 #include <annulus/mesh/replace_cells.h>
+#include <annulus/mesh/distinct_facets.h>
 #include <annulus/mesh/table_flips_3.h>
 
 #include <support/session_3.h>
@@ -234,4 +235,36 @@ TEST_CASE("The corners of a ridge and of a bi-cell are in the order that the cer
         }
     }
     CHECK(ridges > 10);
+}
+
+TEST_CASE("A flip to an edge that is there already, and makes a facet twice, is found out", "[flips][space]") {
+    Random random(31);
+    int doubled = 0;
+    for (int k = 0; k < 40; ++k) {
+        Embedding_3 e;
+        e.build(point_set(Set_3::uniform, 9, random));
+        e.mirror();
+        auto& t = static_cast<Embedding<3>&>(e).table();
+        for (int flips = 0; flips < 6; ++flips) {
+            const auto h = static_cast<Index>(random() % static_cast<std::uint64_t>(t.facet_bound()));
+            std::array<Index, 3> made{};
+            if (!t.is_cell(t.cell_of(h)) || !flip_facet(t, h, made)) continue;
+            std::set<std::array<Index, 3>> facets;
+            std::size_t count = 0;
+            for (Index f = 0; f < t.facet_bound(); ++f) {
+                if (!t.is_facet(f)) continue;
+                const Facet_points<3> x = bicell_points(t, f);
+                std::array<Index, 3> own{x[0], x[1], x[2]};
+                std::sort(own.begin(), own.end());
+                facets.insert(own);
+                ++count;
+            }
+            const bool distinct = facets.size() == count;
+            CHECK(facets_are_distinct_around<3>(t, made) == distinct);
+            if (distinct) continue;
+            ++doubled;
+            break;
+        }
+    }
+    CHECK(doubled > 3);
 }

@@ -187,13 +187,13 @@ class Nodt(tool.ToolTest):
 
     def test_compare_strategies_that_disagree(self):
         """The paper's tolerances let twelve vertices keep cells that are wrong at step 3, and are right again at step 12."""
-        for steps, audit, agree, failed in (("3", "0", False, 0), ("12", "1", True, 1)):
+        for steps, audit, agree in (("3", "0", False), ("12", "1", True)):
             done = self.run_tool("compare", "--strategies", "rebuild,filter:paper", "--seed", "90", "--output", "out", "--",
                                  "nodt", "--sphere", "--vertices", "12", "--iterations", steps, "--audit", audit)
             self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
             written = json.loads((self.here / "out" / "compare.json").read_text(encoding="utf-8"))
             self.assertEqual(written["agree"], agree)
-            self.assertEqual(written["strategies"]["filter:paper"]["audit"]["failed"], failed)
+            self.assertEqual(written["strategies"]["filter:paper"]["audit"]["failed"] > 0, agree)
             self.assertEqual("filter:paper ends with other cells than rebuild" in done.stdout, not agree)
 
     def test_compare(self):

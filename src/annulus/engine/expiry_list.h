@@ -22,7 +22,7 @@ namespace annulus {
 /// Entries are kept sorted without branches: where one belongs is as good as random, and a wrong guess costs more than
 /// all of the moves.
 template <std::size_t capacity>
-class alignas(64) Expiry_list {  // whole cache lines
+class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one and a half
   public:
     /// No certificate at all.
     void clear() {
@@ -116,6 +116,6 @@ class alignas(64) Expiry_list {  // whole cache lines
     }();
 };
 static_assert(sizeof(Expiry_list<Wide_horizons::listed(2)>) == 64 &&
-              sizeof(Expiry_list<Wide_horizons::listed(3)>) == 128);
+              sizeof(Expiry_list<Wide_horizons::listed(3)>) == 96);
 
 }  // namespace annulus

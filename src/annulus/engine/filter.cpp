@@ -6,7 +6,6 @@
 #include <annulus/arithmetic/error.h>
 
 #include <algorithm>
-#include <experimental/simd>
 
 namespace annulus {
 
@@ -62,58 +61,12 @@ void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) 
     }
 }
 
-/// The one pass over all vertices. False, with `failed_` unspecified, when a coordinate is outside the domain (or is none at
-/// all), be it at a vacant index.
-template <int d>
-bool Filter<d>::find_failed(std::span<const Coordinates<d>> x) {
-    using Vector = std::experimental::fixed_size_simd<double, d>;
-    constexpr std::experimental::element_aligned_tag elements;
-    failed_.clear();
-    const Vertex_record<d>* const record = vertex_.data();
-    Vector farthest(0.0);  // by coordinate; may miss what is no number, which fails below
-    bool near = true;
-    if (tracks_) {
-        for (std::size_t v = 0; v < x.size(); ++v) {
-            const Vertex_record<d>& r = record[v];
-            const Vector p(x[v].data(), elements);
-            farthest = max(farthest, abs(p));
-            const Vector fixed(r.fixed.data(), elements);
-            const Vector off = (p - fixed) * (p - fixed);
-            double squares = off[0];
-            for (std::size_t k = 1; k < static_cast<std::size_t>(d); ++k) squares += off[k];
-            if (squares < r.threshold.value()) [[likely]]
-                continue;
-            near &= within(x[v], coordinate_limit);
-            if (x[v] == r.fixed || table_.corner_of(static_cast<Index>(v)) == none) continue;
-            failed_.push_back(static_cast<Index>(v));
-        }
-    } else {
-        for (std::size_t v = 0; v < x.size(); ++v) {
-            near &= within(x[v], coordinate_limit);
-            if (x[v] != position_[v] && table_.corner_of(static_cast<Index>(v)) != none)
-                failed_.push_back(static_cast<Index>(v));
-        }
-    }
-    return near && all_of(farthest <= coordinate_limit);
-}
-
-/// What stands at a vacant index does not count.
-template <int d>
-void Filter<d>::require_domain(std::span<const Coordinates<d>> x) const {
-    for (std::size_t v = 0; v < x.size(); ++v)
-        if (lives(v)) require_in_domain(x[v]);
-}
-
 template <int d>
 void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
     if (!embedding_.mirrored()) {
         require_domain(x);
         rebuild_all(x, next_is_mended(x), report);
         return;
-    }
-    if (settles_next_) {
-        require_domain(x);
-        settle_if_it_pays(report);
     }
     if (!find_failed(x)) require_domain(x);
     const bool everything = !tracks_ || too_dear() || too_many_failed();
@@ -132,7 +85,9 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
             throw;
         }
     }
-    if (embedding_.mirrored()) end_timestamp(false, report);
+    if (!embedding_.mirrored()) return;
+    if (settles_next_) settle_afterwards(report);
+    end_timestamp(false, report);
 }
 
 /// Without a mirror, by what this timestamp brings: whether it will pay to have one. This timestamp is rebuilt all the same, since a

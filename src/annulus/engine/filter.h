@@ -44,7 +44,11 @@ class Filter final : public Upkeep<d> {
           repair_(embedding, kind, kind == Tolerance_kind::certified),
           look_(d == 2 ? look : Second_look::off) {}
 
-    void set_threads(int threads) { repair_.set_threads(threads); }
+    /// For the step test, evaluations and signs. Nothing that is found or counted depends on it.
+    void set_threads(int threads) {
+        threads_ = threads;
+        repair_.set_threads(threads);
+    }
     /// Whether reports list the cells that changed.
     void report_changes(bool on) { report_changes_ = on; }
 
@@ -136,6 +140,7 @@ class Filter final : public Upkeep<d> {
     }
     /// False when a coordinate is beyond the domain, or is none.
     [[nodiscard]] bool find_failed(std::span<const Coordinates<d>> x);
+    [[nodiscard]] bool find_failed(std::span<const Coordinates<d>> x, std::size_t first, std::size_t last, std::vector<Index>& failed) const;
     void require_domain(std::span<const Coordinates<d>> x) const;
     /// Decides whether to keep tolerances again.
     void reconsider(bool each, Move_report& report);
@@ -160,6 +165,7 @@ class Filter final : public Upkeep<d> {
     [[nodiscard]] double most_repair() const { return Chooser<d>::most_repair(embedding_.vertices()); }
     void rebuild(std::span<const Coordinates<d>> x);
     void settle_if_it_pays(Move_report& report);
+    void settle_afterwards(Move_report& report);
     [[nodiscard]] bool next_is_mended(std::span<const Coordinates<d>> x);
     void rebuild_all(std::span<const Coordinates<d>> x, bool mirrors, Move_report& report);
     void find_expired(std::span<const Coordinates<d>> x);
@@ -195,6 +201,7 @@ class Filter final : public Upkeep<d> {
     void count(Index mover, bool rebuilt, Move_report& report);
 
     bool automatic_;
+    int threads_ = 1;
     Embedding<d>& embedding_;
     const Cell_table<d>& table_;
     Repair<d> repair_;

@@ -59,11 +59,11 @@ void Filter<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
     embedding_.drop_mirror();
 }
 
-/// In blocks that stay in the cache from the evaluation to the record.
+/// In blocks that stay in the cache from the evaluation to what is written down; several threads want larger ones. The order is the same.
 template <int d>
 void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& report) {
     const auto in_blocks = [&](Index bound, auto suspect) {
-        constexpr Index block = 1024;
+        const Index block = threads_ > 1 ? 1 << 16 : 1024;
         for (Index first = 0; first < bound; first += block) {
             repair_.begin(x, false);
             for (Index i = first; i < std::min(bound, first + block); ++i) suspect(i);

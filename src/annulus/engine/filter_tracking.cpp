@@ -92,16 +92,30 @@ void Filter<d>::reconsider(bool each, Move_report& report) {
     try {
         share = outlook(report);
     } catch (const std::bad_alloc&) {  // the timestamp has been made, and this has no say in what is right
-        displacement_.clear();
+        release(displacement_);
         return;
     }
     constexpr double margin = 0.75;  // the first of them costs a settling
     settles_next_ =
         Prices<d>::expected * Prices<d>::certificates * share <= margin * (each ? Prices<d>::star : Prices<d>::signs);
-    displacement_.clear();
+    release(displacement_);
 }
 
-/// Not in the timestamp that found out, which may have been dear already.
+/// At the end of a timestamp of signs, not the one that found out, if the two are no dearer than a timestamp may be: before, nobody
+/// would know whether a rebuild is to come.
+template <int d>
+void Filter<d>::settle_afterwards(Move_report& report) {
+    const double settling = Prices<d>::settling * static_cast<double>(embedding_.vertices());
+    if (tracks_ || report.moves.rebuilt > 0 || report.price + settling > 1.45 * Chooser<d>::rebuild_price(embedding_.vertices())) {
+        settles_next_ = false;
+        return;
+    }
+    try {
+        settle_if_it_pays(report);
+    } catch (const std::bad_alloc&) {  // the timestamp has been made
+    }
+}
+
 template <int d>
 void Filter<d>::settle_if_it_pays(Move_report& report) {
     if (!settles_next_) return;

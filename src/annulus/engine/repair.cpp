@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/mesh/border.h>
+#include <annulus/mesh/distinct_facets.h>
 
 #include <algorithm>
 #include <iterator>
@@ -179,8 +180,8 @@ void Repair<d>::collect_violated() {
 
 template <int d>
 bool Repair<d>::mend_all(std::span<const Coordinates<d>> old, double most) {
-    trial_.assign(x_.begin(), x_.end());
-    return mend({trial_, old}, most);
+    std::vector<Coordinates<d>> trial(x_.begin(), x_.end());
+    return mend({trial, old}, most);
 }
 
 template <int d>
@@ -240,6 +241,8 @@ bool Repair<d>::holds_after_mending() {
     const auto& t = embedding_.table();
     std::vector<Index> alive;
     std::copy_if(mender_.touched().begin(), mender_.touched().end(), std::back_inserter(alive), [&t](Index c) { return t.is_cell(c); });
+    // Where tolerances may be wrong, flips may have begun in what was no Delaunay triangulation.
+    if (!certified() && !facets_are_distinct_around<d>(t, alive)) return false;
     // Even one mover may have passed over a part of the hull that its cells do not touch.
     const bool at_border = std::any_of(alive.begin(), alive.end(), [&t](Index c) { return t.is_infinite(c); });
     many_ |= at_border;

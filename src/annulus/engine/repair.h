@@ -39,7 +39,11 @@ class Repair {
     Repair(Embedding<d>& embedding, Tolerance_kind kind, bool trusted)
         : embedding_(embedding), mender_(embedding), kind_(kind), trusted_(trusted) {}
 
-    void set_threads(int threads) { mender_.set_threads(threads); }
+    /// For evaluations and signs. Verdicts and counters do not depend on it.
+    void set_threads(int threads) {
+        threads_ = threads;
+        mender_.set_threads(threads);
+    }
 
     /// Starts an examination at positions x (one for every vertex index). x must outlive it and not change. `many`: x
     /// differs from where the triangulation was Delaunay last in more than one vertex.
@@ -127,6 +131,13 @@ class Repair {
     [[nodiscard]] bool interval(Cell_suspect& s) const;
     void exact(Facet_suspect& s) const;
     void exact(Cell_suspect& s) const;
+    /// What was evaluated of a run of suspects.
+    struct Evaluated {
+        std::uint64_t certificates = 0;
+        Stage_counts by;
+    };
+    template <class S>
+    [[nodiscard]] Evaluated evaluate_run(std::span<S> suspects) const;
     template <class S>
     void evaluate_stale(std::vector<S>& suspects);
     /// The certificate does not hold. A degenerate sphere is decided by the perturbation, once its cells are positive.
@@ -148,6 +159,7 @@ class Repair {
     Mender<d> mender_;
     Tolerance_kind kind_;
     bool trusted_;
+    int threads_ = 1;
     bool many_ = true;    // vertices moved
     bool signs_ = false;  // are examined: evaluate_everything, evaluate_star
     Stage_counts counted_;  // of what mender_ asked
@@ -161,8 +173,6 @@ class Repair {
     std::vector<Index> renumbered_;
     bool mending_ = false;  // the triangulation may differ from what it was at the beginning
     std::vector<Index> disturbed_;
-    std::vector<Coordinates<d>> trial_;  // where vertices are while some are held back
-    std::vector<Index> unresolved_;
     struct Star {
         std::vector<Cell_points<d>> simplex;
         std::vector<Tuple<d, d + 1>> orientation;

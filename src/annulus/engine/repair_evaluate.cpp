@@ -6,6 +6,9 @@
 #include <annulus/certificate/batch.h>
 #include <annulus/mesh/border.h>
 #include <annulus/mesh/degenerate.h>
+#include <annulus/mesh/parallel_runs.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -68,31 +71,50 @@ void Repair<d>::exact(Cell_suspect& s) const {
     s.verdict = orientation_exact(tuple<d, d + 1>(s.point, x_));
 }
 
+/// The ladder for a run of suspects, stage by stage, so that the rounding mode changes twice. Reads and writes nothing else.
 template <int d>
 template <class S>
-void Repair<d>::evaluate_stale(std::vector<S>& suspects) {
-    unresolved_.clear();
+auto Repair<d>::evaluate_run(std::span<S> suspects) const -> Evaluated {
+    Evaluated done;
+    boost::container::small_vector<std::size_t, 64> open;
     for (std::size_t i = 0; i < suspects.size(); ++i) {
         S& s = suspects[i];
         if (!s.stale || !exists(s)) continue;
         s.stale = false;
-        if (s.kind != Facet_kind::border) ++report_.evaluated;
+        if (s.kind != Facet_kind::border) ++done.certificates;
         if (!filter(s)) {
-            unresolved_.push_back(static_cast<Index>(i));
+            open.push_back(i);
         } else if (s.kind != Facet_kind::border) {
-            ++report_.arithmetic.filter;
+            ++done.by.filter;
         }
     }
-    if (unresolved_.empty()) return;
-    std::size_t open = 0;
+    if (open.empty()) return done;
+    std::size_t left = 0;
     {
-        const Rounding_guard guard(FE_UPWARD);  // one for the batch
-        for (const Index i : unresolved_)
-            if (!interval(suspects[at(i)])) unresolved_[open++] = i;
+        const Rounding_guard guard(FE_UPWARD);  // of this thread
+        for (const std::size_t i : open)
+            if (!interval(suspects[i])) open[left++] = i;
     }
-    report_.arithmetic.interval += unresolved_.size() - open;
-    report_.arithmetic.exact += open;
-    for (std::size_t i = 0; i < open; ++i) exact(suspects[at(unresolved_[i])]);
+    done.by.interval = open.size() - left;
+    done.by.exact = left;
+    for (std::size_t i = 0; i < left; ++i) exact(suspects[open[i]]);
+    return done;
+}
+
+template <int d>
+template <class S>
+void Repair<d>::evaluate_stale(std::vector<S>& suspects) {
+    constexpr std::size_t run = 1024;  // whatever the number of threads
+    const auto add = [this](const Evaluated& here) {
+        report_.evaluated += here.certificates;
+        report_.arithmetic += here.by;
+    };
+    if (suspects.size() <= run) return add(evaluate_run(std::span(suspects)));
+    std::vector<Evaluated> done((suspects.size() + run - 1) / run);
+    for_each_run(suspects.size(), run, threads_, [&](std::size_t first, std::size_t last) {
+        done[first / run] = evaluate_run(std::span(suspects).subspan(first, last - first));
+    });
+    for (const Evaluated& here : done) add(here);
 }
 
 template <int d>
