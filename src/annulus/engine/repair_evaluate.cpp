@@ -18,7 +18,6 @@ namespace annulus {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
