@@ -50,9 +50,11 @@ class Chooser {
         patience_ = std::min(2 * patience_, longest_wait);
     }
 
+    /// That, a vertex.
+    static constexpr double share = 1.43 * Prices<d>::rebuild - Prices<d>::again - (Prices<d>::signs - Prices<d>::cells);
+
   private:
     static constexpr double least = 2000.0;
-    static constexpr double share = 1.43 * Prices<d>::rebuild - Prices<d>::again - (Prices<d>::signs - Prices<d>::cells);  // a vertex
     static constexpr std::uint32_t longest_wait = 64;
 
     /// A vertex, of mending.

@@ -86,7 +86,7 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
         }
     }
     if (!embedding_.mirrored()) return;
-    if (settles_next_) settle_afterwards(report);
+    if (settles_next_ && !tracks_) settle_afterwards(report);
     end_timestamp(false, report);
 }
 

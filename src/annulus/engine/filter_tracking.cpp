@@ -101,15 +101,11 @@ void Filter<d>::reconsider(bool each, Move_report& report) {
     release(displacement_);
 }
 
-/// At the end of a timestamp of signs, not the one that found out, if the two are no dearer than a timestamp may be: before, nobody
-/// would know whether a rebuild is to come.
+/// At the end of a timestamp that was mended by signs (after a rebuild nothing is settled), not the one that found out: at its beginning
+/// nobody knows whether a rebuild is to come. The two cost no more than a timestamp may.
 template <int d>
 void Filter<d>::settle_afterwards(Move_report& report) {
-    const double settling = Prices<d>::settling * static_cast<double>(embedding_.vertices());
-    if (tracks_ || report.moves.rebuilt > 0 || report.price + settling > 1.45 * Chooser<d>::rebuild_price(embedding_.vertices())) {
-        settles_next_ = false;
-        return;
-    }
+    static_assert(Chooser<d>::share + Prices<d>::settling < 1.45 * Prices<d>::rebuild);
     try {
         settle_if_it_pays(report);
     } catch (const std::bad_alloc&) {  // the timestamp has been made

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the expiries of certificates lie: every one has a place of its own, and is found from every side.
+#include <annulus/engine/certificate_expiries.h>
+#include <annulus/moving_mesh.h>
+
+#include <annulus/cgal/embedding_2.h>
+#include <annulus/cgal/embedding_3.h>
+#include <support/generators.h>
+#include <support/session_3.h>
+
+#include <catch2/catch.hpp>
+
+#include <map>
+#include <type_traits>
+#include <utility>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+template <int d>
+auto some_points(Random& random) {
+    std::vector<Coordinates<d>> x(60);
+    for (auto& p : x)
+        for (double& c : p) c = unit(random);
+    return x;
+}
+
+template <int d>
+using Some_embedding = std::conditional_t<d == 2, Cgal_embedding_2<No_info>, Cgal_embedding_3<No_info>>;
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, in a place of its own, dimension", "[expiry]", ((int d), d), 2, 3) {
+    Random random(41);
+    Some_embedding<d> e;
+    e.build(some_points<d>(random));
+    e.mirror();
+    const Cell_table<d>& t = e.table();
+    Certificate_expiries<d> expiries;
+    expiries.resize(t.cell_bound());
+    // A number for every point of every certificate.
+    std::map<std::pair<Certificate_id, Index>, Expiry> truth;
+    double number = 1.0;
+    const auto next = [&number] { return Expiry::lower(number += 1.0); };
+    for (Index f = 0; f < t.facet_bound(); ++f) {
+        if (!t.is_facet(f) || facet_kind(t, f) != Facet_kind::empty_sphere) continue;
+        const Facet_points<d> point = points_around(t, f);
+        for (std::size_t k = 0; k < point.size(); ++k) {
+            const Expiry number_of_point = next();
+            expiries.of_facet(f, t.twin(f), k) = number_of_point;
+            truth[{id_of_facet(f), point[k]}] = number_of_point;
+        }
+    }
+    for (Index c = 0; c < t.cell_bound(); ++c)
+        for (int i = 0; i <= d && t.is_cell(c) && !t.is_infinite(c); ++i) {
+            const Expiry number_of_corner = next();
+            expiries.of_cell(t.corner(c, i)) = number_of_corner;
+            truth[{id_of_cell(c), t.vertex(t.corner(c, i))}] = number_of_corner;
+        }
+    // Found around every vertex, as a tour looks for them, and none but these.
+    std::size_t found = 0;
+    for (Index v = 0; v < t.vertex_bound(); ++v)
+        for_each_certificate(
+            t, v,
+            [&](Index h) {
+                if (t.is_infinite(t.cell_of(h))) return;
+                REQUIRE(expiries.of_cell(h) == truth.at({id_of_cell(t.cell_of(h)), v}));
+                ++found;
+            },
+            [&](Index h) {
+                const Index f = t.facet(h);
+                if (facet_kind(t, f) != Facet_kind::empty_sphere) return;
+                REQUIRE(expiries.of_facet(t, f, v) == truth.at({id_of_facet(f), v}));
+                if (t.vertex(h) == v) REQUIRE(expiries.of_opposite(h) == truth.at({id_of_facet(f), v}));
+                ++found;
+            });
+    CHECK(found == truth.size());
+    // Whoever is no point of a certificate has none.
+    for (Index f = 0; f < t.facet_bound(); ++f) {
+        if (!t.is_facet(f) || facet_kind(t, f) != Facet_kind::empty_sphere) continue;
+        for (Index v = 0; v < t.vertex_bound(); ++v)
+            if (!truth.contains({id_of_facet(f), v})) REQUIRE(expiries.of_facet(t, f, v) == Expiry::never());
+    }
+}
