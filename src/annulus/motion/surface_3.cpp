@@ -196,6 +196,11 @@ bool Surface_3::contains_by_ray(const Coordinates<3>& p) const {
 
 Coordinates<3> Surface_3::project(const Coordinates<3>& p) const { return ours(tree_->tree.closest_point(cgal(p))); }
 
+Coordinates<3> Surface_3::project(const Coordinates<3>& p, const Coordinates<3>& near) const {
+    const Coordinates<3> q = ours(tree_->tree.closest_point(cgal(p), cgal(near)));
+    return q == near ? project(p) : q;  // off the surface by a rounding, or by more than was promised
+}
+
 std::optional<Coordinates<3>> Surface_3::crossing(const Coordinates<3>& a, const Coordinates<3>& b) const {
     if (!is_finite(a) || !is_finite(b)) return std::nullopt;
     const auto hit = tree_->tree.any_intersection(K::Segment_3(cgal(a), cgal(b)));

@@ -24,6 +24,7 @@ class Surface_3 final : public Domain_3 {
     /// O(1) away from the surface, O(log n) expected near it. A point of the surface is not contained.
     [[nodiscard]] bool contains(const Coordinates<3>& p) const override;
     [[nodiscard]] Coordinates<3> project(const Coordinates<3>& p) const override;
+    [[nodiscard]] Coordinates<3> project(const Coordinates<3>& p, const Coordinates<3>& near) const override;
     [[nodiscard]] std::optional<Coordinates<3>> crossing(const Coordinates<3>& a,
                                                          const Coordinates<3>& b) const override;
     [[nodiscard]] std::vector<Coordinates<3>> surface_sample(std::size_t n, std::uint64_t seed) const override;
