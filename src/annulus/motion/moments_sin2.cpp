@@ -205,9 +205,10 @@ void around(const Coordinates<2>& c, std::span<const Corner_2> corners, Node& no
         if (corners[i].arc) {
             arc_nodes(c, a, b, node);
         } else {
-            const auto [nodes, pieces] = rule_of(norm({b[0] - a[0], b[1] - a[1]}));
-            if constexpr (requires { node.edge(a, b, gauss_rule(nodes)); }) node.edge(a, b, gauss_rule(nodes));
-            else edge_nodes(a, b, gauss_rule(nodes), pieces, node);
+            const auto rule = rule_of(norm({b[0] - a[0], b[1] - a[1]}));
+            const Gauss_rule& nodes = gauss_rule(rule.nodes);
+            if constexpr (requires { node.edge(a, b, nodes); }) node.edge(a, b, nodes);
+            else edge_nodes(a, b, nodes, rule.pieces, node);
         }
     }
 }

@@ -16,9 +16,9 @@ class Sizing_3 {
 
     [[nodiscard]] bool constant() const { return slope_ == 0; }
     /// At a point of the domain or its surface.
-    [[nodiscard]] double at(const Coordinates<3>& p) const { return constant() ? 1 : at(p, domain_->project(p)); }
-    /// The same, given the point of the surface nearest to p.
-    [[nodiscard]] double at(const Coordinates<3>& p, const Coordinates<3>& q) const {
+    [[nodiscard]] double at(const Coordinates<3>& p) const {
+        if (constant()) return 1;
+        const Coordinates<3> q = domain_->project(p);
         return 1 + slope_ * std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     }
 

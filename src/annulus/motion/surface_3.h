@@ -10,7 +10,7 @@ namespace annulus {
 
 /// What a closed triangle surface encloses: the points from which a ray crosses it an odd number of times.
 ///
-/// CGAL's AABB tree answers everything. `contains` is decided by exact predicates, and at once for points in a voxel of a
+/// CGAL's AABB tree answers everything but where to go from a point near by, which motions ask most. `contains` is decided by exact predicates, and at once for points in a voxel of a
 /// grid that the surface does not enter: such a voxel is inside or outside as a whole.
 class Surface_3 final : public Domain_3 {
   public:
