@@ -52,9 +52,8 @@ TEST_CASE("adjacency is what shares three vertices", "[motion][cells]") {
     CHECK(closed(surface));
     double volume = 0;
     for (const auto& c : cells.vertex) {
-        double v = 0;
-        (void)weighted_circumcentre(points[static_cast<std::size_t>(c[0])], points[static_cast<std::size_t>(c[1])],
-                                    points[static_cast<std::size_t>(c[2])], points[static_cast<std::size_t>(c[3])], v);
+        const auto p = [&](std::size_t i) { return points[static_cast<std::size_t>(c[i])]; };
+        const double v = cell_moment(p(0), p(1), p(2), p(3)).volume;
         CHECK(v > 0);
         volume += v;
     }
@@ -71,8 +70,7 @@ TEST_CASE("cells that name no vertex or share a facet three times are refused", 
 TEST_CASE("the circumcentre of a tetrahedron is as far from all corners", "[motion][cells]") {
     const auto points = random_points(400, 4);
     for (std::size_t i = 0; i + 3 < points.size(); i += 4) {
-        double volume = 0;
-        const auto w = weighted_circumcentre(points[i], points[i + 1], points[i + 2], points[i + 3], volume);
+        const auto [w, volume] = cell_moment(points[i], points[i + 1], points[i + 2], points[i + 3]);
         Coordinates<3> c;
         for (std::size_t k = 0; k < 3; ++k) c[k] = points[i][k] + w[k] / volume;
         const auto r = [&](std::size_t j) {

@@ -31,9 +31,7 @@ double meshed_volume(const Domain_3& domain, const std::vector<Coordinates<3>>& 
     double sum = 0;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const auto at = [&](std::size_t i) { return points[static_cast<std::size_t>(cells.vertex[c][i])]; };
-        double volume = 0;
-        (void)weighted_circumcentre(at(0), at(1), at(2), at(3), volume);
-        if (inside[c] != 0) sum += volume;
+        if (inside[c] != 0) sum += cell_moment(at(0), at(1), at(2), at(3)).volume;
     }
     return sum;
 }

@@ -443,6 +443,7 @@ TEST_CASE("natural ODT does not depend on threads", "[motion][nodt]") {
 TEST_CASE("targets never coincide, even when they all want to be at one place", "[motion][nodt]") {
     struct Trap final : Domain_3 {  // every projection ends in one point
         [[nodiscard]] bool contains(const Coordinates<3>& p) const override { return distance(p, {}) < 5; }
+        using Domain_3::project;
         [[nodiscard]] Coordinates<3> project(const Coordinates<3>&) const override { return {1, 0, 0}; }
         [[nodiscard]] std::optional<Coordinates<3>> crossing(const Coordinates<3>&,
                                                              const Coordinates<3>&) const override {

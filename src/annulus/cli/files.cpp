@@ -81,13 +81,13 @@ void write_run(const Common_arguments& arguments, const Tracker_3& tracker, cons
     const Run_record& run = tracker.record();
     const Moving_delaunay_3& dt = tracker.triangulation();
     const Audit_input<3> in = dt.audit_input();  // the simplices of a flat set, if it is one
-    const auto& cell = mesh.cells.vertex;
+    const auto& cell = mesh.cells().vertex;
     std::vector<std::array<Index, 4>> inside;
     std::vector<std::int64_t> flag;
     std::vector<double> least_angle;
     for (std::size_t c = 0; c < cell.size(); ++c) {
-        flag.push_back(mesh.inside[c] != 0 ? 1 : 0);
-        if (mesh.inside[c] != 0) inside.push_back(cell[c]);
+        flag.push_back(mesh.inside()[c] != 0 ? 1 : 0);
+        if (mesh.inside()[c] != 0) inside.push_back(cell[c]);
         double most = -1;  // the largest cosine; a facet without area is an angle of 0
         const auto x = [&](std::size_t i) { return in.points[static_cast<std::size_t>(cell[c][i])]; };
         for (const double cosine : dihedral_cosines(x(0), x(1), x(2), x(3)))
@@ -100,7 +100,7 @@ void write_run(const Common_arguments& arguments, const Tracker_3& tracker, cons
     std::vector<Vtu_field> cell_fields{{"dihedral_min", std::move(least_angle)}};
     if (domain) {
         std::vector<std::int64_t> boundary(in.points.size(), 0);
-        for (const auto& facet : surface_facets(mesh.cells, mesh.inside))
+        for (const auto& facet : surface_facets(mesh.cells(), mesh.inside()))
             for (const Index v : facet) boundary[static_cast<std::size_t>(v)] = 1;
         point_fields.push_back({"boundary", std::move(boundary)});
         cell_fields.push_back({"domain", std::move(flag)});

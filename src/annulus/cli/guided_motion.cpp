@@ -14,8 +14,8 @@ Guided_lloyd::Guided_lloyd(const Lloyd_arguments& arguments, const Common_argume
 }
 
 Way Guided_lloyd::next(std::span<Coordinates<2>> target) {
-    if (cells_changed_) guide_.embedding().neighbours(neighbours_);
-    const Lloyd_step step = lloyd_.step(neighbours_, guide_.positions(), target);
+    if (cells_changed_) read_stars(guide_, stars_);
+    const Lloyd_step step = lloyd_.step(stars_, guide_.positions(), target, memory_);
     cells_changed_ = changes_cells(guide_.move_all(std::span<const Coordinates<2>>(target)));
     return {step.mean_displacement, step.max_displacement};
 }
@@ -33,7 +33,7 @@ Guided_nodt::Guided_nodt(const Nodt_arguments& arguments, const Common_arguments
 
 Way Guided_nodt::next(std::span<Coordinates<3>> target) {
     mesh_.read(guide_, cells_changed_, *scene_.domain, threads_);
-    const Nodt_step step = nodt_.step(mesh_.cells, mesh_.inside, mesh_.points, target);
+    const Nodt_step step = nodt_.step(mesh_.kept(), mesh_.points(), target, memory_);
     cells_changed_ = changes_cells(guide_.move_all(std::span<const Coordinates<3>>(target)));
     return {step.mean_displacement, step.max_displacement};
 }

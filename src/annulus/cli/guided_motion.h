@@ -37,7 +37,8 @@ class Guided_lloyd {
     Lloyd_scene scene_;
     Moving guide_;
     Lloyd_2 lloyd_;
-    Neighbours_2 neighbours_;
+    Stars_2 stars_;
+    Lloyd_memory memory_;
     bool cells_changed_ = true;
 };
 
@@ -59,6 +60,7 @@ class Guided_nodt {
     Moving guide_;
     Nodt_3 nodt_;
     Mesh_3 mesh_;
+    Nodt_memory memory_;
     bool cells_changed_ = true;
 };
 

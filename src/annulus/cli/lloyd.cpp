@@ -34,7 +34,8 @@ int run(const Lloyd_call& a, const std::string& command) {
     if (!a.common.output.empty()) before = picture_of(tracker.triangulation(), "Before");
 
     const Lloyd_2 lloyd(scene.domain, scene.density, a.common.threads);
-    Neighbours_2 neighbours;
+    Stars_2 stars;
+    Lloyd_memory memory;
     std::vector<Coordinates<2>> target(scene.points.size());
     std::optional<Interruption_guard> guard;  // what there is so far is worth files, if they are asked for
     if (!a.common.output.empty()) guard.emplace();
@@ -43,8 +44,8 @@ int run(const Lloyd_call& a, const std::string& command) {
         for (std::uint64_t i = 1; i <= a.lloyd.iterations && !Interruption_guard::interrupted(); ++i) {
             const auto start = Clock::now();
             const Moving_delaunay_2& dt = tracker.triangulation();
-            if (tracker.cells_changed()) dt.embedding().neighbours(neighbours);
-            const Lloyd_step step = lloyd.step(neighbours, dt.positions(), target);
+            if (tracker.cells_changed()) read_stars(dt, stars);
+            const Lloyd_step step = lloyd.step(stars, dt.positions(), target, memory);
             tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
             char news[40];
             std::snprintf(news, sizeof news, "%.2f %% within tolerance", 100 * tracker.share_within());

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/cli/tracker.h>
-#include <annulus/motion/cells_3.h>
+#include <annulus/motion/kept_cells_3.h>
 
 #include <span>
 #include <string>
@@ -12,10 +12,13 @@ namespace annulus::cli {
 
 /// The solid cells of a triangulation of space, numbered like `points`, and which of them are of the domain. In one order
 /// whatever the history of the triangulation, so that a motion computed from them is the same bit for bit.
-struct Mesh_3 {
-    std::vector<Coordinates<3>> points;  ///< where nobody has left, by vertex index
-    Cells_3 cells;
-    std::vector<char> inside;
+class Mesh_3 {
+  public:
+    [[nodiscard]] const std::vector<Coordinates<3>>& points() const { return points_; }  ///< where nobody has left, by vertex index
+    [[nodiscard]] const Cells_3& cells() const { return kept_.cells(); }
+    [[nodiscard]] std::span<const char> inside() const { return domain_ ? kept_.inside() : all_; }
+    /// As a motion takes them; after a reading with a domain.
+    [[nodiscard]] const Kept_cells_3& kept() const { return kept_; }
 
     /// Every cell is of the domain.
     void read(const Moving_delaunay_3& dt);
@@ -24,6 +27,12 @@ struct Mesh_3 {
 
     /// The cells of the domain, cut across the shortest side of the box of the points, through its middle: the widest view.
     [[nodiscard]] Picture cut(std::string caption) const;
+
+  private:
+    std::vector<Coordinates<3>> points_;
+    Kept_cells_3 kept_;
+    std::vector<char> all_;  // flags where there is no domain
+    bool domain_ = false;
 };
 
 }  // namespace annulus::cli

@@ -25,7 +25,7 @@ struct Nodt_call {
 };
 
 Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step) {
-    const Mesh_quality q = mesh_quality(mesh.cells, mesh.inside, mesh.points);
+    const Mesh_quality q = mesh_quality(mesh.cells(), mesh.inside(), mesh.points());
     const auto counts = q.dihedral.counts();
     return {.vertices = q.vertices,
             .boundary = q.boundary,
@@ -54,6 +54,7 @@ int run(const Nodt_call& a, const std::string& command) {
     if (files) before = mesh.cut("before");
 
     const Nodt_3 nodt(domain, scene.sizing, vertices_on_surface(domain, scene.points), a.nodt.lock, a.common.threads);
+    Nodt_memory memory;
     std::vector<Coordinates<3>> target(scene.points.size());
     std::optional<Interruption_guard> guard;
     if (files) guard.emplace();
@@ -61,7 +62,7 @@ int run(const Nodt_call& a, const std::string& command) {
         Progress progress("nodt", a.nodt.iterations, a.common.quiet);
         for (std::uint64_t i = 1; i <= a.nodt.iterations && !Interruption_guard::interrupted(); ++i) {
             auto start = Clock::now();
-            const Nodt_step step = nodt.step(mesh.cells, mesh.inside, mesh.points, target);
+            const Nodt_step step = nodt.step(mesh.kept(), mesh.points(), target, memory);
             tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
             // What the next step needs to know is the motion's time, what is measured is nobody's.
             start = Clock::now();

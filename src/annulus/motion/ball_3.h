@@ -12,6 +12,7 @@ class Ball_3 final : public Domain_3 {
     explicit Ball_3(double radius);
 
     [[nodiscard]] bool contains(const Coordinates<3>& p) const override;
+    using Domain_3::project;
     [[nodiscard]] Coordinates<3> project(const Coordinates<3>& p) const override;
     [[nodiscard]] std::optional<Coordinates<3>> crossing(const Coordinates<3>& a,
                                                          const Coordinates<3>& b) const override;

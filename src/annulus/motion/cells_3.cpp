@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <cstdint>
 #include <utility>
 
 namespace annulus {
@@ -19,55 +19,68 @@ struct Facet {
     Index corner;
 };
 
+/// Makes the cells of facets with one least vertex adjacent. `table` is work space: a hash table of the facets seen.
+void join(std::span<const Facet> facets, std::vector<Index>& table, Cells_3& out) {
+    std::size_t size = 16;
+    while (size < 2 * facets.size()) size *= 2;
+    table.assign(size, none);
+    const auto hash = [size](const Facet& f) {
+        const auto key = static_cast<std::uint32_t>(f.middle) * 0x9E3779B1U ^ static_cast<std::uint32_t>(f.last) * 0x85EBCA77U;
+        return static_cast<std::size_t>(key ^ (key >> 15)) & (size - 1);
+    };
+    for (std::size_t k = 0; k < facets.size(); ++k) {
+        const Facet& f = facets[k];
+        std::size_t h = hash(f);
+        const auto other = [&] { return facets[static_cast<std::size_t>(table[h])]; };
+        while (table[h] != none && (other().middle != f.middle || other().last != f.last)) h = (h + 1) & (size - 1);
+        if (table[h] == none) {
+            table[h] = static_cast<Index>(k);
+            continue;
+        }
+        const Facet g = other();
+        Index& beyond = out.adjacent[static_cast<std::size_t>(g.cell)][static_cast<std::size_t>(g.corner)];
+        if (beyond != none) throw Error(Error_code::bad_input, "linked: three cells share a facet");
+        beyond = f.cell;
+        out.adjacent[static_cast<std::size_t>(f.cell)][static_cast<std::size_t>(f.corner)] = g.cell;
+    }
+}
+
 }  // namespace
 
-Cells_3 linked(std::vector<std::array<Index, 4>> cells, std::size_t n) {
+Cells_3 linked(std::vector<std::array<Index, 4>> cells, std::size_t n, int threads) {
     Cells_3 out;
     out.vertex = std::move(cells);
     out.adjacent.assign(out.size(), {none, none, none, none});
     // Facets by their least vertex (counting sort), then a search among the few with the same one.
     std::vector<std::size_t> begin(n + 2, 0);
-    const auto sorted = [&](std::size_t c, std::size_t i) {
+    const auto ends = [&](std::size_t c, std::size_t i) {
         const auto& f = facet_corners[i];
-        std::array<Index, 3> v{out.vertex[c][f[0]], out.vertex[c][f[1]], out.vertex[c][f[2]]};
-        std::sort(v.begin(), v.end());
-        return v;
+        const Index p = out.vertex[c][f[0]], q = out.vertex[c][f[1]], r = out.vertex[c][f[2]];
+        const Index low = std::min({p, q, r}), high = std::max({p, q, r});
+        return std::array<Index, 3>{low, p ^ q ^ r ^ low ^ high, high};
     };
     for (std::size_t c = 0; c < out.size(); ++c) {
         for (const Index v : out.vertex[c])
             if (v < 0 || static_cast<std::size_t>(v) >= n)
                 throw Error(Error_code::unknown_vertex, "linked: a cell names no vertex");
-        for (std::size_t i = 0; i < 4; ++i) ++begin[static_cast<std::size_t>(sorted(c, i)[0]) + 2];
+        for (std::size_t i = 0; i < 4; ++i) ++begin[static_cast<std::size_t>(ends(c, i)[0]) + 2];
     }
     for (std::size_t v = 2; v < begin.size(); ++v) begin[v] += begin[v - 1];
     std::vector<Facet> facets(4 * out.size());
     for (std::size_t c = 0; c < out.size(); ++c)
         for (std::size_t i = 0; i < 4; ++i) {
-            const auto v = sorted(c, i);
-            facets[begin[static_cast<std::size_t>(v[0]) + 1]++] = {v[1], v[2], static_cast<Index>(c),
-                                                                   static_cast<Index>(i)};
+            const auto v = ends(c, i);
+            facets[begin[static_cast<std::size_t>(v[0]) + 1]++] = {v[1], v[2], static_cast<Index>(c), static_cast<Index>(i)};
         }
-    const auto ends = [](const Facet& f) { return std::pair(f.middle, f.last); };
-    for (std::size_t v = 0; v < n; ++v) {
-        const auto first = facets.begin() + static_cast<std::ptrdiff_t>(begin[v]),
-                   last = facets.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]);
-        std::sort(first, last, [&](const Facet& a, const Facet& b) {
-            return std::tuple(a.middle, a.last, a.cell) < std::tuple(b.middle, b.last, b.cell);
-        });
-        for (auto f = first; f != last; ++f) {
-            if (f + 1 == last || ends(*f) != ends(*(f + 1))) continue;
-            if (f + 2 != last && ends(*f) == ends(*(f + 2)))
-                throw Error(Error_code::bad_input, "linked: three cells share a facet");
-            const Facet& g = *(f + 1);
-            out.adjacent[static_cast<std::size_t>(f->cell)][static_cast<std::size_t>(f->corner)] = g.cell;
-            out.adjacent[static_cast<std::size_t>(g.cell)][static_cast<std::size_t>(g.corner)] = f->cell;
-        }
-    }
+    for_each_run(n, 1024, threads, [&](std::size_t first, std::size_t last) {
+        std::vector<Index> table;
+        for (std::size_t v = first; v < last; ++v)
+            join(std::span<const Facet>(facets).subspan(begin[v], begin[v + 1] - begin[v]), table, out);
+    });
     return out;
 }
 
-Coordinates<3> weighted_circumcentre(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c,
-                                     const Coordinates<3>& d, double& volume) {
+Cell_moment cell_moment(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c, const Coordinates<3>& d) {
     // With the origin at a: 12 V x = |b|² c×d + |c|² d×b + |d|² b×c, 6 V = b · (c×d).
     Coordinates<3> e[3];
     double square[3];
@@ -77,16 +90,22 @@ Coordinates<3> weighted_circumcentre(const Coordinates<3>& a, const Coordinates<
         e[2][k] = d[k] - a[k];
     }
     for (std::size_t i = 0; i < 3; ++i) square[i] = e[i][0] * e[i][0] + e[i][1] * e[i][1] + e[i][2] * e[i][2];
-    Coordinates<3> sum{};
-    volume = 0;
+    Cell_moment out;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto& p = e[(i + 1) % 3];
         const auto& q = e[(i + 2) % 3];
         const Coordinates<3> n{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-        for (std::size_t k = 0; k < 3; ++k) sum[k] += square[i] * n[k] / 12;
-        if (i == 0) volume = (e[0][0] * n[0] + e[0][1] * n[1] + e[0][2] * n[2]) / 6;
+        for (std::size_t k = 0; k < 3; ++k) out.moment[k] += square[i] * n[k];
+        if (i == 0) out.volume = (e[0][0] * n[0] + e[0][1] * n[1] + e[0][2] * n[2]) * (1.0 / 6);
     }
-    return sum;
+    for (double& x : out.moment) x *= 1.0 / 12;
+    return out;
+}
+
+bool is_inside(const Domain_3& domain, const Coordinates<3>& a, const Cell_moment& cell) {
+    Coordinates<3> centre;
+    for (std::size_t k = 0; k < 3; ++k) centre[k] = a[k] + cell.moment[k] / cell.volume;
+    return std::isfinite(centre[0]) && std::isfinite(centre[1]) && std::isfinite(centre[2]) && domain.contains(centre);
 }
 
 std::vector<char> cells_inside(const Domain_3& domain, const Cells_3& cells, std::span<const Coordinates<3>> position,
@@ -97,27 +116,28 @@ std::vector<char> cells_inside(const Domain_3& domain, const Cells_3& cells, std
             const auto x = [&](std::size_t i) -> const Coordinates<3>& {
                 return position[static_cast<std::size_t>(cells.vertex[c][i])];
             };
-            double volume = 0;
-            const Coordinates<3> w = weighted_circumcentre(x(0), x(1), x(2), x(3), volume);
-            Coordinates<3> centre;
-            for (std::size_t k = 0; k < 3; ++k) centre[k] = x(0)[k] + w[k] / volume;
-            if (std::isfinite(centre[0]) && std::isfinite(centre[1]) && std::isfinite(centre[2]))
-                inside[c] = domain.contains(centre) ? 1 : 0;
+            inside[c] = is_inside(domain, x(0), cell_moment(x(0), x(1), x(2), x(3))) ? 1 : 0;
         }
     });
     return inside;
 }
 
-std::vector<std::array<Index, 3>> surface_facets(const Cells_3& cells, std::span<const char> inside) {
-    std::vector<std::array<Index, 3>> facets;
-    for (std::size_t c = 0; c < cells.size(); ++c)
-        for (std::size_t i = 0; inside[c] != 0 && i < 4; ++i) {
-            const Index beyond = cells.adjacent[c][i];
-            if (beyond != none && inside[static_cast<std::size_t>(beyond)] != 0) continue;
-            const auto& f = facet_corners[i];
-            facets.push_back({cells.vertex[c][f[0]], cells.vertex[c][f[1]], cells.vertex[c][f[2]]});
-        }
-    return facets;
+std::vector<std::array<Index, 3>> surface_facets(const Cells_3& cells, std::span<const char> inside, int threads) {
+    constexpr std::size_t length = 4096;
+    std::vector<std::vector<std::array<Index, 3>>> of_run((cells.size() + length - 1) / length);
+    for_each_run(cells.size(), length, threads, [&](std::size_t first, std::size_t last) {
+        auto& facets = of_run[first / length];
+        for (std::size_t c = first; c < last; ++c)
+            for (std::size_t i = 0; inside[c] != 0 && i < 4; ++i) {
+                const Index beyond = cells.adjacent[c][i];
+                if (beyond != none && inside[static_cast<std::size_t>(beyond)] != 0) continue;
+                const auto& f = facet_corners[i];
+                facets.push_back({cells.vertex[c][f[0]], cells.vertex[c][f[1]], cells.vertex[c][f[2]]});
+            }
+    });
+    std::vector<std::array<Index, 3>> all;
+    for (const auto& facets : of_run) all.insert(all.end(), facets.begin(), facets.end());
+    return all;
 }
 
 }  // namespace annulus

@@ -148,12 +148,7 @@ Domain_2 Domain_2::convex_hull_of(std::span<const Coordinates<2>> points) {
     return polygon(hull);
 }
 
-bool Domain_2::deeper_than(const Coordinates<2>& p, double depth) const {
-    const Coordinates<2> d = minus(p, middle_);
-    const double shallow = inner_ - depth;
-    // For a disc this is the whole test; tolerance() is above its rounding.
-    if (shallow > 0 && dot(d, d) <= shallow * shallow) return true;
-    if (kind_ == Kind::disc) return false;
+bool Domain_2::deeper_than_edges(const Coordinates<2>& p, double depth) const {
     for (const Half_plane_2& edge : edges_)
         if (!(dot(edge.normal, p) + depth <= edge.bound)) return false;
     return true;

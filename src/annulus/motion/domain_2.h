@@ -59,7 +59,13 @@ class Domain_2 {
 
   private:
     Domain_2() = default;
-    [[nodiscard]] bool deeper_than(const Coordinates<2>& p, double depth) const;
+    [[nodiscard]] bool deeper_than(const Coordinates<2>& p, double depth) const {
+        const double x = p[0] - middle_[0], y = p[1] - middle_[1], shallow = inner_ - depth;
+        // For a disc this is the whole test; tolerance() is above its rounding.
+        if (shallow > 0 && x * x + y * y <= shallow * shallow) return true;
+        return kind_ == Kind::polygon && deeper_than_edges(p, depth);
+    }
+    [[nodiscard]] bool deeper_than_edges(const Coordinates<2>& p, double depth) const;
 
     Kind kind_ = Kind::disc;
     double radius_ = 0;

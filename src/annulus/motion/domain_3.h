@@ -24,6 +24,12 @@ class Domain_3 {
     [[nodiscard]] virtual bool contains(const Coordinates<3>& p) const = 0;
     /// The nearest point of the surface, up to rounding.
     [[nodiscard]] virtual Coordinates<3> project(const Coordinates<3>& p) const = 0;
+    /// The same, told of a point of the surface, up to rounding, that is near: where surfaces are searched, what is farther is not looked
+    /// at.
+    [[nodiscard]] virtual Coordinates<3> project(const Coordinates<3>& p, const Coordinates<3>& near) const {
+        (void)near;
+        return project(p);
+    }
     /// A point of the surface on the segment from a to b, up to rounding; nothing when they do not meet.
     [[nodiscard]] virtual std::optional<Coordinates<3>> crossing(const Coordinates<3>& a,
                                                                  const Coordinates<3>& b) const = 0;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,39 @@ double reach(const Cell_2& cell) {
                                          corner.offset[1] - cell.corners[0].offset[1]));
     return most;
 }
+
+/// Where the vertex of a cell wants to go, if it is to go anywhere, and how far that is.
+struct Wish {
+    Coordinates<2> place{};
+    double way = 0;
+};
+
+bool wish_of(const Voronoi_cell_2& cell_of, const Cell_2& cell, const Coordinates<2>& from, const Domain_2& domain, Density density,
+             Wish& wish) {
+    Coordinates<2> offset;
+    if (cell_of.plump()) {
+        // Nothing can go wrong here, and lengths are those of the domain: no need to look for where the centroid is, nor for hypot.
+        const Moments_2 m = moments(density, cell.origin, cell.corners);
+        if (!(m.mass > 0)) return false;
+        offset = {m.first[0] / m.mass, m.first[1] / m.mass};
+        wish = {{cell.origin[0] + offset[0], cell.origin[1] + offset[1]}, 0};
+        const double x = wish.place[0] - from[0], y = wish.place[1] - from[1];
+        wish.way = std::sqrt(x * x + y * y);
+        return domain.contains(wish.place);
+    }
+    if (!centroid(density, cell, offset)) return false;
+    wish = {{cell.origin[0] + offset[0], cell.origin[1] + offset[1]}, 0};
+    wish.way = std::hypot(wish.place[0] - from[0], wish.place[1] - from[1]);
+    return domain.contains(wish.place) && reach(cell) > 1e-12 * wish.way;
+}
+
+void require_sizes(std::size_t lists, std::size_t positions, std::size_t targets) {
+    if (positions != lists || targets != lists)
+        throw Error(Error_code::wrong_size, "Lloyd needs a position and a target for every vertex");
+}
+
+bool is_cyclic(const Neighbours_2& lists, std::size_t v) { return lists.hull[v] == 0; }
+bool is_cyclic(const Stars_2& lists, std::size_t v) { return lists.cyclic(v); }
 
 }  // namespace
 
@@ -66,40 +100,39 @@ Lloyd_2::Lloyd_2(Domain_2 domain, Density density, int threads)
     if (threads < 1) throw Error(Error_code::usage, "Lloyd needs at least 1 thread");
 }
 
-Lloyd_step Lloyd_2::step(const Neighbours_2& neighbours, std::span<const Coordinates<2>> position,
-                         std::span<Coordinates<2>> target) const {
-    const std::size_t n = neighbours.size();
-    if (position.size() != n || target.size() != n)
-        throw Error(Error_code::wrong_size, "Lloyd needs a position and a target for every vertex");
+/// `way` is left with how far it is for each vertex, negative for those that stay; remembered(v) means that it is there already, and
+/// the target as well.
+template <class Lists, class Remembered>
+Lloyd_step Lloyd_2::step_over(const Lists& lists, std::span<const Coordinates<2>> position, std::span<Coordinates<2>> target,
+                              std::vector<double>& way, Remembered remembered) const {
+    const std::size_t n = lists.size();
     std::vector<Partial> partial((n + run_length - 1) / run_length);
-
     for_each_run(n, run_length, threads_, [&](std::size_t first, std::size_t last) {
         Voronoi_cell_2 cell_of(domain_);
         Partial sums;
         for (std::size_t v = first; v < last; ++v) {
-            target[v] = position[v];
-            const auto around = neighbours.of(v);
-            if (around.empty() && n > 1) continue;
+            const auto around = lists.of(v);
+            if (around.empty() && n > 1) {
+                target[v] = position[v];
+                continue;
+            }
             ++sums.count;
-            const Cell_2& cell = cell_of(position[v], around, position, neighbours.hull[v] == 0);
-            Coordinates<2> offset;
-            if (!centroid(density_, cell, offset)) {
+            if (!remembered(v)) {
+                Wish wish;
+                const Cell_2& cell = cell_of(position[v], around, position, is_cyclic(lists, v));
+                const bool goes = wish_of(cell_of, cell, position[v], domain_, density_, wish);
+                target[v] = goes ? wish.place : position[v];
+                way[v] = goes ? wish.way : -1;
+            }
+            if (way[v] < 0) {
                 ++sums.kept;
                 continue;
             }
-            const Coordinates<2> wanted{cell.origin[0] + offset[0], cell.origin[1] + offset[1]};
-            const double moved = std::hypot(wanted[0] - position[v][0], wanted[1] - position[v][1]);
-            if (!domain_.contains(wanted) || !(reach(cell) > 1e-12 * moved)) {
-                ++sums.kept;
-                continue;
-            }
-            target[v] = wanted;
-            sums.sum += moved;
-            sums.max = std::max(sums.max, moved);
+            sums.sum += way[v];
+            sums.max = std::max(sums.max, way[v]);
         }
         partial[first / run_length] = sums;
     });
-
     Partial total;
     for (const Partial& p : partial) {
         total.sum += p.sum;
@@ -108,6 +141,50 @@ Lloyd_step Lloyd_2::step(const Neighbours_2& neighbours, std::span<const Coordin
         total.kept += p.kept;
     }
     return {total.count > 0 ? total.sum / static_cast<double>(total.count) : 0, total.max, total.kept};
+}
+
+Lloyd_step Lloyd_2::step(const Neighbours_2& neighbours, std::span<const Coordinates<2>> position,
+                         std::span<Coordinates<2>> target) const {
+    require_sizes(neighbours.size(), position.size(), target.size());
+    std::vector<double> way(neighbours.size());
+    return step_over(neighbours, position, target, way, [](std::size_t) { return false; });
+}
+
+/// Whether enough vertices rest for it to be worth while to ask. The memory is left with the positions.
+bool Lloyd_2::find_moved(const Stars_2& stars, std::span<const Coordinates<2>> position, Lloyd_memory& memory) const {
+    const std::size_t n = position.size();
+    const bool known = memory.position_.size() == n && memory.readings_ <= stars.readings();
+    memory.position_.resize(n);
+    memory.target_.resize(n);
+    memory.way_.resize(n, -1);
+    memory.moved_.assign(n, 1);
+    std::vector<std::size_t> rest((n + run_length - 1) / run_length);
+    for_each_run(n, run_length, threads_, [&](std::size_t first, std::size_t last) {
+        for (std::size_t v = first; v < last; ++v) {
+            memory.moved_[v] = memory.position_[v] != position[v];
+            rest[first / run_length] += memory.moved_[v] == 0;
+            memory.position_[v] = position[v];
+        }
+    });
+    return known && 4 * std::accumulate(rest.begin(), rest.end(), std::size_t{0}) >= n;
+}
+
+Lloyd_step Lloyd_2::step(const Stars_2& stars, std::span<const Coordinates<2>> position, std::span<Coordinates<2>> target,
+                         Lloyd_memory& memory) const {
+    require_sizes(stars.size(), position.size(), target.size());
+    const bool asking = find_moved(stars, position, memory);
+    const auto moved = [&](Index u) { return memory.moved_[static_cast<std::size_t>(u)] != 0; };
+    const auto remembered = [&](std::size_t v) {
+        if (!asking || memory.moved_[v] != 0 || stars.since(v) > memory.readings_) return false;
+        const auto around = stars.of(v);
+        if (std::any_of(around.begin(), around.end(), moved)) return false;
+        target[v] = memory.target_[v];
+        return true;
+    };
+    const Lloyd_step step = step_over(stars, position, target, memory.way_, remembered);
+    std::copy(target.begin(), target.end(), memory.target_.begin());
+    memory.readings_ = stars.readings();
+    return step;
 }
 
 }  // namespace annulus

@@ -5,10 +5,13 @@
 #include <annulus/motion/cell_2.h>
 #include <annulus/motion/density_2.h>
 #include <annulus/motion/domain_2.h>
+#include <annulus/motion/stars_2.h>
 #include <annulus/mesh/neighbours.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace annulus {
 
@@ -17,6 +20,16 @@ struct Lloyd_step {
     double mean_displacement = 0;
     double max_displacement = 0;
     std::size_t kept = 0;  ///< vertices whose cell has no mass in the domain: they stay where they are
+};
+
+/// What one step leaves for the next: a vertex whose star is the same, and neither it nor a neighbour of it has moved, wants to go where
+/// it wanted to go before. For steps of one Lloyd_2 over one Stars_2.
+class Lloyd_memory {
+    friend class Lloyd_2;
+    std::vector<Coordinates<2>> position_, target_;
+    std::vector<double> way_;        ///< how far it was to the target; negative where there was none
+    std::vector<char> moved_;        ///< since the step before
+    std::uint64_t readings_ = 0;     ///< of the stars, up to that step
 };
 
 /// Lloyd's iteration in the plane (section 4.1 of the paper): every site wants to go to the centroid of its Voronoi
@@ -40,12 +53,20 @@ class Lloyd_2 {
     /// Throws Error(wrong_size) unless the three have one size. `target` must not overlap `position`.
     Lloyd_step step(const Neighbours_2& neighbours, std::span<const Coordinates<2>> position,
                     std::span<Coordinates<2>> target) const;
+    /// The same over stars, and with a memory: the result is that of a step with none, bit for bit.
+    Lloyd_step step(const Stars_2& stars, std::span<const Coordinates<2>> position, std::span<Coordinates<2>> target,
+                    Lloyd_memory& memory) const;
 
     [[nodiscard]] const Domain_2& domain() const { return domain_; }
     [[nodiscard]] Density density() const { return density_; }
     [[nodiscard]] int threads() const { return threads_; }
 
   private:
+    [[nodiscard]] bool find_moved(const Stars_2& stars, std::span<const Coordinates<2>> position, Lloyd_memory& memory) const;
+    template <class Lists, class Remembered>
+    Lloyd_step step_over(const Lists& lists, std::span<const Coordinates<2>> position, std::span<Coordinates<2>> target,
+                         std::vector<double>& way, Remembered remembered) const;
+
     Domain_2 domain_;
     Density density_;
     int threads_;

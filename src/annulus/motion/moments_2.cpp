@@ -8,38 +8,74 @@ namespace annulus {
 
 namespace {
 
-/// A density along the ray from the cell's origin c to c + e: value at c + t e is q0 + q1 t + q2 t^2.
-struct Quadratic {
-    double q0, q1, q2;
+/// c . e, and |e|^2, of the quadratic form that the density is: at c + t e it is form(c, c) + 2 t form(c, e) + t^2 form(e, e).
+template <Density density>
+double form(const Coordinates<2>& c, const Coordinates<2>& e) {
+    if constexpr (density == Density::x2) return c[0] * e[0];
+    else return c[0] * e[0] + c[1] * e[1];
+}
+
+/// Adds a node of an arc. The integral over the cone from c to a piece e, e + d of the boundary is that of
+/// t (q0 + q1 t + q2 t^2) (1, t e) dt cross(e, d) over 0 <= t <= 1.
+template <Density density>
+void add_node(const Coordinates<2>& c, const Coordinates<2>& e, const Coordinates<2>& d, Moments_2& sum) {
+    const double w = e[0] * d[1] - e[1] * d[0];
+    double mass = w / 2, first = w * (1.0 / 3);
+    if constexpr (density != Density::one) {
+        const double q0 = form<density>(c, c), q1 = 2 * form<density>(c, e), q2 = form<density>(e, e);
+        mass = w * (q0 / 2 + q1 * (1.0 / 3) + q2 / 4);
+        first = w * (q0 * (1.0 / 3) + q1 / 4 + q2 * (1.0 / 5));
+    }
+    sum.mass += mass;
+    sum.first[0] += first * e[0];
+    sum.first[1] += first * e[1];
+}
+
+/// What the straight edges at a corner have in common.
+struct At_corner {
+    Coordinates<2> e{};
+    double linear = 0, square = 0;  ///< form(c, e), form(e, e)
+    double weight = 0;              ///< of e in the first moments
 };
 
 template <Density density>
-Quadratic along_ray(const Coordinates<2>& c, const Coordinates<2>& e) {
-    if constexpr (density == Density::one) return {1, 0, 0};
-    else if constexpr (density == Density::x2) return {c[0] * c[0], 2 * c[0] * e[0], e[0] * e[0]};
-    else return {c[0] * c[0] + c[1] * c[1], 2 * (c[0] * e[0] + c[1] * e[1]), e[0] * e[0] + e[1] * e[1]};
+At_corner at_corner(const Coordinates<2>& c, const Coordinates<2>& e) {
+    if constexpr (density == Density::one) return {e, 0, 0, 0};
+    const double linear = form<density>(c, e), square = form<density>(e, e);
+    return {e, linear, square, linear * (1.0 / 12) + square * (1.0 / 30)};
 }
 
-/// Sum over the cones from c to the pieces of the boundary: the integral over a cone is that of
-/// t (q0 + q1 t + q2 t^2) (1, t e) dt cross(e, de) over 0 <= t <= 1 and the piece.
+/// Sum over the cones from c to the pieces of the boundary. On a straight edge from a to b cross(e, de) is constant and the rest of
+/// the integrand at most cubic: Simpson's rule is exact, and its nodes at corners serve two edges. With m = a + b, twice the middle:
+/// the integrals over the edge of 1, e, form(c, e), form(e, e), form(c, e) e and form(e, e) e are 1, m / 2, (ca + cb) / 2,
+/// (aa + bb + mm) / 6, (ca a + cb b + cm m) / 6 and (aa a + bb b + mm m / 2) / 6.
 template <Density density>
 Moments_2 cone_moments(const Coordinates<2>& c, std::span<const Corner_2> corners) {
     Moments_2 sum;
-    const auto node = [&](const Coordinates<2>& e, const Coordinates<2>& d) {
-        const double w = e[0] * d[1] - e[1] * d[0];
-        const Quadratic q = along_ray<density>(c, e);
-        sum.mass += w * (q.q0 / 2 + q.q1 * (1.0 / 3) + q.q2 / 4);
-        const double first = w * (q.q0 * (1.0 / 3) + q.q1 / 4 + q.q2 * (1.0 / 5));
-        sum.first[0] += first * e[0];
-        sum.first[1] += first * e[1];
-    };
-    // On a straight edge cross(e, de) is constant and first * e at most cubic: two nodes are exact (one for mass = 1).
-    const Gauss_rule& rule = gauss_rule(density == Density::one ? 1 : 2);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Coordinates<2>& a = corners[i].offset;
-        const Coordinates<2>& b = corners[i + 1 < corners.size() ? i + 1 : 0].offset;
-        if (corners[i].arc) arc_nodes(c, a, b, node);
-        else edge_nodes(a, b, rule, 1, node);
+    const double q0 = density == Density::one ? 1 : form<density>(c, c);
+    const double half = q0 / 2, sixth = q0 * (1.0 / 6);
+    At_corner a = at_corner<density>(c, corners.back().offset);
+    bool arc = corners.back().arc;
+    for (const Corner_2& corner : corners) {
+        const At_corner b = at_corner<density>(c, corner.offset);
+        if (arc) {
+            arc_nodes(c, a.e, b.e, [&](const auto& e, const auto& d) { add_node<density>(c, e, d, sum); });
+        } else {
+            const double w = a.e[0] * b.e[1] - a.e[1] * b.e[0];
+            const Coordinates<2> m{a.e[0] + b.e[0], a.e[1] + b.e[1]};
+            if constexpr (density == Density::one) {
+                sum.mass += w * half;
+                for (std::size_t k = 0; k < 2; ++k) sum.first[k] += w * sixth * m[k];
+            } else {
+                const double linear = a.linear + b.linear, square = form<density>(m, m);
+                const double middle = sixth + linear * (1.0 / 12) + square * (1.0 / 60);
+                sum.mass += w * (half + linear * (1.0 / 3) + (a.square + b.square + square) * (1.0 / 24));
+                for (std::size_t k = 0; k < 2; ++k)
+                    sum.first[k] += w * (middle * m[k] + (a.weight * a.e[k] + b.weight * b.e[k]));
+            }
+        }
+        a = b;
+        arc = corner.arc;
     }
     return sum;
 }

@@ -23,7 +23,7 @@ struct Moments_2 {
 ///
 /// * `one`, `x2+y2`, `x2`: exact up to rounding, about 1e-15, wherever the cell is. The region is the union of the
 ///   cones from the origin to its edges; along a ray the integral of a quadratic is in closed form, and along an edge
-///   what remains is a cubic, which two Gauss nodes integrate exactly. On an arc 12 nodes per eighth of a turn leave
+///   what remains is a cubic, which Simpson's rule integrates exactly. On an arc 12 nodes per eighth of a turn leave
 ///   less than 1e-20 of the radius' power.
 /// * `sin2`: 1e-13, plus the effect of one rounding of |origin| on the argument of the sine, which moves the centroid
 ///   by a few roundings of its coordinates. See moments_sin2.h. Edges up to 1e6 long; beyond, the oscillating

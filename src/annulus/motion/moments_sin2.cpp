@@ -89,15 +89,22 @@ class Far_cell {
         }
     }
 
+    /// A node of an arc.
     void operator()(const Coordinates<2>& u, const Coordinates<2>& d) {
-        u0_[count_] = u[0], u1_[count_] = u[1], d0_[count_] = d[0], d1_[count_] = d[1];
-        if (++count_ == block) flush();
+        add(u[0], u[1], (c_[0] + u[0]) * d[1] - (c_[1] + u[1]) * d[0]);
+    }
+
+    /// A straight edge. cross(c + u, e) is the same all along it.
+    void edge(const Coordinates<2>& a, const Coordinates<2>& b, const Gauss_rule& rule) {
+        const double x = b[0] - a[0], y = b[1] - a[1], turn = (c_[0] + a[0]) * y - (c_[1] + a[1]) * x;
+        for (std::size_t j = 0; j < static_cast<std::size_t>(rule.size); ++j)
+            add(a[0] + rule.node[j] * x, a[1] + rule.node[j] * y, rule.weight[j] * turn);
     }
 
     Moments_2 result() {
         // Fill up with nodes that weigh nothing.
-        while (count_ != 0) (*this)({0, 0}, {0, 0});
-        return {mass_sum_, first_sum_};
+        while (count_ != 0) add(0, 0, 0);
+        return {sum(mass_sum_), {sum(first_sum_[0]), sum(first_sum_[1])}};
     }
 
   private:
@@ -108,39 +115,48 @@ class Far_cell {
         return of;
     }();
     static constexpr std::size_t block = 8;
-    using Block = std::array<double, block>;
+    /// Two doubles that are worked on at once, as many as any x86-64 does; a block is four of them. Always two, so that sums have the
+    /// same bits whatever the machine.
+    using Pair [[gnu::vector_size(16)]] = double;
+    static constexpr std::size_t pairs = block / 2;
+    using Block = std::array<Pair, pairs>;
+
+    static double sum(const Pair& x) { return x[0] + x[1]; }
+
+    void add(double u0, double u1, double turn) {
+        u0_[count_] = u0, u1_[count_] = u1, turn_[count_] = turn;
+        if (++count_ == block) flush();
+    }
 
     /// With r = |c + u|, delta = r - r_, A = integral of density t dt and B = of density t (t - r_) dt from r_ to r:
     /// mass += A dtheta; first += ((c + u) / r B + (r_ (c + u) / r - c) A) dtheta, where
     /// r_ (c + u) - r c = r_ u - delta c.
     void flush() {
-        Block delta, q;
-        for (std::size_t j = 0; j < block; ++j) {
-            const double w = (2 * c_[0] + u0_[j]) * u0_[j] + (2 * c_[1] + u1_[j]) * u1_[j];  // r^2 - r_^2
-            const double r = std::sqrt(r_ * r_ + w);
-            const double both = 1 / (r * (r + r_));
+        Block u0, u1, turn, delta, q, a, b;
+        std::memcpy(u0.data(), u0_.data(), sizeof u0);
+        std::memcpy(u1.data(), u1_.data(), sizeof u1);
+        std::memcpy(turn.data(), turn_.data(), sizeof turn);
+        for (std::size_t j = 0; j < pairs; ++j) {
+            const Pair w = (2 * c_[0] + u0[j]) * u0[j] + (2 * c_[1] + u1[j]) * u1[j];  // r^2 - r_^2
+            const Pair square = r_ * r_ + w;
+            const Pair r{std::sqrt(square[0]), std::sqrt(square[1])};
+            const Pair both = 1 / (r * (r + r_));
             delta[j] = w * (both * r);
             q[j] = both * (r + r_);
         }
-        const auto [a, b] = potentials(delta);
-        for (std::size_t j = 0; j < block; ++j) {
-            const double x = c_[0] + u0_[j], y = c_[1] + u1_[j];
-            const double turn = (x * d1_[j] - y * d0_[j]) * (q[j] * q[j]);
-            const double dmass = a[j] * delta[j] * turn, dfirst = b[j] * (delta[j] * delta[j]) * turn;
+        potentials(delta, a, b);
+        for (std::size_t j = 0; j < pairs; ++j) {
+            const Pair t = turn[j] * (q[j] * q[j]);
+            const Pair dmass = a[j] * delta[j] * t, dfirst = b[j] * (delta[j] * delta[j]) * t;
             mass_sum_ += dmass;
-            first_sum_[0] += q[j] * (x * dfirst + (r_ * u0_[j] - delta[j] * c_[0]) * dmass);
-            first_sum_[1] += q[j] * (y * dfirst + (r_ * u1_[j] - delta[j] * c_[1]) * dmass);
+            first_sum_[0] += q[j] * ((c_[0] + u0[j]) * dfirst + (r_ * u0[j] - delta[j] * c_[0]) * dmass);
+            first_sum_[1] += q[j] * ((c_[1] + u1[j]) * dfirst + (r_ * u1[j] - delta[j] * c_[1]) * dmass);
         }
         count_ = 0;
     }
 
-    /// Two doubles that are worked on at once. At -O2 the compilers do not vectorise the loop below by themselves.
-    using Pair [[gnu::vector_size(16)]] = double;
-
     /// Horner's rule for both potentials (without their factors delta and delta^2) at all nodes of a block.
-    std::array<Block, 2> potentials(const Block& delta) const {
-        std::array<Pair, block / 2> x;
-        std::memcpy(x.data(), delta.data(), sizeof x);
+    void potentials(const Block& x, Block& a, Block& b) const {
         const Pair zero{0, 0};
         Pair a0 = zero + mass_[degree_], a1 = a0, a2 = a0, a3 = a0;
         Pair b0 = zero + first_[degree_], b1 = b0, b2 = b0, b3 = b0;
@@ -149,17 +165,17 @@ class Far_cell {
             a0 = a0 * x[0] + m, a1 = a1 * x[1] + m, a2 = a2 * x[2] + m, a3 = a3 * x[3] + m;
             b0 = b0 * x[0] + f, b1 = b1 * x[1] + f, b2 = b2 * x[2] + f, b3 = b3 * x[3] + f;
         }
-        return {Block{a0[0], a0[1], a1[0], a1[1], a2[0], a2[1], a3[0], a3[1]},
-                Block{b0[0], b0[1], b1[0], b1[1], b2[0], b2[1], b3[0], b3[1]}};
+        a = {a0, a1, a2, a3};
+        b = {b0, b1, b2, b3};
     }
 
     Coordinates<2> c_;
     double r_;
     std::size_t degree_ = 0, count_ = 0;
     std::array<double, max_degree + 1> mass_, first_;
-    Block u0_, u1_, d0_, d1_;
-    double mass_sum_ = 0;
-    Coordinates<2> first_sum_{};
+    std::array<double, block> u0_, u1_, turn_;
+    Pair mass_sum_{};
+    std::array<Pair, 2> first_sum_{};
 };
 
 /// The fields g(r) p and h(r) (p - c's share) whose divergence is the density and the density times (p - c): the kinds
@@ -189,8 +205,10 @@ void around(const Coordinates<2>& c, std::span<const Corner_2> corners, Node& no
         if (corners[i].arc) {
             arc_nodes(c, a, b, node);
         } else {
-            const auto [nodes, pieces] = rule_of(norm({b[0] - a[0], b[1] - a[1]}));
-            edge_nodes(a, b, gauss_rule(nodes), pieces, node);
+            const auto rule = rule_of(norm({b[0] - a[0], b[1] - a[1]}));
+            const Gauss_rule& nodes = gauss_rule(rule.nodes);
+            if constexpr (requires { node.edge(a, b, nodes); }) node.edge(a, b, nodes);
+            else edge_nodes(a, b, nodes, rule.pieces, node);
         }
     }
 }

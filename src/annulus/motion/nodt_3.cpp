@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/motion/dihedral.h>
+#include <annulus/motion/distinct_targets.h>
 #include <annulus/mesh/parallel_runs.h>
 #include <annulus/motion/surface_stars.h>
 
@@ -75,26 +76,12 @@ Coordinates<3> towards(const Coordinates<3>& p, const Coordinates<3>& q, double 
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-/// Two vertices with one target would collide: they rest, and so do those that are then in the way of one that rests.
-void rest_where_equal(std::span<const Coordinates<3>> position, std::span<Coordinates<3>> target, std::size_t& kept) {
-    std::vector<Index> order(target.size());
-    for (std::size_t v = 0; v < order.size(); ++v) order[v] = static_cast<Index>(v);
-    for (bool again = true; again;) {
-        again = false;
-        std::sort(order.begin(), order.end(), [&](Index a, Index b) { return target[at(a)] < target[at(b)]; });
-        for (std::size_t i = 0; i < order.size();) {
-            std::size_t next = i + 1;
-            while (next < order.size() && target[at(order[next])] == target[at(order[i])]) ++next;
-            for (std::size_t k = i; next - i > 1 && k < next; ++k) {
-                const std::size_t v = at(order[k]);
-                if (target[v] == position[v]) continue;
-                again = true;
-                ++kept;
-                target[v] = position[v];
-            }
-            i = next;
-        }
-    }
+/// The mean of the sizing over corners.
+double size_of(std::span<const double> mu, std::span<const Index> corners) {
+    if (mu.empty()) return 1.0;
+    double sum = 0;
+    for (const Index v : corners) sum += mu[at(v)];
+    return sum / static_cast<double>(corners.size());
 }
 
 }  // namespace
@@ -118,81 +105,141 @@ Nodt_3::Nodt_3(const Domain_3& domain, Sizing_3 sizing, std::vector<char> on_sur
     lock_cosine_ = std::cos(*lock_degrees * std::numbers::pi / 180);
 }
 
+/// Cells with what is known of each.
+struct Nodt_3::Mesh {
+    const Cells_3& cells;
+    std::span<const char> inside;
+    std::span<const Cell_moment> moments;
+};
+
+/// The mean of each vertex' circumcentres, and whether a cell of it is no good.
+struct Nodt_3::Sums {
+    std::vector<Mean> volume;
+    std::vector<char> bad;
+};
+
 Nodt_step Nodt_3::step(const Cells_3& cells, std::span<const char> inside, std::span<const Coordinates<3>> position,
                        std::span<Coordinates<3>> target) const {
-    const std::size_t n = position.size();
-    if (target.size() != n || on_surface_.size() != n || inside.size() != cells.size() ||
-        cells.adjacent.size() != cells.size())
-        throw Error(Error_code::wrong_size, "natural ODT needs a target for every vertex, and flags for every cell");
-    std::vector<double> mu(sizing_.constant() ? 0 : n);
-    for_each_run(mu.size(), run_length, threads_, [&](std::size_t first, std::size_t last) {
-        for (std::size_t v = first; v < last; ++v) mu[v] = sizing_.at(position[v]);
+    if (inside.size() != cells.size())
+        throw Error(Error_code::wrong_size, "natural ODT needs a flag for every cell");
+    std::vector<Cell_moment> moments(cells.size());
+    for_each_run(cells.size(), run_length, threads_, [&](std::size_t first, std::size_t last) {
+        for (std::size_t c = first; c < last; ++c) {
+            const auto& v = cells.vertex[c];
+            if (inside[c] != 0)
+                moments[c] = cell_moment(position[at(v[0])], position[at(v[1])], position[at(v[2])], position[at(v[3])]);
+        }
     });
-    const auto size_of = [&](std::span<const Index> corners) {
-        if (mu.empty()) return 1.0;
-        double sum = 0;
-        for (const Index v : corners) sum += mu[at(v)];
-        return sum / static_cast<double>(corners.size());
-    };
+    Nodt_memory memory;
+    return step_of({cells, inside, moments}, position, target, memory);
+}
 
-    // Cell by cell in their order, so that sums do not depend on threads.
-    std::vector<Mean> volume(n), area(n);
-    std::vector<char> bad(n, 0);
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        if (inside[c] == 0) continue;
-        const auto& v = cells.vertex[c];
-        const Coordinates<3>& a = position[at(v[0])];
-        double weight = 0;
-        Coordinates<3> moment =
-            weighted_circumcentre(a, position[at(v[1])], position[at(v[2])], position[at(v[3])], weight);
-        const double size = size_of(v), scale = 1 / (size * size * size);
-        for (double& x : moment) x *= scale;
-        weight *= scale;
-        for (const Index i : v) volume[at(i)].add(moment, weight, a, position[at(i)]);
-        if (!lock_cosine_) continue;
-        const auto cosines = dihedral_cosines(a, position[at(v[1])], position[at(v[2])], position[at(v[3])]);
-        // Not >: where a cell is flat the cosines are NaN, and it is no good.
-        if (!std::all_of(cosines.begin(), cosines.end(), [&](double x) { return std::abs(x) <= *lock_cosine_; }))
-            for (const Index i : v) bad[at(i)] = 1;
-    }
+Nodt_step Nodt_3::step(const Kept_cells_3& cells, std::span<const Coordinates<3>> position, std::span<Coordinates<3>> target,
+                       Nodt_memory& memory) const {
+    return step_of({cells.cells(), cells.inside(), cells.moments()}, position, target, memory);
+}
 
-    const auto facets = surface_facets(cells, inside);
+/// The sizing at every vertex; the memory is left with it.
+void Nodt_3::size_up(std::span<const Coordinates<3>> position, Nodt_memory& memory) const {
+    if (sizing_.constant()) return;
+    const bool known = memory.position_.size() == position.size();
+    memory.position_.resize(position.size());
+    memory.mu_.resize(position.size());
+    for_each_run(position.size(), run_length, threads_, [&](std::size_t first, std::size_t last) {
+        for (std::size_t v = first; v < last; ++v) {
+            if (known && memory.position_[v] == position[v]) continue;
+            memory.mu_[v] = sizing_.at(position[v]);
+            memory.position_[v] = position[v];
+        }
+    });
+}
+
+bool Nodt_3::is_good(const std::array<Index, 4>& v, std::span<const Coordinates<3>> position) const {
+    const auto cosines =
+        dihedral_cosines(position[at(v[0])], position[at(v[1])], position[at(v[2])], position[at(v[3])]);
+    // Not >: where a cell is flat the cosines are NaN, and it is no good.
+    return std::all_of(cosines.begin(), cosines.end(), [&](double x) { return std::abs(x) <= *lock_cosine_; });
+}
+
+/// Every thread has a range of vertices and looks at all cells, in their order: so sums do not depend on how many there are.
+void Nodt_3::sum_cells(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<const double> mu, Sums& sums) const {
+    const std::size_t n = position.size(), cells = mesh.cells.size();
+    std::vector<char> good(lock_cosine_ ? cells : 0, 1);
+    for_each_run(good.size(), run_length, threads_, [&](std::size_t first, std::size_t last) {
+        for (std::size_t c = first; c < last; ++c)
+            if (mesh.inside[c] != 0) good[c] = is_good(mesh.cells.vertex[c], position) ? 1 : 0;
+    });
+    const std::size_t range = std::max<std::size_t>(1, (n + static_cast<std::size_t>(threads_) - 1) / static_cast<std::size_t>(threads_));
+    for_each_run(n, range, threads_, [&](std::size_t first, std::size_t last) {
+        for (std::size_t c = 0; c < cells; ++c) {
+            if (mesh.inside[c] == 0) continue;
+            const auto& v = mesh.cells.vertex[c];
+            const auto mine = [&](Index i) { return at(i) - first < last - first; };
+            if (!(mine(v[0]) || mine(v[1]) || mine(v[2]) || mine(v[3]))) continue;
+            const Coordinates<3>& a = position[at(v[0])];
+            const double size = size_of(mu, v), scale = mu.empty() ? 1 : 1 / (size * size * size);
+            Coordinates<3> moment = mesh.moments[c].moment;
+            for (double& x : moment) x *= scale;
+            const double weight = mesh.moments[c].volume * scale;
+            for (const Index i : v) {
+                if (!mine(i)) continue;
+                sums.volume[at(i)].add(moment, weight, a, position[at(i)]);
+                if (lock_cosine_ && good[c] == 0) sums.bad[at(i)] = 1;
+            }
+        }
+    });
+}
+
+Nodt_step Nodt_3::step_of(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<Coordinates<3>> target,
+                          Nodt_memory& memory) const {
+    const std::size_t n = position.size();
+    if (target.size() != n || on_surface_.size() != n || mesh.inside.size() != mesh.cells.size() ||
+        mesh.moments.size() != mesh.cells.size() || mesh.cells.adjacent.size() != mesh.cells.size())
+        throw Error(Error_code::wrong_size, "natural ODT needs a target for every vertex, and flags for every cell");
+    size_up(position, memory);
+    const std::span<const double> mu = memory.mu_;
+    Sums sums{std::vector<Mean>(n), std::vector<char>(n, 0)};
+    sum_cells(mesh, position, mu, sums);
+
+    std::vector<Mean> area(n);
+    const auto facets = surface_facets(mesh.cells, mesh.inside, threads_);
     const Surface_stars surface(facets, n);
     for (const auto& t : facets) {
         const Coordinates<3>& a = position[at(t[0])];
         double weight = 0;
         Coordinates<3> moment = weighted_circumcentre(a, position[at(t[1])], position[at(t[2])], weight);
-        const double size = size_of(t), scale = 1 / (size * size);
+        const double size = size_of(mu, t), scale = 1 / (size * size);
         for (double& x : moment) x *= scale;
         for (const Index k : t) area[at(k)].add(moment, scale * weight, a, position[at(k)]);
     }
 
     std::vector<Partial> partial((n + run_length - 1) / run_length);
     for_each_run(n, run_length, threads_, [&](std::size_t first, std::size_t last) {
-        Partial& sums = partial[first / run_length];
+        Partial& counts = partial[first / run_length];
         for (std::size_t v = first; v < last; ++v) {
             target[v] = position[v];
-            if (!(volume[v].weight > 0)) continue;
+            if (!(sums.volume[v].weight > 0)) continue;
             const bool boundary = on_surface_[v] != 0;
-            ++sums.vertices;
-            sums.boundary += boundary;
-            if (lock_cosine_ && bad[v] == 0) {
-                ++sums.locked;
+            ++counts.vertices;
+            counts.boundary += boundary;
+            if (lock_cosine_ && sums.bad[v] == 0) {
+                ++counts.locked;
                 continue;
             }
             Coordinates<3> wanted;
             bool good = boundary ? surface.disc(static_cast<Index>(v)) && area[v].from(position[v], wanted)
-                                 : volume[v].from(position[v], wanted);
+                                 : sums.volume[v].from(position[v], wanted);
             if (good && boundary) {
                 double nearest = std::numeric_limits<double>::infinity();
                 for (const auto& [a, b] : surface.around(static_cast<Index>(v)))
                     nearest = std::min(nearest, distance(position[v], position[at(a)]));
-                wanted = domain_.project(towards(position[v], wanted, surface_relaxation, surface_stride * nearest));
+                wanted = towards(position[v], wanted, surface_relaxation, surface_stride * nearest);
+                wanted = domain_.project(wanted, position[v]);
             } else if (good) {
                 good = domain_.contains(wanted);
             }
             if (good) target[v] = wanted;
-            else ++sums.kept;
+            else ++counts.kept;
         }
     });
     Nodt_step total;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/motion/cells_3.h>
 #include <annulus/motion/domain_3.h>
+#include <annulus/motion/kept_cells_3.h>
 #include <annulus/motion/sizing_3.h>
 
 #include <cstddef>
@@ -27,6 +27,13 @@ struct Nodt_step {
 
 /// A flag for every point that is on the surface of the domain, up to 1e-9 of the diagonal of its box.
 [[nodiscard]] std::vector<char> vertices_on_surface(const Domain_3& domain, std::span<const Coordinates<3>> points);
+
+/// What one step leaves for the next: sizes where vertices have not moved. For steps of one Nodt_3.
+class Nodt_memory {
+    friend class Nodt_3;
+    std::vector<Coordinates<3>> position_;
+    std::vector<double> mu_;  ///< the sizing there
+};
 
 /// Natural optimal Delaunay triangulation (section 4.2 of the paper; Tournois, Wormser, Alliez, Desbrun 2009).
 ///
@@ -68,8 +75,20 @@ class Nodt_3 {
     /// number of threads. Expected O(n). Throws Error(wrong_size). `target` must not overlap `position`.
     Nodt_step step(const Cells_3& cells, std::span<const char> inside, std::span<const Coordinates<3>> position,
                    std::span<Coordinates<3>> target) const;
+    /// The same of cells that were measured at `position` with the same domain, and with a memory: the result is that of a step with none,
+    /// bit for bit.
+    Nodt_step step(const Kept_cells_3& cells, std::span<const Coordinates<3>> position, std::span<Coordinates<3>> target,
+                   Nodt_memory& memory) const;
 
   private:
+    struct Mesh;
+    struct Sums;
+    Nodt_step step_of(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<Coordinates<3>> target,
+                      Nodt_memory& memory) const;
+    void size_up(std::span<const Coordinates<3>> position, Nodt_memory& memory) const;
+    void sum_cells(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<const double> mu, Sums& sums) const;
+    [[nodiscard]] bool is_good(const std::array<Index, 4>& cell, std::span<const Coordinates<3>> position) const;
+
     const Domain_3& domain_;
     Sizing_3 sizing_;
     std::vector<char> on_surface_;

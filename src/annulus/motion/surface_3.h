@@ -10,7 +10,7 @@ namespace annulus {
 
 /// What a closed triangle surface encloses: the points from which a ray crosses it an odd number of times.
 ///
-/// CGAL's AABB tree answers everything. `contains` is decided by exact predicates, and at once for points in a voxel of a
+/// CGAL's AABB tree answers everything but where to go from a point near by, which motions ask most. `contains` is decided by exact predicates, and at once for points in a voxel of a
 /// grid that the surface does not enter: such a voxel is inside or outside as a whole.
 class Surface_3 final : public Domain_3 {
   public:
@@ -24,6 +24,7 @@ class Surface_3 final : public Domain_3 {
     /// O(1) away from the surface, O(log n) expected near it. A point of the surface is not contained.
     [[nodiscard]] bool contains(const Coordinates<3>& p) const override;
     [[nodiscard]] Coordinates<3> project(const Coordinates<3>& p) const override;
+    [[nodiscard]] Coordinates<3> project(const Coordinates<3>& p, const Coordinates<3>& near) const override;
     [[nodiscard]] std::optional<Coordinates<3>> crossing(const Coordinates<3>& a,
                                                          const Coordinates<3>& b) const override;
     [[nodiscard]] std::vector<Coordinates<3>> surface_sample(std::size_t n, std::uint64_t seed) const override;

@@ -17,36 +17,47 @@ double dot(const Coordinates<2>& a, const Coordinates<2>& b) { return a[0] * b[0
 
 const Cell_2& Voronoi_cell_2::operator()(const Coordinates<2>& site, std::span<const Index> neighbours,
                                          std::span<const Coordinates<2>> position, bool cyclic) {
+    plump_ = false;
     if (!cyclic || !from_circumcentres(site, neighbours, position)) from_bisectors(site, neighbours, position);
     return cell_;
 }
 
 bool Voronoi_cell_2::from_circumcentres(const Coordinates<2>& site, std::span<const Index> neighbours,
                                         std::span<const Coordinates<2>> position) {
-    if (neighbours.size() < 3) return false;
+    const std::size_t n = neighbours.size();
+    if (n < 3) return false;
     cell_.origin = site;
-    cell_.corners.resize(neighbours.size());
+    cell_.corners.resize(n);
+    Corner_2* const corner = cell_.corners.data();
     Coordinates<2> a = minus(position[static_cast<std::size_t>(neighbours.back())], site);
     double a2 = dot(a, a);
-    for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    bool good = true;
+    for (std::size_t i = 0; i < n; ++i) {
         const Coordinates<2> b = minus(position[static_cast<std::size_t>(neighbours[i])], site);
         const double b2 = dot(b, b), turn = cross(a, b);
         // Sine of the angle at the site below 2^-24, or NaN, or clockwise.
-        if (!(turn > 0 && turn * turn > 0x1p-48 * (a2 * b2))) return false;
+        good = good && turn > 0 && turn * turn > 0x1p-48 * (a2 * b2);
         const double scale = 0.5 / turn;
         const Coordinates<2> centre{(b[1] * a2 - a[1] * b2) * scale, (a[0] * b2 - b[0] * a2) * scale};
-        if (!domain_->well_contains({site[0] + centre[0], site[1] + centre[1]})) return false;
-        cell_.corners[i] = {centre, false};
+        good = good && domain_->well_contains({site[0] + centre[0], site[1] + centre[1]});
+        corner[i] = {centre, false};
         a = b;
         a2 = b2;
     }
-    const Coordinates<2>* before = &cell_.corners.back().offset;
-    for (const Corner_2& corner : cell_.corners) {
-        const Coordinates<2>& now = corner.offset;
-        if (!(cross(*before, now) >= -1e-12 * (dot(*before, *before) + dot(now, now)))) return false;
-        before = &now;
+    if (!good) return false;
+    Coordinates<2> before = corner[n - 1].offset;
+    double before2 = dot(before, before), twice_area = 0, greatest = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Coordinates<2> now = corner[i].offset;
+        const double now2 = dot(now, now), twice = cross(before, now);
+        good = good && twice >= -1e-12 * (before2 + now2);
+        twice_area += twice;
+        greatest = std::max(greatest, now2);
+        before = now;
+        before2 = now2;
     }
-    return true;
+    plump_ = good && twice_area > 2e-6 * greatest;
+    return good;
 }
 
 void Voronoi_cell_2::from_bisectors(const Coordinates<2>& site, std::span<const Index> neighbours,

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/mesh/cell_table.h>
+#include <annulus/mesh/neighbours.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// The finite neighbours of every vertex of a triangulation of the plane, as in Neighbours_2, kept from step to step: only the lists of
+/// vertices whose triangles have changed are read again.
+///
+/// Lists have one order whatever the history of the triangulation: a cyclic one begins with its least index, an open one behind infinity.
+/// So what is computed from them is the same bit for bit under every strategy.
+class Stars_2 {
+  public:
+    /// Reads a mirror. Its triangles are compared with those of the last reading: O(cells), and O(degree) for each vertex of a cell that
+    /// differs. All vacant where the points are on a line, because there are no cells then.
+    void read(const Cell_table<2>& table);
+    /// Reads lists, all of them. O(n).
+    void read(const Neighbours_2& lists);
+
+    [[nodiscard]] std::size_t size() const { return place_.size(); }
+    [[nodiscard]] std::span<const Index> of(std::size_t v) const {
+        return {pool_.data() + place_[v].begin, static_cast<std::size_t>(place_[v].size)};
+    }
+    /// Consecutive neighbours, and last and first, make a triangle with v: it is not on the convex hull.
+    [[nodiscard]] bool cyclic(std::size_t v) const { return !place_[v].open; }
+    /// How many readings there have been, and in which of them the list of v came to be.
+    [[nodiscard]] std::uint64_t readings() const { return readings_; }
+    [[nodiscard]] std::uint64_t since(std::size_t v) const { return place_[v].since; }
+
+  private:
+    /// Where the list of a vertex is; it has room to grow a little.
+    struct Place {
+        std::size_t begin = 0;
+        std::uint64_t since = 0;
+        Index size = 0, room = 0;
+        bool open = true;
+    };
+    using Triangle = std::array<Index, 3>;
+
+    void find_changed(const Cell_table<2>& table);
+    void mark(const Triangle& t);
+    void put(std::size_t v, bool open, std::size_t start);
+
+    std::vector<Place> place_;        // by vertex
+    std::vector<Index> pool_;         // the lists, with gaps
+    std::vector<Triangle> triangle_;  // by cell of the table, at the last reading
+    std::vector<char> marked_;        // by vertex
+    std::vector<Index> changed_;      // vertices
+    std::vector<Index> ring_;         // the list being read
+    std::uint64_t readings_ = 0;
+};
+
+}  // namespace annulus
