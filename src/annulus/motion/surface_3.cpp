@@ -3,7 +3,6 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/motion/surface_faults.h>
-#include <annulus/motion/triangle_tree.h>
 #include <annulus/motion/voxel_marks.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -125,7 +124,6 @@ struct Surface_3::Tree {
     Tree(const Triangle_surface& s, bool crossings)
         : surface(sound(s, crossings)),
           mesh(mesh_of(surface)),
-          near(surface),
           tree(faces(mesh).first, faces(mesh).second, mesh),
           box(box_of(s)),
           marks(box, std::clamp<std::size_t>(20 * s.triangles.size(), 32'768, 2'097'152)) {
@@ -171,7 +169,6 @@ struct Surface_3::Tree {
 
     Triangle_surface surface;
     Mesh mesh;
-    Triangle_tree near;
     Aabb_tree tree;
     Box box;
     Voxel_marks marks;
@@ -200,7 +197,7 @@ bool Surface_3::contains_by_ray(const Coordinates<3>& p) const {
 Coordinates<3> Surface_3::project(const Coordinates<3>& p) const { return ours(tree_->tree.closest_point(cgal(p))); }
 
 Coordinates<3> Surface_3::project(const Coordinates<3>& p, const Coordinates<3>& near) const {
-    return tree_->near.nearest(p, near);
+    return ours(tree_->tree.closest_point(cgal(p), cgal(near)));
 }
 
 std::optional<Coordinates<3>> Surface_3::crossing(const Coordinates<3>& a, const Coordinates<3>& b) const {
