@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
@@ -68,16 +67,6 @@ double follow(Moving<d>& dt, const Motion<d>& motion, Stopwatch watch, Move_repo
 }
 
 }  // namespace
-
-double quantile(std::vector<double> v, double q) {
-    if (v.empty()) return 0.0;
-    std::sort(v.begin(), v.end());
-    return v[std::min(v.size() - 1, static_cast<std::size_t>(q * static_cast<double>(v.size())))];
-}
-
-void append(const std::string& file, const ordered_json& line) {
-    if (!file.empty()) std::ofstream(file, std::ios::app) << line.dump() << '\n';
-}
 
 template <int d>
 int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_json& out) {

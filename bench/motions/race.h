@@ -2,6 +2,7 @@
 #pragma once
 
 #include "motion.h"
+#include "result_line.h"
 
 #include <annulus/engine/options.h>
 
@@ -30,10 +31,5 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, nlohmann:
 
 extern template int race<2>(Motion<2>&, const Race&, const std::string&, nlohmann::ordered_json&);
 extern template int race<3>(Motion<3>&, const Race&, const std::string&, nlohmann::ordered_json&);
-
-/// What quantile q of the numbers is; 0 of none.
-[[nodiscard]] double quantile(std::vector<double> v, double q);
-/// Appends a line to the file, if one is named.
-void append(const std::string& file, const nlohmann::ordered_json& line);
 
 }  // namespace bench

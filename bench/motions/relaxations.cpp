@@ -2,8 +2,8 @@
 // Strategies, CGAL's rebuild and the motion itself on Lloyd iterations and natural ODT, as the tool makes them. Blocks of timestamps are computed
 // first, and each strategy follows them by itself, so that neither the others nor the motion use up its caches, and yet all are timed within the same seconds.
 #include "cgal_rebuild.h"
-#include "race.h"
 #include "relaxation.h"
+#include "result_line.h"
 
 #include <annulus/cli/arguments.h>
 
