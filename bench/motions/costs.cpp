@@ -6,15 +6,17 @@
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <iostream>
+#include <cstdio>
+#include <fstream>
 #include <memory>
+#include <string>
 
 namespace {
 
@@ -61,7 +63,7 @@ auto cgal(const bench::Points<d>& x) {
 
 /// Of an object in the state that steps of `spacings` leave it in.
 template <class Moving, int d>
-void costs(const char* name, std::size_t n, double spacings) {
+void costs(const char* name, std::size_t n, double spacings, const std::string& file) {
     bench::Scene<d> scene("uniform", "walk", n, spacings, 1);
     bench::Points<d> x = scene.points();
     const auto per_vertex = [n](double sum) { return sum / static_cast<double>(n); };
@@ -121,17 +123,24 @@ void costs(const char* name, std::size_t n, double spacings) {
     }
     out["one_move_ns"] = median(one);
     out["audit"] = dt->audit().delaunay() && sum == sum;
-    std::cout << out.dump() << std::endl;
+    std::printf("%s\n", out.dump().c_str());
+    std::fflush(stdout);
+    if (!file.empty()) std::ofstream(file, std::ios::app) << out.dump() << '\n';
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::size_t n = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 100000;
+    std::size_t n = 100000;
+    std::string json;
+    CLI::App app{"What does not depend on a motion, of both classes in both dimensions."};
+    app.add_option("POINTS", n)->check(CLI::Range(1000, 100000000));
+    app.add_option("--json", json, "file that a line is appended to for each");
+    CLI11_PARSE(app, argc, argv);
     for (const double spacings : {1e-5, 1e-3}) {  // with tolerances, and without
-        costs<Moving_delaunay_3, 3>("Moving_delaunay_3", n, spacings);
-        costs<Moving_mesh_3, 3>("Moving_mesh<3>", n, spacings);
-        costs<Moving_delaunay_2, 2>("Moving_delaunay_2", n, spacings);
-        costs<Moving_mesh_2, 2>("Moving_mesh<2>", n, spacings);
+        costs<Moving_delaunay_3, 3>("Moving_delaunay_3", n, spacings, json);
+        costs<Moving_mesh_3, 3>("Moving_mesh<3>", n, spacings, json);
+        costs<Moving_delaunay_2, 2>("Moving_delaunay_2", n, spacings, json);
+        costs<Moving_mesh_2, 2>("Moving_mesh<2>", n, spacings, json);
     }
 }

@@ -5,21 +5,18 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace bench {
 
 template <int d>
-double Scene<d>::normal() {
-    return std::sqrt(-2.0 * std::log(1.0 - unit())) * std::cos(6.283185307179586 * unit());
-}
-
-template <int d>
 Scene<d>::Scene(std::string_view family, std::string_view motion, std::size_t n, double spacings, std::uint64_t seed)
-    : family_(family), motion_(motion), random_(seed), x_(n), scale_(n, 1.0), face_(n, 0) {
+    : family_(family), motion_(motion), random_(seed), scale_(n, 1.0), face_(n, 0) {
     if (std::find(std::begin(families), std::end(families), family) == std::end(families))
         throw std::invalid_argument("no family " + std::string(family));
     if (std::find(std::begin(kinds_of_motion), std::end(kinds_of_motion), motion) == std::end(kinds_of_motion))
         throw std::invalid_argument("no motion " + std::string(motion));
+    x_.resize(n);
     const double many = static_cast<double>(n);
     const double spacing = family == "sphere" || family == "faces" ? std::pow(12.0 / many, 1.0 / (d - 1))
                            : family == "slab"                      ? std::pow(0.01 / many, 1.0 / d)
@@ -29,15 +26,15 @@ Scene<d>::Scene(std::string_view family, std::string_view motion, std::size_t n,
     const auto side = static_cast<std::size_t>(std::ceil(std::pow(many, 1.0 / d) - 1e-9));
     Points<d> centre(static_cast<std::size_t>(7));
     for (auto& c : centre)
-        for (double& k : c) k = unit();
+        for (double& k : c) k = random_.unit();
     for (std::size_t i = 0; i < n; ++i) {
         auto& p = x_[i];
-        for (double& c : p) c = unit();
+        for (double& c : p) c = random_.unit();
         if (family == "sphere" || family == "ball") {
-            const double radius = family == "ball" ? std::pow(unit(), 1.0 / d) : 1.0;
+            const double radius = family == "ball" ? std::pow(random_.unit(), 1.0 / d) : 1.0;
             double norm = 0.0;
             for (double& c : p) {
-                c = normal();
+                c = random_.normal();
                 norm += c * c;
             }
             for (double& c : p) c *= radius / std::sqrt(norm);
@@ -48,13 +45,13 @@ Scene<d>::Scene(std::string_view family, std::string_view motion, std::size_t n,
             scale_[i] = std::pow(10.0, -static_cast<double>(k));
             for (std::size_t c = 0; c < d; ++c) p[c] = centre[k][c] + scale_[i] * (p[c] - 0.5);
         } else if (family == "faces") {
-            face_[i] = static_cast<int>(random_() % (2 * d));
+            face_[i] = static_cast<int>(random_.bits() % (2 * d));
             keep(i);
         } else if (family == "lattice") {
             std::size_t rest = i;
             for (double& c : p) {
                 c = static_cast<double>(rest % side) / static_cast<double>(side);
-                c += std::ldexp(static_cast<double>(static_cast<int>(random_() % 3) - 1), -53);
+                c += std::ldexp(static_cast<double>(static_cast<int>(random_.bits() % 3) - 1), -53);
                 rest /= side;
             }
         }
@@ -81,6 +78,7 @@ Scene<d>::Scene(std::string_view family, std::string_view motion, std::size_t n,
     reordered(x_);
     reordered(scale_);
     reordered(face_);
+    this->start(std::move(x_), spacing);
 }
 
 /// Back to the surface of the family.
@@ -99,16 +97,16 @@ void Scene<d>::keep(std::size_t i) {
 
 template <int d>
 void Scene<d>::walk(std::size_t i, double reach) {
-    for (double& c : x_[i]) c += reach * scale_[i] * normal() / std::sqrt(static_cast<double>(d));
+    for (double& c : x_[i]) c += reach * scale_[i] * random_.normal() / std::sqrt(static_cast<double>(d));
     keep(i);
 }
 
 template <int d>
-void Scene<d>::step() {
+bool Scene<d>::advance() {
     ++steps_;
     if (motion_ == "drift") {
         annulus::Coordinates<d> off{};
-        for (double& c : off) c = reach_ * normal();
+        for (double& c : off) c = reach_ * random_.normal();
         for (auto& p : x_)
             for (std::size_t k = 0; k < d; ++k) p[k] += off[k];
     } else if (motion_ == "shear") {
@@ -121,6 +119,7 @@ void Scene<d>::step() {
     } else {
         for (std::size_t i = 0; i < x_.size(); ++i) walk(i, reach_);
     }
+    return true;
 }
 
 template class Scene<2>;

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
+#include "motion.h"
+#include "random.h"
 
 #include <cstdint>
-#include <random>
-#include <span>
 #include <string_view>
 #include <vector>
 
 namespace bench {
-
-template <int d>
-using Points = std::vector<annulus::Coordinates<d>>;
 
 /// The families of points, each with the surface that its points keep to while they walk.
 ///
@@ -28,24 +24,20 @@ inline constexpr std::string_view kinds_of_motion[] = {"walk", "drift", "shear",
 /// A family in motion. Positions are in the unit of the family, displacements in spacings n^(-1/d), or (2 / sqrt n on the unit sphere) as
 /// the family has.
 template <int d>
-class Scene {
+class Scene : public Motion<d> {
   public:
     Scene(std::string_view family, std::string_view motion, std::size_t n, double spacings, std::uint64_t seed);
-    [[nodiscard]] const Points<d>& points() const { return x_; }
-    /// One timestamp. O(n).
-    void step();
 
   private:
-    [[nodiscard]] double unit() { return std::ldexp(static_cast<double>(random_() >> 11), -53); }
-    [[nodiscard]] double normal();
+    using Motion<d>::x_;
+    bool advance() override;
     void walk(std::size_t i, double reach);
     void keep(std::size_t i);
 
     std::string_view family_;
     std::string_view motion_;
     double reach_;  // of a step, in the unit of the family
-    std::mt19937_64 random_;
-    Points<d> x_;
+    Random random_;
     std::vector<double> scale_;  // by point, of its family's spacing
     std::vector<int> face_;      // by point, 2 * axis + side
     std::uint64_t steps_ = 0;

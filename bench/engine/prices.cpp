@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the prices of engine/prices.h are on this machine, in cells looked at. One measurement of each in every repetition, with another seed, and all divided by what
+// looking at a cell took in the same repetition (bench/calibrate makes a table of it).
+#include "workbench.h"
+
+#include "../motions/cgal_rebuild.h"
+
+#include <annulus/certificate/batch.h>
+#include <annulus/engine/signs.h>
+#include <annulus/mesh/evaluate.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <functional>
+
+namespace {
+
+using namespace annulus;
+using bench::Workbench;
+using nlohmann::ordered_json;
+
+const bench::Stopwatch watch;
+
+/// After others have used the caches, as they do between two timestamps.
+double seconds(const std::function<void()>& f) {
+    static std::vector<std::uint64_t> others(std::size_t{1} << 20);
+    for (std::uint64_t& word : others) word += 1;
+    const double begin = watch.seconds();
+    f();
+    return watch.seconds() - begin;
+}
+
+/// The least of some: what disturbs only adds.
+double least(int times, const std::function<void()>& f) {
+    double best = seconds(f);
+    for (int k = 1; k < times; ++k) best = std::min(best, seconds(f));
+    return best;
+}
+
+/// The factor f of y = f x, by least squares of relative errors.
+class Factor {
+  public:
+    void add(double x, double y) {
+        if (!(y > 0.0)) return;
+        xy_ += x / y;
+        xx_ += x / y * (x / y);
+    }
+    /// NaN of nothing.
+    [[nodiscard]] double value() const { return xy_ / xx_; }
+
+  private:
+    double xy_ = 0.0;
+    double xx_ = 0.0;
+};
+
+template <int d>
+class Repetition {
+  public:
+    Repetition(std::size_t n, std::uint64_t seed) : n_(n), all_(static_cast<double>(n)), seed_(seed), w_("uniform", n, seed) {}
+
+    ordered_json measure() {
+        counts();
+        find_unit();
+        building();
+        find_unit();
+        settling();
+        find_unit();
+        steps_of_tolerances();
+        find_unit();
+        steps_of_signs();
+        find_unit();
+        doubtful_signs();
+        find_unit();
+        later_stages();
+        return out_;
+    }
+
+  private:
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+    /// What looking at a cell takes, of all of them, in the order that they have: anew before each part, since a machine is not always as fast.
+    void find_unit() {
+        const auto& table = w_.embedding().table();
+        Signs<d> signs(table);
+        const double s = least(5, [&] {
+            signs.begin(w_.points());
+            signs.look_at_everything();
+        });
+        unit_ = s / signs.price();
+    }
+
+    /// What is counted, and what is done around one vertex.
+    void counts() {
+        const auto& table = w_.embedding().table();
+        std::size_t cells = 0;
+        std::size_t certificates = 0;
+        for (Index c = 0; c < table.cell_bound(); ++c)
+            if (table.is_cell(c)) {
+                ++cells;
+                if (!table.is_infinite(c)) ++certificates;
+            }
+        for (Index f = 0; f < table.facet_bound(); ++f)
+            if (table.is_facet(f) && facet_kind(table, table.half(f)) != Facet_kind::border) ++certificates;
+        find_unit();
+        out_["unit"] = 1e9 * unit_;
+        out_["cells"] = static_cast<double>(cells) / all_;
+        out_["certificates"] = static_cast<double>(certificates) / all_;
+        // Around one vertex, which moves alone.
+        Repair<d> repair(w_.embedding(), Tolerance_kind::certified, true);
+        const std::size_t some = 2000;
+        bool held = true;
+        const double star = least(3, [&] {
+            for (std::size_t k = 0; k < some; ++k) {
+                repair.begin(w_.points(), false);
+                held &= repair.evaluate_star(static_cast<Index>(7919 * k % n_));
+            }
+        });
+        if (!held) throw std::runtime_error("a star does not hold where it was built");
+        out_["star"] = star / static_cast<double>(some) / unit_;
+    }
+
+    void building() {
+        typename Workbench<d>::Embedding fresh;
+        auto x = w_.points();
+        fresh.build(x);
+        out_["mirror"] = vertex(least(3, [&] {
+            fresh.drop_mirror();
+            fresh.mirror();
+        }));
+        fresh.drop_mirror();
+        std::vector<double> again;
+        std::vector<double> rebuild;
+        bench::Random random(seed_);
+        for (int k = 0; k < 5; ++k) {
+            for (auto& p : x)
+                for (double& c : p) c += 0.1 * w_.spacing() * random.normal();
+            again.push_back(seconds([&] { fresh.rebuild(x); }));
+            rebuild.push_back(bench::cgal_rebuild<d>(x, watch));
+        }
+        out_["again"] = vertex(*std::min_element(again.begin(), again.end()));
+        out_["rebuild"] = vertex(*std::min_element(rebuild.begin(), rebuild.end()));
+    }
+
+    void settling() {
+        out_["settling"] = vertex(least(3, [&] { w_.settle(); }));
+        w_.walk(1e-9);
+        (void)w_.step();
+        pass_ = least(5, [&] { (void)w_.step(); });
+    }
+
+    /// Steps in which some tolerances fail and others do not. Failed vertices and evaluated certificates come together in every motion, so that no fit
+    /// tells their prices apart: they keep their ratio.
+    void steps_of_tolerances() {
+        Factor factor;
+        Factor expected;
+        const double certificates = out_["certificates"].get<double>() * all_;
+        const double scale = d == 2 ? 10.0 : 1.0;
+        for (const double s : {1e-5, 3e-5, 1e-4}) {
+            for (const std::size_t share : {std::size_t{1}, std::size_t{10}, std::size_t{100}}) {
+                w_.settle();
+                double sum = 0.0;
+                double expiries = 0.0;
+                int counted = 0;
+                for (int k = 0; k < 10; ++k) {
+                    const auto before = w_.points();
+                    w_.walk(scale * s, share);
+                    const double expiring = share == 1 && k >= 3 ? certificates * expiring_share(before) : 0.0;
+                    Move_report report;
+                    const double t = seconds([&] { report = w_.step(); });
+                    if (report.tolerance_steps != 1 || report.settlings != 0 || report.moves.rebuilt != 0 || !w_.filter().tracks()) break;
+                    if (k < 3) continue;  // just after settling nothing fails
+                    const auto failed = static_cast<double>(report.moves.asked - report.moves.within_tolerance);
+                    factor.add(Prices<d>::failure * failed + Prices<d>::evaluation * static_cast<double>(report.evaluated), (t - pass_) / unit_);
+                    sum += t / unit_;
+                    expiries += expiring;
+                    ++counted;
+                }
+                if (share == 1 && counted == 7) expected.add(expiries, sum);
+            }
+        }
+        out_["failure"] = factor.value() * Prices<d>::failure;
+        out_["evaluation"] = factor.value() * Prices<d>::evaluation;
+        out_["expected"] = expected.value();
+    }
+
+    /// As the engine guesses it: the mean of way / tolerance over bi-cells, of a step that begins where `before` says.
+    double expiring_share(const bench::Points<d>& before) {
+        const auto& table = w_.embedding().table();
+        const auto& x = w_.points();
+        double sum = 0.0;
+        std::size_t sampled = 0;
+        for (Index f = 0; f < table.facet_bound(); f += 1 + table.facet_bound() / 512) {
+            if (!table.is_facet(f) || facet_kind(table, table.half(f)) != Facet_kind::empty_sphere) continue;
+            const auto points = bicell_points(table, table.half(f));
+            std::array<Coordinates<d>, static_cast<std::size_t>(d + 2)> p;
+            double way = 0.0;
+            for (std::size_t k = 0; k < points.size(); ++k) {
+                p[k] = before[at(points[k])];
+                way = std::max(way, std::sqrt(squared_distance<d>(x[at(points[k])], p[k])));
+            }
+            const double room = facet_verdict(Facet_kind::empty_sphere, p).tolerance;
+            sum += way < room ? way / room : way > 0.0 ? 1.0 : 0.0;
+            ++sampled;
+        }
+        return sum / static_cast<double>(std::max<std::size_t>(sampled, 1));
+    }
+
+    /// Without tolerances: when all holds, and by what a sample of all cells says before. Violated facets and inverted cells come together, too.
+    void steps_of_signs() {
+        w_.stop_tracking();
+        double hold = 1e9;
+        for (int k = 0; k < 6; ++k) {  // the eighth looks whether tolerances would pay
+            w_.walk(1e-9);
+            Move_report report;
+            const double t = seconds([&] { report = w_.step(); });
+            if (report.sign_steps == 1 && report.settlings == 0) hold = std::min(hold, t);
+        }
+        out_["signs"] = vertex(hold);
+        Factor factor;
+        for (int k = 0; k < 8; ++k)
+            for (const double s : {0.003, 0.01, 0.02, 0.03, 0.05}) {
+                w_.walk(d == 2 ? 2.0 * s : s);
+                const Sample sample = w_.embedding().sample(w_.points(), static_cast<std::size_t>(10.0 * all_));
+                Move_report report;
+                const double t = seconds([&] { report = w_.step(); });
+                if (report.sign_steps != 1 || report.settlings != 0 || report.moves.rebuilt != 0) continue;
+                const double scale = out_["cells"].get<double>() * all_ / static_cast<double>(std::max<std::size_t>(sample.cells, 1));
+                factor.add(scale * (Prices<d>::violated * 0.5 * static_cast<double>(sample.violated) +
+                                    Prices<d>::inverted * static_cast<double>(sample.inverted)), (t - hold) / unit_);
+            }
+        out_["violated"] = factor.value() * Prices<d>::violated;
+        out_["inverted"] = factor.value() * Prices<d>::inverted;
+    }
+
+    /// Certificates that the filter stage cannot tell: a lattice with noise of an ulp.
+    void doubtful_signs() {
+        Workbench<d> lattice("lattice", n_ / 2, seed_);
+        const Sample sample = lattice.embedding().sample(lattice.points(), 10 * n_);
+        const auto& table = lattice.embedding().table();
+        Signs<d> signs(table);
+        std::size_t cells = 0;
+        for (Index c = 0; c < table.cell_bound(); ++c) cells += table.is_cell(c) ? 1 : 0;
+        std::size_t violated = 0;
+        const double s = least(2, [&] {
+            signs.begin(lattice.points());
+            signs.look_at_everything();
+            const auto inverted = signs.inverted();
+            for (const Index c : inverted) violated += signs.is_inverted(c) ? 1U : 0U;
+            const auto facets = signs.violated();
+            for (const Index f : facets) violated += signs.is_violated(f) ? 1U : 0U;
+        });
+        if (sample.cells == 0 || sample.unclear == 0) return;
+        const double unclear = static_cast<double>(sample.unclear) * static_cast<double>(cells) / static_cast<double>(sample.cells);
+        out_["unclear"] = (s / unit_ - static_cast<double>(cells)) / unclear;
+    }
+
+    /// Tolerances of bi-cells near a sphere, beside those that the filter stage gives: of points so far off that intervals tell most, and so near that none does.
+    void later_stages() {
+        const auto filter = bicells(1e-3);
+        const auto middle = bicells(d == 2 ? 1e-12 : 1e-10);
+        const auto near = bicells(1e-17);
+        // Two equations.
+        const auto above = [&](const auto& b) { return b.seconds / unit_ - filter.seconds / unit_ * b.count / filter.count; };
+        const double determinant = middle.interval * near.exact - near.interval * middle.exact;
+        out_["interval_evaluation_price"] = (above(middle) * near.exact - above(near) * middle.exact) / determinant;
+        out_["exact_evaluation_price"] = (middle.interval * above(near) - near.interval * above(middle)) / determinant;
+    }
+
+    struct Bicells {
+        double seconds, count, interval, exact;
+    };
+    /// All bi-cells of points that far off the unit sphere, and how many answers each stage gave.
+    Bicells bicells(double noise) {
+        bench::Random random(seed_);
+        auto x = bench::Scene<d>("sphere", "walk", 400, 0.0, seed_).points();
+        for (auto& p : x) {
+            const double off = 1.0 + noise * random.normal();
+            for (double& c : p) c *= off;
+        }
+        typename Workbench<d>::Embedding embedding;
+        embedding.build(x);
+        embedding.mirror();
+        const auto& table = embedding.table();
+        std::vector<Tuple<d, d + 2>> tuples;
+        for (Index f = 0; f < table.facet_bound(); ++f)
+            if (table.is_facet(f) && facet_kind(table, table.half(f)) == Facet_kind::empty_sphere)
+                tuples.push_back(tuple<d, d + 2>(bicell_points(table, table.half(f)), std::span<const Coordinates<d>>(x)));
+        std::vector<Verdict> verdict(tuples.size());
+        Stage_counts by;
+        const double s = least(3, [&] { by = evaluate(tuples, Mode::fast, verdict); });
+        return {s, static_cast<double>(tuples.size()), static_cast<double>(by.interval), static_cast<double>(by.exact)};
+    }
+
+    [[nodiscard]] double vertex(double s) const { return s / all_ / unit_; }
+
+    std::size_t n_;
+    double all_;
+    std::uint64_t seed_;
+    Workbench<d> w_;
+    double unit_ = 0.0;
+    double pass_ = 0.0;
+    ordered_json out_;
+};
+
+template <int d>
+ordered_json run(std::size_t n, int repeat) {
+    ordered_json all;
+    for (int k = 1; k <= repeat; ++k) {
+        const ordered_json one = Repetition<d>(n, static_cast<std::uint64_t>(k)).measure();
+        for (const auto& [name, value] : one.items()) all[name].push_back(value);
+    }
+    return all;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    int repeat = 5;
+    CLI::App app{"The prices of engine/prices.h on this machine, in cells looked at."};
+    app.add_option("--repeat", repeat)->check(CLI::Range(1, 1000));
+    CLI11_PARSE(app, argc, argv);
+    try {
+        const ordered_json out{{"2", run<2>(10000, repeat)}, {"3", run<3>(8000, repeat)}};
+        std::printf("%s\n", out.dump().c_str());
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "annulus-prices: %s\n", e.what());
+        return 3;
+    }
+}

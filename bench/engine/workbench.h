@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "../motions/families.h"
+
+#include <annulus/cgal/embedding_2.h>
+#include <annulus/cgal/embedding_3.h>
+#include <annulus/engine/filter.h>
+
+#include <memory>
+#include <string_view>
+#include <type_traits>
+
+namespace bench {
+
+/// The parts of an engine by themselves: a triangulation of points of a family, CGAL's object with its mirror, and the strategy `filter` on it. What
+/// Moving_delaunay does but for the door.
+template <int d>
+class Workbench {
+  public:
+    using Embedding = std::conditional_t<d == 2, annulus::Cgal_embedding_2<annulus::No_info>, annulus::Cgal_embedding_3<annulus::No_info>>;
+
+    /// In the unit of a uniform family in the unit cube, whatever the family.
+    Workbench(std::string_view family, std::size_t n, std::uint64_t seed = 1)
+        : random_(seed + 1000), x_(Scene<d>(family, "walk", n, 0.0, seed).points()), spacing_(std::pow(static_cast<double>(n), -1.0 / d)) {
+        embedding_ = std::make_unique<Embedding>();
+        embedding_->build(x_);
+        embedding_->mirror();
+        filter_ = std::make_unique<annulus::Filter<d>>(*embedding_, annulus::Tolerance_kind::certified, annulus::Second_look::off);
+        annulus::Move_report report;
+        filter_->begin(x_, report);
+    }
+
+    [[nodiscard]] const Points<d>& points() const { return x_; }
+    [[nodiscard]] Points<d>& points() { return x_; }
+    [[nodiscard]] Embedding& embedding() { return *embedding_; }
+    [[nodiscard]] annulus::Filter<d>& filter() { return *filter_; }
+    [[nodiscard]] double spacing() const { return spacing_; }
+
+    /// Moves the points, and nothing else, by `spacings`: all of them, or each `share`-th.
+    void walk(double spacings, std::size_t share = 1) {
+        for (std::size_t i = share == 1 ? 0 : random_.bits() % share; i < x_.size(); i += share)
+            for (double& c : x_[i]) c += spacings * spacing_ * random_.normal() / std::sqrt(static_cast<double>(d));
+    }
+    annulus::Move_report step() {
+        annulus::Move_report report;
+        filter_->move_all(x_, report);
+        return report;
+    }
+    /// Steps so large that tolerances are given up.
+    void stop_tracking() {
+        for (int k = 0; k < 100 && filter_->tracks(); ++k) {
+            walk(0.02);
+            (void)step();
+        }
+    }
+    void settle() {
+        annulus::Move_report report;
+        filter_->settle(x_, report);
+    }
+
+  private:
+    Random random_;
+    Points<d> x_;
+    double spacing_;
+    std::unique_ptr<Embedding> embedding_;
+    std::unique_ptr<annulus::Filter<d>> filter_;
+};
+
+}  // namespace bench

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "race.h"
+
+#include "cgal_rebuild.h"
+
+#include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_delaunay_3.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+
+namespace bench {
+
+namespace {
+
+using namespace annulus;
+using nlohmann::ordered_json;
+
+template <int d>
+using Moving = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
+
+template <int d>
+struct Runner {
+    std::string name;
+    std::unique_ptr<Moving<d>> dt;
+    double construction = 0.0;
+    std::vector<double> seconds;
+    Move_report report;
+    int failed_audits = 0;
+};
+
+template <int d>
+Runner<d> runner(const std::string& name, const Race& race, const Points<d>& x, Stopwatch watch) {
+    Options options;
+    const auto strategy = strategy_named(name);
+    if (!strategy) throw std::invalid_argument("no strategy " + name);
+    options.strategy = *strategy;
+    options.threads = race.threads;
+    const double begin = watch.seconds();
+    Runner<d> r{name, std::make_unique<Moving<d>>(std::span<const Coordinates<d>>(x), options), 0.0, {}, {}, 0};
+    r.construction = watch.seconds() - begin;
+    return r;
+}
+
+/// One timestamp: who leaves, everybody's move, who arrives.
+template <int d>
+double follow(Moving<d>& dt, const Motion<d>& motion, Stopwatch watch, Move_report& report) {
+    const std::size_t bound = dt.index_bound();
+    std::vector<Index> numbers;
+    numbers.reserve(motion.arrive().size());
+    Move_report one;
+    const double begin = watch.seconds();
+    for (const Index i : motion.leave()) dt.remove(dt.vertex(static_cast<std::size_t>(i)), &one);
+    report = dt.move_all(std::span<const Coordinates<d>>(motion.points()));
+    for (const Coordinates<d>& p : motion.arrive()) {
+        if constexpr (d == 2) numbers.push_back(dt.index(dt.insert({p[0], p[1]}, &one)));
+        else numbers.push_back(dt.index(dt.insert({p[0], p[1], p[2]}, &one)));
+    }
+    const double s = watch.seconds() - begin;
+    if (bound != motion.points().size()) throw std::logic_error("a motion and a triangulation count differently");
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+        if (numbers[k] != motion.number_of_arrival(k)) throw std::logic_error("a motion and a triangulation number differently");
+    return s;
+}
+
+}  // namespace
+
+template <int d>
+int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_json& out) {
+    const Stopwatch watch(race.threads);
+    std::vector<Runner<d>> runners;
+    for (const std::string& who : race.strategies) runners.push_back(runner<d>(who, race, motion.points(), watch));
+    std::vector<double> cgal;
+    std::vector<double> nanoseconds;  // of CGAL, a vertex
+    std::vector<double> displacement;
+    std::vector<double> count;
+    std::size_t moves = 0;  // arrivals and departures besides
+    const std::size_t turns = runners.size() + 1;
+    for (int step = 0; step < race.warm + race.steps && motion.step(); ++step) {
+        const bool counts = step >= race.warm;
+        const Points<d> present = motion.present();
+        if (counts) {
+            displacement.push_back(motion.mean_displacement());
+            count.push_back(static_cast<double>(present.size()));
+            moves += motion.leave().size() + motion.arrive().size();
+        }
+        for (std::size_t k = 0; k < turns; ++k) {
+            const std::size_t who = (k + static_cast<std::size_t>(step)) % turns;
+            if (who == runners.size()) {
+                const double s = cgal_rebuild<d>(present, watch);
+                if (!counts) continue;
+                cgal.push_back(s);
+                nanoseconds.push_back(1e9 * s / std::max(count.back(), 1.0));
+                continue;
+            }
+            Runner<d>& r = runners[who];
+            Move_report report;
+            const double s = follow<d>(*r.dt, motion, watch, report);
+            if (!counts) continue;
+            r.seconds.push_back(s);
+            r.report += report;
+            if (race.audit_all && !r.dt->audit().delaunay()) ++r.failed_audits;
+        }
+    }
+    const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+    out["points"] = static_cast<std::size_t>(quantile(count, 0.5));
+    out["steps"] = cgal.size();
+    out["threads"] = race.threads;
+    out["displacement"] = quantile(displacement, 0.5);
+    out["came_and_went"] = moves;
+    out["cgal_ns"] = quantile(nanoseconds, 0.5);
+    std::printf("%s: %.3g spacings a step, cgal %.0f ns", name.c_str(), quantile(displacement, 0.5), quantile(nanoseconds, 0.5));
+    int failed = 0;
+    for (Runner<d>& r : runners) {
+        std::vector<double> ratio;
+        std::vector<double> price;  // in rebuilds
+        std::vector<double> ns;
+        for (std::size_t i = 0; i < cgal.size(); ++i) {
+            ratio.push_back(cgal[i] / r.seconds[i]);
+            price.push_back(r.seconds[i] / cgal[i]);
+            ns.push_back(1e9 * r.seconds[i] / std::max(count[i], 1.0));
+        }
+        if (race.audit && !r.dt->audit().delaunay()) ++r.failed_audits;
+        failed += r.failed_audits;
+        const double asked = static_cast<double>(std::max<std::uint64_t>(r.report.moves.asked, 1));
+        const auto share = [&](std::uint64_t k) { return static_cast<double>(k) / asked; };
+        const double whole = r.seconds.empty() ? 0.0 : sum(cgal) / sum(r.seconds);
+        std::printf(" | %s %.0f ns, ratio %.2f, of sums %.2f, dearest %.2f%s", r.name.c_str(), quantile(ns, 0.5), quantile(ratio, 0.5), whole,
+                    quantile(price, 1.0), r.failed_audits != 0 ? " AUDIT FAILED" : "");
+        if (share(r.report.moves.rebuilt) > 0.0) std::printf(", rebuilt %.2f", share(r.report.moves.rebuilt));
+        std::printf(", flips %.3f, again %.4f", share(r.report.flips), share(r.report.moves.reinserted));
+        out[r.name] = {{"ns", quantile(ns, 0.5)}, {"ratio", quantile(ratio, 0.5)}, {"whole", whole},
+                       {"ratio_low", quantile(ratio, 0.1)}, {"ratio_high", quantile(ratio, 0.9)},
+                       {"dearest", quantile(price, 1.0)}, {"construction_ns", 1e9 * r.construction / quantile(count, 0.5)},
+                       {"rebuilt", share(r.report.moves.rebuilt)}, {"within_tolerance", share(r.report.moves.within_tolerance)},
+                       {"flips", share(r.report.flips)}, {"evaluated", share(r.report.evaluated)},
+                       {"exact", share(r.report.arithmetic.exact)}, {"reinserted", share(r.report.moves.reinserted)},
+                       {"audit", r.failed_audits == 0}};
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+    return failed;
+}
+
+template int race<2>(Motion<2>&, const Race&, const std::string&, ordered_json&);
+template int race<3>(Motion<3>&, const Race&, const std::string&, ordered_json&);
+
+}  // namespace bench

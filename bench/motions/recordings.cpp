@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Strategies and CGAL's rebuild on motions that were recorded, timed step by step in turn.
+#include "race.h"
+#include "recording.h"
+
+#include <annulus/formats/read_motion.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+namespace {
+
+/// 3 where there is a z and it is not the same everywhere.
+int dimension_of(const annulus::Recorded_motion& motion) {
+    const double* z = nullptr;
+    for (const annulus::Frame& frame : motion.frames)
+        for (const auto& p : frame.position) {
+            if (motion.has_z && z && *z != p[2]) return 3;
+            z = &p[2];
+        }
+    return 2;
+}
+
+template <int d>
+int run(const annulus::Recorded_motion& recorded, const bench::Race& race, const std::string& name, const std::string& json) {
+    // Of more frames than are wanted those around the fullest one: people come into the picture one by one.
+    const std::size_t all = recorded.frames.size();
+    const auto wanted = std::min(all, static_cast<std::size_t>(race.warm + race.steps) + 1);
+    const std::size_t peak = bench::fullest(recorded);
+    bench::Recording<d> motion(recorded, std::min(peak - std::min(peak, wanted / 2), all - wanted));
+    nlohmann::ordered_json out{{"file", name}, {"dimension", d}, {"frames", recorded.frames.size()}};
+    const int failed = bench::race<d>(motion, race, name, out);
+    bench::append(json, out);
+    return failed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::vector<std::string> files;
+    std::string json;
+    bench::Race race;
+    race.steps = 200;
+    CLI::App app{"Strategies and CGAL's rebuild on recorded motions, step by step in turn."};
+    app.add_option("FILES", files, "what `annulus replay` reads")->required()->check(CLI::ExistingFile);
+    app.add_option("-k,--steps", race.steps,
+                   "that count, around the fullest frame; a file that has fewer is followed from its begin to its end")
+        ->check(CLI::Range(1, 1000000));
+    app.add_option("-w,--warm", race.warm, "steps before those that count")->check(CLI::Range(0, 1000000));
+    app.add_option("--strategies", race.strategies)->delimiter(',');
+    app.add_flag("--audit-all", race.audit_all, "after every step, not only the last");
+    app.add_option("--json", json, "file that a line is appended to for each");
+    CLI11_PARSE(app, argc, argv);
+    int failed = 0;
+    for (const std::string& file : files) {
+        try {
+            const annulus::Recorded_motion recorded = annulus::read_motion(file, annulus::Absent_frames::skip);
+            const std::string name = std::filesystem::path(file).filename().string();
+            failed += dimension_of(recorded) == 2 ? run<2>(recorded, race, name, json) : run<3>(recorded, race, name, json);
+        } catch (const std::exception& e) {
+            std::fprintf(stderr, "annulus-recordings: %s\n", e.what());
+            return 3;
+        }
+    }
+    return failed == 0 ? 0 : 1;
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "motion.h"
+#include "stopwatch.h"
+
+#include <annulus/cli/lloyd_scene.h>
+#include <annulus/cli/mesh_3.h>
+#include <annulus/cli/nodt_scene.h>
+#include <annulus/cli/tracker.h>
+#include <annulus/motion/lloyd_2.h>
+#include <annulus/motion/nodt_3.h>
+
+namespace bench {
+
+/// The tool's Lloyd iterations, beside a triangulation of their own, so that what follows them has no say in where they go. Unlike the tool's
+/// Guided_lloyd it tells the motion's own seconds from those of that triangulation.
+class Lloyd {
+  public:
+    static constexpr int dimension = 2;
+    using Moving = annulus::Moving_delaunay_2;
+
+    explicit Lloyd(const annulus::cli::Lloyd_scene& scene)
+        : points_(scene.points), spacing_(scene.spacing()), guide_(points_), lloyd_(scene.domain, scene.density, 1) {}
+    [[nodiscard]] const Points<2>& points() const { return points_; }
+    [[nodiscard]] double spacing() const { return spacing_; }
+    /// The next positions; returns what that took, and how far the vertices go, in spacings.
+    [[nodiscard]] std::pair<double, double> next(Points<2>& target) {
+        const double begin = watch_.seconds();
+        if (cells_changed_) guide_.embedding().neighbours(neighbours_);
+        const annulus::Lloyd_step step = lloyd_.step(neighbours_, guide_.positions(), target);
+        const double taken = watch_.seconds() - begin;
+        cells_changed_ = annulus::cli::changes_cells(guide_.move_all(std::span<const annulus::Coordinates<2>>(target)));
+        return {taken, step.mean_displacement / spacing_};
+    }
+
+  private:
+    Points<2> points_;
+    double spacing_;
+    Moving guide_;
+    annulus::Lloyd_2 lloyd_;
+    annulus::Neighbours_2 neighbours_;
+    bool cells_changed_ = true;
+    Stopwatch watch_;
+};
+
+/// The same of natural ODT.
+class Nodt {
+  public:
+    static constexpr int dimension = 3;
+    using Moving = annulus::Moving_delaunay_3;
+
+    Nodt(const annulus::cli::Nodt_scene& scene, std::optional<double> lock)
+        : scene_(scene), guide_(scene.points),
+          nodt_(*scene.domain, scene.sizing, annulus::vertices_on_surface(*scene.domain, scene.points), lock, 1) {}
+    [[nodiscard]] const Points<3>& points() const { return scene_.points; }
+    [[nodiscard]] double spacing() const { return scene_.spacing(); }
+    [[nodiscard]] std::pair<double, double> next(Points<3>& target) {
+        const double begin = watch_.seconds();
+        mesh_.read(guide_, cells_changed_, *scene_.domain, 1);
+        const annulus::Nodt_step step = nodt_.step(mesh_.cells, mesh_.inside, mesh_.points, target);
+        const double taken = watch_.seconds() - begin;
+        cells_changed_ = annulus::cli::changes_cells(guide_.move_all(std::span<const annulus::Coordinates<3>>(target)));
+        return {taken, step.mean_displacement / scene_.spacing()};
+    }
+
+  private:
+    const annulus::cli::Nodt_scene& scene_;
+    Moving guide_;
+    annulus::Nodt_3 nodt_;
+    annulus::cli::Mesh_3 mesh_;
+    bool cells_changed_ = true;
+    Stopwatch watch_;
+};
+
+}  // namespace bench

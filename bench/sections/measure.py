@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Programs of a build, called for JSON; what all tables have in common."""
+
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+
+
+class Bench:
+    def __init__(self, build, repeat, quick, keep):
+        self.build, self.repeat, self.quick, self.keep = Path(build), repeat, quick, keep
+
+    def program(self, name):
+        """Path of a program; None where it is not built."""
+        for place in (self.build / "bench" / name, self.build / name):
+            if place.exists():
+                return place
+        return None
+
+    def call(self, name, *words, **options):
+        """One run of a program that appends lines of JSON to a file: these."""
+        program = self.program(name)
+        if program is None:
+            sys.exit(f"bench/run: {name} is not in {self.build}; build the target with -DANNULUS_BUILD_BENCH=ON (bench/README.md)")
+        with tempfile.TemporaryDirectory() as place:
+            file = Path(place) / "run.json"
+            command = [program, "--json", file]
+            for key, value in options.items():
+                command += [f"--{key.replace('_', '-')}"] + ([] if value is True else [value])
+            command = [str(w) for w in command + list(words)]
+            done = subprocess.run(command, stdout=subprocess.DEVNULL)
+            if done.returncode not in (0, 1):
+                sys.exit(f"bench/run: {' '.join(command)}: exit {done.returncode}")
+            lines = file.read_text().splitlines()
+        if self.keep:
+            with open(self.keep, "a", encoding="utf-8") as out:
+                out.writelines(line + "\n" for line in lines)
+        return [json.loads(line) for line in lines]
+
+    def motion(self, repeat=None, **options):
+        """The runs of a row with seeds 1, 2 .., as annulus-motions wrote them, with the ratios in order."""
+        runs = [self.call("annulus-motions", seed=seed, **options)[0] for seed in range(1, (repeat or self.repeat) + 1)]
+        return in_order(runs)
+
+
+def in_order(runs, key="ratio"):
+    return sorted(runs, key=lambda r: r["auto"][key])
+
+
+def middle(runs):
+    """Of an even number the worse of two."""
+    return runs[(len(runs) - 1) // 2]
+
+
+def reached(value, must, more_is_better=True):
+    if must is None:
+        return ""
+    return "yes" if (value >= must if more_is_better else value <= must) else "**no**"
+
+
+def number(value):
+    return "" if value is None else f"{value:g}"
+
+
+def audits(runs, name="auto"):
+    return "right" if all(r[name]["audit"] for r in runs) else "**WRONG**"
+
+
+HEAD = ["| | rebuild / auto | of runs | must | reached | aim | auto, ns | rebuild, ns | dearest step, in rebuilds | rebuilt | audit |",
+        "|---|---|---|---|---|---|---|---|---|---|---|"]
+
+
+def row(name, must, aim, runs):
+    """Of a motion whose steps are all alike: the median of the steps' ratios."""
+    one = middle(runs)
+    auto = one["auto"]
+    spread = f"{runs[0]['auto']['ratio']:.2f} to {runs[-1]['auto']['ratio']:.2f}"
+    return (f"| {name} | {auto['ratio']:.2f} | {spread} | {number(must)} | {reached(auto['ratio'], must)} | {number(aim)} | {auto['ns']:.0f} "
+            f"| {one['cgal_ns']:.0f} | {max(r['auto']['dearest'] for r in runs):.2f} | {100 * auto['rebuilt']:.0f} % | {audits(runs)} |")

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Random walks, families of points, other motions, numbers of points, two threads."""
+
+from .measure import HEAD, number, reached, row
+
+MUST = {3: {0.01: 3, 0.03: 2, 0.1: 1}, 2: {0.01: 6, 0.03: 3.5, 0.1: 1.6}}
+AIM = {3: {0.01: 6, 0.03: 4, 0.1: 1.5}, 2: {0.01: 12, 0.03: 6, 0.1: 2.5}}
+
+
+def steps(bench):
+    return 8 if bench.quick else 24
+
+
+def walks(bench):
+    for d, n in ((3, 8000), (2, 10000)):
+        yield from [f"## Random walk, uniform points, {d}D, {n} points", "", *HEAD]
+        for s in (1e-6, 1e-5, 1e-4, 1e-3, 0.003, 0.01, 0.03, 0.1, 0.3, 1):
+            yield row(f"s = {s:g}", MUST[d].get(s, 0.95), AIM[d].get(s, 1.0),
+                      bench.motion(dimension=d, points=n, spacings=s, steps=steps(bench), warm=12))
+        yield ""
+
+
+def families(bench):
+    for d, n in ((3, 4000), (2, 10000)):
+        yield from [f"## Other families, walk, {d}D, {n} points (sphere in space: 1,000)", "", *HEAD]
+        for family in ("sphere", "slab", "clusters", "faces", "lattice", "ball"):
+            for s in (1e-3, 0.01):
+                few = (family, d) == ("sphere", 3)
+                yield row(f"{family}, s = {s:g}", 0.9, 1.0,
+                          bench.motion(dimension=d, family=family, points=1000 if few else n, spacings=s, steps=steps(bench), warm=8))
+        yield ""
+
+
+def motions(bench):
+    yield from ["## Other motions, uniform points, 3D, 8000 points", "", *HEAD]
+    for motion in ("drift", "shear", "few", "burst"):
+        for s in (1e-3, 0.1):
+            yield row(f"{motion}, s = {s:g}", 0.95, 1.0,
+                      bench.motion(dimension=3, motion=motion, points=8000, spacings=s, steps=steps(bench), warm=12))
+    yield ""
+
+
+def sizes(bench):
+    if bench.quick:
+        return
+    yield from ["## Number of points, walk of 0.003 spacings, 3D", "", *HEAD]
+    ns = {}
+    for n in (1000, 8000, 64000, 512000):
+        runs = bench.motion(dimension=3, points=n, spacings=0.003, steps=8, warm=10)
+        ns[n] = min(r["auto"]["ns"] for r in runs)
+        yield row(f"{n} points", 3 if n == 512000 else None, 5 if n == 512000 else None, runs)
+    grows = ns[512000] / ns[8000]
+    yield from ["", f"A vertex and step of 512,000 points costs {grows:.2f} times what one of 8,000 does: must 1.5 at most, reached: "
+                f"{reached(grows, 1.5, False)}, aim 1.2.", ""]
+
+
+def threads(bench):
+    n = 20000 if bench.quick else 1000000
+    cgal = {t: bench.call("annulus-parallel-cgal", points=n, threads=t)[0]["ns"] for t in (1, 2)}
+    yield from ["## Two threads", "", "By the clock. CGAL's parallel insertion is the least of three; it is made for many points.", "",
+                "| | one, ns | two, ns | one / two | must | reached | aim |", "|---|---|---|---|---|---|---|"]
+    for d, s, must, aim in ((3, 1e-3, 1.5, 1.8), (2, 3e-3, None, None)):
+        one, two = (min(r["auto"]["ns"] for r in bench.motion(repeat=1, dimension=d, points=n, spacings=s, steps=8, warm=4, threads=t))
+                    for t in (1, 2))
+        yield (f"| walk, {d}D, s = {s:g}, {n} points | {one:.0f} | {two:.0f} | {one / two:.2f} | {number(must)} "
+               f"| {reached(one / two, must)} | {number(aim)} |")
+        if d == 3:
+            ours = {1: one, 2: two}
+    yield f"| CGAL's parallel insertion, 3D, {n} points | {cgal[1]:.0f} | {cgal[2]:.0f} | {cgal[1] / cgal[2]:.2f} | | | |"
+    yield from ["", f"In space CGAL's parallel insertion takes {cgal[2] / ours[2]:.1f} times as long as the step, both with two threads, and {cgal[1] / ours[1]:.1f} times with one.", ""]
