@@ -27,8 +27,8 @@ class Lloyd {
     /// The next positions; returns what that took, and how far the vertices go, in spacings.
     [[nodiscard]] std::pair<double, double> next(Points<2>& target) {
         const double begin = watch_.seconds();
-        if (cells_changed_) guide_.embedding().neighbours(neighbours_);
-        const annulus::Lloyd_step step = lloyd_.step(neighbours_, guide_.positions(), target);
+        if (cells_changed_) annulus::cli::read_stars(guide_, stars_);
+        const annulus::Lloyd_step step = lloyd_.step(stars_, guide_.positions(), target, memory_);
         const double taken = watch_.seconds() - begin;
         cells_changed_ = annulus::cli::changes_cells(guide_.move_all(std::span<const annulus::Coordinates<2>>(target)));
         return {taken, step.mean_displacement / spacing_};
@@ -39,7 +39,8 @@ class Lloyd {
     double spacing_;
     Moving guide_;
     annulus::Lloyd_2 lloyd_;
-    annulus::Neighbours_2 neighbours_;
+    annulus::Stars_2 stars_;
+    annulus::Lloyd_memory memory_;
     bool cells_changed_ = true;
     Stopwatch watch_;
 };
@@ -58,7 +59,7 @@ class Nodt {
     [[nodiscard]] std::pair<double, double> next(Points<3>& target) {
         const double begin = watch_.seconds();
         mesh_.read(guide_, cells_changed_, *scene_.domain, 1);
-        const annulus::Nodt_step step = nodt_.step(mesh_.cells, mesh_.inside, mesh_.points, target);
+        const annulus::Nodt_step step = nodt_.step(mesh_.kept(), mesh_.points(), target, memory_);
         const double taken = watch_.seconds() - begin;
         cells_changed_ = annulus::cli::changes_cells(guide_.move_all(std::span<const annulus::Coordinates<3>>(target)));
         return {taken, step.mean_displacement / scene_.spacing()};
@@ -69,6 +70,7 @@ class Nodt {
     Moving guide_;
     annulus::Nodt_3 nodt_;
     annulus::cli::Mesh_3 mesh_;
+    annulus::Nodt_memory memory_;
     bool cells_changed_ = true;
     Stopwatch watch_;
 };

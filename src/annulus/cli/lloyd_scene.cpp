@@ -139,4 +139,12 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
     return {*domain, density, std::move(points), merged, file.notes};
 }
 
+void read_stars(const Moving_delaunay_2& dt, Stars_2& stars) {
+    const auto& embedding = dt.embedding();
+    if (embedding.mirrored() && embedding.dimension() == 2) return stars.read(embedding.table());
+    Neighbours_2 lists;
+    embedding.neighbours(lists);
+    stars.read(lists);
+}
+
 }  // namespace annulus::cli

@@ -3,6 +3,7 @@
 
 #include <annulus/cli/arguments.h>
 #include <annulus/motion/lloyd_2.h>
+#include <annulus/moving_delaunay_2.h>
 
 #include <optional>
 #include <string>
@@ -36,5 +37,8 @@ struct Lloyd_scene {
 
 /// Throws Input_error or Error.
 [[nodiscard]] Lloyd_scene make_scene(const Lloyd_arguments& arguments, std::uint64_t seed);
+
+/// The stars of a triangulation: of its mirror where there is one, which costs what has changed, else of CGAL's object. The same lists.
+void read_stars(const Moving_delaunay_2& dt, Stars_2& stars);
 
 }  // namespace annulus::cli

@@ -182,14 +182,6 @@ void Tracker<Moving>::add_motion(double seconds) {
 template class Tracker<Moving_delaunay_2>;
 template class Tracker<Moving_delaunay_3>;
 
-void read_stars(const Moving_delaunay_2& dt, Stars_2& stars) {
-    const auto& embedding = dt.embedding();
-    if (embedding.mirrored() && embedding.dimension() == 2) return stars.read(embedding.table());
-    Neighbours_2 lists;
-    embedding.neighbours(lists);
-    stars.read(lists);
-}
-
 Picture picture_of(const Moving_delaunay_2& dt, std::string caption) {
     Audit_input<2> in = dt.audit_input();
     Picture picture;

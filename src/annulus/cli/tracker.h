@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/motion/stars_2.h>
 #include <annulus/report/report.h>
 #include <annulus/report/run_record.h>
 #include <annulus/moving_delaunay_2.h>
@@ -78,9 +77,6 @@ extern template class Tracker<Moving_delaunay_3>;
 
 using Tracker_2 = Tracker<Moving_delaunay_2>;
 using Tracker_3 = Tracker<Moving_delaunay_3>;
-
-/// The stars of a triangulation: of its mirror where there is one, which costs what has changed, else of CGAL's object. The same lists.
-void read_stars(const Moving_delaunay_2& dt, Stars_2& stars);
 
 /// The triangulation as a picture for the report.
 [[nodiscard]] Picture picture_of(const Moving_delaunay_2& dt, std::string caption);
