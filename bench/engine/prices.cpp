@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the prices of engine/prices.h are on this machine, in cells looked at. One measurement of each in every repetition, with another seed, and all divided by what
 // looking at a cell took in the same repetition (bench/calibrate makes a table of it).
+#include "timing.h"
 #include "workbench.h"
 
 #include "../motions/cgal_rebuild.h"
@@ -13,47 +14,16 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <functional>
+#include <stdexcept>
 
 namespace {
 
 using namespace annulus;
+using bench::Factor;
+using bench::least;
+using bench::seconds;
 using bench::Workbench;
 using nlohmann::ordered_json;
-
-const bench::Stopwatch watch;
-
-/// After others have used the caches, as they do between two timestamps.
-double seconds(const std::function<void()>& f) {
-    static std::vector<std::uint64_t> others(std::size_t{1} << 20);
-    for (std::uint64_t& word : others) word += 1;
-    const double begin = watch.seconds();
-    f();
-    return watch.seconds() - begin;
-}
-
-/// The least of some: what disturbs only adds.
-double least(int times, const std::function<void()>& f) {
-    double best = seconds(f);
-    for (int k = 1; k < times; ++k) best = std::min(best, seconds(f));
-    return best;
-}
-
-/// The factor f of y = f x, by least squares of relative errors.
-class Factor {
-  public:
-    void add(double x, double y) {
-        if (!(y > 0.0)) return;
-        xy_ += x / y;
-        xx_ += x / y * (x / y);
-    }
-    /// NaN of nothing.
-    [[nodiscard]] double value() const { return xy_ / xx_; }
-
-  private:
-    double xy_ = 0.0;
-    double xx_ = 0.0;
-};
 
 template <int d>
 class Repetition {
@@ -79,7 +49,6 @@ class Repetition {
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
     /// What looking at a cell takes, of all of them, in the order that they have: anew before each part, since a machine is not always as fast.
     void find_unit() {
         const auto& table = w_.embedding().table();
@@ -137,7 +106,7 @@ class Repetition {
             for (auto& p : x)
                 for (double& c : p) c += 0.1 * w_.spacing() * random.normal();
             again.push_back(seconds([&] { fresh.rebuild(x); }));
-            rebuild.push_back(bench::cgal_rebuild<d>(x, watch));
+            rebuild.push_back(bench::cgal_rebuild<d>(x, bench::Stopwatch()));
         }
         out_["again"] = vertex(*std::min_element(again.begin(), again.end()));
         out_["rebuild"] = vertex(*std::min_element(rebuild.begin(), rebuild.end()));
@@ -242,14 +211,14 @@ class Repetition {
         Signs<d> signs(table);
         std::size_t cells = 0;
         for (Index c = 0; c < table.cell_bound(); ++c) cells += table.is_cell(c) ? 1 : 0;
-        std::size_t violated = 0;
+        std::size_t broken = 0;
         const double s = least(2, [&] {
             signs.begin(lattice.points());
             signs.look_at_everything();
             const auto inverted = signs.inverted();
-            for (const Index c : inverted) violated += signs.is_inverted(c) ? 1U : 0U;
+            for (const Index c : inverted) broken += signs.is_inverted(c) ? 1U : 0U;
             const auto facets = signs.violated();
-            for (const Index f : facets) violated += signs.is_violated(f) ? 1U : 0U;
+            for (const Index f : facets) broken += signs.is_violated(f) ? 1U : 0U;
         });
         if (sample.cells == 0 || sample.unclear == 0) return;
         const double unclear = static_cast<double>(sample.unclear) * static_cast<double>(cells) / static_cast<double>(sample.cells);

@@ -53,6 +53,7 @@ def nodt(bench):
         single.append(f"| {name} | {ratios[0]:.1f} | 6 | {reached(ratios[0], 6)} | 10 | {ratios[1]:.1f} | {ratios[2]:.0f} | 40 | {reached(ratios[2], 40)} | 80 "
                       f"| {run['filter-each']['ns']:.0f} | {run['relocate']['ns']:.0f} | {'right' if run['filter-each']['audit'] else '**WRONG**'} |")
     yield from ["", "### One vertex at a time", "",
-                "The same motion. `relocate` takes so long that it follows each 20th timestamp only: its vertices go twenty times as far at once, which costs it little. Nanoseconds are a vertex and step.", "",
+                "The same motion. `relocate` takes so long that it follows each 20th timestamp only: its vertices go twenty times as far at once, which costs it little.",
+                "Nanoseconds are a vertex and step.", "",
                 "| | CGAL's / filter-each | must | reached | aim | `rebuild` / filter-each | relocate / filter-each | must | reached | aim | filter-each, ns | relocate, ns | audit |",
                 "|---|---|---|---|---|---|---|---|---|---|---|---|---|", *single, ""]
