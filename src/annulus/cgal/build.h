@@ -36,6 +36,7 @@ void Cgal_embedding<Traits>::build(std::span<const Coordinates<d>> x) {
     order_.forget();
     insert_all(tr, x, order_.of(x, [](Index) { return true; }), &handle);
     tr_.swap(tr);
+    tr_.infinite_vertex()->set_index(infinite);
     handle_ = std::move(handle);
     mirrored_ = shuffled_ = false;
 }
