@@ -49,7 +49,7 @@ void Cgal_embedding<Traits>::restore(std::span<const Coordinates<d>> x, Index fr
     auto& vertices = tr_.tds().vertices();
     for (auto it = vertices.begin(); it != vertices.end();) {
         const Vertex_handle v = it++;
-        const bool ours = v->index() != none && at(v->index()) < handle_.size() && handle_[at(v->index())] == v;
+        const bool ours = v->index() >= 0 && at(v->index()) < handle_.size() && handle_[at(v->index())] == v;
         if (!ours && v != tr_.infinite_vertex()) tr_.tds().delete_vertex(v);
     }
     rebuild(x);
