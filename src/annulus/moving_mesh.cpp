@@ -120,8 +120,7 @@ Mesh_cells<d> Moving_mesh<d>::cells() const {
     for (const Cell_index c : t.finite_cells()) number[c] = next++;
     for (const Cell_index c : t.finite_cells()) {
         auto& around = out.neighbours[static_cast<std::size_t>(number[c])];
-        for (int i = 0; i <= d; ++i)
-            around[static_cast<std::size_t>(i)] = number[t.cell_of(t.twin(t.corner(c, i)))];
+        for (int i = 0; i <= d; ++i) around[static_cast<std::size_t>(i)] = number[t.cell_of(t.twin(t.corner(c, i)))];
     }
     return out;
 }

@@ -178,7 +178,8 @@ TEST_CASE("Rebasing leaves no second look to a certificate that is overdue", "[r
         }
         s[List{}][at(v)].base = base;
         s.call(Rebase{}, v);
-        for (Corner_index f(0); f < t.facet_bound(); ++f) RC_ASSERT(s[Tolerances{}][f] == (overdue[f] != 0 ? 0.0 : 0.25));
+        for (Corner_index f(0); f < t.facet_bound(); ++f)
+            RC_ASSERT(s[Tolerances{}][f] == (overdue[f] != 0 ? 0.0 : 0.25));
     }));
 }
 

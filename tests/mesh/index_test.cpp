@@ -21,16 +21,20 @@ static_assert(none_converts<Index, Cell_index, Corner_index>);
 static_assert(none_converts<Cell_index, Index, Corner_index>);
 static_assert(none_converts<Corner_index, Index, Cell_index>);
 static_assert(!std::constructible_from<Cell_index, Corner_index> && !std::constructible_from<Corner_index, Cell_index>);
-static_assert(!std::equality_comparable_with<Cell_index, Corner_index> && !std::equality_comparable_with<Cell_index, Index>);
+static_assert(!std::equality_comparable_with<Cell_index, Corner_index> &&
+              !std::equality_comparable_with<Cell_index, Index>);
 
 template <class Array, class I>
-concept takes = requires(Array& a, I i) { a[i]; };
+concept takes = requires(Array& a, I i) {
+    a[i];
+};
 static_assert(takes<By_cell<int>, Cell_index> && takes<By_corner<int>, Corner_index>);
 static_assert(!takes<By_cell<int>, Corner_index> && !takes<By_cell<int>, Index> && !takes<By_cell<int>, std::size_t>);
 
 // No vertex is not the vertex at infinity, which arrays of the caller's have as -1.
 static_assert(infinite == -1 && none != infinite && none < 0);
-static_assert(Cell_index() == no_cell && Corner_index() == no_corner && no_cell < Cell_index(0) && no_corner < Corner_index(0));
+static_assert(Cell_index() == no_cell && Corner_index() == no_corner && no_cell < Cell_index(0) &&
+              no_corner < Corner_index(0));
 static_assert(std::is_trivially_copyable_v<Cell_index> && sizeof(Cell_index) == 4);
 
 }  // namespace
@@ -66,7 +70,8 @@ TEST_CASE("The cells and facets of a table are each visited once", "[mesh][index
     for (const Corner_index f : empty.facets()) FAIL("facet " << f.value());
 }
 
-TEST_CASE("CGAL's vertex at infinity has the index of infinity, and a vertex without a place in the table no corner", "[mesh][index]") {
+TEST_CASE("CGAL's vertex at infinity has the index of infinity, and a vertex without a place in the table no corner",
+          "[mesh][index]") {
     const auto check = [](auto& e, const auto& points) {
         e.build(points);
         CHECK(e.triangulation().infinite_vertex()->index() == infinite);

@@ -36,7 +36,8 @@ void check_same(const Embedding_3& e) {
         for (int i = 0; i <= 3; ++i) {
             const Corner_index h = e.table().corner(Cell_index(c->cell()), i);
             REQUIRE(e.table().vertex(h) == (tr.is_infinite(c->vertex(i)) ? infinite : c->vertex(i)->index()));
-            REQUIRE(e.table().twin(h) == e.table().corner(Cell_index(c->neighbor(i)->cell()), tr.tds().mirror_index(c, i)));
+            REQUIRE(e.table().twin(h) ==
+                    e.table().corner(Cell_index(c->neighbor(i)->cell()), tr.tds().mirror_index(c, i)));
             REQUIRE(e.table().facet(h) == e.table().facet(e.table().twin(h)));
             REQUIRE(e.table().is_facet(e.table().facet(h)));
         }
@@ -105,7 +106,8 @@ TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL
             const Cell_index cell(static_cast<Index>(random() % t.cell_bound().offset()));
             if (!t.is_cell(cell)) continue;
             const Corner_index h = t.corner(cell, static_cast<int>(random() % 4));
-            const Corner_index k = t.corner(cell, static_cast<int>((static_cast<std::size_t>(t.slot_of(h)) + 1 + random() % 3) % 4));
+            const Corner_index k =
+                t.corner(cell, static_cast<int>((static_cast<std::size_t>(t.slot_of(h)) + 1 + random() % 3) % 4));
             const auto [a, b, c, q] = facet_and_vertex(t, h);
             const Index p = t.vertex(t.twin(h));
             const Cells_3 before = cells_of_mirror(t);
@@ -159,7 +161,8 @@ TEST_CASE("Flips that nobody has looked at keep the table a manifold", "[flips][
             const Cell_index cell(static_cast<Index>(random() % t.cell_bound().offset()));
             if (!t.is_cell(cell)) continue;
             const Corner_index h = t.corner(cell, static_cast<int>(random() % 4));
-            const Corner_index k = t.corner(cell, static_cast<int>((static_cast<std::size_t>(t.slot_of(h)) + 1 + random() % 3) % 4));
+            const Corner_index k =
+                t.corner(cell, static_cast<int>((static_cast<std::size_t>(t.slot_of(h)) + 1 + random() % 3) % 4));
             std::array<Cell_index, 3> cells{};
             if (!(random() % 2 == 0 ? flip_facet(t, h, cells) : flip_edge(t, h, k, cells))) ++refused;
             for (const Cell_index c : t.cells())

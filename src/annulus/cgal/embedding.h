@@ -17,8 +17,8 @@ namespace annulus {
 
 /// CGAL's Delaunay triangulation with its flat mirror: the only code that changes both.
 ///
-/// Traits is Cgal_traits_2<Info> or Cgal_traits_3<Info>. A cell of CGAL's knows the number of its cell of the mirror; `no_cell` means that it is not
-/// mirrored yet.
+/// Traits is Cgal_traits_2<Info> or Cgal_traits_3<Info>. A cell of CGAL's knows the number of its cell of the mirror;
+/// `no_cell` means that it is not mirrored yet.
 template <class Traits>
 class Cgal_embedding final : public Embedding<Traits::dimension> {
   public:

@@ -152,7 +152,8 @@ void Mesh_embedding<d>::keep_present(std::vector<Cell_index>& cells, std::size_t
 template <int d>
 void Mesh_embedding<d>::restore_cells(std::span<const Cell_index> cells, std::vector<Cell_index>& made) {
     std::vector<Cell_index> present;
-    std::copy_if(cells.begin(), cells.end(), std::back_inserter(present), [this](Cell_index c) { return table_.is_cell(c); });
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(present),
+                 [this](Cell_index c) { return table_.is_cell(c); });
     const std::size_t first = made.size();
     if (!local_.rebuild(point_, present, std::numeric_limits<double>::infinity(), made)) {
         replace_everything(made);

@@ -97,7 +97,8 @@ void Cgal_embedding<Traits>::join_replaced(const std::vector<Cell_handle>& cells
 
 /// Mirrors a changed region: `cells` are what CGAL has there now, those of `old` were there before; not all need be named.
 template <class Traits>
-void Cgal_embedding<Traits>::adopt(std::vector<Cell_handle> cells, std::vector<Cell_index> old, std::vector<Cell_index>& changed) {
+void Cgal_embedding<Traits>::adopt(std::vector<Cell_handle> cells, std::vector<Cell_index> old,
+                                   std::vector<Cell_index>& changed) {
     put_in_order(cells);
     for (const Cell_handle c : cells) set_number(c, no_cell);  // CGAL makes new cells of old ones
     join_replaced(cells, old);

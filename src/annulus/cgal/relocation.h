@@ -75,7 +75,8 @@ auto Cgal_embedding<Traits>::take_out(Vertex_handle v) -> std::vector<Cell_handl
 }
 
 template <class Traits>
-bool Cgal_embedding<Traits>::attach(Index v, const Coordinates<d>& p, Vertex_handle near, std::vector<Cell_index>& changed) {
+bool Cgal_embedding<Traits>::attach(Index v, const Coordinates<d>& p, Vertex_handle near,
+                                    std::vector<Cell_index>& changed) {
     const auto place = Traits::locate(tr_, point(p), Traits::cell_of(near));
     if (place.is_vertex()) return false;
     Vertex_handle inserted;

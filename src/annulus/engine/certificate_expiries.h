@@ -13,8 +13,12 @@ namespace annulus {
 
 /// A certificate in an expiry list: of a facet or of a cell, in one numbering.
 using Certificate_id = std::uint32_t;
-[[nodiscard]] constexpr Certificate_id id_of_facet(Corner_index f) { return 2 * static_cast<Certificate_id>(f.value()); }
-[[nodiscard]] constexpr Certificate_id id_of_cell(Cell_index c) { return 2 * static_cast<Certificate_id>(c.value()) + 1; }
+[[nodiscard]] constexpr Certificate_id id_of_facet(Corner_index f) {
+    return 2 * static_cast<Certificate_id>(f.value());
+}
+[[nodiscard]] constexpr Certificate_id id_of_cell(Cell_index c) {
+    return 2 * static_cast<Certificate_id>(c.value()) + 1;
+}
 [[nodiscard]] constexpr bool is_of_cell(Certificate_id id) { return (id & 1U) != 0; }
 /// The one or the other.
 [[nodiscard]] constexpr Corner_index facet_of(Certificate_id id) { return Corner_index(static_cast<Index>(id >> 1)); }

@@ -223,8 +223,8 @@ class Filter final : public Upkeep<d> {
     std::vector<Vertex_record<d>> vertex_;
     std::vector<List> list_;  // by vertex
     Certificate_expiries<d> expiries_;
-    By_corner<double> tolerance_;          // of facets, when there are second looks; 0: no second look
-    By_corner<Delimiter_2> delimiter_;     // of facets, for the second look that needs it
+    By_corner<double> tolerance_;       // of facets, when there are second looks; 0: no second look
+    By_corner<Delimiter_2> delimiter_;  // of facets, for the second look that needs it
     // Of one step:
     std::vector<Index> failed_;
     std::vector<Failed> before_;               // of failed_, what they were before the step

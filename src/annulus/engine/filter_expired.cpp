@@ -56,7 +56,7 @@ void Filter<d>::tour(Index v, double reading, List& list, std::span<const Coordi
         },
         [&](Corner_index h) { certificates_.push_back(2 * static_cast<std::uint32_t>(h.value())); });
     for (const std::uint32_t k : certificates_) {
-        const Corner_index h (static_cast<Index>(k >> 1));
+        const Corner_index h(static_cast<Index>(k >> 1));
         Certificate_id id = id_of_cell(table_.cell_of(h));
         Expiry expiry;
         if (k & 1) {

@@ -49,7 +49,7 @@ bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<con
                                 std::vector<Cell_index>& touched) {
     price_ = 0.0;
     for (const Cell_index c : marked_) mark_[c] = 0;  // those of a call that threw or gave up
-    grow(mark_, table_.cell_bound());            // there may be fewer
+    grow(mark_, table_.cell_bound());                 // there may be fewer
     marked_.clear();
     for (const Cell_index c : cells) mark(c, 1);
     std::vector<Cell_index> region;
@@ -116,13 +116,15 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
 }
 
 template <int d>
-bool Local_delaunay<d>::insert(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v, std::vector<Cell_index>& touched) {
+bool Local_delaunay<d>::insert(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
+                               std::vector<Cell_index>& touched) {
     const Named named(comes_, v);
     return rebuild(x, cells, std::numeric_limits<double>::infinity(), touched);
 }
 
 template <int d>
-bool Local_delaunay<d>::remove(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v, std::vector<Cell_index>& touched) {
+bool Local_delaunay<d>::remove(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
+                               std::vector<Cell_index>& touched) {
     const Named named(goes_, v);
     return rebuild(x, cells, std::numeric_limits<double>::infinity(), touched);
 }
@@ -194,7 +196,8 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
 template <int d>
 void Local_delaunay<d>::find_violated(std::span<const Coordinates<d>> x, std::vector<Cell_index>& beyond) const {
     for (const Seam& s : seam_) {
-        const Facet_certificate<d> f = facet_certificate<d>(cells_[s.inside], static_cast<std::size_t>(s.slot), s.beyond);
+        const Facet_certificate<d> f =
+            facet_certificate<d>(cells_[s.inside], static_cast<std::size_t>(s.slot), s.beyond);
         std::array<Coordinates<d>, static_cast<std::size_t>(d + 2)> y{};
         for (std::size_t k = 0; k < y.size(); ++k)
             if (f.point[k] != none) y[k] = x[at(f.point[k])];

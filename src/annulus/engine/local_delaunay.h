@@ -26,8 +26,10 @@ class Local_delaunay {
                                std::vector<Cell_index>& touched);
     /// The same with one vertex more, whose place these cells hold, or with one less, whose star they are. With the vertex that comes the
     /// region grows until no cell outside has it in its sphere.
-    [[nodiscard]] bool insert(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v, std::vector<Cell_index>& touched);
-    [[nodiscard]] bool remove(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v, std::vector<Cell_index>& touched);
+    [[nodiscard]] bool insert(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
+                              std::vector<Cell_index>& touched);
+    [[nodiscard]] bool remove(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
+                              std::vector<Cell_index>& touched);
     [[nodiscard]] double price() const { return price_; }
 
   private:
@@ -66,8 +68,8 @@ class Local_delaunay {
     Embedding<d>& embedding_;
     Cell_table<d>& table_;
     double price_ = 0.0;
-    By_cell<char> mark_;                 // 1 to be built anew, 2 in the region
-    std::vector<Cell_index> marked_;      // where it may not be 0
+    By_cell<char> mark_;              // 1 to be built anew, 2 in the region
+    std::vector<Cell_index> marked_;  // where it may not be 0
     std::vector<Index> vertices_;  // of the region
     bool at_infinity_ = false;     // and infinity
     Index comes_ = none;           // a vertex that is not in it yet

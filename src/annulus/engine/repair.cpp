@@ -238,7 +238,8 @@ template <int d>
 bool Repair<d>::holds_after_mending() {
     const auto& t = embedding_.table();
     std::vector<Cell_index> alive;
-    std::copy_if(mender_.touched().begin(), mender_.touched().end(), std::back_inserter(alive), [&t](Cell_index c) { return t.is_cell(c); });
+    std::copy_if(mender_.touched().begin(), mender_.touched().end(), std::back_inserter(alive),
+                 [&t](Cell_index c) { return t.is_cell(c); });
     // Where tolerances may be wrong, flips may have begun in what was no Delaunay triangulation.
     if (!certified() && !facets_are_distinct_around<d>(t, alive)) return false;
     // Even one mover may have passed over a part of the hull that its cells do not touch.

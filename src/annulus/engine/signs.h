@@ -44,7 +44,7 @@ class Signs {
     /// Exact sign of a cell with these vertices; infinity allowed.
     [[nodiscard]] int sign(const Cell_points<d>& x);
 
-    [[nodiscard]] std::vector<Cell_index>& inverted() { return found_.inverted; }  ///< cells
+    [[nodiscard]] std::vector<Cell_index>& inverted() { return found_.inverted; }    ///< cells
     [[nodiscard]] std::vector<Corner_index>& violated() { return found_.violated; }  ///< facets
     /// What was asked so far, since begin(), by stage.
     [[nodiscard]] Stage_counts counts() const {

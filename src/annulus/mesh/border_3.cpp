@@ -41,7 +41,7 @@ bool between(const Coordinates<3>& u, const Coordinates<3>& v, const Coordinates
 /// border, convex at its ridges, winds once if that is one closed polygon that turns left and once.
 bool border_winds_once(const Cell_table<3>& t, std::span<const Coordinates<3>> positions) {
     const auto x = [&](Index v) -> const Coordinates<3>& { return positions[static_cast<std::size_t>(v)]; };
-    std::vector<Corner_index> outer;  // half-facets at infinity
+    std::vector<Corner_index> outer;                  // half-facets at infinity
     By_cell<char> faces(t.cell_bound().offset(), 0);  // of an infinite cell: its facet faces the viewer
     t.for_each_corner(infinite, [&](Corner_index h) {
         const auto f = facet_and_vertex(t, h);  // seen from outside it turns left

@@ -50,7 +50,9 @@ class Cell_table {
 
     [[nodiscard]] static constexpr Cell_index cell_of(Corner_index h) { return Cell_index(h.value() >> 2); }
     [[nodiscard]] static constexpr int slot_of(Corner_index h) { return static_cast<int>(h.value() & 3); }
-    [[nodiscard]] static constexpr Corner_index corner(Cell_index c, int i) { return Corner_index(stride * c.value() + i); }
+    [[nodiscard]] static constexpr Corner_index corner(Cell_index c, int i) {
+        return Corner_index(stride * c.value() + i);
+    }
 
     [[nodiscard]] Index vertex(Corner_index h) const { return vertex_[h]; }
     [[nodiscard]] Corner_index twin(Corner_index h) const { return twin_[h]; }
@@ -114,8 +116,12 @@ class Cell_table {
         return ccw(t);
     }
     /// 2D: the corners that follow and precede h in its triangle.
-    [[nodiscard]] static constexpr Corner_index ccw(Corner_index h) { return Corner_index(slot_of(h) == 2 ? h.value() - 2 : h.value() + 1); }
-    [[nodiscard]] static constexpr Corner_index cw(Corner_index h) { return Corner_index(slot_of(h) == 0 ? h.value() + 2 : h.value() - 1); }
+    [[nodiscard]] static constexpr Corner_index ccw(Corner_index h) {
+        return Corner_index(slot_of(h) == 2 ? h.value() - 2 : h.value() + 1);
+    }
+    [[nodiscard]] static constexpr Corner_index cw(Corner_index h) {
+        return Corner_index(slot_of(h) == 0 ? h.value() + 2 : h.value() - 1);
+    }
 
     /// Starts afresh: no cells, `vertices` vertices none of which is in the triangulation.
     void clear(std::size_t vertices);

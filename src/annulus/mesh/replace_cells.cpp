@@ -12,7 +12,7 @@ namespace {
 template <int d>
 struct Side {
     std::array<Index, static_cast<std::size_t>(d)> vertices;  // sorted
-    Corner_index half;                                           // outside the region, or in a fresh cell
+    Corner_index half;                                        // outside the region, or in a fresh cell
 };
 
 template <int d>
@@ -27,7 +27,8 @@ Side<d> side(const Cell_points<d>& x, std::size_t slot, Corner_index half) {
 }  // namespace
 
 template <int d>
-void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_points<d>> fresh, std::vector<Cell_index>& made) {
+void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_points<d>> fresh,
+                   std::vector<Cell_index>& made) {
     std::vector<Side<d>> sides;
     sides.reserve((old.size() + fresh.size()) * static_cast<std::size_t>(d + 1));
     std::vector<Cell_index> gone(old.begin(), old.end());
@@ -57,7 +58,9 @@ void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<
     }
 }
 
-template void replace_cells<2>(Cell_table<2>&, std::span<const Cell_index>, std::span<const Cell_points<2>>, std::vector<Cell_index>&);
-template void replace_cells<3>(Cell_table<3>&, std::span<const Cell_index>, std::span<const Cell_points<3>>, std::vector<Cell_index>&);
+template void replace_cells<2>(Cell_table<2>&, std::span<const Cell_index>, std::span<const Cell_points<2>>,
+                               std::vector<Cell_index>&);
+template void replace_cells<3>(Cell_table<3>&, std::span<const Cell_index>, std::span<const Cell_points<3>>,
+                               std::vector<Cell_index>&);
 
 }  // namespace annulus

@@ -30,7 +30,8 @@ void for_each_verdict(const Cell_table<d>& t, std::span<const Coordinates<d>> x,
     for_each_certificate(
         t, v,
         [&](Corner_index h) {
-            if (on && !t.is_infinite(t.cell_of(h))) on = visit(cell_verdict(places<d>(x, cell_points(t, t.cell_of(h)))));
+            if (on && !t.is_infinite(t.cell_of(h)))
+                on = visit(cell_verdict(places<d>(x, cell_points(t, t.cell_of(h)))));
         },
         [&](Corner_index h) {
             if (!on) return;
@@ -61,10 +62,12 @@ bool star_holds(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index
 template <int d>
 double star_theta(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v) {
     double least = right_angle;
-    for_each_certificate(t, v, [](Corner_index) {}, [&](Corner_index h) {
-        const Facet_certificate<d> f = facet_certificate(t, h, false);
-        if (f.kind == Facet_kind::empty_sphere) least = std::min(least, bicell_theta(places<d>(x, f.point)));
-    });
+    for_each_certificate(
+        t, v, [](Corner_index) {},
+        [&](Corner_index h) {
+            const Facet_certificate<d> f = facet_certificate(t, h, false);
+            if (f.kind == Facet_kind::empty_sphere) least = std::min(least, bicell_theta(places<d>(x, f.point)));
+        });
     return least;
 }
 
@@ -76,7 +79,8 @@ Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
         for (const Index v : points)
             if (v != none) m.tolerance[at(v)] = std::min(m.tolerance[at(v)], tolerance);
     };
-    for (const Cell_index c : t.finite_cells()) lower(cell_points(t, c), cell_verdict(places<d>(x, cell_points(t, c))).tolerance);
+    for (const Cell_index c : t.finite_cells())
+        lower(cell_points(t, c), cell_verdict(places<d>(x, cell_points(t, c))).tolerance);
     for (const Corner_index h : t.facets()) {
         const Facet_certificate<d> f = facet_certificate(t, h, false);
         if (f.kind == Facet_kind::border) continue;
@@ -90,7 +94,8 @@ Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
 }
 
 template <int d>
-Cell_index locate(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Coordinates<d>& p, Cell_index start) {
+Cell_index locate(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Coordinates<d>& p,
+                  Cell_index start) {
     std::uint32_t random = 1;
     Cell_index c = start;
     if (t.is_infinite(c)) c = t.cell_of(t.twin(t.corner(c, t.slot(c, infinite))));
@@ -110,12 +115,13 @@ Cell_index locate(const Cell_table<d>& t, std::span<const Coordinates<d>> x, con
     return c;
 }
 
-#define ANNULUS_READINGS(d)                                                                                                     \
-    template double star_tolerance<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                            \
-    template double star_theta<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                                \
-    template bool star_holds<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                                  \
-    template Measures measure<d>(const Cell_table<d>&, std::span<const Coordinates<d>>);                                        \
-    template Cell_index locate<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, const Coordinates<d>&, Cell_index);
+#define ANNULUS_READINGS(d)                                                                                     \
+    template double star_tolerance<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);            \
+    template double star_theta<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                \
+    template bool star_holds<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                  \
+    template Measures measure<d>(const Cell_table<d>&, std::span<const Coordinates<d>>);                        \
+    template Cell_index locate<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, const Coordinates<d>&, \
+                                  Cell_index);
 ANNULUS_READINGS(2)
 ANNULUS_READINGS(3)
 #undef ANNULUS_READINGS

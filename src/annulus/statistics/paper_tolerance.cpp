@@ -86,9 +86,9 @@ void Paper_tolerance<d>::refine(std::span<const Coordinates<d>> x) {
             }))
             continue;
         paper_[f] = p.kind == Facet_kind::empty_sphere
-                            ? enclose_exactly(tuple<d, d + 2>(p.point, x)).standard
-                            : enclose_exactly(tuple<d, d + 1>(p.point, x),
-                                              p.kind == Facet_kind::ridge ? Width::ridge : Width::slab);
+                        ? enclose_exactly(tuple<d, d + 2>(p.point, x)).standard
+                        : enclose_exactly(tuple<d, d + 1>(p.point, x),
+                                          p.kind == Facet_kind::ridge ? Width::ridge : Width::slab);
     }
     take_least();
 }

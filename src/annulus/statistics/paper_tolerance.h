@@ -54,9 +54,9 @@ class Paper_tolerance {
     void refine(std::span<const Coordinates<d>> x);
 
     const Cell_table<d>& t_;
-    By_corner<Half_width> paper_;    // of facets
-    By_corner<Half_width> facet_;    // the certificate; none of a border facet
-    By_corner<char> own_;            // of a facet: its two numbers are one
+    By_corner<Half_width> paper_;  // of facets
+    By_corner<Half_width> facet_;  // the certificate; none of a border facet
+    By_corner<char> own_;          // of a facet: its two numbers are one
     By_cell<Half_width> cell_;
     std::size_t vertices_;
     std::vector<Half_width> least_;  // by vertex: the paper's tolerance
