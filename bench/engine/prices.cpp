@@ -65,13 +65,12 @@ class Repetition {
         const auto& table = w_.embedding().table();
         std::size_t cells = 0;
         std::size_t certificates = 0;
-        for (Index c = 0; c < table.cell_bound(); ++c)
-            if (table.is_cell(c)) {
-                ++cells;
-                if (!table.is_infinite(c)) ++certificates;
-            }
-        for (Index f = 0; f < table.facet_bound(); ++f)
-            if (table.is_facet(f) && facet_kind(table, table.half(f)) != Facet_kind::border) ++certificates;
+        for (const Cell_index c : table.cells()) {
+            ++cells;
+            if (!table.is_infinite(c)) ++certificates;
+        }
+        for (const Corner_index f : table.facets())
+            if (facet_kind(table, f) != Facet_kind::border) ++certificates;
         find_unit();
         out_["unit"] = 1e9 * unit_;
         out_["cells"] = static_cast<double>(cells) / all_;
@@ -160,9 +159,11 @@ class Repetition {
         const auto& x = w_.points();
         double sum = 0.0;
         std::size_t sampled = 0;
-        for (Index f = 0; f < table.facet_bound(); f += 1 + table.facet_bound() / 512) {
-            if (!table.is_facet(f) || facet_kind(table, table.half(f)) != Facet_kind::empty_sphere) continue;
-            const auto points = bicell_points(table, table.half(f));
+        const Index bound = table.facet_bound().value();
+        for (Index i = 0; i < bound; i += 1 + bound / 512) {
+            const Corner_index f(i);
+            if (!table.is_facet(f) || facet_kind(table, f) != Facet_kind::empty_sphere) continue;
+            const auto points = bicell_points(table, f);
             std::array<Coordinates<d>, static_cast<std::size_t>(d + 2)> p;
             double way = 0.0;
             for (std::size_t k = 0; k < points.size(); ++k) {
@@ -210,15 +211,15 @@ class Repetition {
         const auto& table = lattice.embedding().table();
         Signs<d> signs(table);
         std::size_t cells = 0;
-        for (Index c = 0; c < table.cell_bound(); ++c) cells += table.is_cell(c) ? 1 : 0;
+        for ([[maybe_unused]] const Cell_index c : table.cells()) ++cells;
         std::size_t broken = 0;
         const double s = least(2, [&] {
             signs.begin(lattice.points());
             signs.look_at_everything();
             const auto inverted = signs.inverted();
-            for (const Index c : inverted) broken += signs.is_inverted(c) ? 1U : 0U;
+            for (const Cell_index c : inverted) broken += signs.is_inverted(c) ? 1U : 0U;
             const auto facets = signs.violated();
-            for (const Index f : facets) broken += signs.is_violated(f) ? 1U : 0U;
+            for (const Corner_index f : facets) broken += signs.is_violated(f) ? 1U : 0U;
         });
         if (sample.cells == 0 || sample.unclear == 0) return;
         const double unclear = static_cast<double>(sample.unclear) * static_cast<double>(cells) / static_cast<double>(sample.cells);
@@ -253,9 +254,9 @@ class Repetition {
         embedding.mirror();
         const auto& table = embedding.table();
         std::vector<Tuple<d, d + 2>> tuples;
-        for (Index f = 0; f < table.facet_bound(); ++f)
-            if (table.is_facet(f) && facet_kind(table, table.half(f)) == Facet_kind::empty_sphere)
-                tuples.push_back(tuple<d, d + 2>(bicell_points(table, table.half(f)), std::span<const Coordinates<d>>(x)));
+        for (const Corner_index f : table.facets())
+            if (facet_kind(table, f) == Facet_kind::empty_sphere)
+                tuples.push_back(tuple<d, d + 2>(bicell_points(table, f), std::span<const Coordinates<d>>(x)));
         std::vector<Verdict> verdict(tuples.size());
         Stage_counts by;
         const double s = least(3, [&] { by = evaluate(tuples, Mode::fast, verdict); });

@@ -135,7 +135,10 @@ template <int d>
         if (brute.verdict(out.cells).fault.empty()) break;
     }
 
-    const auto vertex = [&] { return static_cast<Index>(bytes.below(n + 2)) - 1; };  // none and n are none
+    const auto vertex = [&] {
+        const auto v = static_cast<Index>(bytes.below(n + 2));
+        return v == 0 ? none : v - 1;  // n, too, is none
+    };
     for (int budget = 8; !bytes.empty() && budget > 0; --budget) {
         const std::uint8_t code = bytes.next();
         auto& cells = out.cells;

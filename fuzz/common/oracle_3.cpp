@@ -21,17 +21,18 @@ std::string mirror_fault(const Moving_delaunay_3& dt) {
     if (tr.dimension() != 3 || !dt.embedding().mirrored()) return {};
     const auto& t = dt.embedding().table();
     std::size_t cells = 0;
-    for (Index c = 0; c < t.cell_bound(); ++c) cells += t.is_cell(c) ? 1U : 0U;
+    for (Cell_index c(0); c < t.cell_bound(); ++c) cells += t.is_cell(c) ? 1U : 0U;
     if (cells != tr.number_of_cells()) return "the mirror has another number of cells";
-    std::set<Index> facets;
+    std::set<Corner_index> facets;
     for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c) {
-        if (!t.is_cell(c->cell()) || dt.embedding().cell(c->cell()) != Moving_delaunay_3::Triangulation::Cell_handle(c))
+        const Cell_index k(c->cell());
+        if (!t.is_cell(k) || dt.embedding().cell(k) != Moving_delaunay_3::Triangulation::Cell_handle(c))
             return "a cell has no mirror";
         for (int i = 0; i <= 3; ++i) {
-            const Index h = t.corner(c->cell(), i);
+            const Corner_index h = t.corner(k, i);
             const Index v = tr.is_infinite(c->vertex(i)) ? infinite : c->vertex(i)->index();
             if (t.vertex(h) != v) return "a corner of the mirror has another vertex";
-            if (t.twin(h) != t.corner(c->neighbor(i)->cell(), tr.tds().mirror_index(c, i)))
+            if (t.twin(h) != t.corner(Cell_index(c->neighbor(i)->cell()), tr.tds().mirror_index(c, i)))
                 return "a corner of the mirror has another neighbour";
             if (t.facet(h) != t.facet(t.twin(h)) || !t.is_facet(t.facet(h))) return "a facet of the mirror is wrong";
             if (t.facet(h) != h && t.facet(h) != t.twin(h)) return "a facet has a foreign half";
@@ -41,7 +42,7 @@ std::string mirror_fault(const Moving_delaunay_3& dt) {
     }
     if (facets.size() != 2 * cells) return "two facets share a number";
     std::size_t counted = 0;
-    for (Index f = 0; f < t.facet_bound(); ++f) counted += t.is_facet(f) ? 1U : 0U;
+    for (Corner_index f(0); f < t.facet_bound(); ++f) counted += t.is_facet(f) ? 1U : 0U;
     return counted == facets.size() ? std::string() : "a facet is counted twice";
 }
 

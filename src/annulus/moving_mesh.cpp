@@ -115,15 +115,12 @@ Mesh_cells<d> Moving_mesh<d>::cells() const {
     for (auto& n : out.neighbours) n.fill(none);
     if (dimension() != d) return out;
     const Cell_table<d>& t = parts_->embedding.table();
-    std::vector<Index> number(static_cast<std::size_t>(t.cell_bound()), none);  // as list_cells counts them
+    By_cell<Index> number(t.cell_bound().offset(), none);  // as list_cells counts them
     Index next = 0;
-    for (Index c = 0; c < t.cell_bound(); ++c)
-        if (t.is_cell(c) && !t.is_infinite(c)) number[static_cast<std::size_t>(c)] = next++;
-    for (Index c = 0; c < t.cell_bound(); ++c) {
-        if (number[static_cast<std::size_t>(c)] == none) continue;
-        auto& around = out.neighbours[static_cast<std::size_t>(number[static_cast<std::size_t>(c)])];
-        for (int i = 0; i <= d; ++i)
-            around[static_cast<std::size_t>(i)] = number[static_cast<std::size_t>(t.cell_of(t.twin(t.corner(c, i))))];
+    for (const Cell_index c : t.finite_cells()) number[c] = next++;
+    for (const Cell_index c : t.finite_cells()) {
+        auto& around = out.neighbours[static_cast<std::size_t>(number[c])];
+        for (int i = 0; i <= d; ++i) around[static_cast<std::size_t>(i)] = number[t.cell_of(t.twin(t.corner(c, i)))];
     }
     return out;
 }

@@ -44,8 +44,8 @@ TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, 
     std::map<std::pair<Certificate_id, Index>, Expiry> truth;
     double number = 1.0;
     const auto next = [&number] { return Expiry::lower(number += 1.0); };
-    for (Index f = 0; f < t.facet_bound(); ++f) {
-        if (!t.is_facet(f) || facet_kind(t, f) != Facet_kind::empty_sphere) continue;
+    for (const Corner_index f : t.facets()) {
+        if (facet_kind(t, f) != Facet_kind::empty_sphere) continue;
         const Facet_points<d> point = points_around(t, f);
         for (std::size_t k = 0; k < point.size(); ++k) {
             const Expiry number_of_point = next();
@@ -53,8 +53,8 @@ TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, 
             truth[{id_of_facet(f), point[k]}] = number_of_point;
         }
     }
-    for (Index c = 0; c < t.cell_bound(); ++c)
-        for (int i = 0; i <= d && t.is_cell(c) && !t.is_infinite(c); ++i) {
+    for (const Cell_index c : t.finite_cells())
+        for (int i = 0; i <= d; ++i) {
             const Expiry number_of_corner = next();
             expiries.of_cell(t.corner(c, i)) = number_of_corner;
             truth[{id_of_cell(c), t.vertex(t.corner(c, i))}] = number_of_corner;
@@ -64,13 +64,13 @@ TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, 
     for (Index v = 0; v < t.vertex_bound(); ++v)
         for_each_certificate(
             t, v,
-            [&](Index h) {
+            [&](Corner_index h) {
                 if (t.is_infinite(t.cell_of(h))) return;
                 REQUIRE(expiries.of_cell(h) == truth.at({id_of_cell(t.cell_of(h)), v}));
                 ++found;
             },
-            [&](Index h) {
-                const Index f = t.facet(h);
+            [&](Corner_index h) {
+                const Corner_index f = t.facet(h);
                 if (facet_kind(t, f) != Facet_kind::empty_sphere) return;
                 REQUIRE(expiries.of_facet(t, f, v) == truth.at({id_of_facet(f), v}));
                 if (t.vertex(h) == v) REQUIRE(expiries.of_opposite(h) == truth.at({id_of_facet(f), v}));
@@ -78,8 +78,8 @@ TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, 
             });
     CHECK(found == truth.size());
     // Whoever is no point of a certificate has none.
-    for (Index f = 0; f < t.facet_bound(); ++f) {
-        if (!t.is_facet(f) || facet_kind(t, f) != Facet_kind::empty_sphere) continue;
+    for (const Corner_index f : t.facets()) {
+        if (facet_kind(t, f) != Facet_kind::empty_sphere) continue;
         for (Index v = 0; v < t.vertex_bound(); ++v)
             if (!truth.contains({id_of_facet(f), v})) REQUIRE(expiries.of_facet(t, f, v) == Expiry::never());
     }

@@ -170,7 +170,7 @@ TEMPLATE_TEST_CASE_SIG("More cells than indices can name are refused, and nothin
         const std::int32_t wide = Horizons_of<d>::cells;
         for (const Strategy strategy : {Strategy::filter, Strategy::filter_each}) {
             Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(30, 6)), with(strategy));
-            Horizons_of<d>::cells = static_cast<std::int32_t>(dt.embedding().table().cell_bound());
+            Horizons_of<d>::cells = dt.embedding().table().cell_bound().value();
             CHECK_THROWS_AS((Moving<d>(std::span<const Coordinates<d>>(uniform<d>(60, 7)), with(strategy))), Error);
             int refused = 0;
             for (unsigned i = 0; i < 20; ++i) {

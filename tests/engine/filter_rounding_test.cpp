@@ -37,14 +37,13 @@ struct Filter_session : Session<Filter<2>> {
 };
 
 /// The expiries of facet f, point by point.
-std::vector<Expiry*> expiries(Filter_session& s, Index f) {
+std::vector<Expiry*> expiries(Filter_session& s, Corner_index f) {
     std::vector<Expiry*> out;
     for (std::size_t k = 0; k < 4; ++k) out.push_back(&s[Expiries{}].of_facet(f, s.embedding.table().twin(f), k));
     return out;
 }
-bool is_empty_sphere(const Filter_session& s, Index f) {
-    const auto& t = s.embedding.table();
-    return t.is_facet(f) && facet_kind(t, f) == Facet_kind::empty_sphere;
+bool is_empty_sphere(const Filter_session& s, Corner_index f) {
+    return facet_kind(s.embedding.table(), f) == Facet_kind::empty_sphere;
 }
 
 double odd(Random& random, int exponent) { return std::ldexp(1.0 + unit(random), exponent); }
@@ -139,8 +138,8 @@ TEST_CASE("Rebasing leaves no certificate more than it had", "[relocation][round
             const double base = random() % 2 == 0 ? odd(random, -integer(random, 55, 70)) : unit(random);
             std::vector<Expiry*> of_v;
             const auto& t = s.embedding.table();
-            for (Index f = 0; f < t.facet_bound(); ++f)
-                for (std::size_t k = 0; t.is_facet(f) && k < 4; ++k)
+            for (const Corner_index f : t.facets())
+                for (std::size_t k = 0; k < 4; ++k)
                     if (points_around(t, f)[k] == v) of_v.push_back(expiries(s, f)[k]);
             std::vector<Rational> before;
             for (Expiry* e : of_v) {
@@ -164,22 +163,23 @@ TEST_CASE("Rebasing leaves no second look to a certificate that is overdue", "[r
         const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
         const double base = 1.0;
         const auto& t = s.embedding.table();
-        std::vector<bool> overdue(at(t.facet_bound()));
-        const auto expiry_of_v = [&](Index f) {
+        By_corner<char> overdue(t.facet_bound().offset(), 0);
+        const auto expiry_of_v = [&](Corner_index f) {
             const Facet_points<2> point = points_around(t, f);
             const auto k = std::find(point.begin(), point.end(), v) - point.begin();
             return k == std::ssize(point) ? nullptr : expiries(s, f)[at(static_cast<Index>(k))];
         };
-        for (Index f = 0; f < t.facet_bound(); ++f) {
-            s[Tolerances{}][at(f)] = 0.25;
+        for (Corner_index f(0); f < t.facet_bound(); ++f) {
+            s[Tolerances{}][f] = 0.25;
             if (Expiry* const e = t.is_facet(f) ? expiry_of_v(f) : nullptr) {
                 *e = Expiry::lower(base + std::ldexp(integer(random, -4, 4), -20));
-                overdue[at(f)] = e->reading() < base;
+                overdue[f] = e->reading() < base ? 1 : 0;
             }
         }
         s[List{}][at(v)].base = base;
         s.call(Rebase{}, v);
-        for (Index f = 0; f < t.facet_bound(); ++f) RC_ASSERT(s[Tolerances{}][at(f)] == (overdue[at(f)] ? 0.0 : 0.25));
+        for (Corner_index f(0); f < t.facet_bound(); ++f)
+            RC_ASSERT(s[Tolerances{}][f] == (overdue[f] != 0 ? 0.0 : 0.25));
     }));
 }
 
@@ -188,12 +188,12 @@ TEST_CASE("Second looks leave the two sides of a circle no more than its width",
         Random random = seed.random();
         Filter_session s(random, Second_look::unequal_moves);
         const auto& t = s.embedding.table();
-        for (Index f = 0; f < t.facet_bound(); ++f) {
+        for (const Corner_index f : t.facets()) {
             if (!is_empty_sphere(s, f)) continue;
             const Facet_points<2> point = points_around(t, f);
             const std::vector<Expiry*> expiry = expiries(s, f);
             const double tolerance = std::ldexp(1.0 + unit(random), -integer(random, 0, 20));
-            s[Tolerances{}][at(f)] = tolerance;
+            s[Tolerances{}][f] = tolerance;
             for (std::size_t k = 0; k < point.size(); ++k) {
                 const double base = unit(random);
                 *expiry[k] = Expiry::lower(base + tolerance);
@@ -215,7 +215,7 @@ TEST_CASE("Second looks leave the two sides of a circle no more than its width",
         Random random = seed.random();
         Filter_session s(random, Second_look::safe_region);
         const auto& t = s.embedding.table();
-        for (Index f = 0; f < t.facet_bound(); ++f) {
+        for (const Corner_index f : t.facets()) {
             if (!is_empty_sphere(s, f)) continue;
             const Facet_points<2> point = points_around(t, f);
             const std::vector<Expiry*> expiry = expiries(s, f);

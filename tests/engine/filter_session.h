@@ -69,11 +69,9 @@ struct Session {
     auto call(Name, Arguments&&... arguments) {
         return (filter.*member(Name{}))(std::forward<Arguments>(arguments)...);
     }
-    [[nodiscard]] std::vector<Index> finite_cells() {
-        std::vector<Index> cells;
-        const auto& t = embedding.table();
-        for (Index c = 0; c < t.cell_bound(); ++c)
-            if (t.is_cell(c) && !t.is_infinite(c)) cells.push_back(c);
+    [[nodiscard]] std::vector<Cell_index> finite_cells() {
+        std::vector<Cell_index> cells;
+        for (const Cell_index c : embedding.table().finite_cells()) cells.push_back(c);
         return cells;
     }
 };

@@ -20,8 +20,7 @@ using Embedding_3 = Cgal_embedding_3<No_info>;
 /// Every cell of the mirror, sorted within and among themselves: a triangulation whatever its numbers.
 Cells_3 cells_of_mirror(const Cell_table<3>& t) {
     Cells_3 cells;
-    for (Index c = 0; c < t.cell_bound(); ++c) {
-        if (!t.is_cell(c)) continue;
+    for (const Cell_index c : t.cells()) {
         auto x = cell_points(t, c);
         std::sort(x.begin(), x.end());
         cells.push_back(x);
@@ -35,23 +34,24 @@ void check_same(const Embedding_3& e) {
     CHECK(tr.tds().is_valid());
     for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
         for (int i = 0; i <= 3; ++i) {
-            const Index h = e.table().corner(c->cell(), i);
+            const Corner_index h = e.table().corner(Cell_index(c->cell()), i);
             REQUIRE(e.table().vertex(h) == (tr.is_infinite(c->vertex(i)) ? infinite : c->vertex(i)->index()));
-            REQUIRE(e.table().twin(h) == e.table().corner(c->neighbor(i)->cell(), tr.tds().mirror_index(c, i)));
+            REQUIRE(e.table().twin(h) ==
+                    e.table().corner(Cell_index(c->neighbor(i)->cell()), tr.tds().mirror_index(c, i)));
             REQUIRE(e.table().facet(h) == e.table().facet(e.table().twin(h)));
             REQUIRE(e.table().is_facet(e.table().facet(h)));
         }
 }
 
 bool is_edge(const Cell_table<3>& t, Index p, Index q) {
-    for (Index c = 0; c < t.cell_bound(); ++c)
-        if (t.is_cell(c) && t.slot(c, p) >= 0 && t.slot(c, q) >= 0) return true;
+    for (const Cell_index c : t.cells())
+        if (t.slot(c, p) >= 0 && t.slot(c, q) >= 0) return true;
     return false;
 }
 
 bool is_facet(const Cell_table<3>& t, Index p, Index q, Index r) {
-    for (Index c = 0; c < t.cell_bound(); ++c)
-        if (t.is_cell(c) && t.slot(c, p) >= 0 && t.slot(c, q) >= 0 && t.slot(c, r) >= 0) return true;
+    for (const Cell_index c : t.cells())
+        if (t.slot(c, p) >= 0 && t.slot(c, q) >= 0 && t.slot(c, r) >= 0) return true;
     return false;
 }
 
@@ -82,11 +82,10 @@ bool same_orientation(const Cell_points<3>& x, const Cell_points<3>& y) {
 
 /// Both sides of every facet see its vertices turn in opposite directions.
 void check_orientations(const Cell_table<3>& t) {
-    for (Index f = 0; f < t.facet_bound(); ++f) {
-        if (!t.is_facet(f)) continue;
+    for (const Corner_index f : t.facets()) {
         Cell_points<3> one = facet_and_vertex(t, f);
         Cell_points<3> other = facet_and_vertex(t, t.twin(f));
-        one[3] = other[3] = -2;
+        one[3] = other[3] = none;
         REQUIRE_FALSE(same_orientation(one, other));
     }
 }
@@ -102,20 +101,21 @@ TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL
         REQUIRE(e.dimension() == 3);
         e.mirror();
         auto& t = static_cast<Embedding<3>&>(e).table();
-        std::vector<Index> touched;
+        std::vector<Cell_index> touched;
         for (int attempt = 0; attempt < 900; ++attempt) {
-            const auto cell = static_cast<Index>(random() % static_cast<std::size_t>(t.cell_bound()));
+            const Cell_index cell(static_cast<Index>(random() % t.cell_bound().offset()));
             if (!t.is_cell(cell)) continue;
-            const Index h = t.corner(cell, static_cast<int>(random() % 4));
-            const Index k = t.corner(cell, static_cast<int>((static_cast<std::size_t>(t.slot_of(h)) + 1 + random() % 3) % 4));
+            const Corner_index h = t.corner(cell, static_cast<int>(random() % 4));
+            const Corner_index k =
+                t.corner(cell, static_cast<int>((static_cast<std::size_t>(t.slot_of(h)) + 1 + random() % 3) % 4));
             const auto [a, b, c, q] = facet_and_vertex(t, h);
             const Index p = t.vertex(t.twin(h));
             const Cells_3 before = cells_of_mirror(t);
             const std::size_t kind = random() % 3;
-            std::array<Index, 3> cells{};
+            std::array<Cell_index, 3> cells{};
             if (kind == 0) {
                 if (is_edge(t, p, q)) continue;
-                const Index gone = t.cell_of(t.twin(h));
+                const Cell_index gone = t.cell_of(t.twin(h));
                 REQUIRE(flip_facet(t, h, cells));
                 touched = {cells[0], cells[1], cells[2], gone};
                 CHECK(cells_of_mirror(t) == exchanged(before, {{a, b, c, q}, {a, b, c, p}}, {{a, b, p, q}, {b, c, p, q}, {c, a, p, q}}));
@@ -134,7 +134,7 @@ TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL
                 const auto flip = flip_4_4(t, h, k);
                 if (!flip || is_edge(t, p, q)) continue;
                 Cells_3 gone;
-                for (const Index g : flip->gone) gone.push_back(cell_points(t, g));
+                for (const Cell_index g : flip->gone) gone.push_back(cell_points(t, g));
                 touched.assign(flip->gone.begin(), flip->gone.end());
                 replace_cells<3>(t, flip->gone, flip->came, touched);
                 CHECK(cells_of_mirror(t) == exchanged(before, gone, Cells_3(flip->came.begin(), flip->came.end())));
@@ -158,15 +158,16 @@ TEST_CASE("Flips that nobody has looked at keep the table a manifold", "[flips][
         e.mirror();
         auto& t = static_cast<Embedding<3>&>(e).table();
         for (int attempt = 0; attempt < 200; ++attempt) {
-            const auto cell = static_cast<Index>(random() % static_cast<std::size_t>(t.cell_bound()));
+            const Cell_index cell(static_cast<Index>(random() % t.cell_bound().offset()));
             if (!t.is_cell(cell)) continue;
-            const Index h = t.corner(cell, static_cast<int>(random() % 4));
-            const Index k = t.corner(cell, static_cast<int>((static_cast<std::size_t>(t.slot_of(h)) + 1 + random() % 3) % 4));
-            std::array<Index, 3> cells{};
+            const Corner_index h = t.corner(cell, static_cast<int>(random() % 4));
+            const Corner_index k =
+                t.corner(cell, static_cast<int>((static_cast<std::size_t>(t.slot_of(h)) + 1 + random() % 3) % 4));
+            std::array<Cell_index, 3> cells{};
             if (!(random() % 2 == 0 ? flip_facet(t, h, cells) : flip_edge(t, h, k, cells))) ++refused;
-            for (Index c = 0; c < t.cell_bound(); ++c)
-                for (int i = 0; t.is_cell(c) && i <= 3; ++i) {
-                    const Index twin = t.twin(t.corner(c, i));
+            for (const Cell_index c : t.cells())
+                for (int i = 0; i <= 3; ++i) {
+                    const Corner_index twin = t.twin(t.corner(c, i));
                     REQUIRE(t.cell_of(twin) != c);
                     REQUIRE(t.is_cell(t.cell_of(twin)));
                     REQUIRE(t.twin(twin) == t.corner(c, i));
@@ -185,17 +186,16 @@ TEST_CASE("A flip of the table is undone by its opposite", "[flips][space]") {
     auto& t = static_cast<Embedding<3>&>(e).table();
     const Cells_3 before = cells_of_mirror(t);
     int undone = 0;
-    for (Index f = 0; f < t.facet_bound(); ++f) {
-        if (!t.is_facet(f)) continue;
-        const Index h = f;
+    for (Corner_index h(0); h < t.facet_bound(); ++h) {  // flips change the numbers
+        if (!t.is_facet(h)) continue;
         const Index q = t.vertex(h);
         if (is_edge(t, t.vertex(t.twin(h)), q)) continue;
-        std::array<Index, 3> three{};
+        std::array<Cell_index, 3> three{};
         REQUIRE(flip_facet(t, h, three));
         // The facet of two of the three, seen from the first; what lies opposite to the new edge is its corner 0 or 1.
-        const Index inner = t.corner(three[0], 0);
-        const Index third = t.corner(three[0], 1);
-        std::array<Index, 3> two{};
+        const Corner_index inner = t.corner(three[0], 0);
+        const Corner_index third = t.corner(three[0], 1);
+        std::array<Cell_index, 3> two{};
         REQUIRE(flip_edge(t, inner, third, two));
         REQUIRE(cells_of_mirror(t) == before);
         check_orientations(t);
@@ -213,9 +213,8 @@ TEST_CASE("The corners of a ridge and of a bi-cell are in the order that the cer
     const auto& t = e.table();
     const auto at = [&](Index v) { return &x[static_cast<std::size_t>(v)]; };
     int ridges = 0;
-    for (Index f = 0; f < t.facet_bound(); ++f) {
-        if (!t.is_facet(f)) continue;
-        for (const Index h : {f, t.twin(f)}) {
+    for (const Corner_index f : t.facets()) {
+        for (const Corner_index h : {f, t.twin(f)}) {
             const Facet_kind kind = facet_kind(t, h);
             if (kind == Facet_kind::empty_sphere) {
                 const auto p = bicell_points(t, h);
@@ -246,13 +245,12 @@ TEST_CASE("A flip to an edge that is there already, and makes a facet twice, is 
         e.mirror();
         auto& t = static_cast<Embedding<3>&>(e).table();
         for (int flips = 0; flips < 6; ++flips) {
-            const auto h = static_cast<Index>(random() % static_cast<std::uint64_t>(t.facet_bound()));
-            std::array<Index, 3> made{};
+            const Corner_index h(static_cast<Index>(random() % t.facet_bound().offset()));
+            std::array<Cell_index, 3> made{};
             if (!t.is_cell(t.cell_of(h)) || !flip_facet(t, h, made)) continue;
             std::set<std::array<Index, 3>> facets;
             std::size_t count = 0;
-            for (Index f = 0; f < t.facet_bound(); ++f) {
-                if (!t.is_facet(f)) continue;
+            for (const Corner_index f : t.facets()) {
                 const Facet_points<3> x = bicell_points(t, f);
                 std::array<Index, 3> own{x[0], x[1], x[2]};
                 std::sort(own.begin(), own.end());

@@ -11,11 +11,13 @@ namespace annulus {
 template <int d>
 using Coordinates = std::array<double, static_cast<std::size_t>(d)>;
 
-/// Index of a vertex in input order, of a cell, or of a facet. 32 bits: at most 2^29 - 1 cells.
+/// Index of a vertex in input order. 32 bits: at most 2^29 - 1 cells. Cells and corners of a Cell_table have types of their own
+/// (mesh/index.h).
 using Index = std::int32_t;
 
-/// The vertex at infinity, and "no such thing".
+/// The vertex at infinity.
 inline constexpr Index infinite = -1;
-inline constexpr Index none = -1;
+/// No vertex at all, not even that: what pads an array of vertices that is longer than there are.
+inline constexpr Index none = -2;
 
 }  // namespace annulus

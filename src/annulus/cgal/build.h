@@ -36,6 +36,7 @@ void Cgal_embedding<Traits>::build(std::span<const Coordinates<d>> x) {
     order_.forget();
     insert_all(tr, x, order_.of(x, [](Index) { return true; }), &handle);
     tr_.swap(tr);
+    tr_.infinite_vertex()->set_index(infinite);
     handle_ = std::move(handle);
     mirrored_ = shuffled_ = false;
 }
@@ -48,7 +49,7 @@ void Cgal_embedding<Traits>::restore(std::span<const Coordinates<d>> x, Index fr
     auto& vertices = tr_.tds().vertices();
     for (auto it = vertices.begin(); it != vertices.end();) {
         const Vertex_handle v = it++;
-        const bool ours = v->index() != none && at(v->index()) < handle_.size() && handle_[at(v->index())] == v;
+        const bool ours = v->index() >= 0 && at(v->index()) < handle_.size() && handle_[at(v->index())] == v;
         if (!ours && v != tr_.infinite_vertex()) tr_.tds().delete_vertex(v);
     }
     rebuild(x);

@@ -17,8 +17,8 @@ namespace annulus {
 
 /// CGAL's Delaunay triangulation with its flat mirror: the only code that changes both.
 ///
-/// Traits is Cgal_traits_2<Info> or Cgal_traits_3<Info>. A cell of CGAL's knows its cell of the mirror; `none` means that it is not
-/// mirrored yet.
+/// Traits is Cgal_traits_2<Info> or Cgal_traits_3<Info>. A cell of CGAL's knows the number of its cell of the mirror;
+/// `no_cell` means that it is not mirrored yet.
 template <class Traits>
 class Cgal_embedding final : public Embedding<Traits::dimension> {
   public:
@@ -37,7 +37,7 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     [[nodiscard]] Triangulation& triangulation() { return tr_; }
     [[nodiscard]] Vertex_handle handle(Index v) const { return handle_[at(v)]; }
     /// CGAL's cell of a cell of the mirror.
-    [[nodiscard]] Cell_handle cell(Index c) const { return cell_[at(c)]; }
+    [[nodiscard]] Cell_handle cell(Cell_index c) const { return cell_[c]; }
 
     [[nodiscard]] Cell_table<d>& table() override { return table_; }
     [[nodiscard]] const Cell_table<d>& table() const { return table_; }
@@ -62,13 +62,13 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     }
     void drop_mirror() noexcept override;
     [[nodiscard]] bool mirrored() const override { return mirrored_; }
-    void follow(std::span<const Index> cells) override;
-    void restore_cells(std::span<const Index> cells, std::vector<Index>& made) override;
+    void follow(std::span<const Cell_index> cells) override;
+    void restore_cells(std::span<const Cell_index> cells, std::vector<Cell_index>& made) override;
 
     // relocation.h
-    [[nodiscard]] bool insert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) override;
-    void remove(Index v, std::vector<Index>& changed) override;
-    [[nodiscard]] bool reinsert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) override;
+    [[nodiscard]] bool insert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) override;
+    void remove(Index v, std::vector<Cell_index>& changed) override;
+    [[nodiscard]] bool reinsert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) override;
     [[nodiscard]] Relocation relocate(Index v, const Coordinates<d>& p) override;
     [[nodiscard]] Relocation relocate_by_flips(Index v, const Coordinates<d>& p) override;
     [[nodiscard]] bool update_in_place(Index v, const Coordinates<d>& p) override;
@@ -103,6 +103,9 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
         for (int i = 0; i <= d; ++i) x[static_cast<std::size_t>(i)] = index_of(tr, c->vertex(i));
         return x;
     }
+    /// The cell of the mirror that a cell of CGAL's is, or `no_cell`.
+    [[nodiscard]] static Cell_index number_of(Cell_handle c) { return Cell_index(c->cell()); }
+    static void set_number(Cell_handle c, Cell_index number) { c->set_cell(number.value()); }
     [[nodiscard]] Vertex_handle vertex_of(Index v) const {
         return v == infinite ? tr_.infinite_vertex() : handle_[at(v)];
     }
@@ -114,14 +117,14 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     void take_cells(Triangulation& other) noexcept;
 
     void put_in_order(std::vector<Cell_handle>& cells) const;
-    void adopt(std::vector<Cell_handle> cells, std::vector<Index> old, std::vector<Index>& changed);
-    void join_replaced(const std::vector<Cell_handle>& cells, std::vector<Index>& old);
+    void adopt(std::vector<Cell_handle> cells, std::vector<Cell_index> old, std::vector<Cell_index>& changed);
+    void join_replaced(const std::vector<Cell_handle>& cells, std::vector<Cell_index>& old);
 
     [[nodiscard]] std::vector<Cell_handle> star(Vertex_handle v) const;
     void substitute(Vertex_handle old, Vertex_handle replacement);
     [[nodiscard]] std::vector<Cell_handle> take_out(Vertex_handle v);
-    [[nodiscard]] bool detach(Index v, std::vector<Index>& changed);
-    [[nodiscard]] bool attach(Index v, const Coordinates<d>& p, Vertex_handle near, std::vector<Index>& changed);
+    [[nodiscard]] bool detach(Index v, std::vector<Cell_index>& changed);
+    [[nodiscard]] bool attach(Index v, const Coordinates<d>& p, Vertex_handle near, std::vector<Cell_index>& changed);
     void exchange(Vertex_handle v, Vertex_handle inserted, const Coordinates<d>& p);
     [[nodiscard]] Relocation relocate_flat(Index v, const Coordinates<d>& p);
 
@@ -138,7 +141,7 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
 
     Triangulation tr_;
     Cell_table<d> table_;
-    std::vector<Cell_handle> cell_;      // by cell
+    By_cell<Cell_handle> cell_;
     std::vector<Vertex_handle> handle_;  // by vertex; default for a vacant index
     Insertion_order<Triangulation, d> order_;
     bool mirrored_ = false;

@@ -47,13 +47,14 @@ struct Mesh_embedding<d>::Builder {
             cell.push_back(c);
         });
         table.clear(bound, cell.size());
-        for (const Cell_handle c : cell)
+        for (const Cell_handle c : cell) {
+            const Cell_index k(c->cell());
             for (int i = 0; i <= d; ++i) {
-                table.set_vertex(table.corner(c->cell(), i), index_of(tr, c->vertex(i)));
-                const Index n = c->neighbor(i)->cell();
-                if (n > c->cell())
-                    table.glue(table.corner(c->cell(), i), table.corner(n, Traits::slot_beyond(tr.tds(), c, i)));
+                table.set_vertex(table.corner(k, i), index_of(tr, c->vertex(i)));
+                const Cell_index n(c->neighbor(i)->cell());
+                if (n > k) table.glue(table.corner(k, i), table.corner(n, Traits::slot_beyond(tr.tds(), c, i)));
             }
+        }
     }
 
     static void list_flat(const Triangulation& tr, std::vector<Index>& cells) {
@@ -127,32 +128,32 @@ bool Mesh_embedding<d>::delaunay_of(std::span<const Coordinates<d>> x, std::span
 
 /// The same under other numbers, all of which `made` receives: the table does not become smaller, since the engine may have noted some.
 template <int d>
-void Mesh_embedding<d>::replace_everything(std::vector<Index>& made) {
+void Mesh_embedding<d>::replace_everything(std::vector<Cell_index>& made) {
     std::vector<Index> vertices;
     for (std::size_t v = 0; v < present_.size(); ++v)
         if (present_[v] != 0) vertices.push_back(static_cast<Index>(v));
     std::vector<Cell_points<d>> cells;
     if (!delaunay_of(point_, vertices, cells)) throw Error(Error_code::collision, "two vertices are at one place");
-    std::vector<Index> old;
-    for (Index c = 0; c < table_.cell_bound(); ++c)
-        if (table_.is_cell(c)) old.push_back(c);
+    std::vector<Cell_index> old;
+    for (const Cell_index c : table_.cells()) old.push_back(c);
     replace_cells<d>(table_, old, cells, made);
 }
 
 /// Of what was listed from `first` on those that there are, once.
 template <int d>
-void Mesh_embedding<d>::keep_present(std::vector<Index>& cells, std::size_t first) const {
+void Mesh_embedding<d>::keep_present(std::vector<Cell_index>& cells, std::size_t first) const {
     const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(first);
     std::sort(begin, cells.end());
-    const auto gone = [this](Index c) { return !table_.is_cell(c); };
+    const auto gone = [this](Cell_index c) { return !table_.is_cell(c); };
     cells.erase(std::remove_if(begin, std::unique(begin, cells.end()), gone), cells.end());
 }
 
 /// What is outside of them is Delaunay at the points, and so were they.
 template <int d>
-void Mesh_embedding<d>::restore_cells(std::span<const Index> cells, std::vector<Index>& made) {
-    std::vector<Index> present;
-    std::copy_if(cells.begin(), cells.end(), std::back_inserter(present), [this](Index c) { return table_.is_cell(c); });
+void Mesh_embedding<d>::restore_cells(std::span<const Cell_index> cells, std::vector<Cell_index>& made) {
+    std::vector<Cell_index> present;
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(present),
+                 [this](Cell_index c) { return table_.is_cell(c); });
     const std::size_t first = made.size();
     if (!local_.rebuild(point_, present, std::numeric_limits<double>::infinity(), made)) {
         replace_everything(made);
@@ -167,7 +168,7 @@ bool Mesh_embedding<d>::is_taken(const Coordinates<d>& p, Index but) const {
             if (present_[v] != 0 && static_cast<Index>(v) != but && point_[v] == p) return true;
         return false;
     }
-    const Index c = locate<d>(table_, point_, p, table_.cell_of(table_.corner_of_infinity()));
+    const Cell_index c = locate<d>(table_, point_, p, table_.cell_of(table_.corner_of_infinity()));
     for (const Index v : cell_points(table_, c))
         if (v != infinite && v != but && point_[at(v)] == p) return true;
     return false;
@@ -175,8 +176,8 @@ bool Mesh_embedding<d>::is_taken(const Coordinates<d>& p, Index but) const {
 
 /// v goes to p, where nobody is.
 template <int d>
-bool Mesh_embedding<d>::attach(Index v, const Coordinates<d>& p, std::vector<Index>& changed) {
-    const Index c = locate<d>(table_, point_, p, table_.cell_of(table_.corner_of_infinity()));
+bool Mesh_embedding<d>::attach(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
+    const Cell_index c = locate<d>(table_, point_, p, table_.cell_of(table_.corner_of_infinity()));
     for (const Index w : cell_points(table_, c))
         if (w != infinite && point_[at(w)] == p) return false;
     const Coordinates<d> home = std::exchange(point_[at(v)], p);
@@ -193,10 +194,10 @@ bool Mesh_embedding<d>::attach(Index v, const Coordinates<d>& p, std::vector<Ind
 
 /// False, with nothing changed, when the rest would be flat.
 template <int d>
-bool Mesh_embedding<d>::detach(Index v, std::vector<Index>& changed) {
+bool Mesh_embedding<d>::detach(Index v, std::vector<Cell_index>& changed) {
     if (dimension_ != d || vertices_ <= d + 1U) return false;
-    std::vector<Index> star;
-    table_.for_each_corner(v, [&](Index h) { star.push_back(table_.cell_of(h)); });
+    std::vector<Cell_index> star;
+    table_.for_each_corner(v, [&](Corner_index h) { star.push_back(table_.cell_of(h)); });
     const std::size_t first = changed.size();
     if (!local_.remove(point_, star, v, changed)) return false;
     keep_present(changed, first);
@@ -205,7 +206,7 @@ bool Mesh_embedding<d>::detach(Index v, std::vector<Index>& changed) {
 }
 
 template <int d>
-bool Mesh_embedding<d>::insert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) {
+bool Mesh_embedding<d>::insert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
     if (is_taken(p, none)) return false;
     builder_->order.forget();
     if (at(v) >= point_.size()) {
@@ -224,7 +225,7 @@ bool Mesh_embedding<d>::insert(Index v, const Coordinates<d>& p, std::vector<Ind
 }
 
 template <int d>
-void Mesh_embedding<d>::remove(Index v, std::vector<Index>& changed) {
+void Mesh_embedding<d>::remove(Index v, std::vector<Cell_index>& changed) {
     builder_->order.forget();
     if (detach(v, changed)) {
         present_[at(v)] = 0;
@@ -237,7 +238,7 @@ void Mesh_embedding<d>::remove(Index v, std::vector<Index>& changed) {
 }
 
 template <int d>
-bool Mesh_embedding<d>::reinsert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) {
+bool Mesh_embedding<d>::reinsert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
     if (is_taken(p, v)) throw Error(Error_code::collision, "another vertex is at that position");
     if (!detach(v, changed)) return false;
     (void)attach(v, p, changed);
@@ -249,7 +250,7 @@ template <int d>
 Relocation Mesh_embedding<d>::relocate(Index v, const Coordinates<d>& p) {
     if (point_[at(v)] == p) return Relocation::kept;
     if (is_taken(p, v)) return Relocation::refused;
-    std::vector<Index> changed;
+    std::vector<Cell_index> changed;
     if (detach(v, changed)) {
         (void)attach(v, p, changed);
     } else {

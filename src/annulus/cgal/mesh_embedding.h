@@ -38,12 +38,12 @@ class Mesh_embedding final : public Embedding<d> {
     void revert() override { rebuild_at_points(); }
     void drop_mirror() noexcept override { mirrored_ = false; }
     [[nodiscard]] bool mirrored() const override { return mirrored_; }
-    void follow(std::span<const Index>) override {}
-    void restore_cells(std::span<const Index> cells, std::vector<Index>& made) override;
+    void follow(std::span<const Cell_index>) override {}
+    void restore_cells(std::span<const Cell_index> cells, std::vector<Cell_index>& made) override;
 
-    [[nodiscard]] bool insert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) override;
-    void remove(Index v, std::vector<Index>& changed) override;
-    [[nodiscard]] bool reinsert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) override;
+    [[nodiscard]] bool insert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) override;
+    void remove(Index v, std::vector<Cell_index>& changed) override;
+    [[nodiscard]] bool reinsert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) override;
     [[nodiscard]] Relocation relocate(Index v, const Coordinates<d>& p) override;
     /// In place where no topological change is needed, else relocation, in the plane too.
     [[nodiscard]] Relocation relocate_by_flips(Index v, const Coordinates<d>& p) override;
@@ -62,10 +62,10 @@ class Mesh_embedding final : public Embedding<d> {
     struct Builder;
 
     void rebuild_at_points();
-    void replace_everything(std::vector<Index>& made);
-    void keep_present(std::vector<Index>& cells, std::size_t first) const;
-    [[nodiscard]] bool attach(Index v, const Coordinates<d>& p, std::vector<Index>& changed);
-    [[nodiscard]] bool detach(Index v, std::vector<Index>& changed);
+    void replace_everything(std::vector<Cell_index>& made);
+    void keep_present(std::vector<Cell_index>& cells, std::size_t first) const;
+    [[nodiscard]] bool attach(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed);
+    [[nodiscard]] bool detach(Index v, std::vector<Cell_index>& changed);
     [[nodiscard]] bool is_taken(const Coordinates<d>& p, Index but) const;
 
     Cell_table<d> table_;

@@ -14,8 +14,7 @@ void Mesh_embedding<d>::list_cells(std::vector<Index>& vertices) const {
         vertices.insert(vertices.end(), flat_cells_.begin(), flat_cells_.end());
         return;
     }
-    for (Index c = 0; c < table_.cell_bound(); ++c) {
-        if (!table_.is_cell(c) || table_.is_infinite(c)) continue;
+    for (const Cell_index c : table_.finite_cells()) {
         const auto v = cell_points(table_, c);
         vertices.insert(vertices.end(), v.begin(), v.end());
     }
@@ -28,7 +27,7 @@ Sample Mesh_embedding<d>::sample(std::span<const Coordinates<d>> x, std::size_t 
     const std::size_t stride = 1 + point_.size() / (count + 1);
     for (std::size_t v = 0; v < point_.size(); v += stride) {
         if (present_[v] == 0) continue;
-        const Index c = table_.cell_of(table_.corner_of(static_cast<Index>(v)));
+        const Cell_index c = table_.cell_of(table_.corner_of(static_cast<Index>(v)));
         if (table_.is_infinite(c)) continue;
         Cell_points<d> beyond{};
         for (int i = 0; i <= d; ++i) beyond[static_cast<std::size_t>(i)] = table_.vertex(table_.twin(table_.corner(c, i)));

@@ -20,12 +20,12 @@ void Cgal_embedding<Traits>::mirror() {
     Traits::for_each_cell(tr_, [&](Cell_handle c) { cell_.push_back(c); });
     if (shuffled_) put_in_order(cell_);
     table_.clear(handle_.size(), cell_.size());
-    for (std::size_t k = 0; k < cell_.size(); ++k) cell_[k]->set_cell(static_cast<Index>(k));
+    for (Cell_index k(0); cell_.has(k); ++k) set_number(cell_[k], k);
     for (const Cell_handle c : cell_) {
-        const Index k = c->cell();
+        const Cell_index k = number_of(c);
         for (int i = 0; i <= d; ++i) {
             table_.set_vertex(table_.corner(k, i), index_of(tr_, c->vertex(i)));
-            const Index n = c->neighbor(i)->cell();
+            const Cell_index n = number_of(c->neighbor(i));
             if (n > k) table_.glue(table_.corner(k, i), table_.corner(n, Traits::slot_beyond(tr_.tds(), c, i)));
         }
     }
@@ -75,91 +75,92 @@ void Cgal_embedding<Traits>::put_in_order(std::vector<Cell_handle>& cells) const
 
 /// Adds the cells of the mirror whose place these cells of CGAL, which have no number, have taken: all behind their outer facets.
 template <class Traits>
-void Cgal_embedding<Traits>::join_replaced(const std::vector<Cell_handle>& cells, std::vector<Index>& old) {
-    std::vector<Index> outside;  // half-facets
+void Cgal_embedding<Traits>::join_replaced(const std::vector<Cell_handle>& cells, std::vector<Cell_index>& old) {
+    std::vector<Corner_index> outside;  // half-facets
     for (const Cell_handle c : cells)
         for (int i = 0; i <= d; ++i)
-            if (const Index g = c->neighbor(i)->cell(); g != none)
+            if (const Cell_index g = number_of(c->neighbor(i)); g != no_cell)
                 outside.push_back(table_.corner(g, Traits::slot_beyond(tr_.tds(), c, i)));
     std::sort(outside.begin(), outside.end());
-    Small_set<Index, Index_hash> met(none);
-    for (const Index c : old) met.insert(c);
-    const auto enter = [&](Index c) {
+    Small_set<Cell_index, Index_hash> met(no_cell);
+    for (const Cell_index c : old) met.insert(c);
+    const auto enter = [&](Cell_index c) {
         if (met.insert(c)) old.push_back(c);
     };
-    for (const Index h : outside) enter(table_.cell_of(table_.twin(h)));
+    for (const Corner_index h : outside) enter(table_.cell_of(table_.twin(h)));
     for (std::size_t k = 0; k < old.size(); ++k)
         for (int i = 0; i <= d; ++i) {
-            const Index t = table_.twin(table_.corner(old[k], i));
+            const Corner_index t = table_.twin(table_.corner(old[k], i));
             if (!std::binary_search(outside.begin(), outside.end(), t)) enter(table_.cell_of(t));
         }
 }
 
 /// Mirrors a changed region: `cells` are what CGAL has there now, those of `old` were there before; not all need be named.
 template <class Traits>
-void Cgal_embedding<Traits>::adopt(std::vector<Cell_handle> cells, std::vector<Index> old, std::vector<Index>& changed) {
+void Cgal_embedding<Traits>::adopt(std::vector<Cell_handle> cells, std::vector<Cell_index> old,
+                                   std::vector<Cell_index>& changed) {
     put_in_order(cells);
-    for (const Cell_handle c : cells) c->set_cell(none);  // CGAL makes new cells of old ones
+    for (const Cell_handle c : cells) set_number(c, no_cell);  // CGAL makes new cells of old ones
     join_replaced(cells, old);
     std::vector<Points> vertices;
     vertices.reserve(cells.size());
     for (const Cell_handle c : cells) vertices.push_back(points_of(tr_, c));
-    for (const Index c : old) cell_[at(c)] = Cell_handle();
+    for (const Cell_index c : old) cell_[c] = Cell_handle();
     const std::size_t first = changed.size();
     replace_cells<d>(table_, old, vertices, changed);
-    grow(cell_, at(table_.cell_bound()));
+    grow(cell_, table_.cell_bound());
     for (std::size_t k = 0; k < cells.size(); ++k) {
-        cell_[at(changed[first + k])] = cells[k];
-        cells[k]->set_cell(changed[first + k]);
+        cell_[changed[first + k]] = cells[k];
+        set_number(cells[k], changed[first + k]);
     }
 }
 
 template <class Traits>
-void Cgal_embedding<Traits>::follow(std::span<const Index> cells) {
+void Cgal_embedding<Traits>::follow(std::span<const Cell_index> cells) {
     auto& tds = tr_.tds();
-    grow(cell_, at(table_.cell_bound()));
-    for (const Index c : cells) {
-        if (table_.is_cell(c) || cell_[at(c)] == Cell_handle()) continue;
-        Traits::delete_cell(tds, cell_[at(c)]);
-        cell_[at(c)] = Cell_handle();
+    grow(cell_, table_.cell_bound());
+    for (const Cell_index c : cells) {
+        if (table_.is_cell(c) || cell_[c] == Cell_handle()) continue;
+        Traits::delete_cell(tds, cell_[c]);
+        cell_[c] = Cell_handle();
     }
-    for (const Index c : cells) {
+    for (const Cell_index c : cells) {
         if (!table_.is_cell(c)) continue;
-        Cell_handle& cell = cell_[at(c)];
+        Cell_handle& cell = cell_[c];
         if (cell == Cell_handle()) cell = Traits::create_cell(tds);
-        cell->set_cell(c);
+        set_number(cell, c);
         for (int i = 0; i <= d; ++i) {
             const Vertex_handle v = vertex_of(table_.vertex(table_.corner(c, i)));
             cell->set_vertex(i, v);
             Traits::set_cell_of(v, cell);
         }
     }
-    for (const Index c : cells) {
+    for (const Cell_index c : cells) {
         if (!table_.is_cell(c)) continue;
         for (int i = 0; i <= d; ++i) {
-            const Index t = table_.twin(table_.corner(c, i));
-            tds.set_adjacency(cell_[at(c)], i, cell_[at(table_.cell_of(t))], table_.slot_of(t));
+            const Corner_index t = table_.twin(table_.corner(c, i));
+            tds.set_adjacency(cell_[c], i, cell_[table_.cell_of(t)], table_.slot_of(t));
         }
     }
 }
 
 template <class Traits>
-void Cgal_embedding<Traits>::restore_cells(std::span<const Index> cells, std::vector<Index>& made) {
-    std::vector<Index> present;
+void Cgal_embedding<Traits>::restore_cells(std::span<const Cell_index> cells, std::vector<Cell_index>& made) {
+    std::vector<Cell_index> present;
     std::vector<Cell_handle> theirs;
     std::vector<Points> vertices;
-    for (const Index c : cells) {
+    for (const Cell_index c : cells) {
         if (table_.is_cell(c)) present.push_back(c);
-        if (at(c) >= cell_.size() || cell_[at(c)] == Cell_handle()) continue;
-        theirs.push_back(std::exchange(cell_[at(c)], Cell_handle()));
+        if (!cell_.has(c) || cell_[c] == Cell_handle()) continue;
+        theirs.push_back(std::exchange(cell_[c], Cell_handle()));
         vertices.push_back(points_of(tr_, theirs.back()));
     }
     const std::size_t first = made.size();
     replace_cells<d>(table_, present, vertices, made);
-    grow(cell_, at(table_.cell_bound()));
+    grow(cell_, table_.cell_bound());
     for (std::size_t k = 0; k < theirs.size(); ++k) {
-        cell_[at(made[first + k])] = theirs[k];
-        theirs[k]->set_cell(made[first + k]);
+        cell_[made[first + k]] = theirs[k];
+        set_number(theirs[k], made[first + k]);
     }
 }
 

@@ -79,7 +79,7 @@ Measures Cgal_embedding<Traits>::measure() const {
     m.tolerance.assign(handle_.size(), std::numeric_limits<double>::infinity());
     if (tr_.dimension() != d) return m;
     const auto lower = [&](Index v, double tolerance) {
-        if (v < 0) return;
+        if (v == none) return;
         double& t = m.tolerance[at(v)];
         t = std::min(t, tolerance);
     };

@@ -36,11 +36,11 @@ void Cgal_embedding<Traits>::exchange(Vertex_handle v, Vertex_handle inserted, c
 }
 
 template <class Traits>
-bool Cgal_embedding<Traits>::detach(Index v, std::vector<Index>& changed) {
+bool Cgal_embedding<Traits>::detach(Index v, std::vector<Cell_index>& changed) {
     const Vertex_handle handle = handle_[at(v)];
     if (tr_.dimension() != d || tr_.number_of_vertices() <= d + 1U || Traits::rest_is_flat(tr_, handle, handle_)) return false;
-    std::vector<Index> old;
-    for (const Cell_handle c : star(handle)) old.push_back(c->cell());
+    std::vector<Cell_index> old;
+    for (const Cell_handle c : star(handle)) old.push_back(number_of(c));
     const Vertex_handle stand_in = tr_.tds().create_vertex();
     stand_in->set_point(handle->point());
     substitute(handle, stand_in);
@@ -75,22 +75,23 @@ auto Cgal_embedding<Traits>::take_out(Vertex_handle v) -> std::vector<Cell_handl
 }
 
 template <class Traits>
-bool Cgal_embedding<Traits>::attach(Index v, const Coordinates<d>& p, Vertex_handle near, std::vector<Index>& changed) {
+bool Cgal_embedding<Traits>::attach(Index v, const Coordinates<d>& p, Vertex_handle near,
+                                    std::vector<Cell_index>& changed) {
     const auto place = Traits::locate(tr_, point(p), Traits::cell_of(near));
     if (place.is_vertex()) return false;
     Vertex_handle inserted;
     Traits::edit([&] { inserted = Traits::insert(tr_, point(p), place); });
     exchange(handle_[at(v)], inserted, p);
     auto cells = star(handle_[at(v)]);
-    std::vector<Index> old;
+    std::vector<Cell_index> old;
     for (const Cell_handle c : cells)
-        if (c->cell() != none) old.push_back(c->cell());
+        if (number_of(c) != no_cell) old.push_back(number_of(c));
     adopt(std::move(cells), std::move(old), changed);
     return true;
 }
 
 template <class Traits>
-bool Cgal_embedding<Traits>::reinsert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) {
+bool Cgal_embedding<Traits>::reinsert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
     const Vertex_handle handle = handle_[at(v)];
     const Coordinates<d> home = coordinates(handle->point());
     Vertex_handle near;
@@ -103,7 +104,7 @@ bool Cgal_embedding<Traits>::reinsert(Index v, const Coordinates<d>& p, std::vec
 }
 
 template <class Traits>
-bool Cgal_embedding<Traits>::insert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) {
+bool Cgal_embedding<Traits>::insert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
     const auto place = Traits::locate(tr_, point(p), Cell_handle());
     if (place.is_vertex()) return false;
     order_.forget();
@@ -117,9 +118,9 @@ bool Cgal_embedding<Traits>::insert(Index v, const Coordinates<d>& p, std::vecto
     if (before == d) {
         table_.set_vertex_bound(handle_.size());
         auto cells = star(inserted);
-        std::vector<Index> old;
+        std::vector<Cell_index> old;
         for (const Cell_handle c : cells)
-            if (c->cell() != none) old.push_back(c->cell());
+            if (number_of(c) != no_cell) old.push_back(number_of(c));
         adopt(std::move(cells), std::move(old), changed);
     } else {
         mirror();
@@ -128,7 +129,7 @@ bool Cgal_embedding<Traits>::insert(Index v, const Coordinates<d>& p, std::vecto
 }
 
 template <class Traits>
-void Cgal_embedding<Traits>::remove(Index v, std::vector<Index>& changed) {
+void Cgal_embedding<Traits>::remove(Index v, std::vector<Cell_index>& changed) {
     const Vertex_handle handle = handle_[at(v)];
     order_.forget();
     if (mirrored_ && detach(v, changed)) {

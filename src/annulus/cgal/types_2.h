@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/cgal/no_info.h>
+#include <annulus/mesh/index.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -38,7 +39,7 @@ class Indexed_vertex_base_2 : public Vb {
     Index index_ = none;
 };
 
-/// CGAL's face with the index of its cell in the flat mirror.
+/// CGAL's face with the number of its cell in the flat mirror (Cell_index::value).
 template <class Gt, class Fb = CGAL::Triangulation_face_base_2<Gt>>
 class Indexed_face_base_2 : public Fb {
   public:
@@ -52,7 +53,7 @@ class Indexed_face_base_2 : public Fb {
     void set_cell(Index c) { cell_ = c; }
 
   private:
-    Index cell_ = none;
+    Index cell_ = no_cell.value();
 };
 
 template <class Info>

@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/cgal/no_info.h>
+#include <annulus/mesh/index.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
@@ -38,7 +39,7 @@ class Indexed_vertex_base_3 : public Vb {
     Index index_ = none;
 };
 
-/// CGAL's cell with the index of its cell in the flat mirror.
+/// CGAL's cell with the number of its cell in the flat mirror (Cell_index::value).
 template <class Gt, class Cb = CGAL::Delaunay_triangulation_cell_base_3<Gt>>
 class Indexed_cell_base_3 : public Cb {
   public:
@@ -52,7 +53,7 @@ class Indexed_cell_base_3 : public Cb {
     void set_cell(Index c) { cell_ = c; }
 
   private:
-    Index cell_ = none;
+    Index cell_ = no_cell.value();
 };
 
 template <class Info>

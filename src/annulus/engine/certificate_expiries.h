@@ -13,15 +13,20 @@ namespace annulus {
 
 /// A certificate in an expiry list: of a facet or of a cell, in one numbering.
 using Certificate_id = std::uint32_t;
-[[nodiscard]] constexpr Certificate_id id_of_facet(Index f) { return 2 * static_cast<Certificate_id>(f); }
-[[nodiscard]] constexpr Certificate_id id_of_cell(Index c) { return 2 * static_cast<Certificate_id>(c) + 1; }
+[[nodiscard]] constexpr Certificate_id id_of_facet(Corner_index f) {
+    return 2 * static_cast<Certificate_id>(f.value());
+}
+[[nodiscard]] constexpr Certificate_id id_of_cell(Cell_index c) {
+    return 2 * static_cast<Certificate_id>(c.value()) + 1;
+}
 [[nodiscard]] constexpr bool is_of_cell(Certificate_id id) { return (id & 1U) != 0; }
-/// The facet or the cell.
-[[nodiscard]] constexpr Index owner_of(Certificate_id id) { return static_cast<Index>(id >> 1); }
+/// The one or the other.
+[[nodiscard]] constexpr Corner_index facet_of(Certificate_id id) { return Corner_index(static_cast<Index>(id >> 1)); }
+[[nodiscard]] constexpr Cell_index cell_of(Certificate_id id) { return Cell_index(static_cast<Index>(id >> 1)); }
 
 /// The vertices of facet f, then those opposite to it from its twin and from itself; `infinite` among them where the certificate is no empty sphere.
 template <int d>
-[[nodiscard]] Facet_points<d> points_around(const Cell_table<d>& t, Index f) {
+[[nodiscard]] Facet_points<d> points_around(const Cell_table<d>& t, Corner_index f) {
     return bicell_points(t, f);
 }
 
@@ -35,34 +40,34 @@ template <int d>
 template <int d>
 class Certificate_expiries {
   public:
-    /// Room for this many cells; what is new never expires.
-    void resize(Index cells) { grow(corner_, static_cast<std::size_t>(cells)); }
+    /// Room for the cells below this one; what is new never expires.
+    void resize(Cell_index bound) { grow(corner_, bound); }
     void free() noexcept { release(corner_); }
-    [[nodiscard]] bool has(Index cell) const { return static_cast<std::size_t>(cell) < corner_.size(); }
+    [[nodiscard]] bool has(Cell_index cell) const { return corner_.has(cell); }
 
     /// Of the certificate of the cell of corner h, for its vertex.
-    [[nodiscard]] Expiry& of_cell(Index h) { return at(h).cell; }
-    [[nodiscard]] const Expiry& of_cell(Index h) const { return at(h).cell; }
+    [[nodiscard]] Expiry& of_cell(Corner_index h) { return at(h).cell; }
+    [[nodiscard]] const Expiry& of_cell(Corner_index h) const { return at(h).cell; }
     /// Of the certificate of the facet opposite to corner h, for its vertex.
-    [[nodiscard]] Expiry& of_opposite(Index h) { return at(h).opposite; }
-    [[nodiscard]] const Expiry& of_opposite(Index h) const { return at(h).opposite; }
+    [[nodiscard]] Expiry& of_opposite(Corner_index h) { return at(h).opposite; }
+    [[nodiscard]] const Expiry& of_opposite(Corner_index h) const { return at(h).opposite; }
     /// Of the certificate of facet f for the k-th of points_around(f).
-    [[nodiscard]] Expiry& of_facet(Index f, Index twin, std::size_t k) {
+    [[nodiscard]] Expiry& of_facet(Corner_index f, Corner_index twin, std::size_t k) {
         if (k < d - 1) return at(f).own[k];
         return k == d - 1 ? at(twin).own[0] : of_opposite(k == d ? twin : f);
     }
-    [[nodiscard]] const Expiry& of_facet(Index f, Index twin, std::size_t k) const {
+    [[nodiscard]] const Expiry& of_facet(Corner_index f, Corner_index twin, std::size_t k) const {
         return const_cast<Certificate_expiries&>(*this).of_facet(f, twin, k);
     }
     /// The same for point v, without branches: which it is cannot be predicted. Never when it is none of them.
-    [[nodiscard]] Expiry of_facet(const Cell_table<d>& t, Index f, Index v) const {
-        const Index twin = t.twin(f);
+    [[nodiscard]] Expiry of_facet(const Cell_table<d>& t, Corner_index f, Index v) const {
+        const Corner_index twin = t.twin(f);
         const Facet_points<d> point = points_around(t, f);
         Expiry e = Expiry::never();
         for (std::size_t k = 0; k < point.size(); ++k) e = point[k] == v ? of_facet(f, twin, k) : e;
         return e;
     }
-    void prefetch(Index cell) const { __builtin_prefetch(&corner_[static_cast<std::size_t>(cell)]); }
+    void prefetch(Cell_index cell) const { __builtin_prefetch(&corner_[cell]); }
 
   private:
     struct Corner {
@@ -79,12 +84,12 @@ class Certificate_expiries {
     };
     static_assert(sizeof(Cell) == (d == 3 ? 64 : 36));
 
-    [[nodiscard]] Corner& at(Index h) {
-        return corner_[static_cast<std::size_t>(h >> 2)].corner[static_cast<std::size_t>(Cell_table<d>::slot_of(h))];
+    [[nodiscard]] Corner& at(Corner_index h) {
+        return corner_[Cell_table<d>::cell_of(h)].corner[static_cast<std::size_t>(Cell_table<d>::slot_of(h))];
     }
-    [[nodiscard]] const Corner& at(Index h) const { return const_cast<Certificate_expiries&>(*this).at(h); }
+    [[nodiscard]] const Corner& at(Corner_index h) const { return const_cast<Certificate_expiries&>(*this).at(h); }
 
-    std::vector<Cell> corner_;
+    By_cell<Cell> corner_;
 };
 
 }  // namespace annulus

@@ -63,20 +63,20 @@ class Embedding {
     [[nodiscard]] virtual bool mirrored() const = 0;
     /// Brings the triangulation in line with the table, which differs only where it names cells: that are gone, new, or
     /// have other vertices or neighbours than they had.
-    virtual void follow(std::span<const Index> cells) = 0;
+    virtual void follow(std::span<const Cell_index> cells) = 0;
     /// The opposite: brings these cells of the table in line with the triangulation, under other numbers; `made` receives these.
     /// O(k log k) for k cells.
-    virtual void restore_cells(std::span<const Index> cells, std::vector<Index>& made) = 0;
+    virtual void restore_cells(std::span<const Cell_index> cells, std::vector<Cell_index>& made) = 0;
 
     /// Inserts p as vertex v (a new index, or a vacant one), in both; `changed` receives the cells that are new. False, with nothing
     /// changed, when a vertex is there.
-    [[nodiscard]] virtual bool insert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) = 0;
+    [[nodiscard]] virtual bool insert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) = 0;
     /// Removes v; its index becomes vacant and its handle invalid.
-    virtual void remove(Index v, std::vector<Index>& changed) = 0;
+    virtual void remove(Index v, std::vector<Cell_index>& changed) = 0;
     /// Takes v out and puts it back in at p, in both; `changed` receives the cells that are new. False, with nothing
     /// changed, when the rest would be flat. Throws Error(collision), with nothing changed but cells' numbers, when another vertex is there.
     /// Precondition: the triangulation is Delaunay at its points, and the mirror is its own.
-    [[nodiscard]] virtual bool reinsert(Index v, const Coordinates<d>& p, std::vector<Index>& changed) = 0;
+    [[nodiscard]] virtual bool reinsert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) = 0;
 
     // Moves of one vertex without a mirror. The triangulation is Delaunay before and after.
     /// The paper's baseline: locate, insert, remove, with v's handle kept.

@@ -160,7 +160,7 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
     guarded(
         [&] {
             make_trusted(report);
-            std::vector<Index> changed;
+            std::vector<Cell_index> changed;
             const int before = embedding_.dimension();
             if (!embedding_.insert(i, p, changed)) throw Error(Error_code::collision, "another vertex is at that position");
             upkeep_->place(i, p);
@@ -178,7 +178,7 @@ void Engine<d>::remove(Index i, Move_report& report) {
     vacant_.reserve(vacant_.size() + 1);
     guarded([&] {
         make_trusted(report);
-        std::vector<Index> changed;
+        std::vector<Cell_index> changed;
         try {
             embedding_.remove(i, changed);
         } catch (...) {
@@ -194,7 +194,7 @@ void Engine<d>::remove(Index i, Move_report& report) {
 
 /// Where nobody knows better, whatever may have changed: every finite cell.
 template <int d>
-void Engine<d>::list_changes(Move_report& report, std::span<const Index> cells) const {
+void Engine<d>::list_changes(Move_report& report, std::span<const Cell_index> cells) const {
     if (!options_.report_changes) return;
     if (cells.empty()) {
         report.changed.clear();
@@ -202,7 +202,7 @@ void Engine<d>::list_changes(Move_report& report, std::span<const Index> cells) 
         return;
     }
     const Cell_table<d>& t = embedding_.table();
-    for (const Index c : cells)
+    for (const Cell_index c : cells)
         for (int k = 0; k <= d; ++k) report.changed.push_back(t.vertex(t.corner(c, k)));
 }
 

@@ -69,7 +69,7 @@ class Engine {
     void order_by_blockers(std::span<const Point> x, std::vector<Index>& waiting) const;
     void make_trusted(Move_report& report);
     void consider_switch(std::span<const Point> x, Move_report& report);
-    void list_changes(Move_report& report, std::span<const Index> cells) const;
+    void list_changes(Move_report& report, std::span<const Cell_index> cells) const;
 
     Options options_;
     Strategy strategy_;

@@ -232,7 +232,7 @@ void Filter<d>::renew_renumbered() {
     Move_report nobody_asked;
     if (renumbered_ && tracks_) settle(position_, nobody_asked);
     else if (!repair_.renumbered().empty()) {
-        const std::vector<Index> cells(repair_.renumbered().begin(), repair_.renumbered().end());
+        const std::vector<Cell_index> cells(repair_.renumbered().begin(), repair_.renumbered().end());
         refresh(cells, nobody_asked);
     }
     renumbered_ = false;

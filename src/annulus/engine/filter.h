@@ -88,7 +88,7 @@ class Filter final : public Upkeep<d> {
     }
 
     /// Evaluates the certificates of these cells.
-    void refresh(std::span<const Index> cells, Move_report& report) override;
+    void refresh(std::span<const Cell_index> cells, Move_report& report) override;
     /// The vertex takes position p as moving and fixed position.
     void place(Index v, const Coordinates<d>& p) override;
     void put_back(Index v, const Coordinates<d>& p) noexcept override {
@@ -120,7 +120,7 @@ class Filter final : public Upkeep<d> {
         List list;
     };
     struct Renewal {
-        Index facet;
+        Corner_index facet;
         std::array<double, static_cast<std::size_t>(d + 2)> expiry;
     };
 
@@ -173,10 +173,10 @@ class Filter final : public Upkeep<d> {
     void anchor(Index v, std::span<const Coordinates<d>> x);
     void begin_anchoring();
     void undo_anchoring();
-    [[nodiscard]] bool second_look(Index f, std::span<const Coordinates<d>> x);
-    [[nodiscard]] bool unequal_moves(Index f, std::span<const Coordinates<d>> x);
-    [[nodiscard]] bool safe_region(Index f, std::span<const Coordinates<d>> x);
-    void keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x);
+    [[nodiscard]] bool second_look(Corner_index f, std::span<const Coordinates<d>> x);
+    [[nodiscard]] bool unequal_moves(Corner_index f, std::span<const Coordinates<d>> x);
+    [[nodiscard]] bool safe_region(Corner_index f, std::span<const Coordinates<d>> x);
+    void keep_delimiter(Corner_index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x);
     /// Looks at one certificate of v: expired at this reading, or else back on the list.
     void look_at(Certificate_id id, Index v, double reading, List& list, std::span<const Coordinates<d>> x);
     void tour(Index v, double reading, List& list, std::span<const Coordinates<d>> x);
@@ -223,8 +223,8 @@ class Filter final : public Upkeep<d> {
     std::vector<Vertex_record<d>> vertex_;
     std::vector<List> list_;  // by vertex
     Certificate_expiries<d> expiries_;
-    std::vector<double> tolerance_;       // by facet, when there are second looks; 0: no second look
-    std::vector<Delimiter_2> delimiter_;  // by facet, for the second look that needs it
+    By_corner<double> tolerance_;       // of facets, when there are second looks; 0: no second look
+    By_corner<Delimiter_2> delimiter_;  // of facets, for the second look that needs it
     // Of one step:
     std::vector<Index> failed_;
     std::vector<Failed> before_;               // of failed_, what they were before the step

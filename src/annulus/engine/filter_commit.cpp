@@ -20,7 +20,7 @@ void Filter<d>::resize() {
     grow(vertex_, n);
     grow(list_, n);
     expiries_.resize(table_.cell_bound());
-    if (look_ != Second_look::off) grow(tolerance_, at(table_.facet_bound()));
+    if (look_ != Second_look::off) grow(tolerance_, table_.facet_bound());
 }
 
 template <int d>
@@ -62,21 +62,22 @@ void Filter<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
 /// In blocks that stay in the cache from the evaluation to what is written down; several threads want larger ones. The order is the same.
 template <int d>
 void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& report) {
-    const auto in_blocks = [&](Index bound, auto suspect) {
+    const auto in_blocks = [&]<class I>(I bound, auto suspect) {
         const Index block = threads_ > 1 ? 1 << 16 : 1024;
-        for (Index first = 0; first < bound; first += block) {
+        for (Index first = 0; first < bound.value(); first += block) {
             repair_.begin(x, false);
-            for (Index i = first; i < std::min(bound, first + block); ++i) suspect(i);
+            const Index last = std::min(bound.value(), first + block);
+            for (I i(first); i.value() < last; ++i) suspect(i);
             (void)repair_.evaluate();
             commit_evaluated<true>(x);
             report.evaluated += repair_.report().evaluated;
             report.arithmetic += repair_.report().arithmetic;
         }
     };
-    in_blocks(table_.facet_bound(), [this](Index f) {
+    in_blocks(table_.facet_bound(), [this](Corner_index f) {
         if (table_.is_facet(f)) repair_.suspect_facet(f);
     });
-    in_blocks(table_.cell_bound(), [this](Index c) {
+    in_blocks(table_.cell_bound(), [this](Cell_index c) {
         if (table_.is_cell(c)) repair_.suspect_cell(c);
     });
     for (Index v = 0; v < table_.vertex_bound(); ++v) set_threshold(v);
@@ -108,7 +109,7 @@ void Filter<d>::place(Index v, const Coordinates<d>& p) {
 }
 
 template <int d>
-void Filter<d>::refresh(std::span<const Index> cells, Move_report& report) {
+void Filter<d>::refresh(std::span<const Cell_index> cells, Move_report& report) {
     renewals_.clear();
     failed_.clear();
     if (!embedding_.mirrored()) return;
@@ -157,10 +158,10 @@ template <int d>
 void Filter<d>::commit_renewals(std::span<const Coordinates<d>> x) {
     for (const Renewal& renewal : renewals_) {
         if (!table_.is_facet(renewal.facet)) continue;
-        const Index twin = table_.twin(renewal.facet);
+        const Corner_index twin = table_.twin(renewal.facet);
         const Facet_points<d> point = points_around(table_, renewal.facet);
         if (std::find(point.begin(), point.end(), infinite) != point.end()) continue;  // it is another by now
-        if (look_ == Second_look::unequal_moves) tolerance_[at(renewal.facet)] = 0.0;
+        if (look_ == Second_look::unequal_moves) tolerance_[renewal.facet] = 0.0;
         for (std::size_t k = 0; k < point.size(); ++k) {
             const Index v = point[k];
             double expiry = renewal.expiry[k];
@@ -191,8 +192,8 @@ void Filter<d>::commit_evaluated(std::span<const Coordinates<d>> x) {
         if (!fresh && i + prefetched < facets.size()) prefetch(facets[i + prefetched].point);
         const auto& s = facets[i];
         if (!repair_.exists(s)) continue;
-        const Index twin = table_.twin(s.id);
-        if (look_ != Second_look::off) tolerance_[at(s.id)] = s.verdict.tolerance;
+        const Corner_index twin = table_.twin(s.id);
+        if (look_ != Second_look::off) tolerance_[s.id] = s.verdict.tolerance;
         if constexpr (d == 2)
             if (look_ == Second_look::safe_region && s.kind == Facet_kind::empty_sphere)
                 keep_delimiter(s.id, s.point, x);
@@ -237,17 +238,17 @@ void Filter<d>::rebase(Index v) {
     };
     for_each_certificate(
         table_, v,
-        [&](Index h) {
+        [&](Corner_index h) {
             shift(expiries_.of_cell(h), id_of_cell(table_.cell_of(h)));
         },
-        [&](Index h) {
-            const Index f = table_.facet(h);
+        [&](Corner_index h) {
+            const Corner_index f = table_.facet(h);
             const Facet_points<d> point = points_around(table_, f);
             for (std::size_t k = 0; k < point.size(); ++k) {
                 if (point[k] != v) continue;
                 Expiry& e = expiries_.of_facet(f, table_.twin(f), k);
                 // Unequal moves infer the reference from the expiry, which they cannot once it has been cut off at 0.
-                if (look_ != Second_look::off && e.reading() < base) tolerance_[at(f)] = 0.0;
+                if (look_ != Second_look::off && e.reading() < base) tolerance_[f] = 0.0;
                 shift(e, id_of_facet(f));
             }
         });

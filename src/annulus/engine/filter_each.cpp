@@ -92,7 +92,7 @@ void Filter_each<d>::lower_points() {
 }
 
 template <int d>
-void Filter_each<d>::refresh(std::span<const Index> cells, Move_report& report) {
+void Filter_each<d>::refresh(std::span<const Cell_index> cells, Move_report& report) {
     resize();
     repair_.begin(fixed_);
     repair_.suspect_cells(cells);

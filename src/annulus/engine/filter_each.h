@@ -35,7 +35,7 @@ class Filter_each final : public Upkeep<d> {
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
     /// One after another, in the order of their indices.
     void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;
-    void refresh(std::span<const Index> cells, Move_report& report) override;
+    void refresh(std::span<const Cell_index> cells, Move_report& report) override;
     void place(Index v, const Coordinates<d>& p) override;
     void cut(std::size_t bound) override { position_.resize(bound); }
     void put_back(Index v, const Coordinates<d>& p) noexcept override { position_[at(v)] = p; }

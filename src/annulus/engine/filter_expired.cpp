@@ -8,33 +8,34 @@ namespace annulus {
 
 template <int d>
 void Filter<d>::look_at(Certificate_id id, Index v, double reading, List& list, std::span<const Coordinates<d>> x) {
-    const Index i = owner_of(id);
     if (is_of_cell(id)) {
-        if (!expiries_.has(i) || !table_.is_cell(i)) return;
-        const int slot = table_.slot(i, v);
+        const Cell_index c = cell_of(id);
+        if (!expiries_.has(c) || !table_.is_cell(c)) return;
+        const int slot = table_.slot(c, v);
         if (slot < 0) return;
-        const Expiry expiry = expiries_.of_cell(table_.corner(i, slot));
+        const Expiry expiry = expiries_.of_cell(table_.corner(c, slot));
         if (expiry.reached(reading)) {
-            repair_.suspect_cell(i);
+            repair_.suspect_cell(c);
         } else {
             list.put(id, expiry);
         }
         return;
     }
-    if (!expiries_.has(table_.cell_of(i)) || !table_.is_facet(i)) return;
-    const Expiry expiry = expiries_.of_facet(table_, i, v);
+    const Corner_index f = facet_of(id);
+    if (!expiries_.has(table_.cell_of(f)) || !table_.is_facet(f)) return;
+    const Expiry expiry = expiries_.of_facet(table_, f, v);
     if (expiry == Expiry::never()) return;
     if (!expiry.reached(reading)) {
         list.put(id, expiry);
-    } else if (look_ != Second_look::off && second_look(i, x)) {
+    } else if (look_ != Second_look::off && second_look(f, x)) {
         const Renewal& renewal = renewals_.back();
         double until = 0.0;
-        const Facet_points<d> point = points_around(table_, i);
+        const Facet_points<d> point = points_around(table_, f);
         for (std::size_t k = 0; k < point.size(); ++k)
             if (point[k] == v) until = renewal.expiry[k];
         list.put(id, Expiry::lower(look_ == Second_look::safe_region ? sum_lower(reading, until) : until));
     } else {
-        repair_.suspect_facet(i);
+        repair_.suspect_facet(f);
     }
 }
 
@@ -49,19 +50,19 @@ void Filter<d>::tour(Index v, double reading, List& list, std::span<const Coordi
     listed_id_.clear();
     for_each_certificate(
         table_, v,
-        [&](Index h) {
+        [&](Corner_index h) {
             expiries_.prefetch(table_.cell_of(h));
-            certificates_.push_back(2 * static_cast<std::uint32_t>(h) + 1);
+            certificates_.push_back(2 * static_cast<std::uint32_t>(h.value()) + 1);
         },
-        [&](Index h) { certificates_.push_back(2 * static_cast<std::uint32_t>(h)); });
+        [&](Corner_index h) { certificates_.push_back(2 * static_cast<std::uint32_t>(h.value())); });
     for (const std::uint32_t k : certificates_) {
-        const Index h = static_cast<Index>(k >> 1);
+        const Corner_index h(static_cast<Index>(k >> 1));
         Certificate_id id = id_of_cell(table_.cell_of(h));
         Expiry expiry;
         if (k & 1) {
             expiry = expiries_.of_cell(h);
         } else {
-            const Index f = table_.facet(h);
+            const Corner_index f = table_.facet(h);
             id = id_of_facet(f);
             expiry = table_.vertex(h) == v ? expiries_.of_opposite(h) : expiries_.of_facet(table_, f, v);
         }
@@ -94,7 +95,7 @@ void Filter<d>::find_expired(std::span<const Coordinates<d>> x) {
     for (const Index v : failed_) anchor(v, x);
     for (const Index v : failed_) {
         List& list = list_[at(v)];
-        list.take_reached(list.base, [&](Index id) { look_at(id, v, list.base, list, x); });
+        list.take_reached(list.base, [&](Certificate_id id) { look_at(id, v, list.base, list, x); });
         if (list.rest().reached(list.base)) tour(v, list.base, list, x);
     }
 }

@@ -31,13 +31,13 @@ bool Filter<d>::find_failed(std::span<const Coordinates<d>> x, std::size_t first
             if (squares < r.threshold.value()) [[likely]]
                 continue;
             near &= within(x[v], coordinate_limit);
-            if (x[v] == r.fixed || table_.corner_of(static_cast<Index>(v)) == none) continue;
+            if (x[v] == r.fixed || table_.corner_of(static_cast<Index>(v)) == no_corner) continue;
             failed.push_back(static_cast<Index>(v));
         }
     } else {
         for (std::size_t v = first; v < last; ++v) {
             near &= within(x[v], coordinate_limit);
-            if (x[v] != position_[v] && table_.corner_of(static_cast<Index>(v)) != none)
+            if (x[v] != position_[v] && table_.corner_of(static_cast<Index>(v)) != no_corner)
                 failed.push_back(static_cast<Index>(v));
         }
     }

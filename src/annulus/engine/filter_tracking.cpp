@@ -44,7 +44,7 @@ void Filter<d>::note_displacements(std::span<const Coordinates<d>> x) {
     if (tracks_ || untracked_ % check_interval != 0) return;
     displacement_.resize(x.size());
     for (std::size_t v = 0; v < x.size(); ++v)
-        if (table_.corner_of(static_cast<Index>(v)) != none)
+        if (table_.corner_of(static_cast<Index>(v)) != no_corner)
             for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k)
                 displacement_[v][k] = x[v][k] - position_[v][k];
 }
@@ -63,10 +63,11 @@ void Filter<d>::end_timestamp(bool each, Move_report& report) {
 /// By a sample of facets: a certificate of tolerance s expires after s / max |u| steps.
 template <int d>
 double Filter<d>::outlook(Move_report& report) {
-    const Index stride = 1 + table_.facet_bound() / 1024;
+    const Index bound = table_.facet_bound().value();
+    const Index stride = 1 + bound / 1024;
     repair_.begin(position_, false);
-    for (Index f = 0; f < table_.facet_bound(); f += stride)
-        if (table_.is_facet(f)) repair_.suspect_facet(f);
+    for (Index f = 0; f < bound; f += stride)
+        if (table_.is_facet(Corner_index(f))) repair_.suspect_facet(Corner_index(f));
     (void)repair_.evaluate();
     report.evaluated += repair_.report().evaluated;
     report.arithmetic += repair_.report().arithmetic;

@@ -29,8 +29,9 @@ class Named {
 /// Corners but one, in the order that makes an even permutation of the cell with that one last; turned to a standard order, which is
 /// left of it or not.
 template <int d>
-auto Local_delaunay<d>::side(const Points& x, int slot, Index cell) -> Side {
-    Side s{{}, false, cell, slot};
+template <class Cell>
+auto Local_delaunay<d>::side(const Points& x, int slot, Cell cell) -> Side<Cell> {
+    Side<Cell> s{{}, false, cell, slot};
     bool odd = (d - slot) % 2 != 0;  // the swaps that bring the corner to the end
     for (int k = 0, n = 0; k <= d; ++k)
         if (k != slot) s.vertices[static_cast<std::size_t>(n++)] = x[static_cast<std::size_t>(k)];
@@ -44,41 +45,41 @@ auto Local_delaunay<d>::side(const Points& x, int slot, Index cell) -> Side {
 }
 
 template <int d>
-bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<const Index> cells, double most,
-                                std::vector<Index>& touched) {
+bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, double most,
+                                std::vector<Cell_index>& touched) {
     price_ = 0.0;
-    for (const Index c : marked_) mark_[at(c)] = 0;  // those of a call that threw or gave up
-    grow(mark_, at(table_.cell_bound()));            // there may be fewer
+    for (const Cell_index c : marked_) mark_[c] = 0;  // those of a call that threw or gave up
+    grow(mark_, table_.cell_bound());                 // there may be fewer
     marked_.clear();
-    for (const Index c : cells) mark(c, 1);
-    std::vector<Index> region;
-    for (const Index first : cells) {
+    for (const Cell_index c : cells) mark(c, 1);
+    std::vector<Cell_index> region;
+    for (const Cell_index first : cells) {
         // Cells that were marked and are still there have not been met in an earlier region.
-        if (at(first) >= mark_.size() || mark_[at(first)] != 1 || !table_.is_cell(first)) continue;
+        if (!mark_.has(first) || mark_[first] != 1 || !table_.is_cell(first)) continue;
         region.assign(1, first);
         mark(first, 2);
         for (std::size_t k = 0; k < region.size(); ++k)
             for (int i = 0; i <= d; ++i) {
-                const Index n = table_.cell_of(table_.twin(table_.corner(region[k], i)));
-                if (mark_[at(n)] != 1) continue;
+                const Cell_index n = table_.cell_of(table_.twin(table_.corner(region[k], i)));
+                if (mark_[n] != 1) continue;
                 mark(n, 2);
                 region.push_back(n);
             }
         if (!rebuild_region(x, region, most, touched)) return false;
-        grow(mark_, at(table_.cell_bound()));
+        grow(mark_, table_.cell_bound());
     }
     return true;
 }
 
 /// mark_ is 2 in the region.
 template <int d>
-bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::vector<Index>& region, double most,
-                                       std::vector<Index>& touched) {
-    std::vector<Index> beyond;
+bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region, double most,
+                                       std::vector<Cell_index>& touched) {
+    std::vector<Cell_index> beyond;
     for (int round = 0; round < most_rounds; ++round) {
         vertices_.clear();
         at_infinity_ = false;
-        for (const Index c : region)
+        for (const Cell_index c : region)
             for (const Index v : cell_points(table_, c))
                 if (v != infinite) vertices_.push_back(v);
                 else at_infinity_ = true;
@@ -93,19 +94,19 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
         const bool filled = embedding_.delaunay_of(x, vertices_, cells_) && fill(region, beyond);
         if (filled && comes_ != none) find_violated(x, beyond);
         if (filled && beyond.empty()) {
-            std::vector<Index> made;
+            std::vector<Cell_index> made;
             replace_cells<d>(table_, region, filled_, made);
-            for (const Index c : region) mark_[at(c)] = 0;
+            for (const Cell_index c : region) mark_[c] = 0;
             touched.insert(touched.end(), region.begin(), region.end());
             touched.insert(touched.end(), made.begin(), made.end());
             return true;
         }
         if (beyond.empty())  // a layer
-            for (const Index c : region)
+            for (const Cell_index c : region)
                 for (int i = 0; i <= d; ++i) beyond.push_back(table_.cell_of(table_.twin(table_.corner(c, i))));
         const std::size_t before = region.size();
-        for (const Index c : beyond) {
-            if (mark_[at(c)] == 2) continue;
+        for (const Cell_index c : beyond) {
+            if (mark_[c] == 2) continue;
             mark(c, 2);
             region.push_back(c);
         }
@@ -115,38 +116,40 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
 }
 
 template <int d>
-bool Local_delaunay<d>::insert(std::span<const Coordinates<d>> x, std::span<const Index> cells, Index v, std::vector<Index>& touched) {
+bool Local_delaunay<d>::insert(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
+                               std::vector<Cell_index>& touched) {
     const Named named(comes_, v);
     return rebuild(x, cells, std::numeric_limits<double>::infinity(), touched);
 }
 
 template <int d>
-bool Local_delaunay<d>::remove(std::span<const Coordinates<d>> x, std::span<const Index> cells, Index v, std::vector<Index>& touched) {
+bool Local_delaunay<d>::remove(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
+                               std::vector<Cell_index>& touched) {
     const Named named(goes_, v);
     return rebuild(x, cells, std::numeric_limits<double>::infinity(), touched);
 }
 
 template <int d>
-bool Local_delaunay<d>::fill(std::span<const Index> region, std::vector<Index>& beyond) {
-    const auto precedes = [](const Side& l, const Side& r) { return l.precedes(r); };
+bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cell_index>& beyond) {
+    const auto precedes = [](const auto& l, const auto& r) { return l.precedes(r); };
     sides_.clear();
-    for (std::size_t c = 0; c < cells_.size(); ++c)
-        for (int i = 0; i <= d; ++i) sides_.push_back(side(cells_[c], i, static_cast<Index>(c)));
+    for (Small_index c(0); cells_.has(c); ++c)
+        for (int i = 0; i <= d; ++i) sides_.push_back(side(cells_[c], i, c));
     std::sort(sides_.begin(), sides_.end(), precedes);
     border_.clear();
     seam_.clear();
-    std::vector<Index> behind;  // cells of the small triangulation
-    std::vector<char> met(cells_.size(), 0);
-    const auto enter = [&](Index c) {
-        if (met[at(c)] != 0) return;
-        met[at(c)] = 1;
+    std::vector<Small_index> behind;
+    Indexed<Small_index, char> met(cells_.size(), 0);
+    const auto enter = [&](Small_index c) {
+        if (met[c] != 0) return;
+        met[c] = 1;
         behind.push_back(c);
     };
-    for (const Index c : region)
+    for (const Cell_index c : region)
         for (int i = 0; i <= d; ++i) {
-            const Index twin = table_.twin(table_.corner(c, i));
-            const Index out = table_.cell_of(twin);
-            if (mark_[at(out)] == 2) continue;
+            const Corner_index twin = table_.twin(table_.corner(c, i));
+            const Cell_index out = table_.cell_of(twin);
+            if (mark_[out] == 2) continue;
             border_.push_back(side(cell_points(table_, c), i, out));
             const auto it = std::lower_bound(sides_.begin(), sides_.end(), border_.back(), precedes);
             if (it == sides_.end() || precedes(border_.back(), *it)) {
@@ -170,10 +173,10 @@ bool Local_delaunay<d>::fill(std::span<const Index> region, std::vector<Index>& 
     if (!beyond.empty()) return false;
     filled_.clear();
     for (std::size_t k = 0; k < behind.size(); ++k) {
-        const Points& x = cells_[at(behind[k])];
+        const Points& x = cells_[behind[k]];
         filled_.push_back(x);
         for (int i = 0; i <= d; ++i) {
-            Side own = side(x, i, behind[k]);
+            Side<Small_index> own = side(x, i, behind[k]);
             const auto border = std::lower_bound(border_.begin(), border_.end(), own, precedes);
             if (border != border_.end() && !precedes(own, *border)) continue;
             own.left = !own.left;
@@ -191,9 +194,10 @@ bool Local_delaunay<d>::fill(std::span<const Index> region, std::vector<Index>& 
 }
 
 template <int d>
-void Local_delaunay<d>::find_violated(std::span<const Coordinates<d>> x, std::vector<Index>& beyond) const {
+void Local_delaunay<d>::find_violated(std::span<const Coordinates<d>> x, std::vector<Cell_index>& beyond) const {
     for (const Seam& s : seam_) {
-        const Facet_certificate<d> f = facet_certificate<d>(cells_[at(s.inside)], static_cast<std::size_t>(s.slot), s.beyond);
+        const Facet_certificate<d> f =
+            facet_certificate<d>(cells_[s.inside], static_cast<std::size_t>(s.slot), s.beyond);
         std::array<Coordinates<d>, static_cast<std::size_t>(d + 2)> y{};
         for (std::size_t k = 0; k < y.size(); ++k)
             if (f.point[k] != none) y[k] = x[at(f.point[k])];

@@ -22,58 +22,65 @@ class Local_delaunay {
 
     /// Builds anew around these cells, at positions x; cells that touch are one region. `touched` receives what went and what came.
     /// False when that would cost more than `most` (in cells looked at; price() is what it did) or is not possible.
-    [[nodiscard]] bool rebuild(std::span<const Coordinates<d>> x, std::span<const Index> cells, double most,
-                               std::vector<Index>& touched);
+    [[nodiscard]] bool rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, double most,
+                               std::vector<Cell_index>& touched);
     /// The same with one vertex more, whose place these cells hold, or with one less, whose star they are. With the vertex that comes the
     /// region grows until no cell outside has it in its sphere.
-    [[nodiscard]] bool insert(std::span<const Coordinates<d>> x, std::span<const Index> cells, Index v, std::vector<Index>& touched);
-    [[nodiscard]] bool remove(std::span<const Coordinates<d>> x, std::span<const Index> cells, Index v, std::vector<Index>& touched);
+    [[nodiscard]] bool insert(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
+                              std::vector<Cell_index>& touched);
+    [[nodiscard]] bool remove(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
+                              std::vector<Cell_index>& touched);
     [[nodiscard]] double price() const { return price_; }
 
   private:
     using Points = Cell_points<d>;
+    /// A cell of the Delaunay triangulation of the region's vertices.
+    using Small_index = Typed_index<struct Small_tag>;
     /// A facet of a cell, its vertices in a standard order, with the side that the cell is on.
+    template <class Cell>
     struct Side {
         std::array<Index, static_cast<std::size_t>(d)> vertices;
         bool left;
-        Index cell;
+        Cell cell;
         int slot;
-        [[nodiscard]] bool precedes(const Side& o) const {
+        template <class Other>
+        [[nodiscard]] bool precedes(const Side<Other>& o) const {
             return vertices != o.vertices ? vertices < o.vertices : left < o.left;
         }
         [[nodiscard]] bool same_facet(const Side& o) const { return vertices == o.vertices; }
     };
 
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    [[nodiscard]] static Side side(const Points& x, int slot, Index cell);
-    [[nodiscard]] bool rebuild_region(std::span<const Coordinates<d>> x, std::vector<Index>& region, double most,
-                                      std::vector<Index>& touched);
+    template <class Cell>
+    [[nodiscard]] static Side<Cell> side(const Points& x, int slot, Cell cell);
+    [[nodiscard]] bool rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region, double most,
+                                      std::vector<Cell_index>& touched);
     /// The Delaunay cells behind the border, in filled_. False when the border is not in them; `beyond` receives the cells that join.
-    [[nodiscard]] bool fill(std::span<const Index> region, std::vector<Index>& beyond);
+    [[nodiscard]] bool fill(std::span<const Cell_index> region, std::vector<Cell_index>& beyond);
     [[nodiscard]] bool has_every_vertex() const;
     /// Of filled cells and those beyond the border: where a vertex came, the latter need not be right any more.
-    void find_violated(std::span<const Coordinates<d>> x, std::vector<Index>& beyond) const;
-    void mark(Index c, char m) {
+    void find_violated(std::span<const Coordinates<d>> x, std::vector<Cell_index>& beyond) const;
+    void mark(Cell_index c, char m) {
         marked_.push_back(c);
-        mark_[at(c)] = m;
+        mark_[c] = m;
     }
 
     Embedding<d>& embedding_;
     Cell_table<d>& table_;
     double price_ = 0.0;
-    std::vector<char> mark_;     // by cell: 1 to be built anew, 2 in the region
-    std::vector<Index> marked_;  // where it may not be 0
+    By_cell<char> mark_;              // 1 to be built anew, 2 in the region
+    std::vector<Cell_index> marked_;  // where it may not be 0
     std::vector<Index> vertices_;  // of the region
     bool at_infinity_ = false;     // and infinity
     Index comes_ = none;           // a vertex that is not in it yet
     Index goes_ = none;            // one that is not to be in it any more
-    std::vector<Points> cells_;  // Delaunay, of the vertices
-    std::vector<Side> sides_;    // of these, sorted
-    std::vector<Side> border_;   // of the region, seen from inside, sorted
+    Indexed<Small_index, Points> cells_;    // Delaunay, of the vertices
+    std::vector<Side<Small_index>> sides_;  // of these, sorted
+    std::vector<Side<Cell_index>> border_;  // of the region, seen from inside, sorted; the cell is the one outside
     struct Seam {
-        Index inside;  // of cells_
+        Small_index inside;
         int slot;
-        Index outside;
+        Cell_index outside;
         Index beyond;  // the vertex of that cell
     };
     std::vector<Seam> seam_;  // of cells_ and what is outside the region

@@ -13,7 +13,8 @@ constexpr double flip_price = 8.0;  // in cells looked at, besides those
 constexpr int most_rounds = 64;
 constexpr int most_idle_rounds = 3;
 
-void make_unique(std::vector<Index>& list) {
+template <class T>
+void make_unique(std::vector<T>& list) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
@@ -48,10 +49,10 @@ void Mender<d>::place(Index v, const Coordinates<d>& p) {
 }
 
 template <int d>
-void Mender<d>::made(std::span<const Index> cells) {
+void Mender<d>::made(std::span<const Cell_index> cells) {
     ++flips_;
     price_ += flip_price;
-    for (const Index c : cells) {
+    for (const Cell_index c : cells) {
         touched_.push_back(c);
         signs_.look_at(c, true);
     }
@@ -59,7 +60,7 @@ void Mender<d>::made(std::span<const Index> cells) {
 
 /// Puts the vertex of c that is farthest from where it comes from half way, and the next time home. False when all are there.
 template <int d>
-bool Mender<d>::hold_back(Index c) {
+bool Mender<d>::hold_back(Cell_index c) {
     Index farthest = none;
     double most = 0.0;
     for (const Index v : cell_points(table_, c)) {
@@ -96,7 +97,7 @@ template <int d>
 bool Mender<d>::unfold_or_hold() {
     auto& inverted = signs_.inverted();
     while (!inverted.empty()) {
-        const Index c = inverted.back();
+        const Cell_index c = inverted.back();
         inverted.pop_back();
         if (!table_.is_cell(c) || !signs_.is_inverted(c)) continue;
         if (!affordable()) return false;
@@ -118,7 +119,7 @@ bool Mender<d>::flip_violated() {
             std::swap(violated, waiting_);
             flipped = false;
         }
-        const Index f = violated.back();
+        const Corner_index f = violated.back();
         violated.pop_back();
         if (!table_.is_facet(f) || !signs_.is_violated(f)) continue;
         if (!affordable()) return false;
@@ -161,14 +162,14 @@ bool Mender<d>::go_on() {
 /// Everybody goes to the goal, and what does not hold there is built anew.
 template <int d>
 bool Mender<d>::finish_locally() {
-    std::vector<Index> seeds = std::move(folded_);
+    std::vector<Cell_index> seeds = std::move(folded_);
     folded_.clear();
     for (const Held& held : held_) {
         if (course_.x[at(held.vertex)] != held.goal) place(held.vertex, held.goal);
         reinserted_.push_back(held.vertex);
     }
     release();
-    const auto seed = [&](Index c) {
+    const auto seed = [&](Cell_index c) {
         seeds.push_back(c);
         for (const Index v : cell_points(table_, c))
             if (v != infinite) reinserted_.push_back(v);
@@ -176,9 +177,9 @@ bool Mender<d>::finish_locally() {
     auto& violated = signs_.violated();
     violated.insert(violated.end(), stuck_.begin(), stuck_.end());
     stuck_.clear();
-    for (const Index c : signs_.inverted())
+    for (const Cell_index c : signs_.inverted())
         if (table_.is_cell(c) && signs_.is_inverted(c)) seed(c);
-    for (const Index f : violated) {
+    for (const Corner_index f : violated) {
         if (!table_.is_facet(f) || !signs_.is_violated(f)) continue;
         seed(table_.cell_of(f));
         seed(table_.cell_of(table_.twin(f)));
@@ -187,7 +188,7 @@ bool Mender<d>::finish_locally() {
     violated.clear();
     make_unique(reinserted_);
     make_unique(seeds);
-    std::erase_if(seeds, [this](Index c) { return !table_.is_cell(c); });
+    std::erase_if(seeds, [this](Cell_index c) { return !table_.is_cell(c); });
     const std::size_t first = touched_.size();
     const bool built = local_.rebuild(course_.x, seeds, most_ - price(), touched_);
     price_ += local_.price();
@@ -200,7 +201,7 @@ bool Mender<d>::finish_locally() {
 /// And then the list is empty.
 template <int d>
 bool Mender<d>::nothing_inverted() {
-    std::erase_if(signs_.inverted(), [this](Index c) { return !table_.is_cell(c) || !signs_.is_inverted(c); });
+    std::erase_if(signs_.inverted(), [this](Cell_index c) { return !table_.is_cell(c) || !signs_.is_inverted(c); });
     return signs_.inverted().empty();
 }
 

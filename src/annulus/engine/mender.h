@@ -50,7 +50,7 @@ class Mender {
     [[nodiscard]] bool mend(const Course<d>& course, double most);
 
     /// Cells made or changed, some perhaps gone again, each once. Of mend().
-    [[nodiscard]] const std::vector<Index>& touched() const { return touched_; }
+    [[nodiscard]] const std::vector<Cell_index>& touched() const { return touched_; }
     /// Vertices at which flips were stuck, so that the cells around them were built anew.
     [[nodiscard]] const std::vector<Index>& reinserted() const { return reinserted_; }
     [[nodiscard]] std::uint64_t flips() const { return flips_; }
@@ -69,17 +69,17 @@ class Mender {
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] bool affordable() const { return price() <= most_; }
     [[nodiscard]] bool unfold_or_hold();
-    [[nodiscard]] bool unfold(Index c);
-    [[nodiscard]] bool hold_back(Index c);
+    [[nodiscard]] bool unfold(Cell_index c);
+    [[nodiscard]] bool hold_back(Cell_index c);
     [[nodiscard]] bool flip_violated();
     /// The flip that mends a violated facet, of which h is a half, if there is one that leaves positive cells.
-    [[nodiscard]] bool flip(Index h);
+    [[nodiscard]] bool flip(Corner_index h);
     /// Whether anybody got nearer to the goal, or there.
     [[nodiscard]] bool go_on();
     [[nodiscard]] bool finish_locally();
     void place(Index v, const Coordinates<d>& p);
     void release();
-    void made(std::span<const Index> cells);
+    void made(std::span<const Cell_index> cells);
     [[nodiscard]] bool nothing_inverted();
 
     Cell_table<d>& table_;
@@ -92,22 +92,22 @@ class Mender {
     std::uint64_t flips_ = 0;
     std::vector<Held> held_;
     std::vector<Index> place_of_;  // by vertex: 1 + its place in held_, 0 when it is not held
-    std::vector<Index> folded_;    // cells that are inverted with all their vertices where they come from
-    std::vector<Index> stuck_;     // facets that no flip mends
-    std::vector<Index> waiting_;
-    std::vector<Index> touched_;
+    std::vector<Cell_index> folded_;   // cells that are inverted with all their vertices where they come from
+    std::vector<Corner_index> stuck_;  // facets that no flip mends
+    std::vector<Corner_index> waiting_;
+    std::vector<Cell_index> touched_;
     std::vector<Index> reinserted_;
 };
 
 // What the dimensions do not share: mender_2.cpp, mender_3.cpp.
 template <>
-bool Mender<2>::unfold(Index c);
+bool Mender<2>::unfold(Cell_index c);
 template <>
-bool Mender<2>::flip(Index h);
+bool Mender<2>::flip(Corner_index h);
 template <>
-bool Mender<3>::unfold(Index c);
+bool Mender<3>::unfold(Cell_index c);
 template <>
-bool Mender<3>::flip(Index h);
+bool Mender<3>::flip(Corner_index h);
 
 extern template class Mender<2>;
 extern template class Mender<3>;

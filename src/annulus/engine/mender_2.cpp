@@ -8,7 +8,7 @@ namespace annulus {
 namespace {
 
 /// The two triangles that the other diagonal makes of the bi-cell at h.
-std::array<Cell_points<2>, 2> flipped(const Cell_table<2>& t, Index h) {
+std::array<Cell_points<2>, 2> flipped(const Cell_table<2>& t, Corner_index h) {
     const Index q = t.vertex(h);
     const Index p = t.vertex(t.twin(h));
     return {{{q, t.vertex(t.ccw(h)), p}, {p, t.vertex(t.cw(h)), q}}};
@@ -17,11 +17,11 @@ std::array<Cell_points<2>, 2> flipped(const Cell_table<2>& t, Index h) {
 }  // namespace
 
 template <>
-bool Mender<2>::flip(Index h) {
-    const std::array<Index, 2> cells{table_.cell_of(h), table_.cell_of(table_.twin(h))};
+bool Mender<2>::flip(Corner_index h) {
+    const std::array<Cell_index, 2> cells{table_.cell_of(h), table_.cell_of(table_.twin(h))};
     if (table_.vertex(h) == table_.vertex(table_.twin(h))) return false;
-    for (const Index k : {table_.ccw(h), table_.cw(h), table_.ccw(table_.twin(h)), table_.cw(table_.twin(h))}) {
-        const Index beside = table_.cell_of(table_.twin(k));
+    for (const Corner_index k : {table_.ccw(h), table_.cw(h), table_.ccw(table_.twin(h)), table_.cw(table_.twin(h))}) {
+        const Cell_index beside = table_.cell_of(table_.twin(k));
         if (beside == cells[0] || beside == cells[1]) return false;  // it would be beside itself
     }
     for (const Cell_points<2>& x : flipped(table_, h))
@@ -33,9 +33,9 @@ bool Mender<2>::flip(Index h) {
 
 /// A triangle at the border that its vertex turned over by leaving: the edge of the border that it crossed goes.
 template <>
-bool Mender<2>::unfold(Index c) {
+bool Mender<2>::unfold(Cell_index c) {
     for (int i = 0; i <= 2; ++i) {
-        const Index h = table_.corner(c, i);
+        const Corner_index h = table_.corner(c, i);
         if (table_.is_infinite(c) != table_.is_infinite(table_.cell_of(table_.twin(h))) && flip(h)) return true;
     }
     return false;

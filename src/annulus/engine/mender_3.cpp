@@ -11,7 +11,7 @@ namespace annulus {
 /// Of the two triangulations of five points one is locally Delaunay: 2-3 where the edge of the opposite vertices crosses the facet, 3-2
 /// where it passes by one side. Where four of the points are coplanar, 4-4 if the two edges cross.
 template <>
-bool Mender<3>::flip(Index h) {
+bool Mender<3>::flip(Corner_index h) {
     const Cell_points<3> x = facet_and_vertex(table_, h);
     const Index q = x[3];
     const Index p = table_.vertex(table_.twin(h));
@@ -26,15 +26,15 @@ bool Mender<3>::flip(Index h) {
         odd = i;
     }
     if (beside == 0) {
-        std::array<Index, 3> cells{};
+        std::array<Cell_index, 3> cells{};
         if (!flip_facet(table_, h, cells)) return false;
         made(cells);
         return true;
     }
     if (beside > 1) return false;
-    const Index c = table_.cell_of(h);
+    const Cell_index c = table_.cell_of(h);
     if (passes[odd] < 0) {
-        std::array<Index, 3> cells{};
+        std::array<Cell_index, 3> cells{};
         if (!flip_edge(table_, h, table_.corner(c, table_.slot(c, x[odd])), cells)) return false;
         touched_.push_back(cells[2]);
         made(std::span(cells).first(2));
@@ -44,7 +44,7 @@ bool Mender<3>::flip(Index h) {
     if (!flip || p == infinite || q == infinite) return false;
     for (const Cell_points<3>& cell : flip->came)
         if (signs_.sign(cell) <= 0) return false;
-    std::vector<Index> cells;
+    std::vector<Cell_index> cells;
     replace_cells<3>(table_, flip->gone, flip->came, cells);
     touched_.insert(touched_.end(), flip->gone.begin(), flip->gone.end());
     made(cells);
@@ -54,14 +54,14 @@ bool Mender<3>::flip(Index h) {
 /// A cell at the hull that its vertex turned over by leaving: the facet of the hull that it crossed goes. Not beside another inverted
 /// cell: then more is wrong than this flip would tell.
 template <>
-bool Mender<3>::unfold(Index c) {
+bool Mender<3>::unfold(Cell_index c) {
     if (table_.is_infinite(c)) return false;
     for (int i = 0; i <= 3; ++i) {
-        const Index h = table_.corner(c, i);
+        const Corner_index h = table_.corner(c, i);
         if (!table_.is_infinite(table_.cell_of(table_.twin(h)))) continue;
         bool alone = true;
         for (int j = 0; j <= 3; ++j) {
-            const Index n = table_.cell_of(table_.twin(table_.corner(c, j)));
+            const Cell_index n = table_.cell_of(table_.twin(table_.corner(c, j)));
             alone = alone && (j == i || table_.is_infinite(n) || !signs_.is_inverted(n));
         }
         if (!alone) continue;

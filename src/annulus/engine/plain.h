@@ -28,7 +28,7 @@ class Plain final : public Upkeep<d> {
     void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
     void place(Index v, const Coordinates<d>& p) override;
-    void refresh(std::span<const Index>, Move_report&) override {}
+    void refresh(std::span<const Cell_index>, Move_report&) override {}
     void cut(std::size_t bound) override { position_.resize(bound); }
     void put_back(Index v, const Coordinates<d>& p) noexcept override { position_[at(v)] = p; }
 

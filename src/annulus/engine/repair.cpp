@@ -24,7 +24,7 @@ void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
     mender_.begin(x);
     forget();
     x_ = x;
-    grow(suspects_of_, at(embedding_.table().cell_bound()));
+    grow(suspects_of_, embedding_.table().cell_bound());
     disturbed_.clear();
     reinserted_.clear();
     changed_.clear();
@@ -36,8 +36,8 @@ void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
 template <int d>
 void Repair<d>::forget() {
     if (placed_) {
-        for (const auto& s : facets_) suspects_of_[at(Cell_table<d>::cell_of(s.id))] = 0;
-        for (const auto& s : cells_) suspects_of_[at(s.id)] = 0;
+        for (const auto& s : facets_) suspects_of_[Cell_table<d>::cell_of(s.id)] = 0;
+        for (const auto& s : cells_) suspects_of_[s.id] = 0;
     }
     placed_ = true;
     facets_.clear();
@@ -55,18 +55,18 @@ void Repair<d>::assign_places() {
 /// Puts a suspect on the list of its cell.
 template <int d>
 template <class S>
-void Repair<d>::enter(S& s, Index cell, Place place) {
-    s.next = suspects_of_[at(cell)];
-    suspects_of_[at(cell)] = place;
+void Repair<d>::enter(S& s, Cell_index cell, Place place) {
+    s.next = suspects_of_[cell];
+    suspects_of_[cell] = place;
 }
 
 /// Where facet f is, or is put, among the suspects.
 template <int d>
-auto Repair<d>::suspected_facet(Index f) -> Facet_suspect& {
+auto Repair<d>::suspected_facet(Corner_index f) -> Facet_suspect& {
     assign_places();
-    const Index c = Cell_table<d>::cell_of(f);
-    if (at(c) >= suspects_of_.size()) grow(suspects_of_, at(c) + 1);
-    for (Place p = suspects_of_[at(c)]; p != 0; p = next(p))
+    const Cell_index c = Cell_table<d>::cell_of(f);
+    if (!suspects_of_.has(c)) grow(suspects_of_, c.offset() + 1);
+    for (Place p = suspects_of_[c]; p != 0; p = next(p))
         if (is_facet_place(p) && facets_[place(p)].id == f) return facets_[place(p)];
     facets_.emplace_back();
     enter(facets_.back(), c, facet_place(facets_.size() - 1));
@@ -74,10 +74,10 @@ auto Repair<d>::suspected_facet(Index f) -> Facet_suspect& {
 }
 
 template <int d>
-auto Repair<d>::suspected_cell(Index c) -> Cell_suspect& {
+auto Repair<d>::suspected_cell(Cell_index c) -> Cell_suspect& {
     assign_places();
-    if (at(c) >= suspects_of_.size()) grow(suspects_of_, at(c) + 1);
-    for (Place p = suspects_of_[at(c)]; p != 0; p = next(p))
+    if (!suspects_of_.has(c)) grow(suspects_of_, c.offset() + 1);
+    for (Place p = suspects_of_[c]; p != 0; p = next(p))
         if (!is_facet_place(p)) return cells_[place(p)];
     cells_.emplace_back();
     enter(cells_.back(), c, cell_place(cells_.size() - 1));
@@ -85,7 +85,7 @@ auto Repair<d>::suspected_cell(Index c) -> Cell_suspect& {
 }
 
 template <int d>
-void Repair<d>::describe(Facet_suspect& s, Index f) const {
+void Repair<d>::describe(Facet_suspect& s, Corner_index f) const {
     s.id = f;
     s.stale = true;
     const Facet_certificate<d> facet = facet_certificate(embedding_.table(), f, kind_ == Tolerance_kind::paper);
@@ -94,7 +94,7 @@ void Repair<d>::describe(Facet_suspect& s, Index f) const {
 }
 
 template <int d>
-void Repair<d>::describe(Cell_suspect& s, Index c) const {
+void Repair<d>::describe(Cell_suspect& s, Cell_index c) const {
     s.id = c;
     s.stale = true;
     s.point = cell_points(embedding_.table(), c);
@@ -103,22 +103,20 @@ void Repair<d>::describe(Cell_suspect& s, Index c) const {
 }
 
 template <int d>
-void Repair<d>::suspect_facet(Index f) {
+void Repair<d>::suspect_facet(Corner_index f) {
     describe(suspected_facet(f), f);
 }
 
 template <int d>
-void Repair<d>::suspect_cell(Index c) {
+void Repair<d>::suspect_cell(Cell_index c) {
     describe(suspected_cell(c), c);
 }
 
 template <int d>
 void Repair<d>::suspect_everything() {
     const auto& t = embedding_.table();
-    for (Index f = 0; f < t.facet_bound(); ++f)
-        if (t.is_facet(f)) suspect_facet(f);
-    for (Index c = 0; c < t.cell_bound(); ++c)
-        if (t.is_cell(c)) suspect_cell(c);
+    for (const Corner_index f : t.facets()) suspect_facet(f);
+    for (const Cell_index c : t.cells()) suspect_cell(c);
 }
 
 template <int d>
@@ -128,20 +126,20 @@ void Repair<d>::suspect_star(Index v) {
     if (alone) placed_ = false;
     for_each_certificate(
         t, v,
-        [&](Index h) {
-            const Index c = t.cell_of(h);
+        [&](Corner_index h) {
+            const Cell_index c = t.cell_of(h);
             describe(alone ? cells_.emplace_back() : suspected_cell(c), c);
         },
-        [&](Index h) {
-            const Index f = t.facet(h);
+        [&](Corner_index h) {
+            const Corner_index f = t.facet(h);
             describe(alone ? facets_.emplace_back() : suspected_facet(f), f);
         });
 }
 
 template <int d>
-void Repair<d>::suspect_cells(std::span<const Index> cells) {
+void Repair<d>::suspect_cells(std::span<const Cell_index> cells) {
     const auto& t = embedding_.table();
-    for (const Index c : cells) {
+    for (const Cell_index c : cells) {
         suspect_cell(c);
         for (int i = 0; i <= d; ++i) suspect_facet(t.facet(t.corner(c, i)));
     }
@@ -150,7 +148,7 @@ void Repair<d>::suspect_cells(std::span<const Index> cells) {
 template <int d>
 void Repair<d>::list_changes(Move_report& report) const {
     const auto& t = embedding_.table();
-    for (const Index c : changed_) {
+    for (const Cell_index c : changed_) {
         if (!t.is_cell(c)) continue;
         for (int i = 0; i <= d; ++i) report.changed.push_back(t.vertex(t.corner(c, i)));
     }
@@ -196,8 +194,8 @@ bool Repair<d>::mend_one(std::span<Coordinates<d>> x, Index v, const Coordinates
 
 template <int d>
 bool Repair<d>::reinsert(Index v) {
-    const auto gone = [this](Index c) { return !embedding_.table().is_cell(c); };
-    std::vector<Index> changed;
+    const auto gone = [this](Cell_index c) { return !embedding_.table().is_cell(c); };
+    std::vector<Cell_index> changed;
     try {
         if (!embedding_.reinsert(v, x_[at(v)], changed)) return false;
     } catch (const Error&) {
@@ -239,12 +237,13 @@ bool Repair<d>::mend(const Course<d>& course, double most) {
 template <int d>
 bool Repair<d>::holds_after_mending() {
     const auto& t = embedding_.table();
-    std::vector<Index> alive;
-    std::copy_if(mender_.touched().begin(), mender_.touched().end(), std::back_inserter(alive), [&t](Index c) { return t.is_cell(c); });
+    std::vector<Cell_index> alive;
+    std::copy_if(mender_.touched().begin(), mender_.touched().end(), std::back_inserter(alive),
+                 [&t](Cell_index c) { return t.is_cell(c); });
     // Where tolerances may be wrong, flips may have begun in what was no Delaunay triangulation.
     if (!certified() && !facets_are_distinct_around<d>(t, alive)) return false;
     // Even one mover may have passed over a part of the hull that its cells do not touch.
-    const bool at_border = std::any_of(alive.begin(), alive.end(), [&t](Index c) { return t.is_infinite(c); });
+    const bool at_border = std::any_of(alive.begin(), alive.end(), [&t](Cell_index c) { return t.is_infinite(c); });
     many_ |= at_border;
     if (at_border && !mender_.reinserted().empty() && !border_is_whole(t)) return false;
     if (signs_) return !border_in_doubt() || border_winds_once(t, x_);

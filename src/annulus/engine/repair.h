@@ -23,17 +23,17 @@ template <int d>
 class Repair {
   public:
     /// One certificate under examination.
-    template <class Points>
+    template <class Id, class Points>
     struct Suspect {
-        Index id = none;    ///< facet or cell
+        Id id;
         std::uint32_t next = 0;  ///< suspect of the same cell
         Points point{};     ///< its points, in the order of the determinant
         Facet_kind kind{};  ///< of a facet; a cell has `border` when it is infinite, else `empty_sphere`
         bool stale = true;  ///< verdict not computed for its present points
         Verdict verdict;
     };
-    using Facet_suspect = Suspect<Facet_points<d>>;
-    using Cell_suspect = Suspect<Cell_points<d>>;
+    using Facet_suspect = Suspect<Corner_index, Facet_points<d>>;
+    using Cell_suspect = Suspect<Cell_index, Cell_points<d>>;
 
     /// `trusted`: CGAL's object is Delaunay at its points whenever mend_one() is called, so that CGAL may remove and insert.
     Repair(Embedding<d>& embedding, Tolerance_kind kind, bool trusted)
@@ -48,14 +48,14 @@ class Repair {
     /// Starts an examination at positions x (one for every vertex index). x must outlive it and not change. `many`: x
     /// differs from where the triangulation was Delaunay last in more than one vertex.
     void begin(std::span<const Coordinates<d>> x, bool many = true);
-    void suspect_facet(Index f);
-    void suspect_cell(Index c);
+    void suspect_facet(Corner_index f);
+    void suspect_cell(Cell_index c);
 
     /// Every certificate of the triangulation, and every one that contains v.
     void suspect_everything();
     void suspect_star(Index v);
     /// Every certificate of these cells and of their facets.
-    void suspect_cells(std::span<const Index> cells);
+    void suspect_cells(std::span<const Cell_index> cells);
 
     /// Evaluates what is stale, in one batch. True when all suspects hold and the border winds once.
     ///
@@ -94,9 +94,9 @@ class Repair {
     [[nodiscard]] std::span<const Index> disturbed() const { return disturbed_; }
     [[nodiscard]] std::span<const Index> reinserted() const { return reinserted_; }
     /// Cells that were made or changed, some perhaps gone again.
-    [[nodiscard]] std::span<const Index> changed_cells() const { return changed_; }
+    [[nodiscard]] std::span<const Cell_index> changed_cells() const { return changed_; }
     /// Cells whose numbers, and those of their facets, are others than before a collision was found, though they are the same cells.
-    [[nodiscard]] std::span<const Index> renumbered() const { return renumbered_; }
+    [[nodiscard]] std::span<const Cell_index> renumbered() const { return renumbered_; }
     /// Appends the vertices of the cells that were made or changed, and that there still are, to
     /// report.changed.
     void list_changes(Move_report& report) const;
@@ -117,11 +117,11 @@ class Repair {
     [[nodiscard]] static std::size_t place(Place p) { return (p - 1) / 2; }
     [[nodiscard]] Place next(Place p) const { return is_facet_place(p) ? facets_[place(p)].next : cells_[place(p)].next; }
     template <class S>
-    void enter(S& s, Index cell, Place place);
-    [[nodiscard]] Facet_suspect& suspected_facet(Index f);
-    [[nodiscard]] Cell_suspect& suspected_cell(Index c);
-    void describe(Facet_suspect& s, Index f) const;
-    void describe(Cell_suspect& s, Index c) const;
+    void enter(S& s, Cell_index cell, Place place);
+    [[nodiscard]] Facet_suspect& suspected_facet(Corner_index f);
+    [[nodiscard]] Cell_suspect& suspected_cell(Cell_index c);
+    void describe(Facet_suspect& s, Corner_index f) const;
+    void describe(Cell_suspect& s, Cell_index c) const;
     void assign_places();
     /// Filter stage; false when the next stage must be asked. Flattened: what is instantiated in other files too may come
     /// from one that is compiled for less speed.
@@ -166,11 +166,11 @@ class Repair {
     std::span<const Coordinates<d>> x_;
     std::vector<Facet_suspect> facets_;
     std::vector<Cell_suspect> cells_;
-    std::vector<Place> suspects_of_;  // by cell: the first of itself and its facets, which lead to the others
+    By_cell<Place> suspects_of_;  // the first of itself and its facets, which lead to the others
     bool placed_ = true;    // false: these are still to be filled in; a star has no certificate twice
     std::vector<Index> reinserted_;
-    std::vector<Index> changed_;
-    std::vector<Index> renumbered_;
+    std::vector<Cell_index> changed_;
+    std::vector<Cell_index> renumbered_;
     bool mending_ = false;  // the triangulation may differ from what it was at the beginning
     std::vector<Index> disturbed_;
     struct Star {

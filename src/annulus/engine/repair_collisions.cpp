@@ -28,8 +28,8 @@ bool Repair<d>::collides(Index v, const Coordinates<d>& home) const {
     double least = distance(home, goal);
     for (Index from = none; from != nearest;) {
         from = nearest;
-        t.for_each_corner(from, [&](Index h) {
-            const Index c = t.cell_of(h);
+        t.for_each_corner(from, [&](Corner_index h) {
+            const Cell_index c = t.cell_of(h);
             for (int i = 0; i <= d; ++i) {
                 const Index w = t.vertex(t.corner(c, i));
                 if (w == infinite || w == v) continue;

@@ -157,11 +157,11 @@ bool Repair<d>::star_holds(Index v, Least_tolerance& least) {
     };
     for_each_certificate(
         t, v,
-        [&](Index h) {
+        [&](Corner_index h) {
             const Cell_points<d> x = cell_points(t, t.cell_of(h));
             if (std::find(x.begin(), x.end(), infinite) == x.end()) add_orientation(x);
         },
-        [&](Index h) {
+        [&](Corner_index h) {
             const Facet_kind kind = facet_kind(t, h);
             if (kind == Facet_kind::empty_sphere) {
                 star_.bicell.push_back(bicell_points(t, h));

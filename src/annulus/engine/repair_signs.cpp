@@ -16,11 +16,11 @@ bool Repair<d>::signs_hold(double most) {
     auto& signs = mender_.signs();
     signs_ = true;
     const auto affordable = [&] { return signs.price() <= most; };
-    std::erase_if(signs.inverted(), [&](Index c) { return affordable() && !signs.is_inverted(c); });
-    std::erase_if(signs.violated(), [&](Index f) { return affordable() && !signs.is_violated(f); });
-    for (const Index c : signs.inverted())
+    std::erase_if(signs.inverted(), [&](Cell_index c) { return affordable() && !signs.is_inverted(c); });
+    std::erase_if(signs.violated(), [&](Corner_index f) { return affordable() && !signs.is_violated(f); });
+    for (const Cell_index c : signs.inverted())
         for (const Index v : cell_points(t, c)) disturbed_.push_back(v);
-    for (const Index f : signs.violated()) note_disturbed(facet_certificate(t, f, false).point);
+    for (const Corner_index f : signs.violated()) note_disturbed(facet_certificate(t, f, false).point);
     count_signs();
     if (!signs.inverted().empty() || !signs.violated().empty()) return false;
     return !border_in_doubt() || border_winds_once(t, x_);

@@ -9,9 +9,9 @@ namespace annulus {
 /// A cheap proof that facet f's certificate holds at x although a tolerance failed; `renewals_` gets new expiries for
 /// commit().
 template <int d>
-bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
+bool Filter<d>::second_look(Corner_index f, std::span<const Coordinates<d>> x) {
     if constexpr (d == 2) {
-        if (facet_kind(table_, f) != Facet_kind::empty_sphere || !(tolerance_[at(f)] > 0.0)) return false;
+        if (facet_kind(table_, f) != Facet_kind::empty_sphere || !(tolerance_[f] > 0.0)) return false;
         return look_ == Second_look::unequal_moves ? unequal_moves(f, x)
                : look_ == Second_look::safe_region ? safe_region(f, x)
                                                    : false;
@@ -23,15 +23,15 @@ bool Filter<d>::second_look(Index f, std::span<const Coordinates<d>> x) {
 /// The delimiter kept with the certificate still separates; every point may then move as far as the circle is. The
 /// renewal holds these distances; commit_renewals() anchors the points where they are and makes expiries of them.
 template <int d>
-bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x) {
+bool Filter<d>::safe_region(Corner_index f, std::span<const Coordinates<d>> x) {
     if constexpr (d == 2) {
         const Facet_points<d> point = points_around(table_, f);
         const auto points = tuple<d, d + 2>(point, x);
         Renewal renewal{f, {}};
         std::array<double, static_cast<std::size_t>(d + 2)> room{};
-        if (!safe_region_lower(delimiter_[at(f)], points, room)) return false;
+        if (!safe_region_lower(delimiter_[f], points, room)) return false;
         for (std::size_t k = 0; k < room.size(); ++k) {
-            if (!(room[k] > 0.25 * tolerance_[at(f)])) return false;  // too little to live on until the next step
+            if (!(room[k] > 0.25 * tolerance_[f])) return false;  // too little to live on until the next step
             renewal.expiry[k] = room[k];
             const double now = reading(point[k], x[at(point[k])]);
             if (!(now < Expiry::lower(sum_lower(now, room[k])).reading())) return false;  // rounded away
@@ -48,11 +48,11 @@ bool Filter<d>::safe_region(Index f, std::span<const Coordinates<d>> x) {
 /// new expiries ref + dA + rest / 2 and ref + dB + rest / 2, which commit_renewals() writes. A renewed record has tolerance 0:
 /// its next failure is an evaluation.
 template <int d>
-bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x) {
+bool Filter<d>::unequal_moves(Corner_index f, std::span<const Coordinates<d>> x) {
     const Facet_points<d> point = points_around(table_, f);
     std::array<double, static_cast<std::size_t>(d + 2)> expiry{};
     for (std::size_t k = 0; k < point.size(); ++k) expiry[k] = expiries_.of_facet(f, table_.twin(f), k).reading();
-    const double tolerance = tolerance_[at(f)];
+    const double tolerance = tolerance_[f];
     std::array<double, 2> travelled{};
     Renewal renewal{f, {}};
     for (std::size_t k = 0; k < point.size(); ++k) {
@@ -79,10 +79,10 @@ bool Filter<d>::unequal_moves(Index f, std::span<const Coordinates<d>> x) {
 }
 
 template <int d>
-void Filter<d>::keep_delimiter(Index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x) {
+void Filter<d>::keep_delimiter(Corner_index f, const Facet_points<d>& point, std::span<const Coordinates<d>> x) {
     if constexpr (d == 2) {
-        if (at(f) >= delimiter_.size()) delimiter_.resize(at(table_.facet_bound()));
-        delimiter_[at(f)] = standard_delimiter(tuple<d, d + 2>(point, x));
+        if (!delimiter_.has(f)) delimiter_.resize(table_.facet_bound().offset());
+        delimiter_[f] = standard_delimiter(tuple<d, d + 2>(point, x));
     }
 }
 

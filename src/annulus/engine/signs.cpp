@@ -45,7 +45,7 @@ void Signs<d>::find_middle() {
     const Index stride = 1 + table_.vertex_bound() / 4096;
     double points = 0.0;
     for (Index v = 0; v < table_.vertex_bound(); v += stride) {
-        if (table_.corner_of(v) == none) continue;
+        if (table_.corner_of(v) == no_corner) continue;
         for (std::size_t k = 0; k < middle_.size(); ++k) middle_[k] += x_[at(v)][k];
         points += 1.0;
     }
@@ -82,7 +82,7 @@ bool Signs<d>::clearly(int sign) {
 
 /// Of the bi-cell at half-facet h, by the filter stage: 0 where the next stage has to tell.
 template <int d>
-[[gnu::flatten]] int Signs<d>::sphere_sign(Index h) {
+[[gnu::flatten]] int Signs<d>::sphere_sign(Corner_index h) {
     const Cell_points<d> v = cell_points(table_, table_.cell_of(h));
     const Coordinates<d>& p = x_[at(table_.vertex(table_.twin(h)))];
     return [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -94,7 +94,7 @@ template <int d>
 }
 
 template <int d>
-bool Signs<d>::is_violated(Index f) {
+bool Signs<d>::is_violated(Corner_index f) {
     const Facet_kind kind = facet_kind(table_, f);
     if (kind == Facet_kind::border) return false;
     if (kind == Facet_kind::ridge) {
@@ -116,14 +116,14 @@ bool Signs<d>::is_violated(Index f) {
 /// Every facet is asked from both sides if both are looked at, because which side is to ask would be a branch that no processor
 /// predicts, dearer than the answer. Flattened: a call between two halves of a formula would spill every register.
 template <int d>
-[[gnu::flatten]] void Signs<d>::look_at(Index c, bool border, Found& found) const {
+[[gnu::flatten]] void Signs<d>::look_at(Cell_index c, bool border, Found& found) const {
     const auto& t = table_;
     const Cell_points<d> v = cell_points(t, c);
     ++found.cells;
-    if (std::any_of(v.begin(), v.end(), [](Index w) { return w < 0; })) {
+    if (std::any_of(v.begin(), v.end(), [](Index w) { return w == infinite; })) {
         if (border) found.inverted.push_back(c);
         for (int i = 0; i <= d; ++i) {
-            const Index h = t.corner(c, i);
+            const Corner_index h = t.corner(c, i);
             if (v[static_cast<std::size_t>(i)] != infinite) found.violated.push_back(t.facet(h));  // a ridge
         }
         return;
@@ -133,7 +133,7 @@ template <int d>
         const bool positive = sphere.positive();
         const std::array<Index, d + 1> opposite{t.vertex(t.twin(t.corner(c, static_cast<int>(i))))...};
         // At infinity a corner stands in, of which nothing can be said.
-        const std::array<bool, d + 1> outside{sphere.excludes(x_[at(opposite[i] < 0 ? v[0] : opposite[i])])...};
+        const std::array<bool, d + 1> outside{sphere.excludes(x_[at(opposite[i] == infinite ? v[0] : opposite[i])])...};
         if ((int{positive} + ... + int{outside[i]}) == d + 2) [[likely]] {
             found.clear_halves += d + 3;
             return;
@@ -161,12 +161,12 @@ void Signs<d>::take(const Found& found) {
 template <int d>
 void Signs<d>::look_at_everything() {
     constexpr std::size_t run = 1U << 14;  // whatever the number of threads
-    const auto cells = static_cast<std::size_t>(table_.cell_bound());
+    const std::size_t cells = table_.cell_bound().offset();
     std::vector<Found> found((cells + run - 1) / run);
     for_each_run(cells, run, threads_, [&](std::size_t first, std::size_t last) {
         Found& here = found[first / run];
-        for (std::size_t c = first; c < last; ++c)
-            if (table_.is_cell(static_cast<Index>(c))) look_at(static_cast<Index>(c), false, here);
+        for (Cell_index c(static_cast<Index>(first)); c.offset() < last; ++c)
+            if (table_.is_cell(c)) look_at(c, false, here);
     });
     for (const Found& here : found) take(here);
     // Ridges are there twice, from both sides.
@@ -176,7 +176,7 @@ void Signs<d>::look_at_everything() {
 
 template <int d>
 void Signs<d>::look_around(Index v, bool border) {
-    table_.for_each_corner(v, [&](Index h) { look_at(Cell_table<d>::cell_of(h), border, found_); });
+    table_.for_each_corner(v, [&](Corner_index h) { look_at(Cell_table<d>::cell_of(h), border, found_); });
 }
 
 template class Signs<2>;

@@ -30,7 +30,7 @@ class Signs {
     void rebind(std::span<const Coordinates<d>> x) { x_ = x; }
 
     /// The cell c and its facets; of an infinite cell the ridges, and with `border` whether it faces the middle.
-    void look_at(Index c, bool border) { look_at(c, border, found_); }
+    void look_at(Cell_index c, bool border) { look_at(c, border, found_); }
     /// Every cell.
     void look_at_everything();
     /// Every certificate that contains v.
@@ -38,14 +38,14 @@ class Signs {
 
     /// Exact. A cell with infinity is inverted when its facet faces away from the middle of the points: that is a hint, no
     /// certificate.
-    [[nodiscard]] bool is_inverted(Index c) { return sign(cell_points(table_, c)) <= 0; }
+    [[nodiscard]] bool is_inverted(Cell_index c) { return sign(cell_points(table_, c)) <= 0; }
     /// Exact; what is degenerate is decided by the perturbation, once its cells are positive.
-    [[nodiscard]] bool is_violated(Index f);
+    [[nodiscard]] bool is_violated(Corner_index f);
     /// Exact sign of a cell with these vertices; infinity allowed.
     [[nodiscard]] int sign(const Cell_points<d>& x);
 
-    [[nodiscard]] std::vector<Index>& inverted() { return found_.inverted; }  ///< cells
-    [[nodiscard]] std::vector<Index>& violated() { return found_.violated; }  ///< facets
+    [[nodiscard]] std::vector<Cell_index>& inverted() { return found_.inverted; }    ///< cells
+    [[nodiscard]] std::vector<Corner_index>& violated() { return found_.violated; }  ///< facets
     /// What was asked so far, since begin(), by stage.
     [[nodiscard]] Stage_counts counts() const {
         Stage_counts all = decided_;
@@ -60,16 +60,16 @@ class Signs {
     [[nodiscard]] const Coordinates<d>* position(Index v) const { return v == infinite ? &middle_ : &x_[at(v)]; }
     /// What was seen of some cells.
     struct Found {
-        std::vector<Index> inverted;
-        std::vector<Index> violated;
+        std::vector<Cell_index> inverted;
+        std::vector<Corner_index> violated;
         std::uint64_t clear_halves = 0;
         std::uint64_t cells = 0;
     };
-    void look_at(Index c, bool border, Found& found) const;
+    void look_at(Cell_index c, bool border, Found& found) const;
     void take(const Found& found);
     int decided(Staged_sign s);
     [[nodiscard]] bool clearly(int sign);
-    [[nodiscard]] int sphere_sign(Index h);
+    [[nodiscard]] int sphere_sign(Corner_index h);
     void find_middle();
 
     const Cell_table<d>& table_;

@@ -39,7 +39,7 @@ class Upkeep {
     /// The vertex takes position p; it was not in the triangulation, and is now.
     virtual void place(Index v, const Coordinates<d>& p) = 0;
     /// After these cells were replaced by other hands (insertion, removal) at the present positions.
-    virtual void refresh(std::span<const Index> cells, Move_report& report) = 0;
+    virtual void refresh(std::span<const Cell_index> cells, Move_report& report) = 0;
     /// Forgets what is at indices from this one on, or writes a position and nothing else; a rebuild and `begin` have to follow.
     virtual void cut(std::size_t bound) = 0;
     virtual void put_back(Index v, const Coordinates<d>& p) noexcept = 0;

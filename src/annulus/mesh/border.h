@@ -15,19 +15,19 @@ namespace annulus {
 /// would wind by itself. O(cells).
 template <int d>
 [[nodiscard]] bool border_is_whole(const Cell_table<d>& t) {
-    Index all = 0;
-    for (Index c = 0; c < t.cell_bound(); ++c)
-        if (t.is_cell(c) && t.is_infinite(c)) ++all;
-    Index met = 0;
+    std::size_t all = 0;
+    for (const Cell_index c : t.cells())
+        if (t.is_infinite(c)) ++all;
+    std::size_t met = 0;
     if constexpr (d == 2) {
-        const Index first = t.corner_of_infinity();
-        Index h = first;
+        const Corner_index first = t.corner_of_infinity();
+        Corner_index h = first;
         do {
             ++met;
             h = t.next_around(h);
         } while (h != first);
     } else {
-        t.for_each_corner(infinite, [&met](Index) { ++met; });
+        t.for_each_corner(infinite, [&met](Corner_index) { ++met; });
     }
     return met == all;
 }

@@ -41,22 +41,21 @@ bool between(const Coordinates<3>& u, const Coordinates<3>& v, const Coordinates
 /// border, convex at its ridges, winds once if that is one closed polygon that turns left and once.
 bool border_winds_once(const Cell_table<3>& t, std::span<const Coordinates<3>> positions) {
     const auto x = [&](Index v) -> const Coordinates<3>& { return positions[static_cast<std::size_t>(v)]; };
-    std::vector<Index> outer;  // half-facets at infinity
-    std::vector<char> faces(static_cast<std::size_t>(t.cell_bound()),
-                            0);  // by infinite cell: its facet faces the viewer
-    t.for_each_corner(infinite, [&](Index h) {
+    std::vector<Corner_index> outer;                  // half-facets at infinity
+    By_cell<char> faces(t.cell_bound().offset(), 0);  // of an infinite cell: its facet faces the viewer
+    t.for_each_corner(infinite, [&](Corner_index h) {
         const auto f = facet_and_vertex(t, h);  // seen from outside it turns left
         outer.push_back(h);
-        faces[static_cast<std::size_t>(t.cell_of(h))] = turn(x(f[0]), x(f[1]), x(f[2])) > 0 ? 1 : 0;
+        faces[t.cell_of(h)] = turn(x(f[0]), x(f[1]), x(f[2])) > 0 ? 1 : 0;
     });
     std::unordered_map<Index, Index> next;
-    for (const Index h : outer) {
-        const Index c = t.cell_of(h);
-        if (faces[static_cast<std::size_t>(c)] == 0) continue;
+    for (const Corner_index h : outer) {
+        const Cell_index c = t.cell_of(h);
+        if (faces[c] == 0) continue;
         const auto f = facet_and_vertex(t, h);
         for (std::size_t i = 0; i < 3; ++i) {
-            const Index beyond = t.cell_of(t.twin(t.corner(c, t.slot(c, f[i]))));
-            if (faces[static_cast<std::size_t>(beyond)] != 0) continue;
+            const Cell_index beyond = t.cell_of(t.twin(t.corner(c, t.slot(c, f[i]))));
+            if (faces[beyond] != 0) continue;
             if (!next.emplace(f[(i + 1) % 3], f[(i + 2) % 3]).second) return false;
         }
     }

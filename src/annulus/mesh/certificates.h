@@ -25,14 +25,14 @@ template <int d>
 using Cell_points = std::array<Index, static_cast<std::size_t>(d + 1)>;
 
 template <int d>
-[[nodiscard]] Facet_kind facet_kind(const Cell_table<d>& t, Index h) {
+[[nodiscard]] Facet_kind facet_kind(const Cell_table<d>& t, Corner_index h) {
     if (t.vertex(h) == infinite || t.vertex(t.twin(h)) == infinite) return Facet_kind::border;
     return t.is_infinite(t.cell_of(h)) ? Facet_kind::ridge : Facet_kind::empty_sphere;  // as the other cell
 }
 
 /// The points of a finite cell in positive order.
 template <int d>
-[[nodiscard]] Cell_points<d> cell_points(const Cell_table<d>& t, Index c) {
+[[nodiscard]] Cell_points<d> cell_points(const Cell_table<d>& t, Cell_index c) {
     Cell_points<d> x{};
     for (int i = 0; i <= d; ++i) x[static_cast<std::size_t>(i)] = t.vertex(t.corner(c, i));
     return x;
@@ -49,12 +49,12 @@ template <int d>
     return cell;
 }
 template <int d>
-[[nodiscard]] Cell_points<d> ridge_points(const Cell_table<d>& t, Index h) {
+[[nodiscard]] Cell_points<d> ridge_points(const Cell_table<d>& t, Corner_index h) {
     return ridge_points<d>(cell_points(t, t.cell_of(h)), t.vertex(t.twin(h)));
 }
 
 /// The points of a border facet for the paper's slab: its finite cell in positive order, the vertex off the facet last.
-[[nodiscard]] inline Cell_points<2> slab_points(const Cell_table<2>& t, Index h) {
+[[nodiscard]] inline Cell_points<2> slab_points(const Cell_table<2>& t, Corner_index h) {
     if (t.is_infinite(t.cell_of(h))) h = t.twin(h);
     return {t.vertex(t.ccw(h)), t.vertex(t.cw(h)), t.vertex(h)};
 }
@@ -63,14 +63,14 @@ template <int d>
 inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}}};
 
 /// The facet of half-facet h, its vertices turning left as seen from its own vertex vertex(h), which comes last.
-[[nodiscard]] inline Cell_points<3> facet_and_vertex(const Cell_table<3>& t, Index h) {
+[[nodiscard]] inline Cell_points<3> facet_and_vertex(const Cell_table<3>& t, Corner_index h) {
     Cell_points<3> x{};
     for (std::size_t k = 0; k < 3; ++k)
         x[k] = t.vertex(t.corner(t.cell_of(h), facing_corners[static_cast<std::size_t>(t.slot_of(h))][k]));
     x[3] = t.vertex(h);
     return x;
 }
-[[nodiscard]] inline Cell_points<3> slab_points(const Cell_table<3>& t, Index h) {
+[[nodiscard]] inline Cell_points<3> slab_points(const Cell_table<3>& t, Corner_index h) {
     return facet_and_vertex(t, t.is_infinite(t.cell_of(h)) ? t.twin(h) : h);
 }
 
@@ -94,17 +94,17 @@ inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0
     return x;
 }
 template <int d>
-[[nodiscard]] Cell_points<d> ridge_vertex_last(const Cell_table<d>& t, Index h, const Cell_points<d>& x) {
+[[nodiscard]] Cell_points<d> ridge_vertex_last(const Cell_table<d>& t, Corner_index h, const Cell_points<d>& x) {
     return ridge_in_order(x, t.vertex(h), t.vertex(t.twin(h)));
 }
 
 /// The points {a, b, p, q} of the bi-cell at half-facet h: q = vertex(h) is left of ab, p right of it.
-[[nodiscard]] inline Facet_points<2> bicell_points(const Cell_table<2>& t, Index h) {
+[[nodiscard]] inline Facet_points<2> bicell_points(const Cell_table<2>& t, Corner_index h) {
     return {t.vertex(t.ccw(h)), t.vertex(t.cw(h)), t.vertex(t.twin(h)), t.vertex(h)};
 }
 
 /// The points {a, b, c, p, q} of the bi-cell at half-facet h, as the ladder takes them: q = vertex(h).
-[[nodiscard]] inline Facet_points<3> bicell_points(const Cell_table<3>& t, Index h) {
+[[nodiscard]] inline Facet_points<3> bicell_points(const Cell_table<3>& t, Corner_index h) {
     const Cell_points<3> x = facet_and_vertex(t, h);
     return {x[0], x[1], x[2], t.vertex(t.twin(h)), x[3]};
 }
@@ -118,7 +118,7 @@ struct Facet_certificate {
 
 /// The certificate of half-facet h. A border owns a slab if there are `slabs`, which are the paper's.
 template <int d>
-[[nodiscard]] Facet_certificate<d> facet_certificate(const Cell_table<d>& t, Index h, bool slabs) {
+[[nodiscard]] Facet_certificate<d> facet_certificate(const Cell_table<d>& t, Corner_index h, bool slabs) {
     Facet_certificate<d> f{facet_kind(t, h), {}};
     if (f.kind == Facet_kind::empty_sphere) {
         f.point = bicell_points(t, h);
@@ -171,7 +171,7 @@ template <int d, std::size_t k, std::size_t n>
 /// half-facet of each facet whose bi-cell contains it, once. O(degree).
 template <class On_cell, class On_facet>
 void for_each_certificate(const Cell_table<2>& t, Index v, On_cell on_cell, On_facet on_facet) {
-    t.for_each_corner(v, [&](Index h) {
+    t.for_each_corner(v, [&](Corner_index h) {
         on_cell(h);
         on_facet(h);
         on_facet(t.ccw(h));
@@ -179,11 +179,11 @@ void for_each_certificate(const Cell_table<2>& t, Index v, On_cell on_cell, On_f
 }
 template <class On_cell, class On_facet>
 void for_each_certificate(const Cell_table<3>& t, Index v, On_cell on_cell, On_facet on_facet) {
-    t.for_each_corner(v, [&](Index h) {
+    t.for_each_corner(v, [&](Corner_index h) {
         on_cell(h);
         on_facet(h);
         for (int i = 0; i <= 3; ++i) {  // the other three contain v and are seen from two of its cells
-            const Index k = t.corner(t.cell_of(h), i);
+            const Corner_index k = t.corner(t.cell_of(h), i);
             if (k != h && k < t.twin(k)) on_facet(k);
         }
     });

@@ -12,11 +12,11 @@ namespace {
 template <int d>
 struct Side {
     std::array<Index, static_cast<std::size_t>(d)> vertices;  // sorted
-    Index half;                                               // outside the region, or in a fresh cell
+    Corner_index half;                                        // outside the region, or in a fresh cell
 };
 
 template <int d>
-Side<d> side(const Cell_points<d>& x, std::size_t slot, Index half) {
+Side<d> side(const Cell_points<d>& x, std::size_t slot, Corner_index half) {
     Side<d> s{{}, half};
     for (std::size_t k = 0, n = 0; k < x.size(); ++k)
         if (k != slot) s.vertices[n++] = x[k];
@@ -27,24 +27,25 @@ Side<d> side(const Cell_points<d>& x, std::size_t slot, Index half) {
 }  // namespace
 
 template <int d>
-void replace_cells(Cell_table<d>& t, std::span<const Index> old, std::span<const Cell_points<d>> fresh, std::vector<Index>& made) {
+void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_points<d>> fresh,
+                   std::vector<Cell_index>& made) {
     std::vector<Side<d>> sides;
     sides.reserve((old.size() + fresh.size()) * static_cast<std::size_t>(d + 1));
-    std::vector<Index> gone(old.begin(), old.end());
+    std::vector<Cell_index> gone(old.begin(), old.end());
     std::sort(gone.begin(), gone.end());
-    for (const Index c : gone)
+    for (const Cell_index c : gone)
         for (int i = 0; i <= d; ++i) {
-            const Index h = t.corner(c, i);
-            const Index twin = t.twin(h);
+            const Corner_index h = t.corner(c, i);
+            const Corner_index twin = t.twin(h);
             if (!std::binary_search(gone.begin(), gone.end(), t.cell_of(twin)))
                 sides.push_back(side<d>(cell_points(t, c), static_cast<std::size_t>(i), twin));
         }
-    for (const Index c : gone) t.free_cell(c);
+    for (const Cell_index c : gone) t.free_cell(c);
     for (const Cell_points<d>& x : fresh) {
-        const Index c = t.new_cell();
+        const Cell_index c = t.new_cell();
         made.push_back(c);
         for (std::size_t i = 0; i < x.size(); ++i) {
-            const Index h = t.corner(c, static_cast<int>(i));
+            const Corner_index h = t.corner(c, static_cast<int>(i));
             t.set_vertex(h, x[i]);
             sides.push_back(side<d>(x, i, h));
         }
@@ -57,7 +58,9 @@ void replace_cells(Cell_table<d>& t, std::span<const Index> old, std::span<const
     }
 }
 
-template void replace_cells<2>(Cell_table<2>&, std::span<const Index>, std::span<const Cell_points<2>>, std::vector<Index>&);
-template void replace_cells<3>(Cell_table<3>&, std::span<const Index>, std::span<const Cell_points<3>>, std::vector<Index>&);
+template void replace_cells<2>(Cell_table<2>&, std::span<const Cell_index>, std::span<const Cell_points<2>>,
+                               std::vector<Cell_index>&);
+template void replace_cells<3>(Cell_table<3>&, std::span<const Cell_index>, std::span<const Cell_points<3>>,
+                               std::vector<Cell_index>&);
 
 }  // namespace annulus

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/mesh/index.h>
+
 #include <boost/container/small_vector.hpp>
 
 #include <cstddef>
@@ -51,7 +53,10 @@ class Small_set {
 
 /// Of indices.
 struct Index_hash {
-    [[nodiscard]] std::uint64_t operator()(std::int32_t i) const { return static_cast<std::uint32_t>(i); }
+    template <class Tag>
+    [[nodiscard]] std::uint64_t operator()(Typed_index<Tag> i) const {
+        return static_cast<std::uint32_t>(i.value());
+    }
 };
 /// Of CGAL's handles, by the address of what they point to: for membership alone, nothing depends on an order.
 struct Handle_hash {

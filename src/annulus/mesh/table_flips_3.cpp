@@ -10,24 +10,24 @@ namespace annulus {
 namespace {
 
 /// The half-facet beyond a cell that goes, opposite to its vertex v.
-Index beyond(const Cell_table<3>& t, Index c, Index v) { return t.twin(t.corner(c, t.slot(c, v))); }
+Corner_index beyond(const Cell_table<3>& t, Cell_index c, Index v) { return t.twin(t.corner(c, t.slot(c, v))); }
 
-void fill(Cell_table<3>& t, Index c, const Cell_points<3>& x) {
+void fill(Cell_table<3>& t, Cell_index c, const Cell_points<3>& x) {
     for (int i = 0; i <= 3; ++i) t.set_vertex(t.corner(c, i), x[static_cast<std::size_t>(i)]);
 }
 
 }  // namespace
 
-bool flip_facet(Cell_table<3>& t, Index h, std::array<Index, 3>& made) {
+bool flip_facet(Cell_table<3>& t, Corner_index h, std::array<Cell_index, 3>& made) {
     const Cell_points<3> x = facet_and_vertex(t, h);
     const Index q = x[3];
     const Index p = t.vertex(t.twin(h));
-    const Index cell_q = t.cell_of(h);
-    const Index cell_p = t.cell_of(t.twin(h));
+    const Cell_index cell_q = t.cell_of(h);
+    const Cell_index cell_p = t.cell_of(t.twin(h));
     if (p == q) return false;
-    std::array<Index, 3> at_q{};  // opposite to x[i]
-    std::array<Index, 3> at_p{};
-    const auto goes = [&](Index b) { return t.cell_of(b) == cell_q || t.cell_of(b) == cell_p; };
+    std::array<Corner_index, 3> at_q{};  // opposite to x[i]
+    std::array<Corner_index, 3> at_p{};
+    const auto goes = [&](Corner_index b) { return t.cell_of(b) == cell_q || t.cell_of(b) == cell_p; };
     for (std::size_t i = 0; i < 3; ++i) {
         at_q[i] = beyond(t, cell_q, x[i]);
         at_p[i] = beyond(t, cell_p, x[i]);
@@ -44,22 +44,22 @@ bool flip_facet(Cell_table<3>& t, Index h, std::array<Index, 3>& made) {
     return true;
 }
 
-bool flip_edge(Cell_table<3>& t, Index h, Index k, std::array<Index, 3>& made) {
+bool flip_edge(Cell_table<3>& t, Corner_index h, Corner_index k, std::array<Cell_index, 3>& made) {
     Cell_points<3> x = facet_and_vertex(t, h);
     while (x[2] != t.vertex(k)) x = {x[1], x[2], x[0], x[3]};
     const auto [a, b, c, q] = x;
     const Index p = t.vertex(t.twin(h));
-    const Index one = t.cell_of(h);
-    const Index other = t.cell_of(t.twin(h));
-    const Index over_one = beyond(t, one, c);
-    const Index third = t.cell_of(over_one);
+    const Cell_index one = t.cell_of(h);
+    const Cell_index other = t.cell_of(t.twin(h));
+    const Corner_index over_one = beyond(t, one, c);
+    const Cell_index third = t.cell_of(over_one);
     if (p == q || third == one || third == other || t.vertex(over_one) != p) return false;
     if (t.cell_of(beyond(t, other, c)) != third || beyond(t, third, q) != t.corner(other, t.slot(other, c)))
         return false;
-    const std::array<Index, 3> at_a{beyond(t, one, a), beyond(t, third, a), beyond(t, other, a)};
-    const std::array<Index, 3> at_b{beyond(t, one, b), beyond(t, third, b), beyond(t, other, b)};
-    const auto goes = [&](Index out) {
-        const Index n = t.cell_of(out);
+    const std::array<Corner_index, 3> at_a{beyond(t, one, a), beyond(t, third, a), beyond(t, other, a)};
+    const std::array<Corner_index, 3> at_b{beyond(t, one, b), beyond(t, third, b), beyond(t, other, b)};
+    const auto goes = [&](Corner_index out) {
+        const Cell_index n = t.cell_of(out);
         return n == one || n == other || n == third;
     };
     if (std::any_of(at_a.begin(), at_a.end(), goes) || std::any_of(at_b.begin(), at_b.end(), goes)) return false;
@@ -77,22 +77,22 @@ bool flip_edge(Cell_table<3>& t, Index h, Index k, std::array<Index, 3>& made) {
     return true;
 }
 
-std::optional<Flip_4_4> flip_4_4(const Cell_table<3>& t, Index h, Index k) {
+std::optional<Flip_4_4> flip_4_4(const Cell_table<3>& t, Corner_index h, Corner_index k) {
     Cell_points<3> x = facet_and_vertex(t, h);
     while (x[2] != t.vertex(k)) x = {x[1], x[2], x[0], x[3]};
     const auto [u, w, c, q] = x;
     const Index p = t.vertex(t.twin(h));
-    const Index cell_q = t.cell_of(h);
-    const Index cell_p = t.cell_of(t.twin(h));
-    const Index over_q = beyond(t, cell_q, c);
-    const Index over_p = beyond(t, cell_p, c);
+    const Cell_index cell_q = t.cell_of(h);
+    const Cell_index cell_p = t.cell_of(t.twin(h));
+    const Corner_index over_q = beyond(t, cell_q, c);
+    const Corner_index over_p = beyond(t, cell_p, c);
     const Index r = t.vertex(over_q);
-    const Index one = t.cell_of(over_q);
-    const Index other = t.cell_of(over_p);
+    const Cell_index one = t.cell_of(over_q);
+    const Cell_index other = t.cell_of(over_p);
     if (r != t.vertex(over_p) || one == cell_p || one == other || other == cell_q || r == c || p == q) return std::nullopt;
     if (t.cell_of(beyond(t, one, q)) != other) return std::nullopt;
-    const std::array<Index, 4> gone{cell_q, cell_p, one, other};
-    for (const Index cell : gone)
+    const std::array<Cell_index, 4> gone{cell_q, cell_p, one, other};
+    for (const Cell_index cell : gone)
         for (const Index v : {u, w})
             if (std::find(gone.begin(), gone.end(), t.cell_of(beyond(t, cell, v))) != gone.end()) return std::nullopt;
     return Flip_4_4{gone,

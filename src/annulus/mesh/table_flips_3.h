@@ -14,19 +14,19 @@ namespace annulus {
 
 /// 2-3: the facet at half-facet h goes, the edge between its opposite vertices comes. `made` receives the three cells, which have the
 /// numbers of the two that went and one more.
-[[nodiscard]] bool flip_facet(Cell_table<3>& t, Index h, std::array<Index, 3>& made);
+[[nodiscard]] bool flip_facet(Cell_table<3>& t, Corner_index h, std::array<Cell_index, 3>& made);
 
 /// 3-2: the edge of the facet at half-facet h that lies opposite to the vertex of corner k, a corner of the same cell, goes if three
 /// cells share it; the triangle of the vertices around it comes. `made` receives the two cells, which keep numbers, and the one that is gone.
-[[nodiscard]] bool flip_edge(Cell_table<3>& t, Index h, Index k, std::array<Index, 3>& made);
+[[nodiscard]] bool flip_edge(Cell_table<3>& t, Corner_index h, Corner_index k, std::array<Cell_index, 3>& made);
 
 /// The cells around an edge that four cells share, and the two edges that could be there instead of it.
 struct Flip_4_4 {
-    std::array<Index, 4> gone;
+    std::array<Cell_index, 4> gone;
     std::array<std::array<Index, 4>, 4> came;  ///< vertices, in positive order if the cell is positive
 };
 /// 4-4: an edge that four cells share gives way to the edge of the opposite vertices of the facet at half-facet h. The edge is the one
 /// of that facet that lies opposite to the vertex of corner k, a corner of the same cell. Nothing where not four cells share it.
-[[nodiscard]] std::optional<Flip_4_4> flip_4_4(const Cell_table<3>& t, Index h, Index k);
+[[nodiscard]] std::optional<Flip_4_4> flip_4_4(const Cell_table<3>& t, Corner_index h, Corner_index k);
 
 }  // namespace annulus

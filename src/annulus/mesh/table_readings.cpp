@@ -29,10 +29,11 @@ void for_each_verdict(const Cell_table<d>& t, std::span<const Coordinates<d>> x,
     bool on = true;
     for_each_certificate(
         t, v,
-        [&](Index h) {
-            if (on && !t.is_infinite(t.cell_of(h))) on = visit(cell_verdict(places<d>(x, cell_points(t, t.cell_of(h)))));
+        [&](Corner_index h) {
+            if (on && !t.is_infinite(t.cell_of(h)))
+                on = visit(cell_verdict(places<d>(x, cell_points(t, t.cell_of(h)))));
         },
-        [&](Index h) {
+        [&](Corner_index h) {
             if (!on) return;
             const Facet_certificate<d> f = facet_certificate(t, h, false);
             on = visit(facet_verdict(f.kind, places<d>(x, f.point)));
@@ -61,10 +62,12 @@ bool star_holds(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index
 template <int d>
 double star_theta(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v) {
     double least = right_angle;
-    for_each_certificate(t, v, [](Index) {}, [&](Index h) {
-        const Facet_certificate<d> f = facet_certificate(t, h, false);
-        if (f.kind == Facet_kind::empty_sphere) least = std::min(least, bicell_theta(places<d>(x, f.point)));
-    });
+    for_each_certificate(
+        t, v, [](Corner_index) {},
+        [&](Corner_index h) {
+            const Facet_certificate<d> f = facet_certificate(t, h, false);
+            if (f.kind == Facet_kind::empty_sphere) least = std::min(least, bicell_theta(places<d>(x, f.point)));
+        });
     return least;
 }
 
@@ -76,11 +79,10 @@ Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
         for (const Index v : points)
             if (v != none) m.tolerance[at(v)] = std::min(m.tolerance[at(v)], tolerance);
     };
-    for (Index c = 0; c < t.cell_bound(); ++c)
-        if (t.is_cell(c) && !t.is_infinite(c)) lower(cell_points(t, c), cell_verdict(places<d>(x, cell_points(t, c))).tolerance);
-    for (Index i = 0; i < t.facet_bound(); ++i) {
-        if (!t.is_facet(i)) continue;
-        const Facet_certificate<d> f = facet_certificate(t, i, false);
+    for (const Cell_index c : t.finite_cells())
+        lower(cell_points(t, c), cell_verdict(places<d>(x, cell_points(t, c))).tolerance);
+    for (const Corner_index h : t.facets()) {
+        const Facet_certificate<d> f = facet_certificate(t, h, false);
         if (f.kind == Facet_kind::border) continue;
         const auto y = places<d>(x, f.point);
         lower(f.point, facet_verdict(f.kind, y).tolerance);
@@ -92,9 +94,10 @@ Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
 }
 
 template <int d>
-Index locate(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Coordinates<d>& p, Index start) {
+Cell_index locate(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Coordinates<d>& p,
+                  Cell_index start) {
     std::uint32_t random = 1;
-    Index c = start;
+    Cell_index c = start;
     if (t.is_infinite(c)) c = t.cell_of(t.twin(t.corner(c, t.slot(c, infinite))));
     for (bool inside = false; !inside && !t.is_infinite(c);) {
         inside = true;
@@ -112,12 +115,13 @@ Index locate(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Co
     return c;
 }
 
-#define ANNULUS_READINGS(d)                                                                                                     \
-    template double star_tolerance<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                            \
-    template double star_theta<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                                \
-    template bool star_holds<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                                  \
-    template Measures measure<d>(const Cell_table<d>&, std::span<const Coordinates<d>>);                                        \
-    template Index locate<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, const Coordinates<d>&, Index);
+#define ANNULUS_READINGS(d)                                                                                     \
+    template double star_tolerance<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);            \
+    template double star_theta<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                \
+    template bool star_holds<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                  \
+    template Measures measure<d>(const Cell_table<d>&, std::span<const Coordinates<d>>);                        \
+    template Cell_index locate<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, const Coordinates<d>&, \
+                                  Cell_index);
 ANNULUS_READINGS(2)
 ANNULUS_READINGS(3)
 #undef ANNULUS_READINGS

@@ -24,6 +24,7 @@ template <int d>
 /// A cell that holds p, itself or its border; one with infinity when p is outside the hull. By walking from `start`, which is a cell; steps
 /// are taken at random, and the same ones every time. Expected O(n^(1/d)).
 template <int d>
-[[nodiscard]] Index locate(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Coordinates<d>& p, Index start);
+[[nodiscard]] Cell_index locate(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Coordinates<d>& p,
+                                Cell_index start);
 
 }  // namespace annulus

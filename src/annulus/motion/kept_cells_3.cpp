@@ -12,8 +12,8 @@ namespace annulus {
 
 namespace {
 
-/// What stands for a number of the table that is no cell; no vertex is called that.
-constexpr Index absent = none - 1;
+/// The vertices of a number of the table that is no cell.
+constexpr Index absent = none;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 std::ptrdiff_t offset(std::size_t i) { return static_cast<std::ptrdiff_t>(i); }
@@ -66,19 +66,18 @@ void Kept_cells_3::read(std::vector<std::array<Index, 4>> cells, std::size_t n, 
 void Kept_cells_3::find_changes(const Cell_table<3>& table) {
     gone_.clear();
     fresh_number_.clear();
-    const auto bound = at(table.cell_bound());
-    for (std::size_t c = bound; c < seen_.size(); ++c)
+    const Cell_index bound = table.cell_bound();
+    for (Cell_index c = bound; seen_.has(c); ++c)
         if (is_finite_cell(seen_[c])) gone_.push_back(in_order(seen_[c]));
-    seen_.resize(bound, {absent, absent, absent, absent});
-    for (std::size_t c = 0; c < bound; ++c) {
-        const auto k = static_cast<Index>(c);
+    seen_.resize(bound.offset(), {absent, absent, absent, absent});
+    for (Cell_index c(0); c < bound; ++c) {
         Cell now{absent, absent, absent, absent};
-        if (table.is_cell(k))
-            now = {table.vertex(table.corner(k, 0)), table.vertex(table.corner(k, 1)), table.vertex(table.corner(k, 2)),
-                   table.vertex(table.corner(k, 3))};
+        if (table.is_cell(c))
+            now = {table.vertex(table.corner(c, 0)), table.vertex(table.corner(c, 1)), table.vertex(table.corner(c, 2)),
+                   table.vertex(table.corner(c, 3))};
         if (now == seen_[c]) continue;
         if (is_finite_cell(seen_[c])) gone_.push_back(in_order(seen_[c]));
-        if (is_finite_cell(now)) fresh_number_.push_back(k);
+        if (is_finite_cell(now)) fresh_number_.push_back(c);
         seen_[c] = now;
     }
 }
@@ -95,7 +94,7 @@ void Kept_cells_3::read(const Cell_table<3>& table, int threads) {
     std::vector<Cell> all;
     all.reserve(seen_.size());
     std::copy_if(seen_.begin(), seen_.end(), std::back_inserter(all), is_finite_cell);
-    std::vector<Cell> seen = std::move(seen_);
+    By_cell<Cell> seen = std::move(seen_);
     read(std::move(all), at(table.vertex_bound()), threads);
     seen_ = std::move(seen);
 }
@@ -104,7 +103,7 @@ void Kept_cells_3::read(const Cell_table<3>& table, int threads) {
 /// adjacent to a fresh one is asked of the table.
 void Kept_cells_3::merge(const Cell_table<3>& table) {
     std::vector<Cell> made;
-    for (const Index k : fresh_number_) made.push_back(in_order(seen_[at(k)]));
+    for (const Cell_index k : fresh_number_) made.push_back(in_order(seen_[k]));
     std::sort(gone_.begin(), gone_.end());
     std::sort(made.begin(), made.end());
     fresh_.clear();
@@ -154,17 +153,17 @@ void Kept_cells_3::merge(const Cell_table<3>& table) {
         for (Index& c : four)
             if (c != none) c = new_place_[at(c)];
     // Again where places of fresh cells were given: they had none to be mapped.
-    for (const Index k : fresh_number_) link(table, k);
+    for (const Cell_index k : fresh_number_) link(table, k);
 }
 
 /// Writes what is adjacent to a cell of the table, on both sides.
-void Kept_cells_3::link(const Cell_table<3>& table, Index number) {
-    const Cell cell = in_order(seen_[at(number)]);
+void Kept_cells_3::link(const Cell_table<3>& table, Cell_index number) {
+    const Cell cell = in_order(seen_[number]);
     const Index here = find(cell);
     for (int i = 0; i < 4; ++i) {
-        const Index h = table.corner(number, i), t = table.twin(h);
+        const Corner_index h = table.corner(number, i), t = table.twin(h);
         const auto slot = [](const Cell& c, Index v) { return static_cast<std::size_t>(std::find(c.begin(), c.end(), v) - c.begin()); };
-        const Cell& beyond = seen_[at(table.cell_of(t))];
+        const Cell& beyond = seen_[table.cell_of(t)];
         Index& mine = cells_.adjacent[at(here)][slot(cell, table.vertex(h))];
         mine = none;
         if (!is_finite_cell(beyond)) continue;

@@ -42,13 +42,13 @@ class Kept_cells_3 {
 
     void find_changes(const Cell_table<3>& table);
     void merge(const Cell_table<3>& table);
-    void link(const Cell_table<3>& table, Index number);
+    void link(const Cell_table<3>& table, Cell_index number);
     [[nodiscard]] Index find(const Cell& cell) const;
 
     Cells_3 cells_, before_;            // before_: room for the next ones
-    std::vector<Cell> seen_;            // by number in the table, at the last reading; corners as they stood there
+    By_cell<Cell> seen_;                // by number in the table, at the last reading; corners as they stood there
     std::vector<Cell> gone_, fresh_;    // cells that differ, sorted
-    std::vector<Index> fresh_number_;   // in the table
+    std::vector<Cell_index> fresh_number_;  // in the table
     std::vector<Index> new_place_;      // by old place
     std::vector<Cell_moment> moment_, moment_before_;
     std::vector<char> inside_, inside_before_;

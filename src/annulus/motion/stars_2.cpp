@@ -7,8 +7,8 @@ namespace annulus {
 
 namespace {
 
-/// What stands for a number of the table that is no cell; no vertex is called that.
-constexpr Index absent = none - 1;
+/// The vertices of a number of the table that is no cell.
+constexpr Index absent = none;
 
 }  // namespace
 
@@ -23,14 +23,13 @@ void Stars_2::mark(const Triangle& t) {
 /// A star changes only with its triangles, and a triangle that is new differs from what had its number before. That it has but changed
 /// its number or turned costs a look.
 void Stars_2::find_changed(const Cell_table<2>& table) {
-    const auto bound = static_cast<std::size_t>(table.cell_bound());
-    for (std::size_t c = bound; c < triangle_.size(); ++c) mark(triangle_[c]);
-    triangle_.resize(bound, {absent, absent, absent});
-    for (std::size_t c = 0; c < bound; ++c) {
-        const auto k = static_cast<Index>(c);
+    const Cell_index bound = table.cell_bound();
+    for (Cell_index c = bound; triangle_.has(c); ++c) mark(triangle_[c]);
+    triangle_.resize(bound.offset(), {absent, absent, absent});
+    for (Cell_index c(0); c < bound; ++c) {
         Triangle now{absent, absent, absent};
-        if (table.is_cell(k))
-            now = {table.vertex(table.corner(k, 0)), table.vertex(table.corner(k, 1)), table.vertex(table.corner(k, 2))};
+        if (table.is_cell(c))
+            now = {table.vertex(table.corner(c, 0)), table.vertex(table.corner(c, 1)), table.vertex(table.corner(c, 2))};
         if (now == triangle_[c]) continue;
         mark(triangle_[c]);
         mark(now);
@@ -71,9 +70,9 @@ void Stars_2::read(const Cell_table<2>& table) {
         ring_.clear();
         bool open = false;
         std::size_t start = 0;
-        if (table.corner_of(v) == none) open = true;
+        if (table.corner_of(v) == no_corner) open = true;
         else
-            table.for_each_corner(v, [&](Index h) {
+            table.for_each_corner(v, [&](Corner_index h) {
                 const Index u = table.vertex(table.ccw(h));
                 if (u == infinite) {
                     open = true;

@@ -51,7 +51,7 @@ class Stars_2 {
 
     std::vector<Place> place_;        // by vertex
     std::vector<Index> pool_;         // the lists, with gaps
-    std::vector<Triangle> triangle_;  // by cell of the table, at the last reading
+    By_cell<Triangle> triangle_;      // by cell of the table, at the last reading
     std::vector<char> marked_;        // by vertex
     std::vector<Index> changed_;      // vertices
     std::vector<Index> ring_;         // the list being read

@@ -43,8 +43,7 @@ double mean_spacing(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
         for (std::size_t c = 0; c < d; ++c) extent = std::max(extent, std::fabs(p[c] - x[0][c]));
     const int exponent = std::ilogb(extent);
     double content = 0;
-    for (Index c = 0; c < t.cell_bound(); ++c) {
-        if (!t.is_cell(c) || t.is_infinite(c)) continue;
+    for (const Cell_index c : t.finite_cells()) {
         const Cell_points<d> v = cell_points(t, c);
         const auto edge = [&](std::size_t i) {
             Coordinates<d> u{};
@@ -115,11 +114,11 @@ class Survey {
   private:
     using Bicell = Tuple<d, d + 2>;
     using Simplex = Tuple<d, d + 1>;
-    template <class T>
+    template <class I, class T>
     struct Batch {
         std::vector<T> tuple;
         std::vector<Facet_points<d>> point;  // the last one none where there are only d + 1
-        std::vector<Index> id;
+        std::vector<I> id;
         void clear() {
             tuple.clear();
             point.clear();
@@ -127,8 +126,8 @@ class Survey {
         }
     };
 
-    template <std::size_t k>
-    void append(Batch<Tuple<d, static_cast<int>(k)>>& b, const std::array<Index, k>& v, Index id) {
+    template <std::size_t k, class I>
+    void append(Batch<I, Tuple<d, static_cast<int>(k)>>& b, const std::array<Index, k>& v, I id) {
         Tuple<d, static_cast<int>(k)> tuple{};
         Facet_points<d> point;
         point.fill(none);
@@ -142,16 +141,14 @@ class Survey {
     }
 
     void look_at_facets() {
-        Batch<Bicell> bicells;
-        Batch<Simplex> ridges;
-        Batch<Simplex> border;
-        for (Index f = 0; f < t_.facet_bound(); ++f) {
-            if (!t_.is_facet(f)) continue;
-            const Index h = f;
+        Batch<Corner_index, Bicell> bicells;
+        Batch<Corner_index, Simplex> ridges;
+        Batch<Corner_index, Simplex> border;
+        for (const Corner_index h : t_.facets()) {
             switch (facet_kind(t_, h)) {
-                case Facet_kind::empty_sphere: append(bicells, bicell_points(t_, h), f); break;
-                case Facet_kind::ridge: append(ridges, ridge_vertex_last(t_, h, ridge_points(t_, h)), f); break;
-                default: append(border, slab_points(t_, h), f); break;
+                case Facet_kind::empty_sphere: append(bicells, bicell_points(t_, h), h); break;
+                case Facet_kind::ridge: append(ridges, ridge_vertex_last(t_, h, ridge_points(t_, h)), h); break;
+                default: append(border, slab_points(t_, h), h); break;
             }
             if (bicells.id.size() == batch) take_bicells(bicells);
             if (ridges.id.size() == batch) take_ridges(ridges);
@@ -163,16 +160,15 @@ class Survey {
     }
 
     void look_at_cells() {
-        Batch<Simplex> cells;
-        for (Index c = 0; c < t_.cell_bound(); ++c) {
-            if (!t_.is_cell(c) || t_.is_infinite(c)) continue;
+        Batch<Cell_index, Simplex> cells;
+        for (const Cell_index c : t_.finite_cells()) {
             append(cells, cell_points(t_, c), c);
             if (cells.id.size() == batch) take_cells(cells);
         }
         take_cells(cells);
     }
 
-    void take_bicells(Batch<Bicell>& b) {
+    void take_bicells(Batch<Corner_index, Bicell>& b) {
         const std::size_t n = b.id.size();
         judge(b, r_.bicells);
         bicell_.resize(n);
@@ -199,7 +195,7 @@ class Survey {
         b.clear();
     }
 
-    void take_ridges(Batch<Simplex>& b) {
+    void take_ridges(Batch<Corner_index, Simplex>& b) {
         take_simplices(b, r_.ridges, width_samples_[2],
                        [&](std::size_t i, const Half_width& h) { paper_.note_ridge(b.id[i], h); });
         half_.resize(b.id.size());
@@ -207,20 +203,20 @@ class Survey {
         for (std::size_t i = 0; i < b.id.size(); ++i) paper_.note_paper(b.id[i], half_[i]);
         b.clear();
     }
-    void take_border(Batch<Simplex>& b) {
+    void take_border(Batch<Corner_index, Simplex>& b) {
         half_.resize(b.id.size());
         enclose(std::span<const Simplex>(b.tuple), Width::slab, std::span(half_));
         for (std::size_t i = 0; i < b.id.size(); ++i) paper_.note_paper(b.id[i], half_[i]);
         b.clear();
     }
-    void take_cells(Batch<Simplex>& b) {
+    void take_cells(Batch<Cell_index, Simplex>& b) {
         take_simplices(b, r_.cells, width_samples_[1],
                        [&](std::size_t i, const Half_width& h) { paper_.note_cell(b.id[i], h); });
         b.clear();
     }
 
-    template <class Note>
-    void take_simplices(Batch<Simplex>& b, Certificate_counts& counts, std::vector<double>& samples, Note note) {
+    template <class I, class Note>
+    void take_simplices(Batch<I, Simplex>& b, Certificate_counts& counts, std::vector<double>& samples, Note note) {
         judge(b, counts);
         half_.resize(b.id.size());
         enclose(std::span<const Simplex>(b.tuple), Width::least, std::span(half_));
@@ -233,8 +229,8 @@ class Survey {
     }
 
     /// The ladder, as a run has it, for stages and tolerances.
-    template <class T>
-    void judge(const Batch<T>& b, Certificate_counts& counts) {
+    template <class I, class T>
+    void judge(const Batch<I, T>& b, Certificate_counts& counts) {
         verdict_.resize(b.id.size());
         counts.arithmetic += evaluate(std::span<const T>(b.tuple), Mode::fast, verdict_);
         for (std::size_t i = 0; i < b.id.size(); ++i)

@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 template <int d>
-Facet_certificate<d> certificate_of(const Cell_table<d>& t, Index f) {
+Facet_certificate<d> certificate_of(const Cell_table<d>& t, Corner_index f) {
     return facet_certificate(t, f, true);
 }
 
@@ -25,10 +25,9 @@ Facet_certificate<d> certificate_of(const Cell_table<d>& t, Index f) {
 template <int d>
 void Paper_tolerance<d>::take_least() {
     least_.assign(vertices_, {infinity, infinity, Stage::interval});
-    for (Index i = 0; i < t_.facet_bound(); ++i) {
-        if (!t_.is_facet(i)) continue;
-        const Half_width& h = paper_[at(i)];
-        for (const Index v : certificate_of(t_, i).point) {
+    for (const Corner_index f : t_.facets()) {
+        const Half_width& h = paper_[f];
+        for (const Index v : certificate_of(t_, f).point) {
             if (v == none) continue;
             Half_width& l = least_[at(v)];
             l.lower = std::min(l.lower, h.lower);
@@ -42,23 +41,22 @@ void Paper_tolerance<d>::take_least() {
 template <int d>
 template <class Visit>
 void Paper_tolerance<d>::for_each_certificate(Visit visit) {
-    for (Index i = 0; i < t_.facet_bound(); ++i) {
-        if (!t_.is_facet(i) || own_[at(i)] != 0) continue;
-        const Facet_certificate<d> p = certificate_of(t_, i);
+    for (const Corner_index f : t_.facets()) {
+        if (own_[f] != 0) continue;
+        const Facet_certificate<d> p = certificate_of(t_, f);
         if (p.kind == Facet_kind::empty_sphere) {
-            visit(facet_[at(i)], std::span<const Index>(p.point), [&](std::span<const Coordinates<d>> x) {
+            visit(facet_[f], std::span<const Index>(p.point), [&](std::span<const Coordinates<d>> x) {
                 return enclose_exactly(tuple<d, d + 2>(p.point, x)).least;
             });
         } else if (p.kind == Facet_kind::ridge) {
-            visit(facet_[at(i)], std::span<const Index>(p.point).first(d + 1), [&](std::span<const Coordinates<d>> x) {
+            visit(facet_[f], std::span<const Index>(p.point).first(d + 1), [&](std::span<const Coordinates<d>> x) {
                 return enclose_exactly(tuple<d, d + 1>(p.point, x), Width::least);
             });
         }
     }
-    for (Index c = 0; c < t_.cell_bound(); ++c) {
-        if (!t_.is_cell(c) || t_.is_infinite(c)) continue;
+    for (const Cell_index c : t_.finite_cells()) {
         const Cell_points<d> p = cell_points(t_, c);
-        visit(cell_[at(c)], std::span<const Index>(p),
+        visit(cell_[c], std::span<const Index>(p),
               [&](std::span<const Coordinates<d>> x) { return enclose_exactly(tuple<d, d + 1>(p, x), Width::least); });
     }
 }
@@ -80,17 +78,17 @@ void Paper_tolerance<d>::refine(std::span<const Coordinates<d>> x) {
         any = any || mine;
     });
     if (!any) return;
-    for (Index i = 0; i < t_.facet_bound(); ++i) {
-        if (!t_.is_facet(i) || paper_[at(i)].stage == Stage::exact) continue;
-        const Facet_certificate<d> p = certificate_of(t_, i);
+    for (const Corner_index f : t_.facets()) {
+        if (paper_[f].stage == Stage::exact) continue;
+        const Facet_certificate<d> p = certificate_of(t_, f);
         if (std::none_of(p.point.begin(), p.point.end(), [&](Index v) {
-                return v != none && open[at(v)] != 0 && paper_[at(i)].lower <= least_[at(v)].upper;
+                return v != none && open[at(v)] != 0 && paper_[f].lower <= least_[at(v)].upper;
             }))
             continue;
-        paper_[at(i)] = p.kind == Facet_kind::empty_sphere
-                            ? enclose_exactly(tuple<d, d + 2>(p.point, x)).standard
-                            : enclose_exactly(tuple<d, d + 1>(p.point, x),
-                                              p.kind == Facet_kind::ridge ? Width::ridge : Width::slab);
+        paper_[f] = p.kind == Facet_kind::empty_sphere
+                        ? enclose_exactly(tuple<d, d + 2>(p.point, x)).standard
+                        : enclose_exactly(tuple<d, d + 1>(p.point, x),
+                                          p.kind == Facet_kind::ridge ? Width::ridge : Width::slab);
     }
     take_least();
 }

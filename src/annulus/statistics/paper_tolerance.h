@@ -29,36 +29,35 @@ class Paper_tolerance {
   public:
     Paper_tolerance(const Cell_table<d>& t, std::size_t vertices)
         : t_(t),
-          paper_(f(t.facet_bound())),
-          facet_(f(t.facet_bound())),
-          own_(f(t.facet_bound()), 0),
-          cell_(f(t.cell_bound())),
+          paper_(t.facet_bound().offset()),
+          facet_(t.facet_bound().offset()),
+          own_(t.facet_bound().offset(), 0),
+          cell_(t.cell_bound().offset()),
           vertices_(vertices) {}
 
-    void note_bicell(Index i, const Bicell_half_widths& h) {
-        paper_[f(i)] = h.standard;
-        facet_[f(i)] = h.least;
-        own_[f(i)] = h.standard_is_least ? 1 : 0;
+    void note_bicell(Corner_index f, const Bicell_half_widths& h) {
+        paper_[f] = h.standard;
+        facet_[f] = h.least;
+        own_[f] = h.standard_is_least ? 1 : 0;
     }
-    void note_ridge(Index i, const Half_width& h) { facet_[f(i)] = h; }
-    void note_paper(Index i, const Half_width& h) { paper_[f(i)] = h; }
-    void note_cell(Index c, const Half_width& h) { cell_[f(c)] = h; }
+    void note_ridge(Corner_index f, const Half_width& h) { facet_[f] = h; }
+    void note_paper(Corner_index f, const Half_width& h) { paper_[f] = h; }
+    void note_cell(Cell_index c, const Half_width& h) { cell_[c] = h; }
 
     /// After everything was noted. Asks for integers where the enclosures do not tell, and keeps what they say.
     [[nodiscard]] Paper_verdict verdict(std::span<const Coordinates<d>> x);
 
   private:
-    static std::size_t f(Index i) { return static_cast<std::size_t>(i); }
     void take_least();
     template <class Visit>
     void for_each_certificate(Visit visit);
     void refine(std::span<const Coordinates<d>> x);
 
     const Cell_table<d>& t_;
-    std::vector<Half_width> paper_;  // by facet
-    std::vector<Half_width> facet_;  // by facet: the certificate; none of a border facet
-    std::vector<char> own_;          // by facet: its two numbers are one
-    std::vector<Half_width> cell_;   // by cell
+    By_corner<Half_width> paper_;  // of facets
+    By_corner<Half_width> facet_;  // the certificate; none of a border facet
+    By_corner<char> own_;          // of a facet: its two numbers are one
+    By_cell<Half_width> cell_;
     std::size_t vertices_;
     std::vector<Half_width> least_;  // by vertex: the paper's tolerance
 };

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is an index of what: mix-ups do not compile, and what is none is nothing else.
+#include <annulus/cgal/embedding_2.h>
+#include <annulus/cgal/embedding_3.h>
+
+#include <support/point_sets_3.h>
+
+#include <catch2/catch.hpp>
+
+#include <concepts>
+#include <set>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+template <class To, class... From>
+constexpr bool none_converts = (... && (!std::convertible_to<From, To> && !std::assignable_from<To&, From>));
+static_assert(none_converts<Index, Cell_index, Corner_index>);
+static_assert(none_converts<Cell_index, Index, Corner_index>);
+static_assert(none_converts<Corner_index, Index, Cell_index>);
+static_assert(!std::constructible_from<Cell_index, Corner_index> && !std::constructible_from<Corner_index, Cell_index>);
+static_assert(!std::equality_comparable_with<Cell_index, Corner_index> &&
+              !std::equality_comparable_with<Cell_index, Index>);
+
+template <class Array, class I>
+concept takes = requires(Array& a, I i) {
+    a[i];
+};
+static_assert(takes<By_cell<int>, Cell_index> && takes<By_corner<int>, Corner_index>);
+static_assert(!takes<By_cell<int>, Corner_index> && !takes<By_cell<int>, Index> && !takes<By_cell<int>, std::size_t>);
+
+// No vertex is not the vertex at infinity, which arrays of the caller's have as -1.
+static_assert(infinite == -1 && none != infinite && none < 0);
+static_assert(Cell_index() == no_cell && Corner_index() == no_corner && no_cell < Cell_index(0) &&
+              no_corner < Corner_index(0));
+static_assert(std::is_trivially_copyable_v<Cell_index> && sizeof(Cell_index) == 4);
+
+}  // namespace
+
+TEST_CASE("The cells and facets of a table are each visited once", "[mesh][index]") {
+    Random random(5);
+    Cgal_embedding_3<No_info> e;
+    e.build(point_set(Set_3::uniform, 40, random));
+    e.mirror();
+    std::vector<Cell_index> changed;
+    e.remove(7, changed);  // leaves holes
+    const Cell_table<3>& t = std::as_const(e).table();
+    std::set<Cell_index> cells;
+    std::set<Corner_index> facets;
+    for (const Cell_index c : t.cells()) {
+        CHECK(t.is_cell(c));
+        CHECK(cells.insert(c).second);
+        for (int i = 0; i <= 3; ++i) facets.insert(t.facet(t.corner(c, i)));
+    }
+    CHECK(cells.size() == e.triangulation().number_of_cells());
+    CHECK(cells.size() < t.cell_bound().offset());
+    std::vector<Corner_index> visited;
+    for (const Corner_index f : t.facets()) visited.push_back(f);
+    CHECK(visited == std::vector<Corner_index>(facets.begin(), facets.end()));
+    std::size_t finite = 0;
+    for (const Cell_index c : t.finite_cells()) {
+        CHECK(!t.is_infinite(c));
+        ++finite;
+    }
+    CHECK(finite == e.triangulation().number_of_finite_cells());
+    const Cell_table<3> empty;
+    for (const Cell_index c : empty.cells()) FAIL("cell " << c.value());
+    for (const Corner_index f : empty.facets()) FAIL("facet " << f.value());
+}
+
+TEST_CASE("CGAL's vertex at infinity has the index of infinity, and a vertex without a place in the table no corner",
+          "[mesh][index]") {
+    const auto check = [](auto& e, const auto& points) {
+        e.build(points);
+        CHECK(e.triangulation().infinite_vertex()->index() == infinite);
+        e.mirror();
+        CHECK(e.table().vertex(e.table().corner_of_infinity()) == infinite);
+        std::vector<Cell_index> changed;
+        e.remove(2, changed);
+        CHECK(e.table().corner_of(2) == no_corner);
+        CHECK(e.table().corner_of(1) != no_corner);
+        e.rebuild(points);
+        CHECK(e.triangulation().infinite_vertex()->index() == infinite);
+    };
+    Cgal_embedding_2<No_info> plane;
+    check(plane, std::vector<Coordinates<2>>{{0, 0}, {4, 0}, {1, 1}, {0, 4}, {5, 5}, {2, 3}});
+    Random random(6);
+    Cgal_embedding_3<No_info> space;
+    check(space, point_set(Set_3::uniform, 20, random));
+}
