@@ -112,10 +112,10 @@ Mesh_cells<d> Moving_mesh<d>::cells() const {
     out.vertices.resize(cells);
     for (std::size_t c = 0; c < cells; ++c) std::copy_n(&corners[c * (d + 1)], d + 1, out.vertices[c].begin());
     out.neighbours.resize(cells);
-    for (auto& n : out.neighbours) n.fill(none);
+    for (auto& n : out.neighbours) n.fill(out.outside);
     if (dimension() != d) return out;
     const Cell_table<d>& t = parts_->embedding.table();
-    By_cell<Index> number(t.cell_bound().offset(), none);  // as list_cells counts them
+    By_cell<Index> number(t.cell_bound().offset(), out.outside);  // as list_cells counts them
     Index next = 0;
     for (const Cell_index c : t.finite_cells()) number[c] = next++;
     for (const Cell_index c : t.finite_cells()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moving_mesh beyond what every program asks of it (fuzz/common/mesh_twin.h): moves of some vertices, spans into itself, objects that are
-// moved, points so few that a region is everything. Memory that runs out: mesh_allocation_test.cpp.
+// moved, points so few that a region is everything, neighbours. Memory that runs out: mesh_allocation_test.cpp.
 #include <annulus/arithmetic/error.h>
 #include <annulus/moving_mesh.h>
 
@@ -9,7 +9,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <map>
 #include <utility>
+#include <vector>
 
 using namespace annulus;
 using namespace annulus::testing;
@@ -111,3 +114,39 @@ TEST_CASE("Meshes are built from plain numbers, and moved", "[mesh]") {
     CHECK(mesh.audit().first_fault == "");
     CHECK(other.dimension() == -1);
 }
+
+TEMPLATE_TEST_CASE_SIG("The neighbours of a mesh share a facet, mutually, and what has none is on the hull, dimension", "[mesh]", ((int d), d), 2, 3) {
+    Random random(43);
+    Points_d<d> x(70);
+    for (auto& p : x)
+        for (double& c : p) c = between(random, -1.0, 1.0);
+    Moving_mesh<d> mesh{std::span<const Coordinates<d>>(x)};
+    std::map<std::vector<Index>, int> facets;
+    for (int step = 0; step < 3; ++step) {
+        const Mesh_cells<d> cells = mesh.cells();
+        facets.clear();
+        const auto opposite = [&](std::size_t c, std::size_t i) {
+            std::vector<Index> facet;
+            for (std::size_t k = 0; k <= d; ++k)
+                if (k != i) facet.push_back(cells.vertices[c][k]);
+            std::sort(facet.begin(), facet.end());
+            return facet;
+        };
+        for (std::size_t c = 0; c < cells.vertices.size(); ++c)
+            for (std::size_t i = 0; i <= d; ++i) ++facets[opposite(c, i)];
+        for (std::size_t c = 0; c < cells.vertices.size(); ++c)
+            for (std::size_t i = 0; i <= d; ++i) {
+                const Index n = cells.neighbours[c][i];
+                REQUIRE((n == cells.outside) == (facets[opposite(c, i)] == 1));
+                if (n == cells.outside) continue;
+                const auto& back = cells.neighbours[static_cast<std::size_t>(n)];
+                const auto k = static_cast<std::size_t>(std::find(back.begin(), back.end(), static_cast<Index>(c)) - back.begin());
+                REQUIRE(k <= d);
+                REQUIRE(opposite(static_cast<std::size_t>(n), k) == opposite(c, i));
+            }
+        for (auto& p : x)
+            for (double& c : p) c += between(random, -0.1, 0.1);
+        (void)mesh.move_all(std::span<const Coordinates<d>>(x));
+    }
+}
+

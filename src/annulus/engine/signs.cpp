@@ -120,11 +120,11 @@ template <int d>
     const auto& t = table_;
     const Cell_points<d> v = cell_points(t, c);
     ++found.cells;
-    if (std::any_of(v.begin(), v.end(), [](Index w) { return w == infinite; })) {
+    if (std::any_of(v.begin(), v.end(), [](Index w) { return w < 0; })) {
         if (border) found.inverted.push_back(c);
         for (int i = 0; i <= d; ++i) {
             const Corner_index h = t.corner(c, i);
-            if (v[static_cast<std::size_t>(i)] != infinite) found.violated.push_back(t.facet(h));  // a ridge
+            if (t.vertex(h) != infinite) found.violated.push_back(t.facet(h));  // a ridge
         }
         return;
     }
