@@ -29,8 +29,8 @@ void list_of(const std::vector<T>& numbers) {
 template <std::size_t capacity>
 void row() {
     Expiry_list<capacity> list;
-    std::vector<Index> visited;
-    const auto visit = [&](Index id) { visited.push_back(id); };
+    std::vector<std::uint32_t> visited;
+    const auto visit = [&](std::uint32_t id) { visited.push_back(id); };
     const std::uint32_t scale = below(2) == 0 ? 12 : 1000000;  // many ties, or none
     const auto bits = [&] { return 1 + below(scale) * (below(2) == 0 ? 1 : 7); };
     std::printf("%s(%zu%%nat, [", first ? "" : ";\n", capacity);
@@ -51,33 +51,33 @@ void row() {
                 break;
             case 3: {
                 std::vector<Expiry> expiry(below(30));
-                std::vector<Index> id;
+                std::vector<std::uint32_t> id;
                 std::printf("Put_many [");
                 for (Expiry& e : expiry) {
                     e = Expiry::of_bits(bits());
-                    id.push_back(100 + 100 * static_cast<Index>(k) + static_cast<Index>(id.size()));
-                    std::printf("%s(%u, %d)", id.size() > 1 ? "; " : "", e.bits(), id.back());
+                    id.push_back(100 + 100 * k + static_cast<std::uint32_t>(id.size()));
+                    std::printf("%s(%u, %u)", id.size() > 1 ? "; " : "", e.bits(), id.back());
                 }
                 std::printf("]");
                 list.put_new(expiry, id);
                 break;
             }
             case 4: {
-                const Index id = 50 + static_cast<Index>(k);
-                std::printf("Put_new %d %u", id, b);
+                const std::uint32_t id = 50 + k;
+                std::printf("Put_new %u %u", id, b);
                 list.put_new(id, Expiry::of_bits(b));
                 break;
             }
             default: {
-                const Index id = static_cast<Index>(below(9));
-                std::printf("Put %d %u", id, b);
+                const std::uint32_t id = below(9);
+                std::printf("Put %u %u", id, b);
                 list.put(id, Expiry::of_bits(b));
             }
         }
     }
     std::printf("], (%u, %u, ", list.rest().bits(), list.earliest().bits());
-    std::vector<Index> ids;
-    list.take_reached(1e308, [&](Index id) { ids.push_back(id); });
+    std::vector<std::uint32_t> ids;
+    list.take_reached(1e308, [&](std::uint32_t id) { ids.push_back(id); });
     list_of(ids);
     std::printf(", ");
     list_of(visited);
@@ -92,6 +92,6 @@ int main(int argc, char** argv) {
         row<1>();
         row<2>();
         row<6>();
-        row<14>();
+        row<10>();
     }
 }
