@@ -102,7 +102,7 @@ class Mesh_twin {
     /// What is said to be beyond the facet opposite to corner i has its vertices, and says the same.
     [[nodiscard]] static bool is_beyond(const Mesh_cells<d>& cells, std::size_t c, std::size_t i) {
         const Index n = cells.neighbours[c][i];
-        if (n == none) return true;
+        if (n == Mesh_cells<d>::outside) return true;
         const auto& there = cells.vertices[static_cast<std::size_t>(n)];
         for (std::size_t k = 0; k <= d; ++k)
             if (k != i && std::find(there.begin(), there.end(), cells.vertices[c][k]) == there.end()) return false;
