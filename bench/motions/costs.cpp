@@ -65,6 +65,7 @@ auto cgal(const bench::Points<d>& x) {
 template <class Moving, int d>
 void costs(const char* name, std::size_t n, double spacings, const std::string& file) {
     bench::Scene<d> scene("uniform", "walk", n, spacings, 1);
+    scene.step();  // so that the arrays of the scene are there before memory is counted
     bench::Points<d> x = scene.points();
     const auto per_vertex = [n](double sum) { return sum / static_cast<double>(n); };
     ordered_json out{{"what", name}, {"dimension", d}, {"points", n}, {"spacings", spacings}};
