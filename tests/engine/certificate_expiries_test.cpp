@@ -46,7 +46,7 @@ TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, 
     const auto next = [&number] { return Expiry::lower(number += 1.0); };
     for (const Corner_index f : t.facets()) {
         if (facet_kind(t, f) != Facet_kind::empty_sphere) continue;
-        const Facet_points<d> point = points_around(t, f);
+        const Facet_points<d> point = bicell_points(t, f);
         for (std::size_t k = 0; k < point.size(); ++k) {
             const Expiry number_of_point = next();
             expiries.of_facet(f, t.twin(f), k) = number_of_point;

@@ -140,7 +140,7 @@ TEST_CASE("Rebasing leaves no certificate more than it had", "[relocation][round
             const auto& t = s.embedding.table();
             for (const Corner_index f : t.facets())
                 for (std::size_t k = 0; k < 4; ++k)
-                    if (points_around(t, f)[k] == v) of_v.push_back(expiries(s, f)[k]);
+                    if (bicell_points(t, f)[k] == v) of_v.push_back(expiries(s, f)[k]);
             std::vector<Rational> before;
             for (Expiry* e : of_v) {
                 *e = Expiry::lower(1.0 + std::ldexp(integer(random, 0, 9), -20));
@@ -165,7 +165,7 @@ TEST_CASE("Rebasing leaves no second look to a certificate that is overdue", "[r
         const auto& t = s.embedding.table();
         By_corner<char> overdue(t.facet_bound().offset(), 0);
         const auto expiry_of_v = [&](Corner_index f) {
-            const Facet_points<2> point = points_around(t, f);
+            const Facet_points<2> point = bicell_points(t, f);
             const auto k = std::find(point.begin(), point.end(), v) - point.begin();
             return k == std::ssize(point) ? nullptr : expiries(s, f)[at(static_cast<Index>(k))];
         };
@@ -190,7 +190,7 @@ TEST_CASE("Second looks leave the two sides of a circle no more than its width",
         const auto& t = s.embedding.table();
         for (const Corner_index f : t.facets()) {
             if (!is_empty_sphere(s, f)) continue;
-            const Facet_points<2> point = points_around(t, f);
+            const Facet_points<2> point = bicell_points(t, f);
             const std::vector<Expiry*> expiry = expiries(s, f);
             const double tolerance = std::ldexp(1.0 + unit(random), -integer(random, 0, 20));
             s[Tolerances{}][f] = tolerance;
@@ -217,7 +217,7 @@ TEST_CASE("Second looks leave the two sides of a circle no more than its width",
         const auto& t = s.embedding.table();
         for (const Corner_index f : t.facets()) {
             if (!is_empty_sphere(s, f)) continue;
-            const Facet_points<2> point = points_around(t, f);
+            const Facet_points<2> point = bicell_points(t, f);
             const std::vector<Expiry*> expiry = expiries(s, f);
             auto& renewals = s[Renewals{}];
             renewals.resize(1);

@@ -19,11 +19,7 @@ namespace {
 
 using Points = std::vector<Coordinates<2>>;
 
-Moving_delaunay_2 kept(const Points& points) {
-    Options options;
-    options.strategy = Strategy::filter;
-    return Moving_delaunay_2(points, options);
-}
+Moving_delaunay_2 kept(const Points& points) { return Moving_delaunay_2(points, Options{.strategy = Strategy::filter}); }
 
 /// The lists that CGAL gives for these points alone, turned into the one order.
 Stars_2 stars_of(const Points& points) {
@@ -102,8 +98,8 @@ TEST_CASE("Lloyd with a memory does what Lloyd does without, in any number of th
             Points expected(points.size());
             Stars_2 fresh;
             fresh.read(dt.embedding().table());
-            Lloyd_memory none;
-            const Lloyd_step one = lloyd[0].step(fresh, dt.positions(), expected, none);
+            Lloyd_memory fresh_memory;
+            const Lloyd_step one = lloyd[0].step(fresh, dt.positions(), expected, fresh_memory);
             for (std::size_t k = 0; k < 3; ++k) {
                 Points target(points.size());
                 stars[k].read(dt.embedding().table());

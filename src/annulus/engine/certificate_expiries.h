@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/expiry.h>
+#include <annulus/arithmetic/horizons.h>
+#include <annulus/engine/expiry_list.h>
 #include <annulus/mesh/certificates.h>
 
 #include <array>
@@ -11,8 +12,8 @@
 
 namespace annulus {
 
-/// A certificate in an expiry list: of a facet or of a cell, in one numbering.
-using Certificate_id = std::uint32_t;
+// Facets and cells in one numbering.
+static_assert(Wide_horizons::cells <= Index{1} << 29, "the greatest corner, twice, is below the number that is nobody's");
 [[nodiscard]] constexpr Certificate_id id_of_facet(Corner_index f) {
     return 2 * static_cast<Certificate_id>(f.value());
 }
@@ -24,16 +25,10 @@ using Certificate_id = std::uint32_t;
 [[nodiscard]] constexpr Corner_index facet_of(Certificate_id id) { return Corner_index(static_cast<Index>(id >> 1)); }
 [[nodiscard]] constexpr Cell_index cell_of(Certificate_id id) { return Cell_index(static_cast<Index>(id >> 1)); }
 
-/// The vertices of facet f, then those opposite to it from its twin and from itself; `infinite` among them where the certificate is no empty sphere.
-template <int d>
-[[nodiscard]] Facet_points<d> points_around(const Cell_table<d>& t, Corner_index f) {
-    return bicell_points(t, f);
-}
-
 /// At which readings certificates expire, each of its points: the truth, of which expiry lists hold hints.
 ///
 /// Everything is kept at the corners of the cells, nothing by facet, so that what a vertex has to look at on a tour is in its own
-/// cells: one cache line each in space. The certificate of facet f has the d + 2 points that points_around() gives at most: the d
+/// cells: one cache line each in space. The certificate of facet f has the d + 2 points that bicell_points(f) gives at most, infinity being none of them: the d
 /// of the facet, of which the first d - 1 are kept at f and the last at its twin, then vertex(twin(f)), kept at the twin, and
 /// vertex(f), kept at f. 64 bytes a cell in space, 36 in the plane. What is kept of a cell or a facet that changes is to be written
 /// anew, as its certificate is to be evaluated anew.
@@ -51,7 +46,7 @@ class Certificate_expiries {
     /// Of the certificate of the facet opposite to corner h, for its vertex.
     [[nodiscard]] Expiry& of_opposite(Corner_index h) { return at(h).opposite; }
     [[nodiscard]] const Expiry& of_opposite(Corner_index h) const { return at(h).opposite; }
-    /// Of the certificate of facet f for the k-th of points_around(f).
+    /// Of the certificate of facet f for the k-th of bicell_points(f).
     [[nodiscard]] Expiry& of_facet(Corner_index f, Corner_index twin, std::size_t k) {
         if (k < d - 1) return at(f).own[k];
         return k == d - 1 ? at(twin).own[0] : of_opposite(k == d ? twin : f);
@@ -62,7 +57,7 @@ class Certificate_expiries {
     /// The same for point v, without branches: which it is cannot be predicted. Never when it is none of them.
     [[nodiscard]] Expiry of_facet(const Cell_table<d>& t, Corner_index f, Index v) const {
         const Corner_index twin = t.twin(f);
-        const Facet_points<d> point = points_around(t, f);
+        const Facet_points<d> point = bicell_points(t, f);
         Expiry e = Expiry::never();
         for (std::size_t k = 0; k < point.size(); ++k) e = point[k] == v ? of_facet(f, twin, k) : e;
         return e;

@@ -12,6 +12,9 @@
 
 namespace annulus {
 
+/// The number of a certificate in an expiry list.
+using Certificate_id = std::uint32_t;
+
 /// The certificates of one vertex that expire first, at its odometer readings, and a bound for all others.
 ///
 /// For every certificate of the vertex, either it is listed with an expiry not above its own, or its expiry is at least
@@ -51,7 +54,7 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
         for (std::size_t i = 0; i < count; ++i) visit(id_of(queue[i]));
     }
     /// States that certificate `id` now expires at `expiry`.
-    void put(std::uint32_t id, Expiry expiry) {
+    void put(Certificate_id id, Expiry expiry) {
         Entry found = 0;  // all ones from where the entry of `id` is
         for (std::size_t i = 0; i < capacity; ++i) {
             const Entry next = i + 1 < capacity ? entry_[i + 1] : vacant;
@@ -61,7 +64,7 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
         put_new(id, expiry);
     }
     /// The same for a certificate that is not listed.
-    void put_new(std::uint32_t id, Expiry expiry) {
+    void put_new(Certificate_id id, Expiry expiry) {
         Entry moving = (Entry{expiry.bits()} << 32) | id;
         for (Entry& e : entry_) {
             const Entry exchange = (e ^ moving) & mask(moving < e);
@@ -73,7 +76,7 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
 
     /// The same for many certificates none of which is listed: sooner than one by one where most are for `rest`. A bound that
     /// about `capacity` of them are below is found by counting, which no branch depends on.
-    void put_new(std::span<const Expiry> expiry, std::span<const std::uint32_t> id) {
+    void put_new(std::span<const Expiry> expiry, std::span<const Certificate_id> id) {
         const std::uint32_t never = Expiry::never().bits();
         std::uint32_t low = never;
         for (const Expiry e : expiry) low = std::min(low, e.bits());
@@ -106,7 +109,7 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
     /// All ones or all zeros; compilers make branches of the conditional operator and of std::min.
     [[nodiscard]] static Entry mask(bool b) { return Entry{0} - static_cast<Entry>(b); }
     [[nodiscard]] static Expiry expiry_of(Entry e) { return Expiry::of_bits(static_cast<std::uint32_t>(e >> 32)); }
-    [[nodiscard]] static std::uint32_t id_of(Entry e) { return static_cast<std::uint32_t>(e); }
+    [[nodiscard]] static Certificate_id id_of(Entry e) { return static_cast<Certificate_id>(e); }
 
     Expiry rest_ = Expiry::never();
     std::array<Entry, capacity> entry_ = [] {

@@ -159,7 +159,7 @@ void Filter<d>::commit_renewals(std::span<const Coordinates<d>> x) {
     for (const Renewal& renewal : renewals_) {
         if (!table_.is_facet(renewal.facet)) continue;
         const Corner_index twin = table_.twin(renewal.facet);
-        const Facet_points<d> point = points_around(table_, renewal.facet);
+        const Facet_points<d> point = bicell_points(table_, renewal.facet);
         if (std::find(point.begin(), point.end(), infinite) != point.end()) continue;  // it is another by now
         if (look_ == Second_look::unequal_moves) tolerance_[renewal.facet] = 0.0;
         for (std::size_t k = 0; k < point.size(); ++k) {
@@ -204,7 +204,7 @@ void Filter<d>::commit_evaluated(std::span<const Coordinates<d>> x) {
         }
         for (std::size_t k = 0; k < s.point.size(); ++k) expiry_of(k) = never;
         if (s.kind == Facet_kind::border) continue;
-        const Facet_points<d> around = points_around(table_, s.id);
+        const Facet_points<d> around = bicell_points(table_, s.id);
         const auto place_of = [&](std::size_t k) {
             return static_cast<std::size_t>(std::find(around.begin(), around.end(), s.point[k]) - around.begin());
         };
@@ -243,7 +243,7 @@ void Filter<d>::rebase(Index v) {
         },
         [&](Corner_index h) {
             const Corner_index f = table_.facet(h);
-            const Facet_points<d> point = points_around(table_, f);
+            const Facet_points<d> point = bicell_points(table_, f);
             for (std::size_t k = 0; k < point.size(); ++k) {
                 if (point[k] != v) continue;
                 Expiry& e = expiries_.of_facet(f, table_.twin(f), k);

@@ -30,7 +30,7 @@ void Filter<d>::look_at(Certificate_id id, Index v, double reading, List& list, 
     } else if (look_ != Second_look::off && second_look(f, x)) {
         const Renewal& renewal = renewals_.back();
         double until = 0.0;
-        const Facet_points<d> point = points_around(table_, f);
+        const Facet_points<d> point = bicell_points(table_, f);
         for (std::size_t k = 0; k < point.size(); ++k)
             if (point[k] == v) until = renewal.expiry[k];
         list.put(id, Expiry::lower(look_ == Second_look::safe_region ? sum_lower(reading, until) : until));

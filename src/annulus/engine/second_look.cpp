@@ -25,7 +25,7 @@ bool Filter<d>::second_look(Corner_index f, std::span<const Coordinates<d>> x) {
 template <int d>
 bool Filter<d>::safe_region(Corner_index f, std::span<const Coordinates<d>> x) {
     if constexpr (d == 2) {
-        const Facet_points<d> point = points_around(table_, f);
+        const Facet_points<d> point = bicell_points(table_, f);
         const auto points = tuple<d, d + 2>(point, x);
         Renewal renewal{f, {}};
         std::array<double, static_cast<std::size_t>(d + 2)> room{};
@@ -49,7 +49,7 @@ bool Filter<d>::safe_region(Corner_index f, std::span<const Coordinates<d>> x) {
 /// its next failure is an evaluation.
 template <int d>
 bool Filter<d>::unequal_moves(Corner_index f, std::span<const Coordinates<d>> x) {
-    const Facet_points<d> point = points_around(table_, f);
+    const Facet_points<d> point = bicell_points(table_, f);
     std::array<double, static_cast<std::size_t>(d + 2)> expiry{};
     for (std::size_t k = 0; k < point.size(); ++k) expiry[k] = expiries_.of_facet(f, table_.twin(f), k).reading();
     const double tolerance = tolerance_[f];
