@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What commit() writes: renewals, certificates that were evaluated, rebase, thresholds (algorithm_filter.v; src/annulus/engine/filter_commit.cpp).
+(* What commit() writes: renewals, certificates that were evaluated, rebase, thresholds (algorithm_filter.v; src/annulus/engine/odometers_commit.cpp).
 
    - set_room_protects       a threshold from the earliest expiry of a list protects all that the list knows
    - commit_renewal_good     what a second look found out, written down

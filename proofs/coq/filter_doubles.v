@@ -2,8 +2,8 @@
 (* The arithmetic of `filter` errs on the right side: what algorithm_filter.v asks of it in `laws`, for the operations of the code in
    binary64, all numbers of the format (src/annulus/engine/filter.h, displacement.h).
 
-   - reading_above_2, _3     Filter::reading is a number and at least base + distance
-   - threshold_below_2, _3   Filter::set_threshold and passes, the threshold rounded down to an upper half: base + distance < earliest
+   - reading_above_2, _3     Odometers::reading is a number and at least base + distance
+   - threshold_below_2, _3   Odometers::set_threshold and passes, the threshold rounded down to an upper half: base + distance < earliest
    - sum_lower_down, less_down   what commit_points and rebase write
    - distance_triangle_2, _3     distances are a metric
 

@@ -19,21 +19,31 @@ using namespace annulus::testing;
 
 namespace {
 
-REVEAL(List, &Filter<2>::list_);
-REVEAL(Expiries, &Filter<2>::expiries_);
+REVEAL(Odometer, &Filter<2>::odometers_);
 REVEAL(Examination, &Filter<2>::repair_);
-REVEAL(Reading, &Filter<2>::reading);
-REVEAL(Slack, &Filter<2>::slack);
-REVEAL(Passes, &Filter<2>::passes);
-REVEAL(Set_threshold, &Filter<2>::set_threshold);
-REVEAL(Rebase, &Filter<2>::rebase);
-REVEAL(Renewals, &Filter<2>::renewals_);
-REVEAL(Tolerances, &Filter<2>::tolerance_);
-REVEAL(Unequal_moves, &Filter<2>::unequal_moves);
-REVEAL(Commit_renewals, &Filter<2>::commit_renewals);
+REVEAL(List, &Odometers<2>::list_);
+REVEAL(Expiries, &Odometers<2>::expiries_);
+REVEAL(Looks, &Odometers<2>::looks_);
+REVEAL(Reading, &Odometers<2>::reading);
+REVEAL(Set_threshold, &Odometers<2>::set_threshold);
+REVEAL(Rebase, &Odometers<2>::rebase);
+REVEAL(Renew, &Odometers<2>::renew);
+REVEAL(Commit_renewals, &Odometers<2>::commit_renewals);
+REVEAL(Tolerances, &Second_looks<2>::tolerance_);
 
 struct Filter_session : Session<Filter<2>> {
     explicit Filter_session(Random& random, Second_look look = Second_look::off) : Session(random, look) {}
+    [[nodiscard]] Odometers<2>& odometers() { return Session::operator[](Odometer{}); }
+    template <class Name>
+    auto& operator[](Name) {
+        return odometers().*member(Name{});
+    }
+    template <class Name, class... Arguments>
+    auto call(Name, Arguments&&... arguments) {
+        return (odometers().*member(Name{}))(std::forward<Arguments>(arguments)...);
+    }
+    [[nodiscard]] Repair<2>& examination() { return Session::operator[](Examination{}); }
+    [[nodiscard]] By_corner<double>& look_tolerances() { return (*this)[Looks{}].*member(Tolerances{}); }
 };
 
 /// The expiries of facet f, point by point.
@@ -79,7 +89,7 @@ TEST_CASE("What a vertex may move, and what passes, is below earliest expiry les
             const double span = std::ldexp(1.0 + unit(random), -integer(random, 0, 40));
             list.put_new(0, Expiry::lower(random() % 8 == 0 ? list.base : list.base + span));
             const Rational room = Rational(list.earliest().reading()) - Rational(list.base);
-            const double tolerance = s.call(Slack{}, v);
+            const double tolerance = s.odometers().slack(v);
             RC_ASSERT(Rational(tolerance) <= room || tolerance <= 0.0);
             s.call(Set_threshold{}, v);
             // Just as far as there is room, and so little that its square is 0.
@@ -88,7 +98,7 @@ TEST_CASE("What a vertex may move, and what passes, is below earliest expiry les
             const double angle = between(random, 0.0, 6.3);
             for (const Point& p : {Point{f[0] + reach * std::cos(angle), f[1] + reach * std::sin(angle)},
                                    Point{f[0] + reach, f[1]}, Point{f[0] + 0x1p-600, f[1]}}) {
-                if (p == f || !s.call(Passes{}, v, p)) continue;
+                if (p == f || !s.odometers().passes(v, p)) continue;
                 RC_ASSERT(room > 0);
                 RC_ASSERT(exact_squared_distance(p, f) < room * room);
             }
@@ -103,7 +113,7 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
         const auto cells = s.finite_cells();
         s.filter.refresh(cells, s.report);
         std::vector<double> tolerances;
-        for (const auto& e : s[Examination{}].facets())
+        for (const auto& e : s.examination().facets())
             if (e.kind != Facet_kind::border) tolerances.push_back(e.verdict.tolerance);
         for (int i = 0; i < 20; ++i) {
             for (auto& list : s[List{}]) {
@@ -115,12 +125,12 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
             const auto check = [&](Index v, Expiry e, double tolerance) {
                 RC_ASSERT(Rational(e.reading()) <= Rational(s[List{}][at(v)].base) + Rational(tolerance));
             };
-            for (const auto& e : s[Examination{}].facets()) {
+            for (const auto& e : s.examination().facets()) {
                 if (e.kind == Facet_kind::border) continue;
                 for (const Index v : e.point)
                     if (v != none) check(v, std::as_const(s[Expiries{}]).of_facet(s.embedding.table(), e.id, v), e.verdict.tolerance);
             }
-            for (const auto& e : s[Examination{}].cells()) {
+            for (const auto& e : s.examination().cells()) {
                 if (e.kind == Facet_kind::border) continue;
                 for (std::size_t k = 0; k < e.point.size(); ++k)
                     check(e.point[k], s[Expiries{}].of_cell(Cell_table<2>::corner(e.id, static_cast<int>(k))), e.verdict.tolerance);
@@ -170,7 +180,7 @@ TEST_CASE("Rebasing leaves no second look to a certificate that is overdue", "[r
             return k == std::ssize(point) ? nullptr : expiries(s, f)[at(static_cast<Index>(k))];
         };
         for (Corner_index f(0); f < t.facet_bound(); ++f) {
-            s[Tolerances{}][f] = 0.25;
+            s.look_tolerances()[f] = 0.25;
             if (Expiry* const e = t.is_facet(f) ? expiry_of_v(f) : nullptr) {
                 *e = Expiry::lower(base + std::ldexp(integer(random, -4, 4), -20));
                 overdue[f] = e->reading() < base ? 1 : 0;
@@ -179,7 +189,7 @@ TEST_CASE("Rebasing leaves no second look to a certificate that is overdue", "[r
         s[List{}][at(v)].base = base;
         s.call(Rebase{}, v);
         for (Corner_index f(0); f < t.facet_bound(); ++f)
-            RC_ASSERT(s[Tolerances{}][f] == (overdue[f] != 0 ? 0.0 : 0.25));
+            RC_ASSERT(s.look_tolerances()[f] == (overdue[f] != 0 ? 0.0 : 0.25));
     }));
 }
 
@@ -193,19 +203,20 @@ TEST_CASE("Second looks leave the two sides of a circle no more than its width",
             const Facet_points<2> point = bicell_points(t, f);
             const std::vector<Expiry*> expiry = expiries(s, f);
             const double tolerance = std::ldexp(1.0 + unit(random), -integer(random, 0, 20));
-            s[Tolerances{}][f] = tolerance;
+            s.look_tolerances()[f] = tolerance;
             for (std::size_t k = 0; k < point.size(); ++k) {
                 const double base = unit(random);
                 *expiry[k] = Expiry::lower(base + tolerance);
                 s[List{}][at(point[k])].base = base + tolerance * between(random, 0.2, 0.9);
             }
-            s[Renewals{}].clear();
-            if (!s.call(Unequal_moves{}, f, std::span<const Point>(s.points))) continue;
+            Step<2> step;
+            step.x = s.points;
+            if (!s.call(Renew{}, f, step)) continue;
             // The expiry was at most the reference plus the tolerance.
             std::array<Rational, 2> side{0, 0};
             for (std::size_t k = 0; k < point.size(); ++k) {
                 const Rational reference = Rational(expiry[k]->reading()) - Rational(tolerance);
-                const Rational allowed = Rational(s[Renewals{}][0].expiry[k]) - reference;
+                const Rational allowed = Rational(step.renewals[0].expiry[k]) - reference;
                 side[k / 2] = std::max(side[k / 2], allowed);
             }
             RC_ASSERT(side[0] + side[1] <= 2 * Rational(tolerance));
@@ -219,18 +230,19 @@ TEST_CASE("Second looks leave the two sides of a circle no more than its width",
             if (!is_empty_sphere(s, f)) continue;
             const Facet_points<2> point = bicell_points(t, f);
             const std::vector<Expiry*> expiry = expiries(s, f);
-            auto& renewals = s[Renewals{}];
-            renewals.resize(1);
-            renewals[0].facet = f;
+            Step<2> step;
+            step.x = s.points;
+            Renewal<2>& renewal = step.renewals.emplace_back();
+            renewal.facet = f;
             for (std::size_t k = 0; k < point.size(); ++k) {
                 const double room = 0.4 * unit(random), sum = 1.0 + std::ldexp(integer(random, 1, 9), -20);
-                renewals[0].expiry[k] = room;
+                renewal.expiry[k] = room;
                 s[List{}][at(point[k])].base = rounded_down(Rational(sum) - Rational(room));
             }
-            s.call(Commit_renewals{}, std::span<const Point>(s.points));
+            s.call(Commit_renewals{}, step);
             for (std::size_t k = 0; k < point.size(); ++k)
                 RC_ASSERT(Rational(expiry[k]->reading()) <=
-                          Rational(s[List{}][at(point[k])].base) + Rational(renewals[0].expiry[k]));
+                          Rational(s[List{}][at(point[k])].base) + Rational(renewal.expiry[k]));
         }
     }));
 }

@@ -21,7 +21,7 @@ struct Wide_horizons {
     [[nodiscard]] static constexpr std::size_t listed(int d) { return d == 2 ? 6 : 10; }
     /// Which bits of the upper half of a double are kept: the sign, 11 of exponent, 20 of significand (Upper_half).
     static constexpr std::uint32_t half_mask = 0xFFFFFFFF;
-    /// A vertex whose odometer shows this many times what is left of its certificates starts at 0 again (Filter::rebase).
+    /// A vertex whose odometer shows this many times what is left of its certificates starts at 0 again (Odometers::rebase).
     static constexpr double odometer = 0x1p8;
     /// What comes back of a tolerance that was written down as an expiry, at least, of one.
     static constexpr double kept = 1.0 - 0x1p-10;

@@ -71,7 +71,6 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     [[nodiscard]] bool reinsert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) override;
     [[nodiscard]] Relocation relocate(Index v, const Coordinates<d>& p) override;
     [[nodiscard]] Relocation relocate_by_flips(Index v, const Coordinates<d>& p) override;
-    [[nodiscard]] bool update_in_place(Index v, const Coordinates<d>& p) override;
     void set_point(Index v, const Coordinates<d>& p) override { handle_[at(v)]->set_point(point(p)); }
     void set_points(std::span<const Coordinates<d>> x) override;
 
@@ -126,6 +125,8 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     [[nodiscard]] bool detach(Index v, std::vector<Cell_index>& changed);
     [[nodiscard]] bool attach(Index v, const Coordinates<d>& p, Vertex_handle near, std::vector<Cell_index>& changed);
     void exchange(Vertex_handle v, Vertex_handle inserted, const Coordinates<d>& p);
+    /// Writes v's point when no topological change is needed. False, with nothing changed, when one is.
+    [[nodiscard]] bool update_in_place(Index v, const Coordinates<d>& p);
     [[nodiscard]] Relocation relocate_flat(Index v, const Coordinates<d>& p);
 
     /// The certificate of facet (c, i), and where its points are.

@@ -47,7 +47,6 @@ class Mesh_embedding final : public Embedding<d> {
     [[nodiscard]] Relocation relocate(Index v, const Coordinates<d>& p) override;
     /// In place where no topological change is needed, else relocation, in the plane too.
     [[nodiscard]] Relocation relocate_by_flips(Index v, const Coordinates<d>& p) override;
-    [[nodiscard]] bool update_in_place(Index v, const Coordinates<d>& p) override;
     void set_point(Index v, const Coordinates<d>& p) override { point_[at(v)] = p; }
     void set_points(std::span<const Coordinates<d>> x) override;
 
@@ -66,6 +65,8 @@ class Mesh_embedding final : public Embedding<d> {
     void keep_present(std::vector<Cell_index>& cells, std::size_t first) const;
     [[nodiscard]] bool attach(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed);
     [[nodiscard]] bool detach(Index v, std::vector<Cell_index>& changed);
+    /// Writes v's point when no topological change is needed. False, with nothing changed, when one is.
+    [[nodiscard]] bool update_in_place(Index v, const Coordinates<d>& p);
     [[nodiscard]] bool is_taken(const Coordinates<d>& p, Index but) const;
 
     Cell_table<d> table_;

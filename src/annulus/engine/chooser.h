@@ -22,7 +22,9 @@ class Chooser {
     /// Of a rebuild of ours.
     [[nodiscard]] static double again_price(std::size_t vertices) { return Prices<d>::again * static_cast<double>(vertices); }
     /// What repair may cost before it gives up: with the rebuild that follows, no step costs more than one and a half of CGAL's.
-    [[nodiscard]] static double most_repair(std::size_t vertices) { return least + share * static_cast<double>(vertices); }
+    [[nodiscard]] static double most_repair(std::size_t vertices) { return share * static_cast<double>(vertices); }
+    /// The same where nobody promised that: a few vertices are not rebuilt because they are few.
+    [[nodiscard]] static double most_generous_repair(std::size_t vertices) { return 2000.0 + most_repair(vertices); }
 
     /// While every step is a rebuild: no need to ask a larger sample, nor to count how often it was asked.
     [[nodiscard]] bool is_hopeless(const Sample& few) const { return price_of(few) > 3.0 * share; }
@@ -54,7 +56,6 @@ class Chooser {
     static constexpr double share = 1.43 * Prices<d>::rebuild - Prices<d>::again - (Prices<d>::signs - Prices<d>::cells);
 
   private:
-    static constexpr double least = 2000.0;
     static constexpr std::uint32_t longest_wait = 64;
 
     /// A vertex, of mending.

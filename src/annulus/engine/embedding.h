@@ -85,8 +85,6 @@ class Embedding {
     /// needed, else relocation: paper 3.1 has no flips there, and CGAL's `move_if_no_collision`, whose insertion into a star it has
     /// just made crashes on degenerate input (5.5), is none either.
     [[nodiscard]] virtual Relocation relocate_by_flips(Index v, const Coordinates<d>& p) = 0;
-    /// Writes v's point when no topological change is needed. False, with nothing changed, when one is.
-    [[nodiscard]] virtual bool update_in_place(Index v, const Coordinates<d>& p) = 0;
 
     /// Writes the point of v, or of every vertex in the triangulation; no combinatorial change.
     virtual void set_point(Index v, const Coordinates<d>& p) = 0;

@@ -29,14 +29,17 @@ Engine<d>::~Engine() = default;
 template <int d>
 std::unique_ptr<Upkeep<d>> Engine<d>::upkeep_of(Strategy strategy) const {
     const bool changes = options_.report_changes;
-    const bool tolerances = strategy == Strategy::filter || strategy == Strategy::automatic;
-    if (tolerances || (strategy == Strategy::filter_each && certified())) {
-        auto filter = std::make_unique<Filter<d>>(embedding_, options_.tolerance, options_.second_look,
-                                                  strategy == Strategy::automatic);
+    using Means = typename Filter<d>::Means;
+    const auto filter_by = [&](Means means, Tolerance_kind kind) {
+        auto filter = std::make_unique<Filter<d>>(embedding_, kind, options_.second_look, means);
         filter->report_changes(changes);
         filter->set_threads(std::max(1, options_.threads));
         return filter;
-    }
+    };
+    if (strategy == Strategy::automatic) return filter_by(Means::any, options_.tolerance);
+    if (strategy == Strategy::filter || (strategy == Strategy::filter_each && certified()))
+        return filter_by(Means::tolerances, options_.tolerance);
+    if (strategy == Strategy::in_place) return filter_by(Means::signs, Tolerance_kind::certified);
     if (strategy == Strategy::filter_each) {
         auto filter = std::make_unique<Filter_each<d>>(embedding_, options_.tolerance);
         filter->report_changes(changes);

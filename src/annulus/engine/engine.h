@@ -53,7 +53,10 @@ class Engine {
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] std::unique_ptr<Upkeep<d>> upkeep_of(Strategy strategy) const;
-    [[nodiscard]] bool certified() const { return options_.tolerance == Tolerance_kind::certified; }
+    /// Nothing but certificates is trusted: always so where no tolerances are kept.
+    [[nodiscard]] bool certified() const {
+        return options_.tolerance == Tolerance_kind::certified || strategy_ == Strategy::in_place;
+    }
     template <class Call>
     void guarded(Call call, Index fresh = none);
     void recover(std::size_t bound, Index fresh) noexcept;

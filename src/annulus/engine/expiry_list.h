@@ -99,7 +99,7 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
 
     /// Upper bound of the length of the path of fixed positions since the odometer was at 0.
     double base = 0.0;
-    /// Of the step in which the vertex was anchored last (Filter::stamp_).
+    /// Of the step in which the vertex was anchored last (Odometers::stamp_).
     std::uint32_t stamp = 0;
 
   private:

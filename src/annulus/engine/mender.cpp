@@ -25,6 +25,7 @@ void Mender<d>::begin(std::span<const Coordinates<d>> x) {
     signs_.begin(x);
     price_ = 0.0;
     flips_ = 0;
+    built_anew_ = false;
     touched_.clear();
     reinserted_.clear();
     folded_.clear();
@@ -162,8 +163,7 @@ bool Mender<d>::go_on() {
 /// Everybody goes to the goal, and what does not hold there is built anew.
 template <int d>
 bool Mender<d>::finish_locally() {
-    std::vector<Cell_index> seeds = std::move(folded_);
-    folded_.clear();
+    std::vector<Cell_index> seeds;
     for (const Held& held : held_) {
         if (course_.x[at(held.vertex)] != held.goal) place(held.vertex, held.goal);
         reinserted_.push_back(held.vertex);
@@ -177,6 +177,9 @@ bool Mender<d>::finish_locally() {
     auto& violated = signs_.violated();
     violated.insert(violated.end(), stuck_.begin(), stuck_.end());
     stuck_.clear();
+    for (const Cell_index c : folded_)
+        if (table_.is_cell(c)) seed(c);
+    folded_.clear();
     for (const Cell_index c : signs_.inverted())
         if (table_.is_cell(c) && signs_.is_inverted(c)) seed(c);
     for (const Corner_index f : violated) {
@@ -188,7 +191,7 @@ bool Mender<d>::finish_locally() {
     violated.clear();
     make_unique(reinserted_);
     make_unique(seeds);
-    std::erase_if(seeds, [this](Cell_index c) { return !table_.is_cell(c); });
+    built_anew_ = true;
     const std::size_t first = touched_.size();
     const bool built = local_.rebuild(course_.x, seeds, most_ - price(), touched_);
     price_ += local_.price();

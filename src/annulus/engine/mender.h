@@ -51,6 +51,8 @@ class Mender {
 
     /// Cells made or changed, some perhaps gone again, each once. Of mend().
     [[nodiscard]] const std::vector<Cell_index>& touched() const { return touched_; }
+    /// Whether cells were built anew, after which T may be pinched at infinity (docs/theory.md 6.5).
+    [[nodiscard]] bool built_anew() const { return built_anew_; }
     /// Vertices at which flips were stuck, so that the cells around them were built anew.
     [[nodiscard]] const std::vector<Index>& reinserted() const { return reinserted_; }
     [[nodiscard]] std::uint64_t flips() const { return flips_; }
@@ -88,6 +90,7 @@ class Mender {
     Course<d> course_;
     double most_ = 0.0;
     bool first_round_ = true;  // nobody has gone on yet
+    bool built_anew_ = false;
     double price_ = 0.0;
     std::uint64_t flips_ = 0;
     std::vector<Held> held_;

@@ -20,7 +20,7 @@ enum class Strategy : std::uint8_t {
     rebuild,         ///< from scratch at every call, CGAL with spatial sort
     relocate,        ///< one vertex at a time: locate, insert, remove (the paper's baseline)
     relocate_flips,  ///< one vertex at a time: flips when no incident cell inverts, else relocate (paper 3.1)
-    in_place,        ///< one vertex at a time: written in place when no topological change is needed, else relocate
+    in_place,        ///< one vertex at a time: its certificates are evaluated, and flips where one is violated; no tolerances
     filter,          ///< whole timestamps: only certificates whose tolerance expired are evaluated
     filter_each,     ///< one vertex at a time, Delaunay after each; uncertified: the paper's algorithm (3.2)
     automatic,       ///< whole timestamps, `auto`: the cheapest of tolerances, signs with flips, and rebuilding, as counts tell

@@ -47,8 +47,6 @@ void Plain<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
         x[at(v)] = p;
         rebuild(x, report);
         ++report.moves.rebuilt;
-    } else if (strategy_ == Strategy::in_place && embedding_.update_in_place(v, p)) {
-        ++report.moves.kept_in_place;
     } else {
         switch (strategy_ == Strategy::relocate_flips ? embedding_.relocate_by_flips(v, p) : embedding_.relocate(v, p)) {
             case Relocation::refused: throw Error(Error_code::collision, "another vertex is at that position");

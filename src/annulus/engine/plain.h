@@ -9,8 +9,8 @@
 
 namespace annulus {
 
-/// The strategies that keep no tolerances and no mirror: `rebuild` (and `hybrid` until it switches), `relocate`, `relocate-flips`,
-/// `in-place`.
+/// The strategies that keep no mirror and leave everything to the embedding: `rebuild` (and `hybrid` until it switches), `relocate`,
+/// `relocate-flips`.
 template <int d>
 class Plain final : public Upkeep<d> {
   public:

@@ -245,7 +245,7 @@ bool Repair<d>::holds_after_mending() {
     // Even one mover may have passed over a part of the hull that its cells do not touch.
     const bool at_border = std::any_of(alive.begin(), alive.end(), [&t](Cell_index c) { return t.is_infinite(c); });
     many_ |= at_border;
-    if (at_border && !mender_.reinserted().empty() && !border_is_whole(t)) return false;
+    if (at_border && mender_.built_anew() && !border_is_whole(t)) return false;
     if (signs_) return !border_in_doubt() || border_winds_once(t, x_);
     suspect_cells(alive);
     return evaluate();

@@ -12,13 +12,13 @@
 
 namespace annulus {
 
-/// Makes every suspected certificate hold at given positions: evaluates, mends what is violated (Mender), rebuilds as the last
-/// resort.
+/// Makes every suspected certificate hold at given positions: evaluates, mends what is violated (Mender), takes a vertex that moved alone
+/// out and puts it back in; or says that it cannot, and the caller rebuilds.
 ///
 /// A caller names the certificates that are not known to hold at the positions x (`suspect_*`), with all others proved
-/// there. After `mend` every certificate of the triangulation holds at x, hence it is Delaunay there (theory 1), and
+/// there. After `mend_all` or `mend_one` every certificate of the triangulation holds at x, hence it is Delaunay there (theory 1), and
 /// `facets()` and `cells()` list every certificate that was evaluated or created, with its verdict at x. Nothing but
-/// signs is trusted on the way: flips are a heuristic that either ends with every certificate positive, or a rebuild follows.
+/// signs is trusted on the way: flips are a heuristic that either ends with every certificate positive, or not.
 template <int d>
 class Repair {
   public:
@@ -45,7 +45,7 @@ class Repair {
         mender_.set_threads(threads);
     }
 
-    /// Starts an examination at positions x (one for every vertex index). x must outlive it and not change. `many`: x
+    /// Starts an examination at positions x (one for every vertex index). x must outlive it and change in mend_one() only. `many`: x
     /// differs from where the triangulation was Delaunay last in more than one vertex.
     void begin(std::span<const Coordinates<d>> x, bool many = true);
     void suspect_facet(Corner_index f);
@@ -63,7 +63,7 @@ class Repair {
     /// everywhere). With all cells positive and the border locally convex, everything is embedded if and only if the
     /// border turns once (docs/theory.md 1.2). Cells and ridges proved by tolerances keep it turning once, and so does
     /// a single vertex that leaves its cells positive; so the border is walked, O(hull), only when many moved and a
-    /// cell or ridge had to be evaluated, or when inverted cells were unfolded. In space a ridge, whatever the cells, and
+    /// cell or ridge had to be evaluated, or when cells with infinity changed. In space a ridge, whatever the cells, and
     /// after flips only when they changed the border.
     [[nodiscard]] bool evaluate();
 

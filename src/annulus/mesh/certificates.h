@@ -9,8 +9,7 @@
 
 namespace annulus {
 
-/// The three kinds of certificate a facet of T can own (theory 1); the fourth, the orientation of a finite cell,
-/// belongs to the cell.
+/// What certificate a facet of T owns (theory 1); the orientation of a finite cell belongs to the cell.
 enum class Facet_kind : std::uint8_t {
     empty_sphere,  ///< both cells finite
     border,        ///< one infinite cell: nothing beyond the orientation of the finite one
@@ -30,7 +29,7 @@ template <int d>
     return t.is_infinite(t.cell_of(h)) ? Facet_kind::ridge : Facet_kind::empty_sphere;  // as the other cell
 }
 
-/// The points of a finite cell in positive order.
+/// The points of a cell, in positive order when it is finite; infinity is `infinite`.
 template <int d>
 [[nodiscard]] Cell_points<d> cell_points(const Cell_table<d>& t, Cell_index c) {
     Cell_points<d> x{};

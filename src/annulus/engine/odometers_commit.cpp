@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Odometers: what is written down of certificates that were evaluated.
+#include <annulus/engine/odometers.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+namespace {
+constexpr Expiry never = Expiry::never();
+constexpr std::size_t prefetched = 8;  // certificates ahead
+}  // namespace
+
+/// Gives a certificate evaluated at the step's positions its expiries and tells its points.
+template <int d>
+template <bool fresh, class S, class Expiry_of>
+void Odometers<d>::commit_points(const S& s, Certificate_id id, Expiry_of expiry_of, Step<d>* step) {
+    for (std::size_t k = 0; k < s.point.size(); ++k) {
+        if (s.point[k] == none) continue;
+        if constexpr (!fresh) anchor(s.point[k], *step);
+        List& list = list_[at(s.point[k])];
+        const Expiry expiry = Expiry::lower(sum_lower(list.base, s.verdict.tolerance));
+        expiry_of(k) = expiry;
+        if constexpr (fresh) {
+            list.put_new(id, expiry);
+        } else {
+            list.put(id, expiry);
+        }
+    }
+}
+
+template <int d>
+void Odometers<d>::commit_renewals(Step<d>& step) {
+    for (const Renewal<d>& renewal : step.renewals) {
+        if (!table_.is_facet(renewal.facet)) continue;
+        const Corner_index twin = table_.twin(renewal.facet);
+        const Facet_points<d> point = bicell_points(table_, renewal.facet);
+        if (std::find(point.begin(), point.end(), infinite) != point.end()) continue;  // it is another by now
+        looks_.note_renewed(renewal.facet);
+        for (std::size_t k = 0; k < point.size(); ++k) {
+            const Index v = point[k];
+            double expiry = renewal.expiry[k];
+            if (looks_.gives_room()) {  // around the present position
+                anchor(v, step);
+                expiry = sum_lower(list_[at(v)].base, expiry);
+            }
+            expiries_.of_facet(renewal.facet, twin, k) = Expiry::lower(expiry);
+            list_[at(v)].put(id_of_facet(renewal.facet), Expiry::lower(expiry));
+            if (list_[at(v)].stamp != stamp_) set_threshold(v);
+        }
+    }
+}
+
+/// What commit_points() needs of these points first: whether they are anchored. A guess would have to wait for it.
+template <int d>
+template <class Points>
+void Odometers<d>::prefetch(const Points& points) const {
+    for (const Index v : points)
+        if (v != none) __builtin_prefetch(&list_[at(v)], 1);
+}
+
+template <int d>
+template <bool fresh>
+void Odometers<d>::commit_evaluated(const Repair<d>& repair, std::span<const Coordinates<d>> x, Step<d>* step) {
+    const auto facets = repair.facets();
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+        if (!fresh && i + prefetched < facets.size()) prefetch(facets[i + prefetched].point);
+        const auto& s = facets[i];
+        if (!repair.exists(s)) continue;
+        const Corner_index twin = table_.twin(s.id);
+        if (looks_.on()) looks_.keep(s.id, s.kind, s.point, s.verdict.tolerance, x);
+        const auto expiry_of = [&](std::size_t k) -> Expiry& { return expiries_.of_facet(s.id, twin, k); };
+        if (s.kind == Facet_kind::empty_sphere) {
+            commit_points<fresh>(s, id_of_facet(s.id), expiry_of, step);
+            continue;
+        }
+        for (std::size_t k = 0; k < s.point.size(); ++k) expiry_of(k) = never;
+        if (s.kind == Facet_kind::border) continue;
+        const Facet_points<d> around = bicell_points(table_, s.id);
+        const auto place_of = [&](std::size_t k) {
+            return static_cast<std::size_t>(std::find(around.begin(), around.end(), s.point[k]) - around.begin());
+        };
+        commit_points<fresh>(s, id_of_facet(s.id), [&](std::size_t k) -> Expiry& { return expiry_of(place_of(k)); }, step);
+    }
+    for (const auto& s : repair.cells()) {
+        if (!repair.exists(s)) continue;
+        const auto expiry_of = [&](std::size_t k) -> Expiry& {
+            return expiries_.of_cell(Cell_table<d>::corner(s.id, static_cast<int>(k)));
+        };
+        if (s.kind != Facet_kind::border && repair.kind() != Tolerance_kind::paper)
+            commit_points<fresh>(s, id_of_cell(s.id), expiry_of, step);
+        else
+            for (std::size_t k = 0; k < s.point.size(); ++k) expiry_of(k) = never;
+    }
+}
+
+/// Starts v's odometer at 0 again: what is left of each of its certificates stays what it is. Odometers that have come
+/// a long way would round tolerances away.
+template <int d>
+void Odometers<d>::rebase(Index v) {
+    List& list = list_[at(v)];
+    const double base = list.base;
+    list.clear();
+    list.base = 0.0;
+    const auto shift = [&](Expiry& e, Certificate_id id) {
+        if (e == never) return;
+        const double left = e.reading() - base;
+        e = Expiry::lower(left - left * 0x1p-52);
+        list.put(id, e);
+    };
+    for_each_certificate(
+        table_, v,
+        [&](Corner_index h) {
+            shift(expiries_.of_cell(h), id_of_cell(table_.cell_of(h)));
+        },
+        [&](Corner_index h) {
+            const Corner_index f = table_.facet(h);
+            const Facet_points<d> point = bicell_points(table_, f);
+            for (std::size_t k = 0; k < point.size(); ++k) {
+                if (point[k] != v) continue;
+                Expiry& e = expiries_.of_facet(f, table_.twin(f), k);
+                // Unequal moves infer the reference from the expiry, which they cannot once it has been cut off at 0.
+                if (e.reading() < base) looks_.forget(f);
+                shift(e, id_of_facet(f));
+            }
+        });
+}
+
+template <int d>
+void Odometers<d>::commit(Step<d>& step, const Repair<d>& repair) {
+    resize();
+    commit_renewals(step);
+    commit_evaluated<false>(repair, step.x, &step);
+    for (const Index v : step.anchored) {
+        const List& list = list_[at(v)];
+        if (list.base > Horizons::odometer * (list.latest().reading() - list.base)) rebase(v);
+        set_threshold(v);
+    }
+}
+
+template <int d>
+void Odometers<d>::commit_fresh(const Repair<d>& repair, std::span<const Coordinates<d>> x) {
+    commit_evaluated<true>(repair, x, nullptr);
+}
+
+template class Odometers<2>;
+template class Odometers<3>;
+
+}  // namespace annulus

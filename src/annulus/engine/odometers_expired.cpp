@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Odometers: which certificates of the vertices that failed have expired.
+#include <annulus/engine/odometers.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+/// A second look at facet f, whose certificate expired. The step keeps what is to be written down.
+template <int d>
+bool Odometers<d>::renew(Corner_index f, Step<d>& step) const {
+    if (!looks_.on() || facet_kind(table_, f) != Facet_kind::empty_sphere) return false;
+    const Facet_points<d> point = bicell_points(table_, f);
+    const Corner_index twin = table_.twin(f);
+    typename Second_looks<d>::Facet_numbers expiry{};
+    typename Second_looks<d>::Facet_numbers readings{};
+    for (std::size_t k = 0; k < point.size(); ++k) {
+        expiry[k] = expiries_.of_facet(f, twin, k).reading();
+        readings[k] = reading(point[k], step.x[at(point[k])]);
+    }
+    Renewal<d> renewal;
+    if (!looks_.proves(f, point, expiry, readings, step.x, renewal)) return false;
+    step.renewals.push_back(renewal);
+    return true;
+}
+
+/// Looks at one certificate of v, which is anchored: expired, or else back on the list.
+template <int d>
+void Odometers<d>::look_at(Certificate_id id, Index v, Step<d>& step, Repair<d>& repair) {
+    List& list = list_[at(v)];
+    if (is_of_cell(id)) {
+        const Cell_index c = cell_of(id);
+        if (!expiries_.has(c) || !table_.is_cell(c)) return;
+        const int slot = table_.slot(c, v);
+        if (slot < 0) return;
+        const Expiry expiry = expiries_.of_cell(table_.corner(c, slot));
+        if (expiry.reached(list.base)) {
+            repair.suspect_cell(c);
+        } else {
+            list.put(id, expiry);
+        }
+        return;
+    }
+    const Corner_index f = facet_of(id);
+    if (!expiries_.has(table_.cell_of(f)) || !table_.is_facet(f)) return;
+    const Expiry expiry = expiries_.of_facet(table_, f, v);
+    if (expiry == Expiry::never()) return;
+    if (!expiry.reached(list.base)) {
+        list.put(id, expiry);
+    } else if (renew(f, step)) {
+        double until = 0.0;
+        const Facet_points<d> point = bicell_points(table_, f);
+        for (std::size_t k = 0; k < point.size(); ++k)
+            if (point[k] == v) until = step.renewals.back().expiry[k];
+        list.put(id, Expiry::lower(looks_.gives_room() ? sum_lower(list.base, until) : until));
+    } else {
+        repair.suspect_facet(f);
+    }
+}
+
+/// Looks at every certificate of v and fills the list anew. First all records are fetched, so that the loads overlap;
+/// then they are sorted out.
+template <int d>
+void Odometers<d>::tour(Index v, Step<d>& step, Repair<d>& repair) {
+    List& list = list_[at(v)];
+    ++step.tours;
+    list.clear();
+    certificates_.clear();
+    listed_.clear();
+    listed_id_.clear();
+    for_each_certificate(
+        table_, v,
+        [&](Corner_index h) {
+            expiries_.prefetch(table_.cell_of(h));
+            certificates_.push_back(2 * static_cast<std::uint32_t>(h.value()) + 1);
+        },
+        [&](Corner_index h) { certificates_.push_back(2 * static_cast<std::uint32_t>(h.value())); });
+    for (const std::uint32_t k : certificates_) {
+        const Corner_index h(static_cast<Index>(k >> 1));
+        Certificate_id id = id_of_cell(table_.cell_of(h));
+        Expiry expiry;
+        if (k & 1) {
+            expiry = expiries_.of_cell(h);
+        } else {
+            const Corner_index f = table_.facet(h);
+            id = id_of_facet(f);
+            expiry = table_.vertex(h) == v ? expiries_.of_opposite(h) : expiries_.of_facet(table_, f, v);
+        }
+        if (expiry.reached(list.base)) {
+            look_at(id, v, step, repair);
+        } else {
+            listed_.push_back(expiry);
+            listed_id_.push_back(id);
+        }
+    }
+    list.put_new(listed_, listed_id_);
+}
+
+template <int d>
+void Odometers<d>::begin_anchoring(Step<d>& step) {
+    if (stamp_ == Horizons::stamps) {
+        for (auto& list : list_) list.stamp = 0;
+        stamp_ = 0;
+    }
+    ++stamp_;
+    step.anchored.clear();
+    step.before.clear();
+}
+
+template <int d>
+void Odometers<d>::anchor(Index v, Step<d>& step) {
+    List& list = list_[at(v)];
+    if (list.stamp == stamp_) return;
+    list.stamp = stamp_;
+    step.anchored.push_back(v);
+    Vertex_record<d>& r = vertex_[at(v)];
+    if (step.x[at(v)] == r.fixed) return;
+    list.base = reading(v, step.x[at(v)]);
+    r.fixed = step.x[at(v)];
+}
+
+template <int d>
+void Odometers<d>::find_expired(Step<d>& step, Repair<d>& repair) {
+    begin_anchoring(step);
+    for (const Index v : step.failed) step.before.push_back({vertex_[at(v)], list_[at(v)]});
+    for (const Index v : step.failed) anchor(v, step);
+    for (const Index v : step.failed) {
+        List& list = list_[at(v)];
+        list.take_reached(list.base, [&](Certificate_id id) { look_at(id, v, step, repair); });
+        if (list.rest().reached(list.base)) tour(v, step, repair);
+    }
+}
+
+template <int d>
+void Odometers<d>::undo(const Step<d>& step) {
+    for (std::size_t i = 0; i < step.before.size(); ++i) {
+        vertex_[at(step.failed[i])] = step.before[i].record;
+        list_[at(step.failed[i])] = step.before[i].list;
+    }
+}
+
+template class Odometers<2>;
+template class Odometers<3>;
+
+}  // namespace annulus

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/engine/tracking.h>
+
+#include <annulus/engine/displacement.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+namespace annulus {
+
+namespace {
+constexpr std::uint64_t check_interval = 8;  // timestamps without tolerances, between looks whether they would pay
+}  // namespace
+
+/// So many failed, in this step and before, that with the signs of all certificates instead a settling would have been paid for.
+template <int d>
+bool Tracking<d>::is_too_dear(std::size_t failures, std::size_t vertices) const {
+    return overdraft_ + Prices<d>::failure * static_cast<double>(failures) >
+           (Prices<d>::settling + Prices<d>::signs) * static_cast<double>(vertices);
+}
+
+/// Savings are not put aside.
+template <int d>
+bool Tracking<d>::end_tracked(bool each, std::size_t vertices) {
+    const double price =
+        Prices<d>::failure * static_cast<double>(failures_) + Prices<d>::evaluation * static_cast<double>(evaluated_);
+    const double signs = (each ? Prices<d>::star : Prices<d>::signs) * static_cast<double>(vertices);
+    overdraft_ = std::max(0.0, overdraft_ + price - signs);
+    failures_ = evaluated_ = 0;
+    return each && overdraft_ > Prices<d>::settling * static_cast<double>(vertices);
+}
+
+template <int d>
+void Tracking<d>::note_displacements(const Cell_table<d>& table, std::span<const Coordinates<d>> from,
+                                     std::span<const Coordinates<d>> to) {
+    displacement_.clear();
+    if (untracked_ % check_interval != 0) return;
+    displacement_.resize(to.size());
+    for (std::size_t v = 0; v < to.size(); ++v)
+        if (table.corner_of(static_cast<Index>(v)) != no_corner)
+            for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) displacement_[v][k] = to[v][k] - from[v][k];
+}
+
+/// The share of the certificates that would expire at a step like this one, by a sample of facets: one of tolerance s expires after
+/// s / max |u| steps.
+template <int d>
+double Tracking<d>::outlook(const Cell_table<d>& table, Repair<d>& repair, std::span<const Coordinates<d>> x,
+                            Move_report& report) const {
+    const Index bound = table.facet_bound().value();
+    const Index stride = 1 + bound / 1024;
+    repair.begin(x, false);
+    for (Index f = 0; f < bound; f += stride)
+        if (table.is_facet(Corner_index(f))) repair.suspect_facet(Corner_index(f));
+    (void)repair.evaluate();
+    report.evaluated += repair.report().evaluated;
+    report.arithmetic += repair.report().arithmetic;
+    double sum = 0.0;
+    std::size_t sampled = 0;
+    for (const auto& s : repair.facets()) {
+        if (s.kind != Facet_kind::empty_sphere) continue;
+        double fastest = 0.0;
+        for (const Index v : s.point)
+            fastest = std::max(fastest, squared_distance<d>(displacement_[static_cast<std::size_t>(v)], Coordinates<d>{}));
+        const double way = std::sqrt(fastest);
+        const double room = s.verdict.tolerance;
+        sum += way < room ? way / room : way > 0.0 ? 1.0 : 0.0;
+        ++sampled;
+    }
+    return sum / static_cast<double>(std::max<std::size_t>(sampled, 1));
+}
+
+template <int d>
+void Tracking<d>::reconsider(const Cell_table<d>& table, Repair<d>& repair, std::span<const Coordinates<d>> x, bool each,
+                             Move_report& report) {
+    if (displacement_.empty()) return;
+    double share = 0.0;
+    try {
+        share = outlook(table, repair, x, report);
+    } catch (const std::bad_alloc&) {  // the timestamp has been made, and this has no say in what is right
+        release(displacement_);
+        return;
+    }
+    constexpr double margin = 0.75;  // the first of them costs a settling
+    settles_next_ =
+        Prices<d>::expected * Prices<d>::certificates * share <= margin * (each ? Prices<d>::star : Prices<d>::signs);
+    release(displacement_);
+}
+
+/// Signs around one vertex cost a thousandth of settling, which then pays for those to come (rent or buy).
+template <int d>
+bool Tracking<d>::settles_for_single_move(std::size_t vertices) {
+    constexpr std::uint64_t share = 64;
+    return share * ++single_moves_ > vertices;
+}
+
+template <int d>
+void Tracking<d>::settled() {
+    failures_ = evaluated_ = 0;
+    overdraft_ = 0.0;
+    settles_next_ = false;
+}
+
+template <int d>
+void Tracking<d>::stopped() {
+    settles_next_ = false;
+    untracked_ = 0;
+    single_moves_ = 0;
+}
+
+template class Tracking<2>;
+template class Tracking<3>;
+
+}  // namespace annulus
