@@ -111,6 +111,7 @@ Stage_counts ladder(std::span<const T> x, Mode mode, std::span<Verdict> out, Cel
     Stage_counts counts;
     counts.filter = filter_stage(x, mode != Mode::floating, out, cells);
     if (counts.filter < x.size()) counts.interval = interval_stage(x, out, cells);
+    if (counts.filter + counts.interval == x.size() && mode != Mode::tight) return counts;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const bool left = out[i].stage == Stage::exact;
         if (!left && (mode != Mode::tight || out[i].sign <= 0)) continue;

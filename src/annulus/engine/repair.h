@@ -123,27 +123,16 @@ class Repair {
     void describe(Facet_suspect& s, Corner_index f) const;
     void describe(Cell_suspect& s, Cell_index c) const;
     void assign_places();
-    /// Filter stage; false when the next stage must be asked. Flattened: what is instantiated in other files too may come
-    /// from one that is compiled for less speed.
-    [[nodiscard, gnu::flatten]] bool filter(Facet_suspect& s) const;
-    [[nodiscard, gnu::flatten]] bool filter(Cell_suspect& s) const;
-    [[nodiscard]] bool interval(Facet_suspect& s) const;
-    [[nodiscard]] bool interval(Cell_suspect& s) const;
-    void exact(Facet_suspect& s) const;
-    void exact(Cell_suspect& s) const;
-    /// What was evaluated of a run of suspects.
-    struct Evaluated {
-        std::uint64_t certificates = 0;
-        Stage_counts by;
-    };
+    [[nodiscard]] double paper_tolerance(const Facet_suspect& s) const;
     template <class S>
-    [[nodiscard]] Evaluated evaluate_run(std::span<S> suspects) const;
+    [[nodiscard]] Stage_counts evaluate_run(std::span<S> suspects) const;
     template <class S>
     void evaluate_stale(std::vector<S>& suspects);
     /// The certificate does not hold. A degenerate sphere is decided by the perturbation, once its cells are positive.
     [[nodiscard]] bool violated(const Facet_suspect& s) const;
     [[nodiscard]] bool violated(const Cell_suspect& s) const { return s.verdict.sign <= 0; }
     [[nodiscard]] bool certified() const { return kind_ == Tolerance_kind::certified; }
+    [[nodiscard]] Mode mode() const { return certified() ? Mode::fast : Mode::floating; }
     void collect_violated();
     void note_disturbed(const Facet_points<d>& points);
     [[nodiscard]] bool signs_hold(double most);

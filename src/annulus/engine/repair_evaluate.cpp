@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How suspected certificates get their verdicts: the ladder, in batches and one by one.
+// How suspected certificates get their verdicts: the ladder, in batches.
 #include <annulus/engine/repair.h>
 
-#include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/certificate/batch.h>
 #include <annulus/mesh/border.h>
 #include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/parallel_runs.h>
 
-#include <boost/container/small_vector.hpp>
+#include <boost/container/static_vector.hpp>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <type_traits>
 
 namespace annulus {
 
@@ -19,101 +20,91 @@ namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
+/// Suspects whose certificates go through the ladder together, each with the positions of its points. On the stack, since threads
+/// evaluate side by side; few, since a single move asks for few.
+template <class S, class T>
+struct Batch {
+    static constexpr std::size_t capacity = 64;
+    std::array<T, capacity> tuple;
+    std::array<S*, capacity> suspect;
+    std::size_t size = 0;
+};
+
 }  // namespace
 
+/// What the kind `paper` has in place of a tolerance, where the filter stage found that the certificate holds.
 template <int d>
-bool Repair<d>::filter(Facet_suspect& s) const {
+double Repair<d>::paper_tolerance(const Facet_suspect& s) const {
     if (s.kind == Facet_kind::empty_sphere) {
-        if (!empty_sphere_filter(tuple<d, d + 2>(s.point, x_), certified(), s.verdict)) return false;
-        if constexpr (d == 3)  // in the plane it is the only annulus
-            if (kind_ == Tolerance_kind::paper && s.verdict.sign > 0)
-                s.verdict.tolerance = paper_annulus(tuple<d, d + 2>(s.point, x_));
-        return true;
+        if constexpr (d == 3) return paper_annulus(tuple<d, d + 2>(s.point, x_));
+        else return s.verdict.tolerance;  // in the plane it is the only annulus
     }
-    if (s.kind != Facet_kind::border) {
-        const auto x = tuple<d, d + 1>(s.point, x_);
-        if (!orientation_filter(x, certified(), s.verdict)) return false;
-        if (kind_ == Tolerance_kind::paper && s.verdict.sign > 0)
-            s.verdict.tolerance = s.kind == Facet_kind::ridge ? paper_ridge(x) : paper_slab(x);
-        return true;
-    }
-    s.verdict = {no_limit, 1, Stage::filter};
-    return true;
+    const auto x = tuple<d, d + 1>(s.point, x_);
+    return s.kind == Facet_kind::ridge ? paper_ridge(x) : paper_slab(x);
 }
 
-template <int d>
-bool Repair<d>::filter(Cell_suspect& s) const {
-    if (s.kind != Facet_kind::border) return orientation_filter(tuple<d, d + 1>(s.point, x_), certified(), s.verdict);
-    s.verdict = {no_limit, 1, Stage::filter};
-    return true;
-}
-
-template <int d>
-bool Repair<d>::interval(Facet_suspect& s) const {
-    return s.kind == Facet_kind::empty_sphere ? empty_sphere_interval(tuple<d, d + 2>(s.point, x_), s.verdict)
-                                              : orientation_interval(tuple<d, d + 1>(s.point, x_), s.verdict);
-}
-
-template <int d>
-bool Repair<d>::interval(Cell_suspect& s) const {
-    return orientation_interval(tuple<d, d + 1>(s.point, x_), s.verdict);
-}
-
-template <int d>
-void Repair<d>::exact(Facet_suspect& s) const {
-    s.verdict = s.kind == Facet_kind::empty_sphere ? empty_sphere_exact(tuple<d, d + 2>(s.point, x_))
-                                                   : orientation_exact(tuple<d, d + 1>(s.point, x_));
-}
-
-template <int d>
-void Repair<d>::exact(Cell_suspect& s) const {
-    s.verdict = orientation_exact(tuple<d, d + 1>(s.point, x_));
-}
-
-/// The ladder for a run of suspects, stage by stage, so that the rounding mode changes twice. Reads and writes nothing else.
+/// The ladder for a run of suspects, in batches. Reads and writes nothing else.
 template <int d>
 template <class S>
-auto Repair<d>::evaluate_run(std::span<S> suspects) const -> Evaluated {
-    Evaluated done;
-    boost::container::small_vector<std::size_t, 64> open;
-    for (std::size_t i = 0; i < suspects.size(); ++i) {
-        S& s = suspects[i];
-        if (!s.stale || !exists(s)) continue;
-        s.stale = false;
-        if (s.kind != Facet_kind::border) ++done.certificates;
-        if (!filter(s)) {
-            open.push_back(i);
-        } else if (s.kind != Facet_kind::border) {
-            ++done.by.filter;
+Stage_counts Repair<d>::evaluate_run(std::span<S> suspects) const {
+    constexpr bool of_facets = std::is_same_v<S, Facet_suspect>;
+    Stage_counts counts;
+    const auto evaluate = [&]<class T>(Batch<S, T>& batch) {
+        if (batch.size == 0) return;
+        boost::container::static_vector<Verdict, Batch<S, T>::capacity> verdict(batch.size);  // an array would be filled whole
+        counts += annulus::evaluate(std::span<const T>(batch.tuple.data(), batch.size), mode(), {verdict.data(), batch.size});
+        for (std::size_t i = 0; i < batch.size; ++i) {
+            S& s = *batch.suspect[i];
+            s.verdict = verdict[i];
+            s.stale = false;
+            if constexpr (of_facets)
+                if (kind_ == Tolerance_kind::paper && s.verdict.stage == Stage::filter && s.verdict.sign > 0)
+                    s.verdict.tolerance = paper_tolerance(s);
         }
+        batch.size = 0;
+    };
+    const auto add = [&]<class T>(S& s, const T& x, Batch<S, T>& batch) {
+        batch.tuple[batch.size] = x;
+        batch.suspect[batch.size] = &s;
+        if (++batch.size == batch.capacity) evaluate(batch);
+    };
+    Batch<S, Tuple<d, d + 1>> orientations;
+    Batch<S, Tuple<d, d + 2>> empty_spheres;
+    for (S& s : suspects) {
+        if (!s.stale || !exists(s)) continue;
+        if (s.kind == Facet_kind::border) {
+            s.verdict = {no_limit, 1, Stage::filter};
+            s.stale = false;
+            continue;
+        }
+        if constexpr (of_facets) {
+            if (s.kind == Facet_kind::empty_sphere) {
+                add(s, tuple<d, d + 2>(s.point, x_), empty_spheres);
+                continue;
+            }
+        }
+        add(s, tuple<d, d + 1>(s.point, x_), orientations);
     }
-    if (open.empty()) return done;
-    std::size_t left = 0;
-    {
-        const Rounding_guard guard(FE_UPWARD);  // of this thread
-        for (const std::size_t i : open)
-            if (!interval(suspects[i])) open[left++] = i;
-    }
-    done.by.interval = open.size() - left;
-    done.by.exact = left;
-    for (std::size_t i = 0; i < left; ++i) exact(suspects[open[i]]);
-    return done;
+    evaluate(orientations);
+    evaluate(empty_spheres);
+    return counts;
 }
 
 template <int d>
 template <class S>
 void Repair<d>::evaluate_stale(std::vector<S>& suspects) {
+    if (suspects.empty()) return;  // as cells often are
     constexpr std::size_t run = 1024;  // whatever the number of threads
-    const auto add = [this](const Evaluated& here) {
-        report_.evaluated += here.certificates;
-        report_.arithmetic += here.by;
+    const auto add = [this](const Stage_counts& counts) {
+        report_.evaluated += counts.total();
+        report_.arithmetic += counts;
     };
     if (suspects.size() <= run) return add(evaluate_run(std::span(suspects)));
-    std::vector<Evaluated> done((suspects.size() + run - 1) / run);
+    std::vector<Stage_counts> counts((suspects.size() + run - 1) / run);
     for_each_run(suspects.size(), run, threads_, [&](std::size_t first, std::size_t last) {
-        done[first / run] = evaluate_run(std::span(suspects).subspan(first, last - first));
+        counts[first / run] = evaluate_run(std::span(suspects).subspan(first, last - first));
     });
-    for (const Evaluated& here : done) add(here);
+    for (const Stage_counts& here : counts) add(here);
 }
 
 template <int d>
@@ -170,10 +161,9 @@ bool Repair<d>::star_holds(Index v, Least_tolerance& least) {
                 add_orientation(ridge_vertex_last(t, h, ridge_points(t, h)));
             }
         });
-    const Mode mode = certified() ? Mode::fast : Mode::floating;
     const auto all_hold = [&](const auto& tuples, const auto& points, Stage_counts& counts) {
         verdict_.resize(tuples.size());
-        counts += annulus::evaluate(std::span(tuples), mode, verdict_);
+        counts += annulus::evaluate(std::span(tuples), mode(), verdict_);
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (verdict_[i].sign <= 0) return false;
             least.note(points[i], verdict_[i].tolerance);
