@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/certificate/batch.h>
 
-#include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/certificate/ladder_2.h>
 #include <annulus/certificate/lanes.h>
+#include <annulus/certificate/later_stages.h>
 
 namespace annulus {
 
@@ -67,11 +67,11 @@ Verdict exact(const Tuple<2, 4>& x, Cell_widths) { return empty_sphere_exact(x);
 Verdict exact(const Tuple<3, 4>& x, Cell_widths) { return orientation_exact(x); }
 Verdict exact(const Tuple<3, 5>& x, Cell_widths cells) { return empty_sphere_exact(x, cells); }
 
-/// Writes one lane; what is left to the next stage says so in its `stage`. Returns 1 for an answer.
+/// Writes one lane; what is open is the last stage's until one before it answers. Returns 1 for an answer.
 std::size_t store(double sign, double tolerance, double backward, Verdict& out) {
     const bool answered = detail::answer(sign, tolerance, out);
     out.backward = static_cast<std::uint8_t>(static_cast<int>(backward));
-    out.stage = answered ? Stage::filter : Stage::interval;
+    out.stage = answered ? Stage::filter : Stage::exact;
     return answered ? 1 : 0;
 }
 
@@ -95,31 +95,35 @@ template <class T>
 }
 
 template <class T>
-std::size_t interval_stage(std::span<const T> x, std::span<Verdict> out, Cell_widths cells) {
-    const Rounding_guard guard(FE_UPWARD);
-    std::size_t answered = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        if (out[i].stage != Stage::interval) continue;
-        if (interval(x[i], out[i], cells)) ++answered;
-        else out[i].stage = Stage::exact;
-    }
-    return answered;
-}
-
-template <class T>
 Stage_counts ladder(std::span<const T> x, Mode mode, std::span<Verdict> out, Cell_widths cells) {
     Stage_counts counts;
-    counts.filter = filter_stage(x, mode != Mode::floating, out, cells);
-    if (counts.filter < x.size()) counts.interval = interval_stage(x, out, cells);
-    if (counts.filter + counts.interval == x.size() && mode != Mode::tight) return counts;
+    const std::size_t answered = filter_stage(x, mode != Mode::floating, out, cells);
+    if (answered < x.size())
+        counts = later_stages(
+            x.size(), [&](std::size_t i) { return out[i].stage == Stage::exact; },
+            [&](std::size_t i) {
+                const bool told = interval(x[i], out[i], cells);
+                out[i].stage = told ? Stage::interval : Stage::exact;
+                return told;
+            },
+            [&](std::size_t i) { out[i] = exact(x[i], cells); });
+    counts.filter = answered;
+    if (mode != Mode::tight) return counts;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const bool left = out[i].stage == Stage::exact;
-        if (!left && (mode != Mode::tight || out[i].sign <= 0)) continue;
-        if (!left) --(out[i].stage == Stage::filter ? counts.filter : counts.interval);
+        if (out[i].stage == Stage::exact || out[i].sign <= 0) continue;
+        --(out[i].stage == Stage::filter ? counts.filter : counts.interval);
         out[i] = exact(x[i], cells);
         ++counts.exact;
     }
     return counts;
+}
+
+/// The ladder for one.
+template <class T>
+Verdict verdict(const T& x, bool certified, Cell_widths cells) {
+    Verdict out;
+    (void)ladder(std::span(&x, 1), certified ? Mode::fast : Mode::floating, std::span(&out, 1), cells);
+    return out;
 }
 
 }  // namespace
@@ -136,5 +140,10 @@ Stage_counts evaluate(std::span<const Tuple<3, 4>> x, Mode mode, std::span<Verdi
 Stage_counts evaluate(std::span<const Tuple<3, 5>> x, Mode mode, std::span<Verdict> out, Cell_widths cells) {
     return ladder(x, mode, out, cells);
 }
+
+Verdict orientation_verdict(const Tuple<2, 3>& x, bool certified) { return verdict(x, certified, Cell_widths::never); }
+Verdict orientation_verdict(const Tuple<3, 4>& x, bool certified) { return verdict(x, certified, Cell_widths::never); }
+Verdict empty_sphere_verdict(const Tuple<2, 4>& x, bool certified) { return verdict(x, certified, Cell_widths::never); }
+Verdict empty_sphere_verdict(const Tuple<3, 5>& x, bool certified, Cell_widths cells) { return verdict(x, certified, cells); }
 
 }  // namespace annulus

@@ -2,8 +2,8 @@
 #include <annulus/certificate/exact_sign.h>
 
 #include <annulus/arithmetic/exact.h>
-#include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/certificate/interval_stage.h>
+#include <annulus/certificate/later_stages.h>
 #include <annulus/certificate/width_terms_3.h>
 
 #include <type_traits>
@@ -58,20 +58,25 @@ T of_vectors(std::index_sequence<i...>, const Difference& difference, const Dete
 template <int d, int k, class Determinant>
 Staged_sign sign_of(const Tuple<d, k>& x, const Determinant& determinant) {
     constexpr auto vectors = std::make_index_sequence<k - 1>();
-    Verdict out;
-    {
-        const Rounding_guard guard(FE_UPWARD);
+    Staged_sign sign{0, Stage::exact};
+    const auto interval = [&](std::size_t) {
+        Verdict out;
         const bool told = detail::with_scale(x, [&](const auto& difference, const detail::Scale&) {
             const auto to_first = [&](std::size_t i, std::size_t c) { return Interval(difference((*x[i])[c], (*x[0])[c])); };
             return detail::interval_sign(of_vectors<d, Interval>(vectors, to_first, determinant), out);
         });
-        if (told) return {out.sign, Stage::interval};
-    }
-    std::array<double, static_cast<std::size_t>(d* k)> flat{};
-    for (std::size_t i = 0; i < k; ++i) std::copy(x[i]->begin(), x[i]->end(), flat.begin() + static_cast<int>(d * i));
-    const Scaled_integers z(flat);
-    const auto to_first = [&](std::size_t i, std::size_t c) { return mpz_class(z.integer[d * i + c] - z.integer[c]); };
-    return {static_cast<std::int8_t>(sgn(of_vectors<d, mpz_class>(vectors, to_first, determinant))), Stage::exact};
+        if (told) sign = {out.sign, Stage::interval};
+        return told;
+    };
+    const auto exact = [&](std::size_t) {
+        std::array<double, static_cast<std::size_t>(d* k)> flat{};
+        for (std::size_t i = 0; i < k; ++i) std::copy(x[i]->begin(), x[i]->end(), flat.begin() + static_cast<int>(d * i));
+        const Scaled_integers z(flat);
+        const auto to_first = [&](std::size_t i, std::size_t c) { return mpz_class(z.integer[d * i + c] - z.integer[c]); };
+        sign.sign = static_cast<std::int8_t>(sgn(of_vectors<d, mpz_class>(vectors, to_first, determinant)));
+    };
+    (void)later_stages(1, [&](std::size_t) { return sign.stage == Stage::exact; }, interval, exact);
+    return sign;
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include <annulus/certificate/half_width.h>
 
 #include <annulus/arithmetic/exact.h>
-#include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/certificate/interval_stage.h>
+#include <annulus/certificate/later_stages.h>
 #include <annulus/certificate/width_terms.h>
 #include <annulus/certificate/width_terms_3.h>
 
@@ -198,22 +198,21 @@ Bicell_half_widths bicell_by_integers(const X& x) {
 
 // ---- Batches -------------------------------------------------------------------------------------------------------------------
 
-/// What is left to the exact stage says so in its stage.
-void leave(Half_width& h) { h.stage = Stage::exact; }
-void leave(Bicell_half_widths& h) { h.least.stage = Stage::exact; }
-bool is_left(const Half_width& h) { return h.stage == Stage::exact; }
-bool is_left(const Bicell_half_widths& h) { return h.least.stage == Stage::exact; }
+Stage& stage_of(Half_width& h) { return h.stage; }
+Stage& stage_of(Bicell_half_widths& h) { return h.least.stage; }
 
 template <class X, class Out, class... Which>
 void enclose_all(std::span<const X> x, std::span<Out> out, Which... which) {
     assert(x.size() == out.size());
-    {
-        const Rounding_guard guard(FE_UPWARD);
-        for (std::size_t i = 0; i < x.size(); ++i)
-            if (!by_intervals(x[i], which..., out[i])) leave(out[i]);
-    }
-    for (std::size_t i = 0; i < x.size(); ++i)
-        if (is_left(out[i])) out[i] = enclose_exactly(x[i], which...);
+    for (Out& o : out) stage_of(o) = Stage::exact;  // until intervals tell
+    (void)later_stages(
+        x.size(), [&](std::size_t i) { return stage_of(out[i]) == Stage::exact; },
+        [&](std::size_t i) {
+            const bool told = by_intervals(x[i], which..., out[i]);
+            stage_of(out[i]) = told ? Stage::interval : Stage::exact;
+            return told;
+        },
+        [&](std::size_t i) { out[i] = enclose_exactly(x[i], which...); });
 }
 
 }  // namespace

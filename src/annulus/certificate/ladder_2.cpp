@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/certificate/ladder_2.h>
 
-#include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/certificate/interval_stage.h>
 
 namespace annulus {
@@ -76,26 +75,6 @@ Verdict empty_sphere_exact(const Tuple<2, 4>& x) {
     const Scaled_integers z = integers(x);
     return verdict(annulus_terms(difference(z, 1, 0), difference(z, 2, 0), difference(z, 3, 0), difference(z, 3, 2)),
                    z.exponent);
-}
-
-Verdict orientation_verdict(const Tuple<2, 3>& x, bool certified) {
-    Verdict out;
-    if (orientation_filter(x, certified, out)) return out;
-    {
-        const Rounding_guard guard(FE_UPWARD);
-        if (orientation_interval(x, out)) return out;
-    }
-    return orientation_exact(x);
-}
-
-Verdict empty_sphere_verdict(const Tuple<2, 4>& x, bool certified) {
-    Verdict out;
-    if (empty_sphere_filter(x, certified, out)) return out;
-    {
-        const Rounding_guard guard(FE_UPWARD);
-        if (empty_sphere_interval(x, out)) return out;
-    }
-    return empty_sphere_exact(x);
 }
 
 int perturbed_empty_circle_sign(const Tuple<2, 4>& x) {

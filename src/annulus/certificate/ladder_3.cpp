@@ -2,7 +2,6 @@
 #include <annulus/certificate/ladder_3.h>
 
 #include <annulus/arithmetic/exact.h>
-#include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/certificate/interval_stage.h>
 
 namespace annulus {
@@ -122,26 +121,6 @@ Verdict empty_sphere_exact(const Tuple<3, 5>& x, Cell_widths cells) {
         out.tolerance = std::min({out.tolerance, half_width(cell_p_terms(e.terms), e.exponent),
                                   half_width(cell_q_terms(e.terms), e.exponent)});
     return out;
-}
-
-Verdict orientation_verdict(const Tuple<3, 4>& x, bool certified) {
-    Verdict out;
-    if (orientation_filter(x, certified, out)) return out;
-    {
-        const Rounding_guard guard(FE_UPWARD);
-        if (orientation_interval(x, out)) return out;
-    }
-    return orientation_exact(x);
-}
-
-Verdict empty_sphere_verdict(const Tuple<3, 5>& x, bool certified, Cell_widths cells) {
-    Verdict out;
-    if (empty_sphere_filter(x, certified, out, cells)) return out;
-    {
-        const Rounding_guard guard(FE_UPWARD);
-        if (empty_sphere_interval(x, out, cells)) return out;
-    }
-    return empty_sphere_exact(x, cells);
 }
 
 Annuli annuli_exact(const Tuple<3, 5>& x) {

@@ -87,8 +87,9 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
         std::sort(vertices_.begin(), vertices_.end());
         vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
         if (goes_ != none) std::erase(vertices_, goes_);
-        price_ += point_price * static_cast<double>(vertices_.size());
-        if (price_ > most) return false;
+        const double price = point_price * static_cast<double>(vertices_.size());
+        if (price_ + price > most) return false;
+        price_ += price;
         cells_.clear();
         beyond.clear();
         const bool filled = embedding_.delaunay_of(x, vertices_, cells_) && fill(region, beyond);
