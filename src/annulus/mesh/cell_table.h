@@ -31,10 +31,10 @@ class Cell_table {
     static constexpr Index stride = 4;  // also in 2D: corners are found by shifts, and a cell is one 16-byte line
 
     /// What exists has an index below these bounds, with holes among them (more than half of facets').
-    [[nodiscard]] Cell_index cell_bound() const { return Cell_index(static_cast<Index>(alive_.size())); }
+    [[nodiscard]] Cell_index cell_bound() const { return cell_of(facet_bound()); }
     [[nodiscard]] Corner_index facet_bound() const { return Corner_index(static_cast<Index>(twin_.size())); }
     [[nodiscard]] Index vertex_bound() const { return static_cast<Index>(corner_of_vertex_.size()); }
-    [[nodiscard]] bool is_cell(Cell_index c) const { return alive_[c] != 0; }
+    [[nodiscard]] bool is_cell(Cell_index c) const { return vertex(corner(c, 0)) != none; }
     /// That f is the index of a facet: a half-facet of a cell that exists, and the lesser of the two.
     [[nodiscard]] bool is_facet(Corner_index f) const { return slot_of(f) <= d && is_cell(cell_of(f)) && f < twin(f); }
     /// Every cell there is, and every facet, each once.
@@ -125,11 +125,11 @@ class Cell_table {
 
     /// Starts afresh: no cells, `vertices` vertices none of which is in the triangulation.
     void clear(std::size_t vertices);
-    /// The same with this many cells, which have no vertices or twins yet. Throws Error(too_large).
+    /// The same with room for this many cells, which have no vertices or twins yet. Throws Error(too_large).
     void clear(std::size_t vertices, std::size_t cells);
     void set_vertex_bound(std::size_t vertices) { corner_of_vertex_.resize(vertices, no_corner); }
 
-    /// A new cell with no vertices or twins yet. Throws Error(too_large) when its corners would have no index.
+    /// A new cell with no vertices or twins yet, hence not is_cell() before it has. Throws Error(too_large) when its corners would have no index.
     [[nodiscard]] Cell_index new_cell();
     void free_cell(Cell_index c);
     void set_vertex(Corner_index h, Index v) {
@@ -165,9 +165,8 @@ class Cell_table {
     void note_corner(Index v, Corner_index h) { (v == infinite ? corner_of_infinity_ : corner_of_vertex_[at(v)]) = h; }
 
     Corner_index corner_of_infinity_;
-    By_corner<Index> vertex_;
+    By_corner<Index> vertex_;  // `none` at the first corner where there is no cell
     By_corner<Corner_index> twin_;
-    By_cell<char> alive_;
     std::vector<Corner_index> corner_of_vertex_;  // by vertex
     std::vector<Cell_index> free_cells_;
 };
@@ -176,7 +175,6 @@ template <int d>
 void Cell_table<d>::clear(std::size_t vertices) {
     vertex_.clear();
     twin_.clear();
-    alive_.clear();
     free_cells_.clear();
     corner_of_vertex_.assign(vertices, no_corner);
 }
@@ -187,7 +185,6 @@ void Cell_table<d>::clear(std::size_t vertices, std::size_t cells) {
     clear(vertices);
     vertex_.assign(4 * cells, none);
     twin_.assign(4 * cells, no_corner);
-    alive_.assign(cells, 1);
 }
 
 template <int d>
@@ -199,17 +196,15 @@ Cell_index Cell_table<d>::new_cell() {
     } else {
         c = cell_bound();
         if (c.value() >= Horizons::cells) throw_too_large();
-        grow(alive_, alive_.size() + 1);
         grow(vertex_, vertex_.size() + 4, none);
         grow(twin_, twin_.size() + 4, no_corner);
     }
-    alive_[c] = 1;
     return c;
 }
 
 template <int d>
 void Cell_table<d>::free_cell(Cell_index c) {
-    alive_[c] = 0;
+    vertex_[corner(c, 0)] = none;
     free_cells_.push_back(c);
 }
 
