@@ -18,8 +18,7 @@ set(annulus_cgal_headers
     <boost/numeric/interval.hpp> <gmpxx.h>
     <CGAL/Exact_predicates_inexact_constructions_kernel.h> <CGAL/Delaunay_triangulation_2.h>
     <CGAL/Delaunay_triangulation_3.h> <CGAL/Triangulation_vertex_base_with_info_2.h>
-    <CGAL/Triangulation_vertex_base_with_info_3.h> <CGAL/Delaunay_triangulation_cell_base_3.h>
-    <CGAL/Spatial_sort_traits_adapter_2.h> <CGAL/Spatial_sort_traits_adapter_3.h> <CGAL/spatial_sort.h>)
+    <CGAL/Triangulation_vertex_base_with_info_3.h> <CGAL/Delaunay_triangulation_cell_base_3.h>)
 file(CONFIGURE OUTPUT nothing.cpp CONTENT "// Only its precompiled header is wanted.\n")
 foreach(target IN ITEMS annulus-headers annulus-headers-cgal)
     add_library(${target} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/nothing.cpp")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What does not depend on a motion: construction, memory, a step in which all pass, the move of one vertex, two threads. A JSON object a line.
+// What does not depend on a motion: construction, by several threads too, memory, a step in which all pass, the move of one vertex. A JSON object a line.
 #include "families.h"
 
 #include <annulus/moving_delaunay_2.h>
@@ -59,6 +59,12 @@ auto cgal(const bench::Points<d>& x) {
         using Tds = CGAL::Triangulation_data_structure_3<Vb, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
         return std::make_unique<CGAL::Delaunay_triangulation_3<Kernel, Tds>>(points.begin(), points.end());
     }
+}
+
+void say(const ordered_json& out, const std::string& file) {
+    std::printf("%s\n", out.dump().c_str());
+    std::fflush(stdout);
+    if (!file.empty()) std::ofstream(file, std::ios::app) << out.dump() << '\n';
 }
 
 /// Of an object in the state that steps of `spacings` leave it in.
@@ -124,20 +130,49 @@ void costs(const char* name, std::size_t n, double spacings, const std::string& 
     }
     out["one_move_ns"] = median(one);
     out["audit"] = dt->audit().delaunay() && sum == sum;
-    std::printf("%s\n", out.dump().c_str());
-    std::fflush(stdout);
-    if (!file.empty()) std::ofstream(file, std::ios::app) << out.dump() << '\n';
+    say(out, file);
+}
+
+/// Construction by one thread and by some, in turn: the medians, also of the ratios of two in turn.
+template <class Moving, int d>
+void construction(const char* name, std::size_t n, int threads, const std::string& file) {
+    const bench::Scene<d> scene("uniform", "walk", n, 0.0, 1);
+    Options options;
+    const auto build = [&](int with) {
+        options.threads = with;
+        std::unique_ptr<Moving> dt;
+        return nanoseconds([&] { dt = std::make_unique<Moving>(std::span<const Coordinates<d>>(scene.points()), options); }) / static_cast<double>(n);
+    };
+    std::vector<double> one;
+    std::vector<double> some;
+    std::vector<double> ratio;
+    for (int k = 0; k < 3; ++k) {
+        one.push_back(build(1));
+        some.push_back(build(threads));
+        ratio.push_back(one.back() / some.back());
+    }
+    say({{"what", name}, {"dimension", d}, {"points", n}, {"threads", threads}, {"one_ns", median(one)}, {"ns", median(some)},
+         {"ratio", median(ratio)}}, file);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     std::size_t n = 100000;
+    int threads = 1;
     std::string json;
     CLI::App app{"What does not depend on a motion, of both classes in both dimensions."};
     app.add_option("POINTS", n)->check(CLI::Range(1000, 100000000));
     app.add_option("--json", json, "file that a line is appended to for each");
+    app.add_option("--threads", threads, "more than one: construction by so many, and nothing else")->check(CLI::Range(1, 1024));
     CLI11_PARSE(app, argc, argv);
+    if (threads > 1) {
+        construction<Moving_mesh_3, 3>("Moving_mesh<3>", n, threads, json);
+        construction<Moving_delaunay_3, 3>("Moving_delaunay_3", n, threads, json);
+        construction<Moving_mesh_2, 2>("Moving_mesh<2>", n, threads, json);
+        construction<Moving_delaunay_2, 2>("Moving_delaunay_2", n, threads, json);
+        return 0;
+    }
     for (const double spacings : {1e-5, 1e-3}) {  // with tolerances, and without
         costs<Moving_delaunay_3, 3>("Moving_delaunay_3", n, spacings, json);
         costs<Moving_mesh_3, 3>("Moving_mesh<3>", n, spacings, json);

@@ -66,5 +66,7 @@ def threads(bench):
                f"| {reached(one / two, must)} | {number(aim)} |")
         if d == 3:
             ours = {1: one, 2: two}
+    for r in bench.call("annulus-costs", n, threads=2):
+        yield f"| construction, `{r['what']}`, {n} points | {r['one_ns']:.0f} | {r['ns']:.0f} | {r['ratio']:.2f} | | | |"
     yield f"| CGAL's parallel insertion, 3D, {n} points | {cgal[1]:.0f} | {cgal[2]:.0f} | {cgal[1] / cgal[2]:.2f} | | | |"
     yield from ["", f"In space CGAL's parallel insertion takes {cgal[2] / ours[2]:.1f} times as long as the step, both with two threads, and {cgal[1] / ours[1]:.1f} times with one.", ""]

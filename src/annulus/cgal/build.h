@@ -34,7 +34,7 @@ void Cgal_embedding<Traits>::build(std::span<const Coordinates<d>> x) {
     Triangulation tr;
     std::vector<Vertex_handle> handle(x.size());
     order_.forget();
-    insert_all(tr, x, order_.of(x, [](Index) { return true; }), &handle);
+    insert_all(tr, x, order_.of(x, [](Index) { return true; }, this->threads_), &handle);
     tr_.swap(tr);
     tr_.infinite_vertex()->set_index(infinite);
     handle_ = std::move(handle);
@@ -66,7 +66,8 @@ void Cgal_embedding<Traits>::clear_cells() noexcept {
 template <class Traits>
 void Cgal_embedding<Traits>::rebuild(std::span<const Coordinates<d>> x) {
     Triangulation other;
-    insert_all(other, x, order_.of(x, [this](Index i) { return handle_[at(i)] != Vertex_handle(); }), nullptr);
+    const auto lives = [this](Index i) { return handle_[at(i)] != Vertex_handle(); };
+    insert_all(other, x, order_.of(x, lives, this->threads_), nullptr);
     const auto start = std::chrono::steady_clock::now();
     take_cells(other);
     shuffled_ = false;

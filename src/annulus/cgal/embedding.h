@@ -144,7 +144,7 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     Cell_table<d> table_;
     By_cell<Cell_handle> cell_;
     std::vector<Vertex_handle> handle_;  // by vertex; default for a vacant index
-    Insertion_order<Triangulation, d> order_;
+    Insertion_order<d> order_;
     bool mirrored_ = false;
     bool shuffled_ = false;  // CGAL's removal has had a say in the order of its cells
     double handle_seconds_ = 0.0;

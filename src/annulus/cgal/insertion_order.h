@@ -4,47 +4,33 @@
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/arithmetic/error.h>
 #include <annulus/cgal/order_age.h>
-
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
+#include <annulus/cgal/spatial_sort.h>
 
 #include <cstddef>
 #include <span>
 #include <string>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace annulus {
 
 /// The order in which the vertices of a CGAL triangulation are inserted: CGAL's spatial sort. It serves for some rebuilds to come,
 /// since vertices that were near each other stay so for a while: sorting is a quarter of the time of a rebuild in the plane.
-template <class Tr, int d>
+template <int d>
 class Insertion_order {
   public:
     /// Of the indices i with lives(i). O(n log n), or O(1) when it was sorted a while ago and vertices have not gone far.
     template <class Lives>
-    std::span<const Index> of(std::span<const Coordinates<d>> x, Lives lives) {
+    std::span<const Index> of(std::span<const Coordinates<d>> x, Lives lives, int threads) {
         constexpr int most_uses = 16;
         if (!order_.empty() && uses_++ < most_uses && !age_.is_stale(order_, x)) return order_;
         uses_ = 0;
-        using Point = typename Tr::Point;
-        std::vector<Point> points;
-        points.reserve(x.size());
-        std::vector<std::size_t> order;
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            const bool here = lives(static_cast<Index>(i));
-            if (here) order.push_back(i);
-            if constexpr (d == 2) points.push_back(here ? Point(x[i][0], x[i][1]) : Point(0, 0));
-            else points.push_back(here ? Point(x[i][0], x[i][1], x[i][2]) : Point(0, 0, 0));
-        }
-        using Map = typename CGAL::Pointer_property_map<Point>::type;
-        using Geometry = typename Tr::Geom_traits;
-        using Traits = std::conditional_t<d == 2, CGAL::Spatial_sort_traits_adapter_2<Geometry, Map>,
-                                          CGAL::Spatial_sort_traits_adapter_3<Geometry, Map>>;
-        CGAL::spatial_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(points)));
-        order_.assign(order.begin(), order.end());
+        std::vector<Index> order;
+        order.reserve(x.size());
+        for (std::size_t i = 0; i < x.size(); ++i)
+            if (lives(static_cast<Index>(i))) order.push_back(static_cast<Index>(i));
+        spatial_sort<d>(order, x, threads);
+        order_ = std::move(order);
         age_.note(order_, x);
         return order_;
     }

@@ -2,6 +2,7 @@
 #include <annulus/cgal/mesh_embedding.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/cgal/copy_cells.h>
 #include <annulus/cgal/insertion_order.h>
 #include <annulus/cgal/traits_2.h>
 #include <annulus/cgal/traits_3.h>
@@ -23,38 +24,28 @@ struct Mesh_embedding<d>::Builder {
     using Cell_handle = typename Traits::Cell_handle;
     using Vertex_handle = typename Traits::Vertex_handle;
 
-    Insertion_order<Triangulation, d> order;
+    Insertion_order<d> order;
 
     /// Throws Error(collision).
     template <class Lives>
-    void insert(Triangulation& tr, std::span<const Coordinates<d>> x, Lives lives) {
+    void insert(Triangulation& tr, std::span<const Coordinates<d>> x, Lives lives, int threads) {
+        const std::span<const Index> sorted = order.of(x, lives, threads);
         std::exception_ptr collision;  // thrown outside, where the thread's table is known to be sound
         Traits::edit([&] {
             try {
-                insert_in_order<Traits>(tr, x, order.of(x, lives), [](Vertex_handle v, Index i) { v->set_index(i); });
+                insert_in_order<Traits>(tr, x, sorted, [](Vertex_handle v, Index i) { v->set_index(i); });
             } catch (const Error&) {
                 collision = std::current_exception();
             }
         });
         if (collision) std::rethrow_exception(collision);
     }
-    static Index index_of(const Triangulation& tr, Vertex_handle v) { return tr.is_infinite(v) ? infinite : v->index(); }
 
-    static void copy(const Triangulation& tr, std::size_t bound, Cell_table<d>& table) {
-        std::vector<Cell_handle> cell;
-        Traits::for_each_cell(tr, [&](Cell_handle c) {
-            c->set_cell(static_cast<Index>(cell.size()));
-            cell.push_back(c);
-        });
-        table.clear(bound, cell.size());
-        for (const Cell_handle c : cell) {
-            const Cell_index k(c->cell());
-            for (int i = 0; i <= d; ++i) {
-                table.set_vertex(table.corner(k, i), index_of(tr, c->vertex(i)));
-                const Cell_index n(c->neighbor(i)->cell());
-                if (n > k) table.glue(table.corner(k, i), table.corner(n, Traits::slot_beyond(tr.tds(), c, i)));
-            }
-        }
+    static void copy(Triangulation& tr, std::size_t bound, Cell_table<d>& table, int threads) {
+        std::vector<Cell_handle> cells;
+        cells.reserve(Traits::cells(tr.tds()).size());
+        Traits::for_each_cell(tr, [&](Cell_handle c) { cells.push_back(c); });
+        copy_cells<Traits>(tr, cells, bound, table, threads);
     }
 
     static void list_flat(const Triangulation& tr, std::vector<Index>& cells) {
@@ -86,11 +77,11 @@ void Mesh_embedding<d>::build(std::span<const Coordinates<d>> x) {
 template <int d>
 void Mesh_embedding<d>::rebuild(std::span<const Coordinates<d>> x) {
     typename Builder::Triangulation tr;
-    builder_->insert(tr, x, [this](Index i) { return has(i); });
+    builder_->insert(tr, x, [this](Index i) { return has(i); }, this->threads_);
     std::vector<Index> flat;
     Cell_table<d> table;
     table.clear(x.size());
-    if (tr.dimension() == d) Builder::copy(tr, x.size(), table);
+    if (tr.dimension() == d) Builder::copy(tr, x.size(), table, this->threads_);
     else Builder::list_flat(tr, flat);
     if (x.data() != point_.data()) std::copy(x.begin(), x.end(), point_.begin());
     flat_cells_ = std::move(flat);

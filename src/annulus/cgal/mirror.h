@@ -2,6 +2,7 @@
 #pragma once
 
 // Cgal_embedding: the flat mirror, and every change made to both.
+#include <annulus/cgal/copy_cells.h>
 #include <annulus/cgal/embedding.h>
 
 #include <algorithm>
@@ -19,16 +20,7 @@ void Cgal_embedding<Traits>::mirror() {
     cell_.reserve(Traits::cells(tr_.tds()).size());
     Traits::for_each_cell(tr_, [&](Cell_handle c) { cell_.push_back(c); });
     if (shuffled_) put_in_order(cell_);
-    table_.clear(handle_.size(), cell_.size());
-    for (Cell_index k(0); cell_.has(k); ++k) set_number(cell_[k], k);
-    for (const Cell_handle c : cell_) {
-        const Cell_index k = number_of(c);
-        for (int i = 0; i <= d; ++i) {
-            table_.set_vertex(table_.corner(k, i), index_of(tr_, c->vertex(i)));
-            const Cell_index n = number_of(c->neighbor(i));
-            if (n > k) table_.glue(table_.corner(k, i), table_.corner(n, Traits::slot_beyond(tr_.tds(), c, i)));
-        }
-    }
+    copy_cells<Traits>(tr_, cell_, handle_.size(), table_, this->threads_);
 }
 
 template <class Traits>

@@ -136,6 +136,13 @@ class Cell_table {
         vertex_[h] = v;
         note_corner(v, h);
     }
+    /// The same of h alone, for several threads that set different ones at once. `note_corners` is to follow.
+    void set_vertex_only(Corner_index h, Index v) { vertex_[h] = v; }
+    /// Notes a corner for every vertex. Precondition: all cells exist. O(n).
+    void note_corners() {
+        for (Cell_index c(0); c < cell_bound(); ++c)
+            for (int i = 0; i <= d; ++i) note_corner(vertex(corner(c, i)), corner(c, i));
+    }
     void set_absent(Index v) { corner_of_vertex_[at(v)] = no_corner; }
     /// Makes h and t the two sides of a facet.
     void glue(Corner_index h, Corner_index t) {
