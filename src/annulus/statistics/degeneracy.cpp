@@ -5,6 +5,7 @@
 #include <annulus/certificate/ladder.h>
 #include <annulus/certificate/theta.h>
 #include <annulus/statistics/paper_tolerance.h>
+#include <annulus/statistics/spacing.h>
 #include <annulus/mesh/certificates.h>
 
 #include <algorithm>
@@ -28,42 +29,6 @@ Distribution distribution(Distribution empty, std::vector<double> samples) {
     return empty;
 }
 Distribution angles() { return {Histogram::linear(0, std::numbers::pi / 2, 36)}; }
-
-double determinant(const std::array<double, 2>& u, const std::array<double, 2>& v) { return u[0] * v[1] - u[1] * v[0]; }
-double determinant(const std::array<double, 3>& u, const std::array<double, 3>& v, const std::array<double, 3>& w) {
-    return (u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2])) +
-           u[2] * (v[0] * w[1] - v[1] * w[0]);
-}
-
-/// Root of the content of the hull per vertex, from the content of all cells in units of a power of two near its extent.
-template <int d>
-double mean_spacing(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
-    double extent = 0;
-    for (const auto& p : x)
-        for (std::size_t c = 0; c < d; ++c) extent = std::max(extent, std::fabs(p[c] - x[0][c]));
-    const int exponent = std::ilogb(extent);
-    double content = 0;
-    for (const Cell_index c : t.finite_cells()) {
-        const Cell_points<d> v = cell_points(t, c);
-        const auto edge = [&](std::size_t i) {
-            Coordinates<d> u{};
-            for (std::size_t k = 0; k < d; ++k) u[k] = std::scalbn(x[at(v[i])][k] - x[at(v[0])][k], -exponent);
-            return u;
-        };
-        if constexpr (d == 2) content += determinant(edge(1), edge(2)) / 2;
-        else content += determinant(edge(1), edge(2), edge(3)) / 6;
-    }
-    const double each = content / static_cast<double>(x.size());
-    return std::scalbn(d == 2 ? std::sqrt(each) : std::cbrt(each), exponent);
-}
-
-template <int d>
-double resolution(std::span<const Coordinates<d>> x) {
-    double largest = 0;
-    for (const auto& p : x)
-        for (const double c : p) largest = std::max(largest, std::fabs(c));
-    return std::nextafter(largest, infinity) - largest;
-}
 
 /// Where the line through p and q meets the facet: inside (1), outside (-1), or on its border (0).
 int convexity(std::span<const Verdict> v) {
@@ -94,7 +59,7 @@ class Survey {
         : t_(t), x_(x), tolerance_(x.size(), infinity), marks_(x.size(), 0), paper_(t, x.size()) {
         r_.dimension = d;
         r_.spacing = mean_spacing(t, x);
-        r_.resolution = resolution<d>(x);
+        r_.resolution = resolution(x);
         for (const auto& [name, relative] :
              {std::pair{"1e-3", 1e-3}, std::pair{"1e-6", 1e-6}, std::pair{"1e-9", 1e-9}, std::pair{"1e-12", 1e-12}})
             r_.thresholds.push_back({name, relative * r_.spacing, relative});
