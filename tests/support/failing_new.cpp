@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <support/failing_new.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <limits>
 

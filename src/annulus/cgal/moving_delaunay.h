@@ -28,7 +28,8 @@ namespace annulus {
 /// When memory runs out (std::bad_alloc) positions, indices and handles are as they were, but for `remove`, which says what
 /// holds, and the triangulation is built anew there before the exception goes on. Should even that fail, there are no
 /// cells (an audit says so) until a later call that changes something, settle() for one, has built them. GMP's allocation
-/// functions abort the process when they get nothing unless the program sets others (mp_set_memory_functions).
+/// functions abort the process when they get nothing unless the program sets others (mp_set_memory_functions); so may CGAL's Mpzf, in
+/// predicates of coordinates that are hundreds of bits apart.
 template <class Cgal>
 class Moving_delaunay {
   public:
