@@ -70,6 +70,14 @@ TEST_CASE("The sphere of a cell claims no sign that is within its error", "[cert
                 HOLDS(sign(x) > 0, (Bicell_3{x[0], x[1], x[2], x[4], x[3]}));
             if (sphere.positive() && sphere.contains(x[4]))
                 HOLDS(sign(x) < 0, (Bicell_3{x[0], x[1], x[2], x[4], x[3]}));
+            // All at once: never yes where one by one it is no, nor for a corner.
+            const Point_3 far{65.0 * x[0][0] - 64.0 * x[4][0], 65.0 * x[0][1] - 64.0 * x[4][1], 65.0 * x[0][2] - 64.0 * x[4][2]};
+            const bool one = sphere.positive() && sphere.excludes(x[4]);
+            const bool both = one && sphere.excludes(far);
+            RC_ASSERT(sphere.excludes_all(x[4]) == one);
+            RC_ASSERT(!sphere.excludes_all(x[4], far) || both);
+            RC_ASSERT(!sphere.excludes_all(x[4], far, x[0]));
+            RC_ASSERT(!sphere.excludes_all(x[4], Point_3{0x1p500, 0, 0}));
         }
     }));
 }

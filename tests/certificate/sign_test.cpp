@@ -49,6 +49,12 @@ void check_signs(const Bicell& c) {
     if (!circle.positive()) return;
     HOLDS(!circle.excludes(c.p) || truth > 0, c);
     HOLDS(!circle.contains(c.p) || truth < 0, c);
+    // All at once: never yes where one by one it is no, nor for a corner.
+    const Coordinates<2> far{c.a[0] + 64.0 * (c.a[0] - c.p[0]), c.a[1] + 64.0 * (c.a[1] - c.p[1])};
+    HOLDS(circle.excludes_all(c.p) == circle.excludes(c.p), c);
+    HOLDS(!circle.excludes_all(c.p, far) || (circle.excludes(c.p) && circle.excludes(far)), c);
+    HOLDS(!circle.excludes_all(far, c.a, c.p) && !circle.excludes_all(c.p, far, c.q), c);
+    HOLDS(!circle.excludes_all(c.p, Coordinates<2>{0x1p500, -0x1p500}), c);
 }
 
 }  // namespace

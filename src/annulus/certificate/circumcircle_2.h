@@ -6,6 +6,7 @@
 #include <annulus/certificate/width_terms.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace annulus {
 
@@ -37,18 +38,37 @@ class Circumcircle_2 {
     }
     /// p is certainly outside. Precondition: positive(). False: it is not, or the next stage has to tell.
     [[nodiscard]] bool excludes(const Coordinates<2>& p) const { return beside<1>(p); }
+    /// All of them are, and the triangle is positive: the least answer beside the bound of the largest coordinate, without a branch on the way.
+    /// True only where positive() and excludes() of each are, since a bound grows with its coordinate (and where a determinant may
+    /// overflow that coordinate is beyond the range). Precondition: the coordinates are numbers.
+    template <class... P>
+    [[nodiscard]] bool excludes_all(const P&... p) const {
+        double m = magnitude_;
+        double least = std::numeric_limits<double>::infinity();
+        ((least = std::min(least, outside_of(p, m))), ...);
+        return (int{clear(least, m)} & int{positive()}) != 0;
+    }
     /// p is certainly inside. Precondition: positive(). False: it is not, or the next stage has to tell.
     [[nodiscard]] bool contains(const Coordinates<2>& p) const { return beside<-1>(p); }
 
   private:
-    template <int side>
-    [[nodiscard]] bool beside(const Coordinates<2>& p) const {
+    /// The determinant; m is raised to the largest coordinate.
+    [[nodiscard]] double outside_of(const Coordinates<2>& p, double& m) const {
         const Vector_2<double> w{p[0] - origin_[0], p[1] - origin_[1]};
         const double ww = w.x * w.x + w.y * w.y;
-        const double outside = (w.x * normal_.x + w.y * normal_.y) + ww * twice_area_;
-        const double m = std::max(magnitude_, detail::magnitude(w));
+        m = std::max(m, detail::magnitude(w));
+        return (w.x * normal_.x + w.y * normal_.y) + ww * twice_area_;
+    }
+    /// A determinant of coordinates up to m is above its error.
+    [[nodiscard]] static bool clear(double determinant, double m) {
         const double m2 = m * m;
-        return side * outside > bounds::circumcircle_2 * bounds::u * (m2 * m2) && m <= bounds::filter_range;
+        return (int{determinant > bounds::circumcircle_2 * bounds::u * (m2 * m2)} & int{ m <= bounds::filter_range}) != 0;
+    }
+    template <int side>
+    [[nodiscard]] bool beside(const Coordinates<2>& p) const {
+        double m = magnitude_;
+        const double outside = outside_of(p, m);
+        return clear(side * outside, m);
     }
 
     Coordinates<2> origin_;

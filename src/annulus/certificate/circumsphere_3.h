@@ -7,6 +7,7 @@
 #include <annulus/certificate/width_terms_3.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace annulus {
 
@@ -43,17 +44,34 @@ class Circumsphere_3 {
     }
     /// p is certainly outside. Precondition: positive(). False: it is not, or the next stage has to tell.
     [[nodiscard]] bool excludes(const Coordinates<3>& p) const { return beside<1>(p); }
+    /// All of them are, and the cell is positive: as in Circumcircle_2.
+    template <class... P>
+    [[nodiscard]] bool excludes_all(const P&... p) const {
+        double m = magnitude_;
+        double least = std::numeric_limits<double>::infinity();
+        ((least = std::min(least, outside_of(p, m))), ...);
+        return (int{clear(least, m)} & int{positive()}) != 0;
+    }
     /// p is certainly inside. Precondition: positive(). False: it is not, or the next stage has to tell.
     [[nodiscard]] bool contains(const Coordinates<3>& p) const { return beside<-1>(p); }
 
   private:
+    /// The determinant; m is raised to the largest coordinate.
+    [[nodiscard]] double outside_of(const Coordinates<3>& p, double& m) const {
+        const Vector_3<double> w = detail::difference(p, origin_);
+        m = std::max(m, detail::magnitude(w));
+        return square(w) * determinant_ - dot(w, normal_);
+    }
+    /// A determinant of coordinates up to m is above its error.
+    [[nodiscard]] static bool clear(double determinant, double m) {
+        const double m2 = m * m;
+        return (int{determinant > bounds::circumsphere_3 * bounds::u * (m2 * m2 * m)} & int{ m <= bounds::filter_range_3}) != 0;
+    }
     template <int side>
     [[nodiscard]] bool beside(const Coordinates<3>& p) const {
-        const Vector_3<double> w = detail::difference(p, origin_);
-        const double outside = square(w) * determinant_ - dot(w, normal_);
-        const double m = std::max(magnitude_, detail::magnitude(w));
-        const double m2 = m * m;
-        return side * outside > bounds::circumsphere_3 * bounds::u * (m2 * m2 * m) && m <= bounds::filter_range_3;
+        double m = magnitude_;
+        const double outside = outside_of(p, m);
+        return clear(side * outside, m);
     }
 
     Coordinates<3> origin_;

@@ -4,8 +4,8 @@
 
 #include <annulus/arithmetic/domain.h>
 
+#include <algorithm>
 #include <cmath>
-#include <experimental/simd>
 
 namespace annulus {
 
@@ -52,26 +52,25 @@ void Odometers<d>::place(Index v, const Coordinates<d>& p) {
 template <int d>
 bool Odometers<d>::find_failed(std::span<const Coordinates<d>> x, std::size_t first, std::size_t last,
                                std::vector<Index>& failed) const {
-    using Vector = std::experimental::fixed_size_simd<double, d>;
-    constexpr std::experimental::element_aligned_tag elements;
     const Vertex_record<d>* const record = vertex_.data();
-    Vector farthest(0.0);  // by coordinate; may miss what is no number, which fails below
+    double farthest = 0.0;  // coordinate; may miss what is no number, which fails below
     bool near = true;
     for (std::size_t v = first; v < last; ++v) {
         const Vertex_record<d>& r = record[v];
-        const Vector p(x[v].data(), elements);
-        farthest = max(farthest, abs(p));
-        const Vector fixed(r.fixed.data(), elements);
-        const Vector off = (p - fixed) * (p - fixed);
-        double squares = off[0];
-        for (std::size_t k = 1; k < static_cast<std::size_t>(d); ++k) squares += off[k];
+        const Coordinates<d>& p = x[v];
+        double squares = 0.0;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) {
+            const double off = p[k] - r.fixed[k];
+            squares += off * off;
+            farthest = std::max(farthest, std::fabs(p[k]));
+        }
         if (squares < r.threshold.value()) [[likely]]
             continue;
-        near &= in_domain(x[v]);
-        if (x[v] == r.fixed || table_.corner_of(static_cast<Index>(v)) == no_corner) continue;
+        near &= in_domain(p);
+        if (p == r.fixed || table_.corner_of(static_cast<Index>(v)) == no_corner) continue;
         failed.push_back(static_cast<Index>(v));
     }
-    return near && all_of(farthest <= coordinate_limit);
+    return near && farthest <= coordinate_limit;
 }
 
 template class Odometers<2>;

@@ -56,13 +56,18 @@ template <int d>
 template <class Points>
 void Odometers<d>::prefetch(const Points& points) const {
     for (const Index v : points)
-        if (v != none) __builtin_prefetch(&list_[at(v)], 1);
+        if (v != none) {
+            __builtin_prefetch(&list_[at(v)], 1);
+            __builtin_prefetch(&vertex_[at(v)], 1);
+        }
 }
 
 template <int d>
 template <bool fresh>
 void Odometers<d>::commit_evaluated(const Repair<d>& repair, std::span<const Coordinates<d>> x, Step<d>* step) {
     const auto facets = repair.facets();
+    if (!fresh)
+        for (std::size_t i = 0; i < std::min(prefetched, facets.size()); ++i) prefetch(facets[i].point);
     for (std::size_t i = 0; i < facets.size(); ++i) {
         if (!fresh && i + prefetched < facets.size()) prefetch(facets[i + prefetched].point);
         const auto& s = facets[i];

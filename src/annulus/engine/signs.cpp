@@ -42,7 +42,7 @@ template <int d>
 void Signs<d>::find_middle() {
     has_middle_ = true;
     middle_ = {};
-    const Index stride = 1 + table_.vertex_bound() / 4096;
+    const Index stride = 1 + table_.vertex_bound() / 64;
     double points = 0.0;
     for (Index v = 0; v < table_.vertex_bound(); v += stride) {
         if (table_.corner_of(v) == no_corner) continue;
@@ -130,14 +130,15 @@ template <int d>
     }
     [&]<std::size_t... i>(std::index_sequence<i...>) {
         const Circumsphere<d> sphere(x_[at(v[i])]...);
-        const bool positive = sphere.positive();
         const std::array<Index, d + 1> opposite{t.vertex(t.twin(t.corner(c, static_cast<int>(i))))...};
         // At infinity a corner stands in, of which nothing can be said.
-        const std::array<bool, d + 1> outside{sphere.excludes(x_[at(opposite[i] == infinite ? v[0] : opposite[i])])...};
-        if ((int{positive} + ... + int{outside[i]}) == d + 2) [[likely]] {
+        const auto beyond = [&](std::size_t k) -> const Coordinates<d>& { return x_[at(opposite[k] == infinite ? v[0] : opposite[k])]; };
+        if (sphere.excludes_all(beyond(i)...)) [[likely]] {
             found.clear_halves += d + 3;
             return;
         }
+        const bool positive = sphere.positive();
+        const std::array<bool, d + 1> outside{sphere.excludes(beyond(i))...};
         if (positive) found.clear_halves += 2;
         else found.inverted.push_back(c);
         for (std::size_t k = 0; k <= d; ++k) {
@@ -165,8 +166,18 @@ void Signs<d>::look_at_everything() {
     std::vector<Found> found((cells + run - 1) / run);
     for_each_run(cells, run, threads_, [&](std::size_t first, std::size_t last) {
         Found& here = found[first / run];
-        for (Cell_index c(static_cast<Index>(first)); c.offset() < last; ++c)
-            if (table_.is_cell(c)) look_at(c, false, here);
+        // The positions of a cell's neighbours are three loads away, each of which waits for the one before: begun for some cells ahead.
+        constexpr Index ahead = 16;
+        const Index end = static_cast<Index>(last);
+        for (Index begin = static_cast<Index>(first); begin < end; begin += ahead) {
+            const Index next = std::min(begin + ahead, end);
+            for (Cell_index c(begin); c.value() < next; ++c)
+                for (int i = 0; i <= d; ++i)
+                    if (const Corner_index t = table_.twin(table_.corner(c, i)); t != no_corner)
+                        __builtin_prefetch(&x_[at(std::max(table_.vertex(t), Index{0}))]);
+            for (Cell_index c(begin); c.value() < next; ++c)
+                if (table_.is_cell(c)) look_at(c, false, here);
+        }
     });
     for (const Found& here : found) take(here);
     // Ridges are there twice, from both sides.

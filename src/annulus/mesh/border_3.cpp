@@ -2,7 +2,8 @@
 // How often the hull of space winds, read off its silhouette (docs/theory.md 1.2, (c)).
 #include <annulus/mesh/border.h>
 
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/exact_sign.h>
+#include <annulus/certificate/orientation_sign.h>
 #include <annulus/mesh/certificates.h>
 
 #include <unordered_map>
@@ -18,7 +19,9 @@ int turn(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>&
         const Coordinates<2> p{a[i], a[j]};
         const Coordinates<2> q{b[i], b[j]};
         const Coordinates<2> r{c[i], c[j]};
-        if (const int sign = orientation_verdict({&p, &q, &r}, false).sign; sign != 0) return sign;
+        const Tuple<2, 3> points{&p, &q, &r};
+        if (const int clear = orientation_sign(points); clear != 0) return clear;
+        if (const int sign = exact_orientation_sign(points).sign; sign != 0) return sign;
     }
     return 0;
 }
@@ -42,20 +45,27 @@ bool between(const Coordinates<3>& u, const Coordinates<3>& v, const Coordinates
 bool border_winds_once(const Cell_table<3>& t, std::span<const Coordinates<3>> positions) {
     const auto x = [&](Index v) -> const Coordinates<3>& { return positions[static_cast<std::size_t>(v)]; };
     std::vector<Corner_index> outer;                  // half-facets at infinity
-    By_cell<char> faces(t.cell_bound().offset(), 0);  // of an infinite cell: its facet faces the viewer
-    t.for_each_corner(infinite, [&](Corner_index h) {
+    enum : char { not_met, away, viewer };
+    By_cell<char> faces(t.cell_bound().offset(), not_met);  // the facet of an infinite cell
+    const auto enter = [&](Cell_index c) {
+        if (faces[c] != not_met) return;
+        const Corner_index h = t.corner(c, t.slot(c, infinite));
         const auto f = facet_and_vertex(t, h);  // seen from outside it turns left
         outer.push_back(h);
-        faces[t.cell_of(h)] = turn(x(f[0]), x(f[1]), x(f[2])) > 0 ? 1 : 0;
-    });
+        faces[c] = turn(x(f[0]), x(f[1]), x(f[2])) > 0 ? viewer : away;
+    };
+    enter(t.cell_of(t.corner_of_infinity()));
+    for (std::size_t k = 0; k < outer.size(); ++k)
+        for (int i = 0; i <= 3; ++i)
+            if (const Corner_index h = t.corner(t.cell_of(outer[k]), i); h != outer[k]) enter(t.cell_of(t.twin(h)));
     std::unordered_map<Index, Index> next;
     for (const Corner_index h : outer) {
         const Cell_index c = t.cell_of(h);
-        if (faces[c] == 0) continue;
+        if (faces[c] == away) continue;
         const auto f = facet_and_vertex(t, h);
         for (std::size_t i = 0; i < 3; ++i) {
             const Cell_index beyond = t.cell_of(t.twin(t.corner(c, t.slot(c, f[i]))));
-            if (faces[beyond] != 0) continue;
+            if (faces[beyond] == viewer) continue;
             if (!next.emplace(f[(i + 1) % 3], f[(i + 2) % 3]).second) return false;
         }
     }

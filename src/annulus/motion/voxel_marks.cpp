@@ -18,18 +18,19 @@ Voxel_marks::Voxel_marks(const Domain_3::Box& box, std::size_t voxels) : box_(bo
         product *= 2 * half / longest;
     }
     edge_ = longest * std::cbrt(product / static_cast<double>(voxels));
+    per_edge_ = 1.0 / edge_;
     for (std::size_t k = 0; k < 3; ++k)
         size_[k] = static_cast<std::size_t>(std::ceil((box_.upper[k] - box_.lower[k]) / edge_)) + 1;
     mark_.assign(size_[0] * size_[1] * size_[2], Mark::unknown);
 }
 
 std::size_t Voxel_marks::along(double x, std::size_t k) const {
-    const double at = std::floor((x - box_.lower[k]) / edge_);
+    const double at = (x - box_.lower[k]) * per_edge_;  // rounded towards 0 below, which is down: what is below 0 is 0
     return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(size_[k] - 1)));
 }
 
 Domain_3::Box Voxel_marks::box(const std::array<std::size_t, 3>& at) const {
-    // `along` errs by a few roundings of (x - lower) / edge, which is below the number of voxels of an axis, so a widening
+    // `along` errs by a few roundings of (x - lower) times 1 / edge, which is below the number of voxels of an axis, so a widening
     // by 1e-6 of an edge is ample unless the box is 1e9 times farther from the origin than an edge is long.
     Domain_3::Box b;
     for (std::size_t k = 0; k < 3; ++k) {

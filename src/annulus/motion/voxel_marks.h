@@ -42,6 +42,7 @@ class Voxel_marks {
     Domain_3::Box box_;
     std::array<std::size_t, 3> size_{};
     double edge_ = 1;
+    double per_edge_ = 1;
     std::vector<Mark> mark_;
 };
 
