@@ -24,7 +24,7 @@ class Chooser {
     /// What repair may cost before it gives up: with the rebuild that follows, no step costs more than one and a half of CGAL's.
     [[nodiscard]] static double most_repair(std::size_t vertices) { return share * static_cast<double>(vertices); }
     /// The same where nobody promised that: a few vertices are not rebuilt because they are few.
-    [[nodiscard]] static double most_generous_repair(std::size_t vertices) { return 2000.0 + most_repair(vertices); }
+    [[nodiscard]] static double most_generous_repair(std::size_t vertices) { return 4000.0 + most_repair(vertices); }
 
     /// While every step is a rebuild: no need to ask a larger sample, nor to count how often it was asked.
     [[nodiscard]] bool is_hopeless(const Sample& few) const { return price_of(few) > 3.0 * share; }
@@ -53,7 +53,7 @@ class Chooser {
     }
 
     /// That, a vertex.
-    static constexpr double share = 1.43 * Prices<d>::rebuild - Prices<d>::again - (Prices<d>::signs - Prices<d>::cells);
+    static constexpr double share = 1.36 * Prices<d>::rebuild - Prices<d>::again - (Prices<d>::signs - Prices<d>::cells);
 
   private:
     static constexpr std::uint32_t longest_wait = 64;

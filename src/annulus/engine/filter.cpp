@@ -129,11 +129,7 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
 template <int d>
 double Filter<d>::dearer(const Step<d>& step) const {
     if (repair_.kind() == Tolerance_kind::paper) return 0.0;
-    const std::size_t evaluated = repair_.facets().size() + repair_.cells().size();
-    if (evaluated == 0) return step.prepared;
-    const Stage_counts& by = repair_.report().arithmetic;
-    return step.prepared + Prices<d>::evaluation * static_cast<double>(evaluated) +
-           interval_evaluation_price * static_cast<double>(by.interval) + exact_evaluation_price * static_cast<double>(by.exact);
+    return step.prepared + repair_.evaluation_price();
 }
 
 /// Whether everything holds. When so many certificates have expired that their tolerances would cost more than repair may, signs are

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/local_delaunay.h>
 
+#include <annulus/engine/prices.h>
 #include <annulus/mesh/evaluate.h>
 #include <annulus/mesh/replace_cells.h>
 
@@ -10,7 +11,6 @@
 namespace annulus {
 
 namespace {
-constexpr double point_price = 160.0;  // in cells looked at
 constexpr int most_rounds = 40;
 
 /// A vertex that is named for the length of a call, however that ends.
@@ -87,7 +87,7 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
         std::sort(vertices_.begin(), vertices_.end());
         vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
         if (goes_ != none) std::erase(vertices_, goes_);
-        const double price = point_price * static_cast<double>(vertices_.size());
+        const double price = Prices<d>::point * static_cast<double>(vertices_.size());
         if (price_ + price > most) return false;
         price_ += price;
         cells_.clear();

@@ -3,13 +3,13 @@
 #include <annulus/engine/mender.h>
 
 #include <annulus/engine/displacement.h>
+#include <annulus/engine/prices.h>
 
 #include <algorithm>
 
 namespace annulus {
 
 namespace {
-constexpr double flip_price = 8.0;  // in cells looked at, besides those
 constexpr int most_rounds = 64;
 constexpr int most_idle_rounds = 3;
 
@@ -52,7 +52,7 @@ void Mender<d>::place(Index v, const Coordinates<d>& p) {
 template <int d>
 void Mender<d>::made(std::span<const Cell_index> cells) {
     ++flips_;
-    price_ += flip_price;
+    price_ += Prices<d>::flip;
     for (const Cell_index c : cells) {
         touched_.push_back(c);
         signs_.look_at(c, true);

@@ -2,6 +2,7 @@
 #include <annulus/engine/repair.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/engine/prices.h>
 #include <annulus/mesh/border.h>
 #include <annulus/mesh/distinct_facets.h>
 
@@ -185,8 +186,7 @@ bool Repair<d>::mend_all(std::span<const Coordinates<d>> old, double most) {
 template <int d>
 bool Repair<d>::mend_one(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& old, double most) {
     if (collides(v, old)) throw Error(Error_code::collision, "another vertex is at that position");
-    constexpr double reinsertion = d == 2 ? 400.0 : 1500.0;
-    if (mend({x, {}, v, old}, std::min(most, reinsertion))) return true;
+    if (mend({x, {}, v, old}, std::min(most, Prices<d>::reinsertion))) return true;
     if (!trusted_) return false;  // nor need it be simplicial then, which restoring wants
     embedding_.restore_cells(mender_.touched(), renumbered_);
     return reinsert(v);
@@ -223,7 +223,7 @@ bool Repair<d>::mend(const Course<d>& course, double most) {
     mending_ = true;
     const bool mended = mender_.mend(course, most);
     count_signs();
-    if (mended && holds_after_mending()) {
+    if (mended && holds_after_mending(most - mender_.price())) {
         report_.flips += mender_.flips();
         changed_ = mender_.touched();
         reinserted_ = mender_.reinserted();
@@ -235,7 +235,7 @@ bool Repair<d>::mend(const Course<d>& course, double most) {
 }
 
 template <int d>
-bool Repair<d>::holds_after_mending() {
+bool Repair<d>::holds_after_mending(double most) {
     const auto& t = embedding_.table();
     std::vector<Cell_index> alive;
     std::copy_if(mender_.touched().begin(), mender_.touched().end(), std::back_inserter(alive),
@@ -247,7 +247,17 @@ bool Repair<d>::holds_after_mending() {
     many_ |= at_border;
     if (at_border && mender_.built_anew() && !border_is_whole(t)) return false;
     if (signs_) return !border_in_doubt() || border_winds_once(t, x_);
-    suspect_cells(alive);
+    // Their tolerances are to be paid for too, and what later stages cost nobody knows before.
+    constexpr std::size_t chunk = 128;
+    const double before = evaluation_price();
+    for (std::span<const Cell_index> left(alive); !left.empty();) {
+        suspect_cells(left.first(std::min(chunk, left.size())));
+        left = left.subspan(std::min(chunk, left.size()));
+        if (left.empty()) break;
+        evaluate_stale(facets_);
+        evaluate_stale(cells_);
+        if (evaluation_price() - before > most) return false;
+    }
     return evaluate();
 }
 

@@ -4,6 +4,7 @@
 #include <annulus/engine/least_tolerance.h>
 #include <annulus/engine/mender.h>
 #include <annulus/engine/move_report.h>
+#include <annulus/engine/prices.h>
 #include <annulus/mesh/certificates.h>
 #include <annulus/engine/embedding.h>
 
@@ -88,6 +89,12 @@ class Repair {
 
     /// What this examination cost without evaluations, in cells looked at.
     [[nodiscard]] double price() const { return mender_.price(); }
+    /// What evaluations cost, or will of what is suspected as yet, the later stages of those that have been made included.
+    [[nodiscard]] double evaluation_price() const {
+        return Prices<d>::evaluation * static_cast<double>(facets_.size() + cells_.size()) +
+               interval_evaluation_price * static_cast<double>(report_.arithmetic.interval - counted_.interval) +
+               exact_evaluation_price * static_cast<double>(report_.arithmetic.exact - counted_.exact);
+    }
     [[nodiscard]] std::span<const Facet_suspect> facets() const { return facets_; }
     [[nodiscard]] std::span<const Cell_suspect> cells() const { return cells_; }
     /// Vertices of certificates that were found violated, and those around which cells were built anew, of this examination.
@@ -138,7 +145,7 @@ class Repair {
     [[nodiscard]] bool signs_hold(double most);
     [[nodiscard]] bool border_in_doubt() const;
     [[nodiscard]] bool mend(const Course<d>& course, double most);
-    [[nodiscard]] bool holds_after_mending();
+    [[nodiscard]] bool holds_after_mending(double most);
     [[nodiscard]] bool reinsert(Index v);
     void forget();
     [[nodiscard]] bool collides(Index v, const Coordinates<d>& home) const;

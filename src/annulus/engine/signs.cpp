@@ -4,6 +4,7 @@
 #include <annulus/certificate/circumcircle_2.h>
 #include <annulus/certificate/circumsphere_3.h>
 #include <annulus/certificate/orientation_sign.h>
+#include <annulus/engine/prices.h>
 #include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/parallel_runs.h>
 
@@ -18,11 +19,6 @@ namespace {
 
 template <int d>
 using Circumsphere = std::conditional_t<d == 2, Circumcircle_2, Circumsphere_3>;
-
-// Prices in cells looked at.
-constexpr double exact_price = 50.0;
-constexpr double interval_price = 7.0;
-constexpr double filter_price = 0.5;
 
 }  // namespace
 
@@ -55,7 +51,7 @@ void Signs<d>::find_middle() {
 template <int d>
 int Signs<d>::decided(Staged_sign s) {
     decided_.count(s.stage);
-    price_ += s.stage == Stage::interval ? interval_price : exact_price;
+    price_ += s.stage == Stage::interval ? Prices<d>::interval : Prices<d>::exact;
     return s.sign;
 }
 
@@ -76,7 +72,7 @@ template <int d>
 bool Signs<d>::clearly(int sign) {
     if (sign == 0) return false;
     ++decided_.filter;
-    price_ += filter_price;
+    price_ += Prices<d>::filter;
     return true;
 }
 
@@ -187,7 +183,7 @@ void Signs<d>::look_at_everything() {
 
 template <int d>
 void Signs<d>::look_around(Index v, bool border) {
-    table_.for_each_corner(v, [&](Corner_index h) { look_at(Cell_table<d>::cell_of(h), border, found_); });
+    table_.for_each_corner(v, [&](Corner_index h) { look_at(Cell_table<d>::cell_of(h), border); });
 }
 
 template class Signs<2>;

@@ -3,6 +3,7 @@
 
 #include <annulus/certificate/exact_sign.h>
 #include <annulus/engine/move_report.h>
+#include <annulus/engine/prices.h>
 #include <annulus/mesh/certificates.h>
 
 #include <span>
@@ -30,7 +31,10 @@ class Signs {
     void rebind(std::span<const Coordinates<d>> x) { x_ = x; }
 
     /// The cell c and its facets; of an infinite cell the ridges, and with `border` whether it faces the middle.
-    void look_at(Cell_index c, bool border) { look_at(c, border, found_); }
+    void look_at(Cell_index c, bool border) {
+        price_ += Prices<d>::alone - 1.0;
+        look_at(c, border, found_);
+    }
     /// Every cell.
     void look_at_everything();
     /// Every certificate that contains v.
