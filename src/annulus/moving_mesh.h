@@ -27,7 +27,8 @@ struct Mesh_cells {
 /// A Delaunay triangulation that is kept right while its vertices move, as arrays: Moving_delaunay without an object of CGAL's, for
 /// who needs no handles. The same engine, options, strategies and errors, and the same promises: with Tolerance_kind::certified the
 /// cells are Delaunay at the positions of the vertices after every call, proved; positions and indices are as they were when a call
-/// throws (but that remove() may have removed the vertex when memory ran out; as to GMP and CGAL's Mpzf see moving_delaunay.h). Positions are in the caller's unit of length. Not thread-safe; const members may run concurrently.
+/// throws (but that remove() may have removed the vertex when memory ran out; as to GMP and CGAL's Mpzf see moving_delaunay.h).
+/// Positions are in the caller's unit of length. Not thread-safe; const members may run concurrently.
 ///
 /// Vertices have an index in input order. Removing a vertex leaves its index vacant; the next insertion takes the index vacated last.
 template <int d>

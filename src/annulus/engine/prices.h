@@ -14,7 +14,7 @@ struct Prices<2> {
     static constexpr double rebuild = 22.5;  // by CGAL
     static constexpr double again = 16.2;    // by a rebuild of ours, in the order of the last one
     static constexpr double cells = 2.0;     // the signs of everything: cells a vertex
-    static constexpr double signs = 2.45;     // with what is written for each vertex
+    static constexpr double signs = 2.45;    // with what is written for each vertex
     static constexpr double mirror = 3.0;
     static constexpr double settling = 13.7;
     // Each, of cells that a sample shows:
@@ -22,19 +22,19 @@ struct Prices<2> {
     static constexpr double inverted = 112.0;
     static constexpr double unclear = 10.0;
     // Each, as it happens:
-    static constexpr double alone = 1.4;       // a cell looked at by itself, not with all others
-    static constexpr double flip = 12.0;       // besides the cells that are looked at
-    static constexpr double point = 230.0;     // of a region that is built anew
-    static constexpr double filter = 0.7;      // a sign by itself
+    static constexpr double alone = 1.4;          // a cell looked at by itself, not with all others
+    static constexpr double flip = 12.0;          // besides the cells that are looked at
+    static constexpr double point = 230.0;        // of a region that is built anew
+    static constexpr double filter = 0.7;         // a sign by itself
     static constexpr double interval = 10.0;
     static constexpr double exact = 70.0;
     static constexpr double reinsertion = 570.0;  // of a vertex
     // Each, with tolerances:
     static constexpr double failure = 4.5;
     static constexpr double evaluation = 6.5;
-    static constexpr double star = 9.5;      // for comparison: the signs around a vertex that moves alone
+    static constexpr double star = 9.5;          // for comparison: the signs around a vertex that moves alone
     static constexpr double certificates = 5.0;  // a vertex
-    static constexpr double expected = 4.8;  // of a certificate that the outlook lets expire
+    static constexpr double expected = 4.8;      // of a certificate that the outlook lets expire
 };
 
 template <>
