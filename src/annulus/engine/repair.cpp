@@ -248,14 +248,17 @@ bool Repair<d>::holds_after_mending(double most) {
     if (at_border && mender_.built_anew() && !border_is_whole(t)) return false;
     if (signs_) return !border_in_doubt() || border_winds_once(t, x_);
     // Their tolerances are to be paid for too, and what later stages cost nobody knows before.
-    constexpr std::size_t chunk = 128;
+    const std::size_t chunk = std::max(alive.size() / 16, std::size_t{128});
     const double before = evaluation_price();
     for (std::span<const Cell_index> left(alive); !left.empty();) {
+        const std::size_t facets = facets_.size();
+        const std::size_t cells = cells_.size();
         suspect_cells(left.first(std::min(chunk, left.size())));
         left = left.subspan(std::min(chunk, left.size()));
         if (left.empty()) break;
-        evaluate_stale(facets_);
-        evaluate_stale(cells_);
+        // Those that are new; suspects of before that have become stale again come last, with evaluate().
+        evaluate_stale(std::span(facets_).subspan(facets));
+        evaluate_stale(std::span(cells_).subspan(cells));
         if (evaluation_price() - before > most) return false;
     }
     return evaluate();

@@ -134,7 +134,7 @@ class Repair {
     template <class S>
     [[nodiscard]] Stage_counts evaluate_run(std::span<S> suspects) const;
     template <class S>
-    void evaluate_stale(std::vector<S>& suspects);
+    void evaluate_stale(std::span<S> suspects);
     /// The certificate does not hold. A degenerate sphere is decided by the perturbation, once its cells are positive.
     [[nodiscard]] bool violated(const Facet_suspect& s) const;
     [[nodiscard]] bool violated(const Cell_suspect& s) const { return s.verdict.sign <= 0; }

@@ -92,17 +92,17 @@ Stage_counts Repair<d>::evaluate_run(std::span<S> suspects) const {
 
 template <int d>
 template <class S>
-void Repair<d>::evaluate_stale(std::vector<S>& suspects) {
+void Repair<d>::evaluate_stale(std::span<S> suspects) {
     if (suspects.empty()) return;  // as cells often are
     constexpr std::size_t run = 1024;  // whatever the number of threads
     const auto add = [this](const Stage_counts& counts) {
         report_.evaluated += counts.total();
         report_.arithmetic += counts;
     };
-    if (suspects.size() <= run) return add(evaluate_run(std::span(suspects)));
+    if (suspects.size() <= run) return add(evaluate_run(suspects));
     std::vector<Stage_counts> counts((suspects.size() + run - 1) / run);
     for_each_run(suspects.size(), run, threads_, [&](std::size_t first, std::size_t last) {
-        counts[first / run] = evaluate_run(std::span(suspects).subspan(first, last - first));
+        counts[first / run] = evaluate_run(suspects.subspan(first, last - first));
     });
     for (const Stage_counts& here : counts) add(here);
 }
@@ -121,8 +121,8 @@ bool Repair<d>::violated(const Facet_suspect& s) const {
 
 template <int d>
 bool Repair<d>::evaluate() {
-    evaluate_stale(facets_);
-    evaluate_stale(cells_);
+    evaluate_stale(std::span(facets_));
+    evaluate_stale(std::span(cells_));
     // The perturbation needs positive cells; where a cell is inverted the answer is no anyway.
     const auto fails = [this](const auto& s) { return this->exists(s) && this->violated(s); };
     if (std::any_of(cells_.begin(), cells_.end(), fails) || std::any_of(facets_.begin(), facets_.end(), fails))
@@ -182,5 +182,10 @@ bool Repair<d>::star_holds(Index v, Least_tolerance& least) {
 
 template class Repair<2>;
 template class Repair<3>;
+// For repair.cpp.
+template void Repair<2>::evaluate_stale(std::span<Facet_suspect>);
+template void Repair<2>::evaluate_stale(std::span<Cell_suspect>);
+template void Repair<3>::evaluate_stale(std::span<Facet_suspect>);
+template void Repair<3>::evaluate_stale(std::span<Cell_suspect>);
 
 }  // namespace annulus
