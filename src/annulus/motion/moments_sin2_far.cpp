@@ -15,6 +15,36 @@ namespace {
 
 constexpr std::size_t max_degree = 31;
 
+/// Two doubles that are worked on at once, as many as any x86-64 does. Always two, so that sums have the same bits
+/// whatever the machine.
+using Pair [[gnu::vector_size(16)]] = double;
+
+/// sin^2 r, sin 2r and cos 2r.
+struct Waves {
+    double square, sine, cosine;
+};
+
+/// Errors of a few roundings, for sin^2 relative up to those of r; r >= 0. Both series side by side, without a branch
+/// that depends on r: a sine and a cosine of the library cost twice as much.
+Waves waves(double r) {
+    if (!(r < 1e5)) {
+        const double s = std::sin(r), c = std::cos(r);
+        return {s * s, 2 * s * c, (c - s) * (c + s)};
+    }
+    // Less quarter turns; pi / 2 in three parts of 33 bits, so that their products are exact (Cody and Waite).
+    const int turns = static_cast<int>(r * (2 * std::numbers::inv_pi) + 0.5);
+    const double n = turns;
+    const double y = ((r - n * 0x1.921fb544p+0) - n * 0x1.0b4611a6p-34) - n * 0x1.3198a2ep-69, z = y * y;
+    // Taylor series, |y| < pi / 4 and a rounding: sin y up to y^17, cos y up to y^16, as products of 1 - z / (2k (2k +
+    // 1)) and 1 - z / (2k (2k - 1)) within each other; what is left out is below 3e-18.
+    Pair series{1, 1};
+    for (int k = 8; k >= 2; --k)
+        series = 1 - series * (z * Pair{1.0 / (2 * k * (2 * k + 1)), 1.0 / (2 * k * (2 * k - 1))});
+    const double s = y - y * (z * (1.0 / 6)) * series[0], less = z * 0.5 * series[1], c = 1 - less;
+    const double squares[2] = {s * s, c * c}, sign = 1 - 2 * (turns & 1);
+    return {squares[turns & 1], sign * (2 * s * c), sign * ((c - s) * (c + s))};
+}
+
 /// at(1), at(2), ...
 constexpr auto table(auto at) {
     std::array<double, max_degree + 3> of{};
@@ -52,7 +82,8 @@ struct Demand {
     double density, mass, area;  ///< allowed error of the density and of the mass; 1e-13 of the area
 
     Demand(double r, const Size_2& size) {
-        const double h = size.radius, turns = r * std::numbers::inv_pi, off = std::abs(turns - std::floor(turns + 0.5));
+        const double h = size.radius, turns = r * std::numbers::inv_pi,
+                     off = r < 1e5 ? std::abs(turns - static_cast<int>(turns + 0.5)) : 0;
         // |sin r| >= 2 off, and changes by h at most; where it is 0 the mean of its square is that of a squared
         // coordinate, which is h^2 / 8 for a regular triangle, and about h^2 / 64 for cells three times as long as
         // wide. No sine: what is decided here must be known early, because a wrong guess of the processor costs it as
@@ -137,16 +168,12 @@ class Far_cell {
     }
 
   private:
-    /// Two doubles that are worked on at once, as many as any x86-64 does. Always two, so that sums have the same bits
-    /// whatever the machine.
-    using Pair [[gnu::vector_size(16)]] = double;
-
     /// potential_[k] = f[k] / (k + 1), f[k] the coefficients of the density. y(z) = cos(2 sqrt(z)) has z y'' + y'/2 + y
     /// = 0, which gives (k + 1) (k + 2) y[k + 2] = -(k + 1) (2k + 1) y[k + 1] / r_ - 4 y[k] in powers of v. A rounding
     /// grows like (2 / r_)^k, and counts v^k < (r_ / 3)^k.
     void expand(std::size_t degree) {
-        const double r = r_, s = std::sin(r), co = std::cos(r);
-        const double f0 = s * s, f1 = 2 * s * co, f2 = (co - s) * (co + s) - f1 * (over_r_ / 2);
+        const Waves at = waves(r_);
+        const double f0 = at.square, f1 = at.sine, f2 = at.cosine - f1 * (over_r_ / 2);
         potential_[0] = Pair{f0, f0};
         potential_[1] = Pair{f1 / 2, f1 / 2};
         double before = f1, f = f2;
@@ -201,10 +228,11 @@ class Far_cell {
                 v[n - 1 - j] = even + odd;
             }
             if (n % 2) v[n / 2] = middle;
-            for (int j = 0; j < n; ++j) psi[j] = potential_[degree];
-            for (std::size_t l = degree; l-- > 0;) {
-                const Pair p_l = potential_[l];
-                for (int j = 0; j < n; ++j) psi[j] = psi[j] * v[j] + p_l;
+            const Pair* at = potential_.data() + degree;
+            for (int j = 0; j < n; ++j) psi[j] = *at;
+            while (at != potential_.data()) {
+                const Pair next = *--at;
+                for (int j = 0; j < n; ++j) psi[j] = psi[j] * v[j] + next;
             }
             Pair g_sum{}, gv_sum{}, psi_sum{}, odd_sum{};
             for (int j = 0; j < n; ++j) {

@@ -17,7 +17,7 @@ struct Size_2 {
 };
 
 /// `sin2_moments` of the kind "far": radius <= 1.5 and 4 radius < r = |origin|. Errors of `moments`; O(corners), no
-/// allocation, the same bits on every machine whose sine has the same.
+/// allocation, the same bits on every machine for r < 1e5.
 [[nodiscard]] Moments_2 far_sin2_moments(const Coordinates<2>& origin, double r, std::span<const Corner_2> corners,
                                          const Size_2& size);
 
