@@ -149,7 +149,7 @@ struct Surface_3::Tree {
           mesh(mesh_of(surface)),
           tree(faces(mesh).first, faces(mesh).second, mesh),
           box(box_of(s)),
-          marks(box, std::clamp<std::size_t>(20 * s.triangles.size(), 32'768, 2'097'152)) {
+          marks(box, std::clamp<std::size_t>(160 * s.triangles.size(), 65'536, 16'777'216)) {
         tree.build();
         tree.accelerate_distance_queries();
         side.emplace(tree);
