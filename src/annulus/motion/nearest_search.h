@@ -34,8 +34,8 @@ double squared_gap(const Coordinates<3>& p, const Corner& lower, const Corner& u
 /// projection that is rounded and moved into the triangle's box. So it is the same bit for bit, whatever was kept. This
 /// needs only that no answer of a triangle is nearer than its box, which the move makes true, and that
 /// |p - box| >= |c - box| - |p - c| for the centre c. Each of these lengths, and that of the answer, is a square root
-/// of three squares of differences: it errs by less than 5 u of itself, u = 2^-53, and by less than 1e-160 where squares
-/// are too small to be told from 0. `is_farther` leaves room for more than ten times as much.
+/// of three squares of differences: it errs by less than 5 u of itself, u = 2^-53, and by less than 1e-160 where
+/// squares are too small to be told from 0. `is_farther` leaves room for more than ten times as much.
 template <class Tree>
 class Nearest_search {
   public:

@@ -13,8 +13,8 @@ namespace annulus {
 /// A grid over a box in which every voxel is inside of a closed surface, outside, or may meet it.
 ///
 /// Voxels that do not meet the surface and share a side are on the same side of it, so one test decides for all that
-/// are connected. Where cubes of 4 x 4 x 4 are all inside or all outside, that is said once: away from the surface these
-/// few marks are all that is looked at, and they stay in a cache.
+/// are connected. Where cubes of 4 x 4 x 4 are all inside or all outside, that is said once: away from the surface
+/// these few marks are all that is looked at, and they stay in a cache.
 class Voxel_marks {
   public:
     enum class Mark : std::uint8_t { unknown, near, inside, outside };
