@@ -4,6 +4,7 @@
 #include <annulus/motion/ball_3.h>
 #include <annulus/motion/kept_cells_3.h>
 #include <annulus/motion/nodt_3.h>
+#include <annulus/motion/surface_3.h>
 #include <annulus/moving_delaunay_3.h>
 
 #include <catch2/catch.hpp>
@@ -123,9 +124,12 @@ TEST_CASE("what is kept of cells at rest is what measuring them again gives", "[
 
 TEST_CASE("natural ODT with a memory does what it does without, in any number of threads", "[motion][nodt]") {
     const Ball_3 ball(1);
-    Points points;
-    for (const auto& p : random_points(1500, 6)) points.push_back(ball.contains(p) ? p : ball.project(p));
-    const auto on_surface = vertices_on_surface(ball, points);
+    const Surface_3 surface(round_octahedron(2));
+    const Domain_3& domain = GENERATE(0, 1) == 0 ? static_cast<const Domain_3&>(ball) : surface;
+    Points points = domain.surface_sample(700, 6);
+    for (const auto& p : random_points(1500, 6))
+        if (domain.contains(p)) points.push_back(p);
+    const auto on_surface = vertices_on_surface(domain, points);
     for (const double gradation : {0.0, 1.0}) {
         Points x = points;
         Moving_delaunay_3 dt = kept(x);
@@ -137,14 +141,14 @@ TEST_CASE("natural ODT with a memory does what it does without, in any number of
             Points expected(x.size());
             Kept_cells_3 fresh;
             fresh.read(dt.embedding().table());
-            fresh.measure(ball, dt.positions());
-            const Nodt_step one = Nodt_3(ball, Sizing_3(ball, gradation), on_surface, 20.0, 1)
+            fresh.measure(domain, dt.positions());
+            const Nodt_step one = Nodt_3(domain, Sizing_3(domain, gradation), on_surface, 20.0, 1)
                                       .step(fresh.cells(), fresh.inside(), dt.positions(), expected);
             for (std::size_t k = 0; k < 3; ++k) {
                 Points target(x.size());
                 cells[k].read(dt.embedding().table(), threads[k]);
-                cells[k].measure(ball, dt.positions(), threads[k]);
-                const Nodt_step got = Nodt_3(ball, Sizing_3(ball, gradation), on_surface, 20.0, threads[k])
+                cells[k].measure(domain, dt.positions(), threads[k]);
+                const Nodt_step got = Nodt_3(domain, Sizing_3(domain, gradation), on_surface, 20.0, threads[k])
                                           .step(cells[k], dt.positions(), target, memory[k]);
                 CHECK((target == expected));
                 CHECK(got.mean_displacement == one.mean_displacement);

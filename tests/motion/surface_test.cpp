@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 using namespace annulus;
 using namespace annulus_test;
@@ -65,6 +66,47 @@ TEST_CASE("a projection is the nearest point", "[motion][surface]") {
             nearest[side] = std::copysign(s[side], p[side]);
         }
         CHECK(distance(surface.project(p), nearest) < 1e-15);
+    }
+}
+
+TEST_CASE("nearest points are the same whatever was kept of earlier questions", "[motion][surface]") {
+    Triangle_surface needles = round_octahedron(2), far = dented(), tiny = dented();
+    for (auto& p : needles.points) p[0] *= 1e-7, p[1] *= 1e-3;
+    for (auto& p : far.points) p[2] += 1e5;
+    for (auto& p : tiny.points)
+        for (double& x : p) x *= 1e-25;
+    const Triangle_surface shape = GENERATE_COPY(box({0.9, 0.5, 0.02}), round_octahedron(0), round_octahedron(4), dented(), needles, far, tiny);
+    const Surface_3 surface(shape, true);
+    const Domain_3::Box box = surface.bounding_box();
+    const double size = distance(box.lower, box.upper), rounding = 1e-13 * (size + distance({}, box.upper));
+    std::mt19937_64 bits(31);
+    const auto number = [&] { return std::uniform_real_distribution<double>(-1, 1)(bits); };
+    for (const double log_stride : {-12.0, -4.0, -2.0, 0.0, 3.0, 200.0}) {  // the last three: each step, from a hundredth to thousands of sizes
+        CAPTURE(log_stride);
+        Nearby_3 nearby;
+        Coordinates<3> p = surface.surface_sample(1, 5)[0], near = p;
+        std::size_t same_ball = 0;
+        for (int step = 0; step < (log_stride < 0 ? 1500 : 150); ++step) {  // CGAL answers slowly from afar
+            const double stride = size * std::pow(10, log_stride < 0 ? log_stride : log_stride * std::abs(number()) - 2);
+            for (double& x : p) x += stride * number();
+            // Mostly close to the surface, as vertices are, at times on it, at a corner, or with a place near by that is not.
+            if (step % 5 == 1) p = surface.project(p);
+            if (step % 100 == 50) p = shape.points[static_cast<std::size_t>(step) % shape.points.size()];
+            if (step % 70 == 30) near = p;
+            if (step % 70 == 31) near[1] += 100 * size;
+            const Coordinates<3> centre = nearby.centre, got = surface.project(p, near, nearby);
+            same_ball += nearby.centre == centre;
+            Nearby_3 nothing;
+            REQUIRE(got == surface.project(p, near, nothing));
+            const Coordinates<3> nearest = surface.project(p);
+            if (std::isfinite(distance(p, nearest) * distance(p, nearest)))
+                REQUIRE(std::abs(distance(p, got) - distance(p, nearest)) <= rounding + 1e-15 * distance(p, nearest));
+            REQUIRE(distance(got, surface.project(got)) <= rounding);
+            near = got;
+            if (distance(p, got) > 0.1 * size && log_stride < 3) p = got;
+        }
+        if (log_stride == -4.0) CHECK(same_ball > 900);
+        CHECK(nearby.parts.size() <= 48);
     }
 }
 

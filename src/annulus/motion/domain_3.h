@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
+#include <annulus/motion/nearby_3.h>
 
 #include <cstdint>
 #include <optional>
@@ -24,10 +25,12 @@ class Domain_3 {
     [[nodiscard]] virtual bool contains(const Coordinates<3>& p) const = 0;
     /// The nearest point of the surface, up to rounding.
     [[nodiscard]] virtual Coordinates<3> project(const Coordinates<3>& p) const = 0;
-    /// The same, told of a point of the surface, up to rounding, that is near: where surfaces are searched, what is farther is not looked
-    /// at.
-    [[nodiscard]] virtual Coordinates<3> project(const Coordinates<3>& p, const Coordinates<3>& near) const {
-        (void)near;
+    /// The same for who asks again and again from places that are close together: `near` is a point of the surface, up
+    /// to rounding, not far away, and `nearby` is what was kept of earlier questions to this domain. The answer is the
+    /// same bit for bit whatever these are.
+    [[nodiscard]] virtual Coordinates<3> project(const Coordinates<3>& p, const Coordinates<3>& near,
+                                                 Nearby_3& nearby) const {
+        (void)near, (void)nearby;
         return project(p);
     }
     /// A point of the surface on the segment from a to b, up to rounding; nothing when they do not meet.

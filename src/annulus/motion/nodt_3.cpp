@@ -201,6 +201,7 @@ Nodt_step Nodt_3::step_of(const Mesh& mesh, std::span<const Coordinates<3>> posi
     Sums sums{std::vector<Mean>(n), std::vector<char>(n, 0)};
     sum_cells(mesh, position, mu, sums);
 
+    memory.nearby_.resize(n);
     std::vector<Mean> area(n);
     const auto facets = surface_facets(mesh.cells, mesh.inside, threads_);
     const Surface_stars surface(facets, n);
@@ -234,7 +235,7 @@ Nodt_step Nodt_3::step_of(const Mesh& mesh, std::span<const Coordinates<3>> posi
                 for (const auto& [a, b] : surface.around(static_cast<Index>(v)))
                     nearest = std::min(nearest, distance(position[v], position[at(a)]));
                 wanted = towards(position[v], wanted, surface_relaxation, surface_stride * nearest);
-                wanted = domain_.project(wanted, position[v]);
+                wanted = domain_.project(wanted, position[v], memory.nearby_[v]);
             } else if (good) {
                 good = domain_.contains(wanted);
             }

@@ -28,11 +28,12 @@ struct Nodt_step {
 /// A flag for every point that is on the surface of the domain, up to 1e-9 of the diagonal of its box.
 [[nodiscard]] std::vector<char> vertices_on_surface(const Domain_3& domain, std::span<const Coordinates<3>> points);
 
-/// What one step leaves for the next: sizes where vertices have not moved. For steps of one Nodt_3.
+/// What one step leaves for the next: sizes where vertices have not moved, what is near those on the surface. For steps of one Nodt_3.
 class Nodt_memory {
     friend class Nodt_3;
     std::vector<Coordinates<3>> position_;
     std::vector<double> mu_;  ///< the sizing there
+    std::vector<Nearby_3> nearby_;
 };
 
 /// Natural optimal Delaunay triangulation (section 4.2 of the paper; Tournois, Wormser, Alliez, Desbrun 2009).

@@ -2,6 +2,7 @@
 #include <annulus/motion/surface_3.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/motion/nearest_search.h>
 #include <annulus/motion/surface_faults.h>
 #include <annulus/motion/voxel_marks.h>
 
@@ -46,6 +47,28 @@ struct Guarded_kernel : K {
 };
 using Aabb_tree = CGAL::AABB_tree<CGAL::AABB_traits<Guarded_kernel, Primitive>>;
 using Side = CGAL::Side_of_triangle_mesh<Mesh, K, CGAL::Default, Aabb_tree>;
+
+/// What a ball meets: triangles whose boxes are within a distance of its centre, and how far these are.
+struct Listing {
+    struct Query {
+        Coordinates<3> centre;
+        double reach;
+    };
+    static double gap(const Query& ball, const CGAL::Bbox_3& b) {
+        return std::sqrt(squared_gap(ball.centre, std::array{b.xmin(), b.ymin(), b.zmin()}, std::array{b.xmax(), b.ymax(), b.zmax()}));
+    }
+    [[nodiscard]] static constexpr bool go_further() { return true; }
+    [[nodiscard]] bool do_intersect(const Query& ball, const CGAL::AABB_node<CGAL::AABB_traits<Guarded_kernel, Primitive>>& node) const {
+        return gap(ball, node.bbox()) <= ball.reach;
+    }
+    void intersection(const Query& ball, const Primitive& primitive) {
+        const auto number = static_cast<std::int32_t>(primitive.id());
+        const double least = gap(ball, (*triangles)[static_cast<std::size_t>(number)].bbox());
+        if (least <= ball.reach) parts->push_back({least, number});
+    }
+    const std::vector<K::Triangle_3>* triangles;
+    std::vector<Nearby_3::Part>* parts;
+};
 
 K::Point_3 cgal(const Coordinates<3>& p) { return {p[0], p[1], p[2]}; }
 Coordinates<3> ours(const K::Point_3& p) { return {p.x(), p.y(), p.z()}; }
@@ -126,11 +149,16 @@ struct Surface_3::Tree {
           mesh(mesh_of(surface)),
           tree(faces(mesh).first, faces(mesh).second, mesh),
           box(box_of(s)),
-          marks(box, std::clamp<std::size_t>(20 * s.triangles.size(), 32'768, 2'097'152)) {
+          marks(box, std::clamp<std::size_t>(160 * s.triangles.size(), 65'536, 16'777'216)) {
         tree.build();
         tree.accelerate_distance_queries();
         side.emplace(tree);
         mark();
+        for (const auto f : mesh.faces()) {
+            const auto h = mesh.halfedge(f);
+            triangles.emplace_back(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                   mesh.point(mesh.target(mesh.next(h))));
+        }
         double sum = 0;
         for (const auto& t : surface.triangles) {
             const K::Point_3 p[3] = {corner(t, 0), corner(t, 1), corner(t, 2)};
@@ -167,9 +195,23 @@ struct Surface_3::Tree {
         marks.fill([this](const Coordinates<3>& p) { return (*side)(cgal(p)) == CGAL::ON_BOUNDED_SIDE; });
     }
 
+    // What Nearest_search asks for.
+    [[nodiscard]] const K::Triangle_3& triangle(std::int32_t number) const {
+        return triangles[static_cast<std::size_t>(number)];
+    }
+    [[nodiscard]] static Coordinates<3> project(const K::Triangle_3& t, const Coordinates<3>& p) {
+        return ours(Guarded_kernel().construct_projected_point_3_object()(t, cgal(p)));
+    }
+    void list(const Coordinates<3>& centre, double reach, std::vector<Nearby_3::Part>& parts) const {
+        Listing listing{&triangles, &parts};
+        tree.traversal(Listing::Query{centre, reach}, listing);
+    }
+    [[nodiscard]] Coordinates<3> nearest(const Coordinates<3>& p) const { return ours(tree.closest_point(cgal(p))); }
+
     Triangle_surface surface;
     Mesh mesh;
     Aabb_tree tree;
+    std::vector<K::Triangle_3> triangles;  // by the number of their face in the mesh
     Box box;
     Voxel_marks marks;
     std::optional<Side> side;
@@ -194,10 +236,10 @@ bool Surface_3::contains_by_ray(const Coordinates<3>& p) const {
     return (*tree_->side)(cgal(p)) == CGAL::ON_BOUNDED_SIDE;
 }
 
-Coordinates<3> Surface_3::project(const Coordinates<3>& p) const { return ours(tree_->tree.closest_point(cgal(p))); }
+Coordinates<3> Surface_3::project(const Coordinates<3>& p) const { return tree_->nearest(p); }
 
-Coordinates<3> Surface_3::project(const Coordinates<3>& p, const Coordinates<3>& near) const {
-    return ours(tree_->tree.closest_point(cgal(p), cgal(near)));
+Coordinates<3> Surface_3::project(const Coordinates<3>& p, const Coordinates<3>& near, Nearby_3& nearby) const {
+    return Nearest_search(*tree_, nearby).nearest(p, near);
 }
 
 std::optional<Coordinates<3>> Surface_3::crossing(const Coordinates<3>& a, const Coordinates<3>& b) const {

@@ -10,8 +10,10 @@ namespace annulus {
 
 /// What a closed triangle surface encloses: the points from which a ray crosses it an odd number of times.
 ///
-/// CGAL's AABB tree answers everything but where to go from a point near by, which motions ask most. `contains` is decided by exact predicates, and at once for points in a voxel of a
-/// grid that the surface does not enter: such a voxel is inside or outside as a whole.
+/// CGAL's AABB tree answers everything but what is nearest to a point when one close by was asked for before, which
+/// motions ask most: then a few triangles are left (`Nearest_search`), and CGAL projects on these. `contains` is decided
+/// by exact predicates, and at once for points in a voxel of a grid that the surface does not enter: such a voxel is
+/// inside or outside as a whole.
 class Surface_3 final : public Domain_3 {
   public:
     /// Throws Error(bad_input) unless every edge is in two triangles that run through it in opposite directions, triangles
@@ -24,7 +26,9 @@ class Surface_3 final : public Domain_3 {
     /// O(1) away from the surface, O(log n) expected near it. A point of the surface is not contained.
     [[nodiscard]] bool contains(const Coordinates<3>& p) const override;
     [[nodiscard]] Coordinates<3> project(const Coordinates<3>& p) const override;
-    [[nodiscard]] Coordinates<3> project(const Coordinates<3>& p, const Coordinates<3>& near) const override;
+    /// O(1) while p stays close to where it was asked last, a search of the tree else.
+    [[nodiscard]] Coordinates<3> project(const Coordinates<3>& p, const Coordinates<3>& near,
+                                         Nearby_3& nearby) const override;
     [[nodiscard]] std::optional<Coordinates<3>> crossing(const Coordinates<3>& a,
                                                          const Coordinates<3>& b) const override;
     [[nodiscard]] std::vector<Coordinates<3>> surface_sample(std::size_t n, std::uint64_t seed) const override;

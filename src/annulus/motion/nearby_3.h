@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace annulus {
+
+/// What one asker of a domain's nearest points keeps from one question to the next: which parts of the surface are how
+/// far from the centre of a ball, all of those that come into it. Filled and read by the domain, for questions to this
+/// one only; empty at first. At most 48 parts.
+struct Nearby_3 {
+    struct Part {
+        double least;  ///< it is this far from the centre at least, up to rounding
+        std::int32_t number;
+    };
+    Coordinates<3> centre{};
+    double reach = 0;         ///< parts that are not listed are this far from the centre; 0 when nothing is known
+    double depth = 0;         ///< how far the surface is from the centre
+    std::int32_t last = -1;   ///< the part with the last answer, if there was one
+    std::vector<Part> parts;  ///< by `least`
+};
+
+}  // namespace annulus
