@@ -47,14 +47,16 @@ Fixpoint exchange (moving : Z) (l : list Z) : list Z * Z :=
 Definition put_new (id expiry : Z) (l : expiry_list) : expiry_list :=
   let (m, out) := exchange (entry expiry id) (entries l) in {| entries := m; rest := Z.min (rest l) (expiry_of out) |}.
 
-(* put: from where the entry of `id` is, each place takes what is in the next one. *)
+(* put: nothing when `id` is not listed and `rest` speaks for it; else, from where the entry of `id` is, each place takes what is in the
+   next one. *)
 Fixpoint close_gap (id : Z) (found : bool) (l : list Z) : list Z :=
   match l with
   | [] => []
   | e :: l' => let found := found || (id_of e =? id) in (if found then hd vacant l' else e) :: close_gap id found l'
   end.
+Definition is_listed (id : Z) (l : expiry_list) : bool := existsb (fun e => id_of e =? id) (entries l).
 Definition put (id expiry : Z) (l : expiry_list) : expiry_list :=
-  put_new id expiry {| entries := close_gap id false (entries l); rest := rest l |}.
+  if is_listed id l || (expiry <? rest l) then put_new id expiry {| entries := close_gap id false (entries l); rest := rest l |} else l.
 
 (* put_new of many: expiries not below the bound are left to `rest`. *)
 Definition put_below (bound : Z) (l : expiry_list) (x : Z * Z) : expiry_list :=
@@ -200,7 +202,8 @@ Proof. intros I N [A B]. split; [now apply put_new_tidy|now apply put_new_range]
 
 Theorem put_proper id expiry l : is_id id -> 0 <= expiry <= never -> proper l -> proper (put id expiry l).
 Proof.
-  intros I N [[A C] [D B]]. apply put_new_proper; trivial. split; [split|split]; simpl; trivial.
+  intros I N P. unfold put. destruct (_ || _); [|exact P]. destruct P as [[A C] [D B]].
+  apply put_new_proper; trivial. split; [split|split]; simpl; trivial.
   - now rewrite close_gap_length.
   - apply close_gap_ordered; [intros e H; now apply B|exact C].
   - intros e H. apply close_gap_in in H. destruct H as [H| ->]; [now apply B|unfold vacant, entry, never, none; lia].
@@ -208,7 +211,9 @@ Qed.
 
 Theorem put_kept id expiry l i own : is_id id -> (i <> id /\ kept l i own) \/ (i = id /\ expiry <= own) -> kept (put id expiry l) i own.
 Proof.
-  intros I H. apply put_new_kept; [exact I|]. destruct H as [[N [(e & A & B & C)|H]]|H]; [left|left; now right|now right].
+  intros I H. unfold put. destruct (_ || _) eqn:L.
+  2: { apply orb_false_iff in L. destruct L as [_ L]. apply Z.ltb_ge in L. destruct H as [[_ H]|[_ H]]; [exact H|right; lia]. }
+  apply put_new_kept; [exact I|]. destruct H as [[N [(e & A & B & C)|H]]|H]; [left|left; now right|now right].
   left. exists e. split; [|tauto]. simpl. subst i. destruct (close_gap_others id (entries l) false e A N) as [K|[K _]]; [exact K|discriminate].
 Qed.
 

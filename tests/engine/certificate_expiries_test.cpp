@@ -61,10 +61,12 @@ TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, 
         }
     // Found around every vertex, as a tour looks for them, and none but these.
     std::size_t found = 0;
+    Corner_index own;
     for (Index v = 0; v < t.vertex_bound(); ++v)
         for_each_certificate(
             t, v,
             [&](Corner_index h) {
+                own = h;
                 if (t.is_infinite(t.cell_of(h))) return;
                 REQUIRE(expiries.of_cell(h) == truth.at({id_of_cell(t.cell_of(h)), v}));
                 ++found;
@@ -73,6 +75,7 @@ TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, 
                 const Corner_index f = t.facet(h);
                 if (facet_kind(t, f) != Facet_kind::empty_sphere) return;
                 REQUIRE(expiries.of_facet(t, f, v) == truth.at({id_of_facet(f), v}));
+                REQUIRE(expiries.of_facet(t, h, own) == truth.at({id_of_facet(f), v}));
                 if (t.vertex(h) == v) REQUIRE(expiries.of_opposite(h) == truth.at({id_of_facet(f), v}));
                 ++found;
             });

@@ -168,7 +168,7 @@ TEMPLATE_TEST_CASE_SIG(
     };
     for (int i = 0; i < 20; ++i) {
         const Move_report report = step(0.1);
-        CHECK(report.evaluated >= certificates<d>(dt));
+        CHECK(report.sign_steps == 1);
         CHECK(report.moves.within_tolerance < 5);
     }
     for (int i = 0; i < 20; ++i) (void)step(1e-9);
@@ -178,7 +178,7 @@ TEMPLATE_TEST_CASE_SIG(
         CHECK(slow.moves.within_tolerance > x.size() * 9 / 10);
     }
     for (int i = 0; i < 3; ++i) (void)step(0.1);
-    CHECK(step(0.1).evaluated >= certificates<d>(dt));
+    CHECK(step(0.1).sign_steps == 1);
 }
 
 TEMPLATE_TEST_CASE_SIG("hybrid becomes filter once the motion is slow, and then is one, dimension", "[motions]",

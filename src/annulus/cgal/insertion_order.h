@@ -6,6 +6,7 @@
 #include <annulus/cgal/order_age.h>
 #include <annulus/cgal/spatial_sort.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -15,30 +16,92 @@
 namespace annulus {
 
 /// The order in which the vertices of a CGAL triangulation are inserted: CGAL's spatial sort. It serves for some rebuilds to come,
-/// since vertices that were near each other stay so for a while: sorting is a quarter of the time of a rebuild in the plane.
+/// since vertices that were near each other stay so for a while: sorting is a quarter of the time of a rebuild in the plane. Vertices
+/// that come are sorted by themselves and follow after the others, until they are many.
 template <int d>
 class Insertion_order {
   public:
-    /// Of the indices i with lives(i). O(n log n), or O(1) when it was sorted a while ago and vertices have not gone far.
+    /// Of the indices i with lives(i). O(n log n), or O(n) when it was sorted a while ago and vertices have not gone far.
     template <class Lives>
     std::span<const Index> of(std::span<const Coordinates<d>> x, Lives lives, int threads) {
-        constexpr int most_uses = 16;
-        if (!order_.empty() && uses_++ < most_uses && !age_.is_stale(order_, x)) return order_;
-        uses_ = 0;
-        std::vector<Index> order;
-        order.reserve(x.size());
-        for (std::size_t i = 0; i < x.size(); ++i)
-            if (lives(static_cast<Index>(i))) order.push_back(static_cast<Index>(i));
+        if (!sorts(x)) {
+            ++uses_;
+            if (gone_ || !come_.empty()) take_up_changes(x, lives, threads);
+            if (is_of(x.size(), lives)) return order_;
+        }
+        std::vector<Index> order = living(x.size(), lives);
         spatial_sort<d>(order, x, threads);
+        forget();
+        age_.note(order, x);
         order_ = std::move(order);
-        age_.note(order_, x);
+        uses_ = 0;
         return order_;
     }
-    /// To be called when vertices come or go.
-    void forget() noexcept { order_.clear(); }
+    /// Whether the next call of of() sorts all of them. O(1).
+    [[nodiscard]] bool sorts(std::span<const Coordinates<d>> x) const {
+        return order_.empty() || uses_ >= most_uses || age_.is_stale(x);
+    }
+    /// Vertex i is going to come, to where another of this index may have been before.
+    void note_coming(Index i) {
+        constexpr std::size_t few = 16, share = 16;
+        if (order_.empty()) return;
+        if (come_.size() >= few + order_.size() / share) return forget();
+        come_.push_back(i);
+        age_.forget(i);
+    }
+    /// It is going to go.
+    void note_going(Index i) noexcept {
+        gone_ = true;
+        age_.forget(i);
+    }
+    /// To be called when others take their places.
+    void forget() noexcept {
+        order_.clear();
+        come_.clear();
+        gone_ = false;
+    }
 
   private:
+    static constexpr int most_uses = 16;
+
+    template <class Lives>
+    [[nodiscard]] static std::vector<Index> living(std::size_t bound, Lives lives) {
+        std::vector<Index> all;
+        all.reserve(bound);
+        for (std::size_t i = 0; i < bound; ++i)
+            if (lives(static_cast<Index>(i))) all.push_back(static_cast<Index>(i));
+        return all;
+    }
+    /// Whether it has just these: whoever forgets to say who comes pays for a sort, not with a vertex. No index is in it twice.
+    template <class Lives>
+    [[nodiscard]] bool is_of(std::size_t bound, Lives lives) const {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < bound; ++i) count += lives(static_cast<Index>(i)) ? 1U : 0U;
+        return count == order_.size() &&
+               std::all_of(order_.begin(), order_.end(), [&](Index i) { return at(i) < bound && lives(i); });
+    }
+    /// Leaves what is known as it is when memory runs out.
+    template <class Lives>
+    void take_up_changes(std::span<const Coordinates<d>> x, Lives lives, int threads) {
+        std::vector<char> left(x.size());  // no more, or not where it was
+        for (const Index i : come_)
+            if (at(i) < left.size()) left[at(i)] = 1;
+        std::vector<Index> newcomers;
+        for (std::size_t i = 0; i < left.size(); ++i)
+            if (left[i] != 0 && lives(static_cast<Index>(i))) newcomers.push_back(static_cast<Index>(i));
+        spatial_sort<d>(newcomers, x, threads);
+        order_.reserve(order_.size() + newcomers.size());
+        const auto has_left = [&](Index i) { return at(i) >= left.size() || left[at(i)] != 0 || !lives(i); };
+        std::erase_if(order_, has_left);
+        order_.insert(order_.end(), newcomers.begin(), newcomers.end());
+        come_.clear();
+        gone_ = false;
+    }
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
     std::vector<Index> order_;
+    std::vector<Index> come_;  // since it was sorted or used, some of them more than once
+    bool gone_ = false;
     Order_age<d> age_;
     int uses_ = 0;
 };

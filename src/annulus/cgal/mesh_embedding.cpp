@@ -90,6 +90,11 @@ void Mesh_embedding<d>::rebuild(std::span<const Coordinates<d>> x) {
 }
 
 template <int d>
+bool Mesh_embedding<d>::rebuild_sorts(std::span<const Coordinates<d>> x) const {
+    return builder_->order.sorts(x);
+}
+
+template <int d>
 void Mesh_embedding<d>::rebuild_at_points() {
     rebuild(point_);
 }
@@ -199,7 +204,7 @@ bool Mesh_embedding<d>::detach(Index v, std::vector<Cell_index>& changed) {
 template <int d>
 bool Mesh_embedding<d>::insert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
     if (is_taken(p, none)) return false;
-    builder_->order.forget();
+    builder_->order.note_coming(v);
     if (at(v) >= point_.size()) {
         point_.resize(at(v) + 1);
         present_.resize(at(v) + 1, 0);
@@ -217,7 +222,7 @@ bool Mesh_embedding<d>::insert(Index v, const Coordinates<d>& p, std::vector<Cel
 
 template <int d>
 void Mesh_embedding<d>::remove(Index v, std::vector<Cell_index>& changed) {
-    builder_->order.forget();
+    builder_->order.note_going(v);
     if (detach(v, changed)) {
         present_[at(v)] = 0;
         --vertices_;

@@ -51,6 +51,7 @@ class Mesh_embedding final : public Embedding<d> {
     void set_points(std::span<const Coordinates<d>> x) override;
 
     void list_cells(std::vector<Index>& vertices) const override;
+    [[nodiscard]] bool rebuild_sorts(std::span<const Coordinates<d>> x) const override;
     [[nodiscard]] Sample sample(std::span<const Coordinates<d>> x, std::size_t count) const override;
     [[nodiscard]] double star_tolerance(Index v) const override;
     [[nodiscard]] double theta(Index v) const override;

@@ -14,12 +14,20 @@ class Order_age {
   public:
     /// They are sorted now.
     void note(std::span<const Index> order, std::span<const Coordinates<d>> x);
-    /// They have gone farther than three times the way to the next, in the mean of squares. The order is that which was noted. O(1).
-    [[nodiscard]] bool is_stale(std::span<const Index> order, std::span<const Coordinates<d>> x) const;
+    /// This one no longer counts. O(1).
+    void forget(Index i) noexcept {
+        std::erase_if(noted_, [i](const Noted& one) { return one.vertex == i; });
+    }
+    /// They have gone farther than three times the way to the next, in the mean of squares. O(1).
+    [[nodiscard]] bool is_stale(std::span<const Coordinates<d>> x) const;
 
   private:
-    std::vector<Coordinates<d>> noted_;
-    double gaps_ = 0.0;  // sum of squares
+    struct Noted {
+        Index vertex;
+        Coordinates<d> position;
+        double gap;  // squared
+    };
+    std::vector<Noted> noted_;
 };
 
 extern template class Order_age<2>;

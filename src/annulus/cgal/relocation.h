@@ -107,7 +107,7 @@ template <class Traits>
 bool Cgal_embedding<Traits>::insert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
     const auto place = Traits::locate(tr_, point(p), Cell_handle());
     if (place.is_vertex()) return false;
-    order_.forget();
+    order_.note_coming(v);
     const int before = tr_.dimension();
     Vertex_handle inserted;
     Traits::edit([&] { inserted = Traits::insert(tr_, point(p), place); });
@@ -131,7 +131,7 @@ bool Cgal_embedding<Traits>::insert(Index v, const Coordinates<d>& p, std::vecto
 template <class Traits>
 void Cgal_embedding<Traits>::remove(Index v, std::vector<Cell_index>& changed) {
     const Vertex_handle handle = handle_[at(v)];
-    order_.forget();
+    order_.note_going(v);
     if (mirrored_ && detach(v, changed)) {
         tr_.tds().delete_vertex(handle);
         handle_[at(v)] = Vertex_handle();

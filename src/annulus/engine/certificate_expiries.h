@@ -62,6 +62,17 @@ class Certificate_expiries {
         for (std::size_t k = 0; k < point.size(); ++k) e = point[k] == v ? of_facet(f, twin, k) : e;
         return e;
     }
+    /// The same for the vertex of corner h of the cell that f is a corner of: nothing has to be searched. f may be the greater
+    /// half-facet in the plane, or when it is h.
+    [[nodiscard]] Expiry of_facet(const Cell_table<d>& t, Corner_index f, Corner_index h) const {
+        if (h == f) return of_opposite(h);
+        if constexpr (d == 2) {
+            return h == Cell_table<2>::ccw(f) ? at(f).own[0] : at(t.twin(f)).own[0];
+        } else {
+            const std::size_t k = place_facing[static_cast<std::size_t>(t.slot_of(f))][static_cast<std::size_t>(t.slot_of(h))];
+            return k < d - 1 ? at(f).own[k] : at(t.twin(f)).own[0];
+        }
+    }
     void prefetch(Cell_index cell) const { __builtin_prefetch(&corner_[cell]); }
 
   private:
@@ -78,6 +89,13 @@ class Certificate_expiries {
         std::array<Corner, d + 1> corner;
     };
     static_assert(sizeof(Cell) == (d == 3 ? 64 : 36));
+    /// By slots: which of `facing_corners` of the first the second is.
+    static constexpr auto place_facing = [] {
+        std::array<std::array<std::uint8_t, 4>, 4> place{};
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::uint8_t k = 0; k < 3; ++k) place[i][static_cast<std::size_t>(facing_corners[i][k])] = k;
+        return place;
+    }();
 
     [[nodiscard]] Corner& at(Corner_index h) {
         return corner_[Cell_table<d>::cell_of(h)].corner[static_cast<std::size_t>(Cell_table<d>::slot_of(h))];

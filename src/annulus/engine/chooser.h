@@ -15,19 +15,19 @@ namespace annulus {
 template <int d>
 class Chooser {
   public:
-    /// Of CGAL's rebuild.
-    [[nodiscard]] static double rebuild_price(std::size_t vertices) {
-        return Prices<d>::rebuild * static_cast<double>(vertices);
+    /// Of a rebuild, CGAL's or ours, that sorts the vertices or not.
+    [[nodiscard]] static double rebuild_price(std::size_t vertices, bool sorts) {
+        return (sorts ? Prices<d>::rebuild : Prices<d>::again) * static_cast<double>(vertices);
     }
-    /// Of a rebuild of ours.
-    [[nodiscard]] static double again_price(std::size_t vertices) { return Prices<d>::again * static_cast<double>(vertices); }
     /// What repair may cost before it gives up: with the rebuild that follows, no step costs more than one and a half of CGAL's.
-    [[nodiscard]] static double most_repair(std::size_t vertices) { return share * static_cast<double>(vertices); }
+    [[nodiscard]] static double most_repair(std::size_t vertices, bool sorts) { return share(sorts) * static_cast<double>(vertices); }
     /// The same where nobody promised that: a few vertices are not rebuilt because they are few.
-    [[nodiscard]] static double most_generous_repair(std::size_t vertices) { return 4000.0 + most_repair(vertices); }
+    [[nodiscard]] static double most_generous_repair(std::size_t vertices, bool sorts) {
+        return 4000.0 + most_repair(vertices, sorts);
+    }
 
     /// While every step is a rebuild: no need to ask a larger sample, nor to count how often it was asked.
-    [[nodiscard]] bool is_hopeless(const Sample& few) const { return price_of(few) > 3.0 * share; }
+    [[nodiscard]] bool is_hopeless(const Sample& few) const { return price_of(few) > 3.0 * share(false); }
     /// While every step is a rebuild: whether the next is to be mended, as far as these cells tell.
     [[nodiscard]] bool mends(const Sample& sample) {
         const double price = price_of(sample);
@@ -38,7 +38,7 @@ class Chooser {
         }
         wait_ = 0;
         tried_ = price;
-        return price < std::min(share, Prices<d>::again);
+        return price < std::min(share(false), Prices<d>::again);
     }
     /// A step was mended.
     void mended() {
@@ -53,7 +53,9 @@ class Chooser {
     }
 
     /// That, a vertex.
-    static constexpr double share = 1.36 * Prices<d>::rebuild - Prices<d>::again - (Prices<d>::signs - Prices<d>::cells);
+    static constexpr double share(bool sorts) {
+        return 1.36 * Prices<d>::rebuild - (sorts ? Prices<d>::rebuild : Prices<d>::again) - (Prices<d>::signs - Prices<d>::cells);
+    }
 
   private:
     static constexpr std::uint32_t longest_wait = 64;

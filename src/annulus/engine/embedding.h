@@ -92,6 +92,8 @@ class Embedding {
 
     /// Appends the vertices of every finite cell, or of what is the largest there is of lower dimension (padded with `none`).
     virtual void list_cells(std::vector<Index>& vertices) const = 0;
+    /// Whether rebuild(x) would sort the vertices first, which is a good part of its price. O(1).
+    [[nodiscard]] virtual bool rebuild_sorts(std::span<const Coordinates<d>> x) const = 0;
     /// Looks at a cell of some `count` vertices, at x. O(count).
     [[nodiscard]] virtual Sample sample(std::span<const Coordinates<d>> x, std::size_t count) const = 0;
     /// Least tolerance of the certificates of v at the embedding's points, certified. Precondition: dimension d.

@@ -53,8 +53,11 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
         std::copy_n(queue.begin() + static_cast<std::ptrdiff_t>(count), capacity, entry_.begin());
         for (std::size_t i = 0; i < count; ++i) visit(id_of(queue[i]));
     }
-    /// States that certificate `id` now expires at `expiry`.
+    /// States that certificate `id` now expires at `expiry`. Most are neither listed nor below `rest`, which then speaks for them.
     void put(Certificate_id id, Expiry expiry) {
+        bool listed = false;
+        for (const Entry e : entry_) listed |= id_of(e) == id;
+        if (!listed && !(expiry < rest_)) return;
         Entry found = 0;  // all ones from where the entry of `id` is
         for (std::size_t i = 0; i < capacity; ++i) {
             const Entry next = i + 1 < capacity ? entry_[i + 1] : vacant;

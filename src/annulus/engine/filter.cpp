@@ -50,7 +50,7 @@ template <int d>
 bool Filter<d>::too_many_failed(const Step<d>& step) const {
     if (repair_.kind() == Tolerance_kind::paper) return false;
     return tracking_.is_too_dear(step.failed.size(), embedding_.vertices()) ||
-           Prices<d>::failure * static_cast<double>(step.failed.size()) > 0.25 * most_repair();
+           Prices<d>::failure * static_cast<double>(step.failed.size()) > 0.25 * step.most;
 }
 
 template <int d>
@@ -83,8 +83,8 @@ void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) 
         position_[at(v)] = p;
         Step<d> step = new_step(position_, v, odometers_.kept() ? Scope::expired : Scope::star);
         step.failed.push_back(v);
-        const double most = Chooser<d>::most_generous_repair(embedding_.vertices());
-        process(step, [&] { return repair_.mend_one(position_, v, old, most); }, report);
+        step.most = Chooser<d>::most_generous_repair(embedding_.vertices(), true);
+        process(step, [&] { return repair_.mend_one(position_, v, old, step.most); }, report);
     } catch (const Error& e) {
         position_[at(v)] = old;
         if (e.code() == Error_code::collision) renew_renumbered();
@@ -104,6 +104,7 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
     }
     Step<d> step = new_step(x, none, Scope::expired);
     if (!find_failed(step)) require_domain(x);
+    if (!step.failed.empty()) step.most = most_repair(x);
     if (!odometers_.kept() || too_many_failed(step)) step.scope = Scope::everything;
     note_displacements(x);
     if (step.failed.empty()) {
@@ -114,7 +115,7 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
         over_ = std::move(step);
     } else {
         try {
-            process(step, [&] { return repair_.mend_all(position_, most_repair() - dearer(step)); }, report);
+            process(step, [&] { return repair_.mend_all(position_, step.most - dearer(step)); }, report);
         } catch (const Error& e) {
             if (e.code() == Error_code::collision) renew_renumbered();
             throw;
@@ -142,14 +143,14 @@ bool Filter<d>::examine(Step<d>& step) {
     if (step.scope == Scope::expired) {
         odometers_.find_expired(step, repair_);
         step.prepared += Prices<d>::failure * static_cast<double>(step.failed.size());
-        if (alone || repair_.kind() == Tolerance_kind::paper || repair_.price() + dearer(step) <= 0.5 * most_repair())
+        if (alone || repair_.kind() == Tolerance_kind::paper || repair_.price() + dearer(step) <= 0.5 * step.most)
             return repair_.evaluate();
         odometers_.undo(step);
         step.renewals.clear();
         step.scope = Scope::everything;
         repair_.begin(step.x, true);
     }
-    return repair_.evaluate_everything(most_repair() - step.prepared);
+    return repair_.evaluate_everything(step.most - step.prepared);
 }
 
 /// Examines, mends and commits. Positions are written last, so that whoever meets an exception on the way can build anew at them; a
@@ -159,6 +160,7 @@ template <class Mend>
 void Filter<d>::process(Step<d>& step, Mend mend, Move_report& report) {
     try {
         if (!examine(step) && !mend()) {
+            step.rebuilding = rebuild_price(step.x);
             rebuild(step.x);
             step.rebuilt = true;
         }
@@ -175,7 +177,7 @@ void Filter<d>::finish(Step<d>& step, Move_report& report) {
     const bool tolerances = step.scope == Scope::expired;
     const bool alone = step.mover != none;
     report += repair_.report();
-    report.price += repair_.price() + dearer(step);
+    report.price += repair_.price() + dearer(step) + step.rebuilding;
     report.renewed += step.renewals.size();
     report.tours += step.tours;
     if (!alone) ++(tolerances ? report.tolerance_steps : report.sign_steps);

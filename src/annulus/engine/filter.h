@@ -86,10 +86,14 @@ class Filter final : public Upkeep<d> {
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] bool lives(std::size_t v) const { return embedding_.has(static_cast<Index>(v)); }
-    /// Of a timestamp.
-    [[nodiscard]] double most_repair() const {
+    /// Of a timestamp at x.
+    [[nodiscard]] double most_repair(std::span<const Coordinates<d>> x) const {
         const std::size_t n = embedding_.vertices();
-        return means_ == Means::any ? Chooser<d>::most_repair(n) : Chooser<d>::most_generous_repair(n);
+        const bool sorts = embedding_.rebuild_sorts(x);
+        return means_ == Means::any ? Chooser<d>::most_repair(n, sorts) : Chooser<d>::most_generous_repair(n, sorts);
+    }
+    [[nodiscard]] double rebuild_price(std::span<const Coordinates<d>> x) const {
+        return Chooser<d>::rebuild_price(embedding_.vertices(), embedding_.rebuild_sorts(x));
     }
     [[nodiscard]] Step<d> new_step(std::span<const Coordinates<d>> x, Index mover, Scope scope) {
         return Step<d>::recycled(over_, x, mover, scope);

@@ -117,7 +117,7 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
     }
     if (!holds) {
         try {
-            rebuilt = !repair_.mend_one(fixed_, h, old_fixed, Chooser<d>::most_generous_repair(embedding_.vertices()));
+            rebuilt = !repair_.mend_one(fixed_, h, old_fixed, Chooser<d>::most_generous_repair(embedding_.vertices(), true));
         } catch (const Error&) {
             fixed_[at(h)] = old_fixed;
             // Two vertices at one place among the fixed positions need not be so among the moving ones.

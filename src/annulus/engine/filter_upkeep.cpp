@@ -174,7 +174,7 @@ void Filter<d>::end_timestamp(bool each, Move_report& report) {
 /// nobody knows whether a rebuild is to come. The two cost no more than a timestamp may.
 template <int d>
 void Filter<d>::settle_afterwards(Move_report& report) {
-    static_assert(Chooser<d>::share + Prices<d>::settling < 1.45 * Prices<d>::rebuild);
+    static_assert(Chooser<d>::share(false) + Prices<d>::settling < 1.45 * Prices<d>::rebuild);
     try {
         settle_if_it_pays(report);
     } catch (const std::bad_alloc&) {  // the timestamp has been made
@@ -200,6 +200,7 @@ bool Filter<d>::next_is_mended(std::span<const Coordinates<d>> x) {
 
 template <int d>
 void Filter<d>::rebuild_all(std::span<const Coordinates<d>> x, bool mirrors, Move_report& report) {
+    report.price += rebuild_price(x);
     embedding_.rebuild(x);
     if (report_changes_) embedding_.list_cells(report.changed);
     if (mirrors) {

@@ -44,7 +44,7 @@ struct Move_report {
     std::uint64_t sign_steps = 0;       ///< filters: timestamps that began with the signs of all certificates
     std::uint64_t rebuild_steps = 0;    ///< auto: timestamps that were rebuilt at once
     std::uint64_t settlings = 0;        ///< filters: times that all tolerances were computed
-    double price = 0.0;  ///< filters: what it cost without rebuilds, in cells looked at, by prices that were measured (prices.h)
+    double price = 0.0;  ///< filters: what it cost, in cells looked at, by prices that were measured (prices.h)
     double handle_seconds = 0.0;     ///< part of a rebuild spent on keeping vertex handles valid, not CGAL's own
     std::vector<Index> changed;      ///< on request: vertices of cells that may be new, d + 1 a cell (infinite = -1, padded with `none`):
                                      ///< those that changed under the filters, every finite cell otherwise

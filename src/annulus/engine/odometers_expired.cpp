@@ -75,16 +75,17 @@ void Odometers<d>::tour(Index v, Step<d>& step, Repair<d>& repair) {
             certificates_.push_back(2 * static_cast<std::uint32_t>(h.value()) + 1);
         },
         [&](Corner_index h) { certificates_.push_back(2 * static_cast<std::uint32_t>(h.value())); });
+    Corner_index own;  // of v, in the cell of the facets that follow its certificate
     for (const std::uint32_t k : certificates_) {
         const Corner_index h(static_cast<Index>(k >> 1));
         Certificate_id id = id_of_cell(table_.cell_of(h));
         Expiry expiry;
         if (k & 1) {
+            own = h;
             expiry = expiries_.of_cell(h);
         } else {
-            const Corner_index f = table_.facet(h);
-            id = id_of_facet(f);
-            expiry = table_.vertex(h) == v ? expiries_.of_opposite(h) : expiries_.of_facet(table_, f, v);
+            id = id_of_facet(table_.facet(h));
+            expiry = expiries_.of_facet(table_, h, own);
         }
         if (expiry.reached(list.base)) {
             look_at(id, v, step, repair);

@@ -20,7 +20,7 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 template <int d>
 void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
     many_ = many;
-    signs_ = false;
+    signs_ = hopeless_ = false;
     counted_ = {};
     mender_.begin(x);
     forget();
@@ -217,7 +217,7 @@ bool Repair<d>::reinsert(Index v) {
 
 template <int d>
 bool Repair<d>::mend(const Course<d>& course, double most) {
-    if (mender_.price() > most) return false;
+    if (hopeless_ || mender_.price() > most) return false;
     if (!signs_) collect_violated();
     assign_places();
     mending_ = true;

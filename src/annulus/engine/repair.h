@@ -74,7 +74,8 @@ class Repair {
     [[nodiscard]] bool star_holds(Index v, Least_tolerance& least);
 
     /// The same for every certificate of the triangulation, none of which need be named, by signs alone: `facets()` and `cells()` stay
-    /// empty. Gives up, with false, when that costs more than `most` (in cells looked at).
+    /// empty. Gives up, with false, when that costs more than `most` (in cells looked at), or mending
+    /// clearly would; it then refuses to mend.
     [[nodiscard]] bool evaluate_everything(double most);
     /// The same for every certificate that contains v, the only vertex that moved.
     [[nodiscard]] bool evaluate_star(Index v);
@@ -158,6 +159,7 @@ class Repair {
     int threads_ = 1;
     bool many_ = true;    // vertices moved
     bool signs_ = false;  // are examined: evaluate_everything, evaluate_star
+    bool hopeless_ = false;  // it would cost more than it may, by a sample
     Stage_counts counted_;  // of what mender_ asked
     std::span<const Coordinates<d>> x_;
     std::vector<Facet_suspect> facets_;

@@ -5,6 +5,7 @@
 #include <annulus/mesh/border.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace annulus {
@@ -15,6 +16,13 @@ bool Repair<d>::signs_hold(double most) {
     const auto& t = embedding_.table();
     auto& signs = mender_.signs();
     signs_ = true;
+    // So far beyond what it may cost that asking all of them would only make it dearer.
+    constexpr double margin = 1.5;
+    hopeless_ = std::isfinite(most) && signs.price() + signs.outlook() > margin * most;
+    if (hopeless_) {
+        count_signs();
+        return false;
+    }
     const auto affordable = [&] { return signs.price() <= most; };
     std::erase_if(signs.inverted(), [&](Cell_index c) { return affordable() && !signs.is_inverted(c); });
     std::erase_if(signs.violated(), [&](Corner_index f) { return affordable() && !signs.is_violated(f); });

@@ -9,6 +9,7 @@
 #include <annulus/mesh/parallel_runs.h>
 
 #include <algorithm>
+#include <bit>
 #include <array>
 #include <type_traits>
 #include <utility>
@@ -176,14 +177,50 @@ void Signs<d>::look_at_everything() {
         }
     });
     for (const Found& here : found) take(here);
-    // Ridges are there twice, from both sides.
-    std::sort(found_.violated.begin(), found_.violated.end());
-    found_.violated.erase(std::unique(found_.violated.begin(), found_.violated.end()), found_.violated.end());
+    make_unique(found_.violated, table_.facet_bound());
+}
+
+/// What does not hold is mostly seen from both sides. Many facets are sorted by marking them: a step that is given up would pay more for
+/// comparing them than for all else.
+template <int d>
+void Signs<d>::make_unique(std::vector<Corner_index>& facets, Corner_index bound) {
+    constexpr std::size_t bits = 64;
+    if (bits * facets.size() < bound.offset()) {
+        std::sort(facets.begin(), facets.end());
+        facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+        return;
+    }
+    std::vector<std::uint64_t> marks((bound.offset() + bits - 1) / bits);
+    for (const Corner_index f : facets) marks[f.offset() / bits] |= std::uint64_t{1} << (f.offset() % bits);
+    facets.clear();
+    for (std::size_t k = 0; k < marks.size(); ++k)
+        for (std::uint64_t left = marks[k]; left != 0; left &= left - 1)
+            facets.push_back(Corner_index(static_cast<Index>(bits * k + static_cast<std::size_t>(std::countr_zero(left)))));
 }
 
 template <int d>
 void Signs<d>::look_around(Index v, bool border) {
     table_.for_each_corner(v, [&](Corner_index h) { look_at(Cell_table<d>::cell_of(h), border); });
+}
+
+template <int d>
+double Signs<d>::outlook() {
+    constexpr std::size_t sampled = 64;
+    const auto failing = [](const auto& list, auto fails) {
+        const std::size_t stride = 1 + list.size() / sampled;
+        std::size_t asked = 0, failed = 0;
+        for (std::size_t k = 0; k < list.size(); k += stride, ++asked) failed += fails(list[k]) ? 1U : 0U;
+        return asked == 0 ? 0.0 : static_cast<double>(list.size()) * static_cast<double>(failed) / static_cast<double>(asked);
+    };
+    const auto folded = [this](Cell_index c) {
+        price_ += Prices<d>::filter;
+        return !table_.is_infinite(c) && orientation_sign(tuple<d, d + 1>(cell_points(table_, c), x_)) < 0;
+    };
+    const auto crossed = [this](Corner_index f) {
+        price_ += Prices<d>::filter;
+        return facet_kind(table_, f) == Facet_kind::empty_sphere && sphere_sign(f) < 0;
+    };
+    return Prices<d>::inverted * failing(found_.inverted, folded) + Prices<d>::violated * failing(found_.violated, crossed);
 }
 
 template class Signs<2>;

@@ -50,6 +50,8 @@ class Signs {
 
     [[nodiscard]] std::vector<Cell_index>& inverted() { return found_.inverted; }    ///< cells
     [[nodiscard]] std::vector<Corner_index>& violated() { return found_.violated; }  ///< facets
+    /// About what it will cost at least to mend what is on the lists: by a sample, of which the filter stage is asked what clearly fails.
+    [[nodiscard]] double outlook();
     /// What was asked so far, since begin(), by stage.
     [[nodiscard]] Stage_counts counts() const {
         Stage_counts all = decided_;
@@ -71,6 +73,7 @@ class Signs {
     };
     void look_at(Cell_index c, bool border, Found& found) const;
     void take(const Found& found);
+    static void make_unique(std::vector<Corner_index>& facets, Corner_index bound);
     int decided(Staged_sign s);
     [[nodiscard]] bool clearly(int sign);
     [[nodiscard]] int sphere_sign(Corner_index h);

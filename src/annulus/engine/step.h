@@ -45,7 +45,9 @@ struct Step {
     std::vector<Index> anchored;        ///< their fixed position is the goal by now
     std::vector<Renewal<d>> renewals;
     std::uint64_t tours = 0;            ///< vertices all of whose certificates were looked at
-    double prepared = 0.0;              ///< price of looking for what expired, in cells looked at
+    double most = 0.0;                  ///< what repair may cost, in cells looked at
+    double prepared = 0.0;              ///< the price of looking for what expired
+    double rebuilding = 0.0;            ///< that of the rebuild, if there was one
     bool rebuilt = false;
 
     /// As new, with the memory of a step that is over.
@@ -59,7 +61,7 @@ struct Step {
         step.anchored.clear();
         step.renewals.clear();
         step.tours = 0;
-        step.prepared = 0.0;
+        step.most = step.prepared = step.rebuilding = 0.0;
         step.rebuilt = false;
         return step;
     }

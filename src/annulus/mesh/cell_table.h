@@ -86,16 +86,18 @@ class Cell_table {
         boost::container::small_vector<Corner_index, 64> star;
         Small_set<Cell_index, Index_hash> met(no_cell);
         const auto enter = [&](Cell_index c) {
-            if (!met.insert(c)) return;
-            // Its slot without branches, which nobody could predict.
-            const auto is = [&](int i) { return vertex(corner(c, i)) == v ? 1 : 0; };
-            star.push_back(corner(c, is(1) + 2 * is(2) + 3 * is(3)));
+            __builtin_prefetch(&twin_[corner(c, 0)]);
+            __builtin_prefetch(&vertex_[corner(c, 0)]);
+            if (met.insert(c)) star.push_back(corner(c, 0));
         };
         enter(cell_of(v == infinite ? corner_of_infinity() : corner_of(v)));
         for (std::size_t k = 0; k < star.size(); ++k) {
             const Cell_index c = cell_of(star[k]);
-            for (int i = 0; i <= d; ++i)
-                if (corner(c, i) != star[k]) enter(cell_of(twin(corner(c, i))));
+            // Its slot without branches, which nobody could predict.
+            const auto is = [&](int i) { return vertex(corner(c, i)) == v ? 1 : 0; };
+            const int slot = is(1) + 2 * is(2) + 3 * is(3);
+            star[k] = corner(c, slot);
+            for (int i = 1; i <= d; ++i) enter(cell_of(twin(corner(c, (slot + i) & 3))));
         }
         for (const Corner_index h : star) visit(h);
     }

@@ -166,7 +166,7 @@ template <int d, std::size_t k, std::size_t n>
     return t;
 }
 
-/// Visits every certificate that contains v: on_cell(h) with the corner of v in each of its cells, on_facet(k) with a
+/// Visits every certificate that contains v: on_cell(h) with the corner of v in each of its cells, then of that cell on_facet(k) with a
 /// half-facet of each facet whose bi-cell contains it, once. O(degree).
 template <class On_cell, class On_facet>
 void for_each_certificate(const Cell_table<2>& t, Index v, On_cell on_cell, On_facet on_facet) {
