@@ -105,6 +105,23 @@ TEMPLATE_TEST_CASE_SIG("What one place needs costs another nothing: the price a 
     CHECK(price(16000) < 1.3 * price(1000));
 }
 
+TEMPLATE_TEST_CASE_SIG("A step that is clearly too dear is given up before it is mended, dimension", "[mender]", ((int d), d), 2, 3) {
+    constexpr std::size_t n = 2000;
+    bench::Scene<d> slow("uniform", "walk", n, 1e-3, 3);
+    auto dt = moving<d>(slow.points(), Strategy::automatic);
+    for (int step = 0; step < 8; ++step) {
+        slow.step();
+        (void)dt.move_all(std::span<const Coordinates<d>>(slow.points()));
+    }
+    bench::Scene<d> elsewhere("uniform", "walk", n, 1e-3, 4);
+    const Move_report report = dt.move_all(std::span<const Coordinates<d>>(elsewhere.points()));
+    CHECK(report.sign_steps == 1);
+    CHECK(report.moves.rebuilt == n);
+    CHECK(report.undone_flips == 0);
+    CHECK(report.price < 1.2 * Chooser<d>::rebuild_price(n, true));
+    CHECK(dt.audit().delaunay());
+}
+
 TEMPLATE_TEST_CASE_SIG("No timestamp costs more than one and a half rebuilds, whatever the points and the motion, dimension", "[mender]",
                        ((int d), d), 2, 3) {
     for (const std::string_view family : bench::families)

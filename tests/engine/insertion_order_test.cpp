@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The order in which a rebuild inserts: who is in it, however vertices come and go, and when it is sorted anew.
+#include <annulus/cgal/insertion_order.h>
+
+#include <support/cases.h>
+#include <support/generators.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+template <int d>
+struct Crowd {
+    std::vector<Coordinates<d>> x;
+    std::vector<char> lives;
+    Insertion_order<d> order;
+
+    [[nodiscard]] std::vector<Index> use() {
+        const auto is_living = [this](Index i) { return lives[static_cast<std::size_t>(i)] != 0; };
+        const std::span<const Index> used = order.of(x, is_living, 1);
+        return {used.begin(), used.end()};
+    }
+    [[nodiscard]] std::set<Index> living() const {
+        std::set<Index> all;
+        for (std::size_t i = 0; i < lives.size(); ++i)
+            if (lives[i] != 0) all.insert(static_cast<Index>(i));
+        return all;
+    }
+    /// From one vertex to the next, in the mean.
+    [[nodiscard]] double stride(const std::vector<Index>& used) const {
+        double sum = 0.0;
+        for (std::size_t k = 1; k < used.size(); ++k) {
+            double square = 0.0;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(d); ++i) {
+                const double way = x[static_cast<std::size_t>(used[k])][i] - x[static_cast<std::size_t>(used[k - 1])][i];
+                square += way * way;
+            }
+            sum += std::sqrt(square);
+        }
+        return sum / static_cast<double>(used.size());
+    }
+};
+
+template <int d>
+Coordinates<d> somewhere(Random& random) {
+    Coordinates<d> p{};
+    for (double& c : p) c = unit(random);
+    return p;
+}
+
+template <int d>
+Crowd<d> crowd(std::size_t n, Random& random) {
+    Crowd<d> c;
+    for (std::size_t i = 0; i < n; ++i) c.x.push_back(somewhere<d>(random));
+    c.lives.assign(n, 1);
+    return c;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("Everybody who lives is inserted once, whoever comes and goes, dimension", "[order]", ((int d), d), 2, 3) {
+    for_each_seed(20, [](Random& random) {
+        Crowd<d> c = crowd<d>(200 + random() % 200, random);
+        for (int use = 0; use < 60; ++use) {  // beyond the uses of one sort
+            for (std::size_t k = random() % 20; k > 0; --k) {
+                const std::size_t i = random() % (c.x.size() + 2);
+                const bool told = random() % 16 != 0;  // who is not told of is found
+                if (i >= c.x.size()) {
+                    if (told) c.order.note_coming(static_cast<Index>(c.x.size()));
+                    c.x.push_back(somewhere<d>(random));
+                    c.lives.push_back(1);
+                } else if (c.lives[i] != 0) {
+                    if (told) c.order.note_going(static_cast<Index>(i));
+                    c.lives[i] = random() % 8 == 0 ? 1 : 0;  // it may have failed
+                } else {
+                    if (told) c.order.note_coming(static_cast<Index>(i));
+                    c.lives[i] = random() % 8 == 0 ? 0 : 1;
+                    c.x[i] = somewhere<d>(random);
+                }
+            }
+            if (random() % 8 == 0) continue;
+            if (random() % 16 == 0) c.order.forget();
+            const std::vector<Index> used = c.use();
+            REQUIRE(std::set<Index>(used.begin(), used.end()) == c.living());
+            REQUIRE(used.size() == c.living().size());
+        }
+    });
+}
+
+TEMPLATE_TEST_CASE_SIG("An order serves until vertices have gone as far as it is to the next, dimension", "[order]", ((int d), d), 2, 3) {
+    Random random(5);
+    Crowd<d> c = crowd<d>(2000, random);
+    CHECK(c.order.sorts(c.x));
+    const std::vector<Index> first = c.use();
+    CHECK_FALSE(c.order.sorts(c.x));
+    const double stride = c.stride(first);
+    for (auto& p : c.x) p[0] += 0.1 * stride;
+    CHECK(c.use() == first);
+    for (auto& p : c.x) p[0] += 10.0 * stride;
+    CHECK(c.order.sorts(c.x));
+    (void)c.use();
+    CHECK_FALSE(c.order.sorts(c.x));
+    int uses = 0;
+    while (!c.order.sorts(c.x) && uses < 1000) {
+        (void)c.use();
+        ++uses;
+    }
+    CHECK(uses > 4);
+    CHECK(uses < 1000);  // a sort from time to time, however little they move
+}
+
+TEMPLATE_TEST_CASE_SIG("Who comes to another place is not inserted where it was, dimension", "[order]", ((int d), d), 2, 3) {
+    Random random(6);
+    Crowd<d> c = crowd<d>(4000, random);
+    const double stride = c.stride(c.use());
+    for (std::size_t k = 0; k < 100; ++k) {
+        const std::size_t i = random() % c.x.size();
+        c.order.note_going(static_cast<Index>(i));
+        c.order.note_coming(static_cast<Index>(i));
+        c.x[i] = somewhere<d>(random);
+    }
+    CHECK_FALSE(c.order.sorts(c.x));  // they do not count as having gone far
+    const std::vector<Index> used = c.use();
+    CHECK(used.size() == c.x.size());
+    CHECK(c.stride(used) < 1.5 * stride);
+    // When they are many all are sorted.
+    for (std::size_t i = 0; i < 1000; ++i) c.order.note_coming(static_cast<Index>(i));
+    CHECK(c.order.sorts(c.x));
+}
