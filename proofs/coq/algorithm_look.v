@@ -163,7 +163,7 @@ Lemma look_at_form found i : in_form found -> in_form (look_at second_look t x v
 Proof.
   destruct found as [[l S] N]. intros [P Q]. unfold look_at.
   assert (Rest : forall e, (rest (put i e l) <= rest l)%Z).
-  { intro e. unfold put, put_new. destruct (exchange _ _). simpl. lia. }
+  { intro e. unfold put. destruct (orb _ _); [unfold put_new; destruct (exchange _ _); simpl; lia|lia]. }
   destruct (mesh t i) as [c|] eqn:M; [|now split]. destruct (has t i v) eqn:H; simpl; [|now split].
   destruct (T i c M) as [I U]. assert (V : In v (points c)) by (now apply (has_spec t i c v M)).
   destruct (is_expired t i v); simpl.
