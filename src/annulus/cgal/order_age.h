@@ -18,7 +18,7 @@ class Order_age {
     void forget(Index i) noexcept {
         std::erase_if(noted_, [i](const Noted& one) { return one.vertex == i; });
     }
-    /// They have gone farther than three times the way to the next, in the mean of squares. O(1).
+    /// They have gone farther than it is to the next, in the mean of squares. O(1).
     [[nodiscard]] bool is_stale(std::span<const Coordinates<d>> x) const;
 
   private:

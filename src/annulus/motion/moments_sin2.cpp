@@ -99,6 +99,7 @@ void around(const Coordinates<2>& c, std::span<const Corner_2> corners, Node& no
 }  // namespace
 
 Moments_2 sin2_moments(const Coordinates<2>& origin, std::span<const Corner_2> corners) {
+    if (corners.empty()) return {};
     const Size_2 size = size_of(origin, corners);
     const double r = norm(origin);
     if (size.radius <= 1.5 && r > 4 * size.radius) return far_sin2_moments(origin, r, corners, size);

@@ -95,10 +95,11 @@ class Nearest_search {
     }
 
     void fill(const Coordinates<3>& centre, double reach) {
-        nearby_.centre = centre;
-        nearby_.reach = reach;
+        nearby_.reach = 0;  // until the list is whole: memory may run out
         nearby_.parts.clear();
         tree_.list(centre, reach, nearby_.parts);
+        nearby_.centre = centre;
+        nearby_.reach = reach;
         std::sort(nearby_.parts.begin(), nearby_.parts.end(), [](const Nearby_3::Part& a, const Nearby_3::Part& b) {
             return a.least < b.least || (a.least == b.least && a.number < b.number);
         });

@@ -26,7 +26,7 @@ class Surface_3 final : public Domain_3 {
     /// O(1) away from the surface, O(log n) expected near it. A point of the surface is not contained.
     [[nodiscard]] bool contains(const Coordinates<3>& p) const override;
     [[nodiscard]] Coordinates<3> project(const Coordinates<3>& p) const override;
-    /// O(1) while p stays close to where it was asked last, a search of the tree else.
+    /// O(1) while p stays close to where it was asked last; else a search of the tree, and a list of the triangles within five times |p - near|.
     [[nodiscard]] Coordinates<3> project(const Coordinates<3>& p, const Coordinates<3>& near,
                                          Nearby_3& nearby) const override;
     [[nodiscard]] std::optional<Coordinates<3>> crossing(const Coordinates<3>& a,
