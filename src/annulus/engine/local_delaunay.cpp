@@ -4,6 +4,7 @@
 #include <annulus/engine/prices.h>
 #include <annulus/mesh/evaluate.h>
 #include <annulus/mesh/replace_cells.h>
+#include <annulus/mesh/make_unique.h>
 
 #include <algorithm>
 #include <limits>
@@ -84,8 +85,7 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
                 if (v != infinite) vertices_.push_back(v);
                 else at_infinity_ = true;
         if (comes_ != none) vertices_.push_back(comes_);
-        std::sort(vertices_.begin(), vertices_.end());
-        vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+        make_unique(vertices_);
         if (goes_ != none) std::erase(vertices_, goes_);
         const double price = Prices<d>::point * static_cast<double>(vertices_.size());
         if (price_ + price > most) return false;
@@ -214,8 +214,7 @@ bool Local_delaunay<d>::has_every_vertex() const {
         for (const Index v : x)
             if (v != infinite) found.push_back(v);
             else at_infinity = true;
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    make_unique(found);
     return found.size() == vertices_.size() && at_infinity == at_infinity_;
 }
 

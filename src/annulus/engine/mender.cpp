@@ -4,6 +4,7 @@
 
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/prices.h>
+#include <annulus/mesh/make_unique.h>
 
 #include <algorithm>
 
@@ -12,12 +13,6 @@ namespace annulus {
 namespace {
 constexpr int most_rounds = 64;
 constexpr int most_idle_rounds = 3;
-
-template <class T>
-void make_unique(std::vector<T>& list) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 }  // namespace
 
 template <int d>

@@ -6,10 +6,10 @@
 #include <annulus/certificate/orientation_sign.h>
 #include <annulus/engine/prices.h>
 #include <annulus/mesh/degenerate.h>
+#include <annulus/mesh/make_unique.h>
 #include <annulus/mesh/parallel_runs.h>
 
 #include <algorithm>
-#include <bit>
 #include <array>
 #include <type_traits>
 #include <utility>
@@ -177,25 +177,8 @@ void Signs<d>::look_at_everything() {
         }
     });
     for (const Found& here : found) take(here);
+    // What does not hold is mostly seen from both sides. Comparing it would cost a step that is given up more than all else.
     make_unique(found_.violated, table_.facet_bound());
-}
-
-/// What does not hold is mostly seen from both sides. Many facets are sorted by marking them: a step that is given up would pay more for
-/// comparing them than for all else.
-template <int d>
-void Signs<d>::make_unique(std::vector<Corner_index>& facets, Corner_index bound) {
-    constexpr std::size_t bits = 64;
-    if (bits * facets.size() < bound.offset()) {
-        std::sort(facets.begin(), facets.end());
-        facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
-        return;
-    }
-    std::vector<std::uint64_t> marks((bound.offset() + bits - 1) / bits);
-    for (const Corner_index f : facets) marks[f.offset() / bits] |= std::uint64_t{1} << (f.offset() % bits);
-    facets.clear();
-    for (std::size_t k = 0; k < marks.size(); ++k)
-        for (std::uint64_t left = marks[k]; left != 0; left &= left - 1)
-            facets.push_back(Corner_index(static_cast<Index>(bits * k + static_cast<std::size_t>(std::countr_zero(left)))));
 }
 
 template <int d>

@@ -73,7 +73,6 @@ class Signs {
     };
     void look_at(Cell_index c, bool border, Found& found) const;
     void take(const Found& found);
-    static void make_unique(std::vector<Corner_index>& facets, Corner_index bound);
     int decided(Staged_sign s);
     [[nodiscard]] bool clearly(int sign);
     [[nodiscard]] int sphere_sign(Corner_index h);

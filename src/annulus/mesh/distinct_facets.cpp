@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/mesh/distinct_facets.h>
+#include <annulus/mesh/make_unique.h>
 
 #include <algorithm>
 #include <array>
@@ -13,8 +14,7 @@ bool facets_are_distinct_around(const Cell_table<d>& t, std::span<const Cell_ind
     for (const Cell_index c : cells)
         for (const Index v : cell_points(t, c))
             if (v != infinite) vertices.push_back(v);
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    make_unique(vertices);
     // A facet is seen once from each of its finite vertices that are asked.
     std::vector<std::pair<std::array<Index, static_cast<std::size_t>(d)>, Corner_index>> facets;
     for (const Index v : vertices)
