@@ -163,6 +163,7 @@ Definition tour s x v (found : expiry_list * list Z * renewals) : expiry_list * 
   (put_many capacity (map (fun i => (own s v i, i)) others) l, suspects, renewed).
 Definition examine (s : state) (x : placement) (v : vertex) : expiry_list * list Z * renewals :=
   let now := lower (base (at_ s v)) in
+  if (rest (listing (at_ s v)) <=? now)%Z then tour s x v (listing (at_ s v), [], []) else
   let (visited, l) := take now (listing (at_ s v)) in
   let found := fold_left (look_at s x v) visited (l, [], []) in
   if (rest (fst (fst found)) <=? now)%Z then tour s x v found else found.

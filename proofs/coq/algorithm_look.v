@@ -236,7 +236,10 @@ Theorem examine_settles : proper capacity (listing (at_ t v)) -> in_form (examin
   forall j c, mesh t j = Some c -> In v (points c) -> kept (listing (at_ t v)) j (expiry (record t j) v) ->
     settled (examine second_look t x v) j c.
 Proof.
-  intro P. unfold examine. fold now. assert (Tp := take_proper capacity now _ P).
+  intro P. unfold examine. fold now. destruct (rest (listing (at_ t v)) <=? now)%Z eqn:R0.
+  { destruct (tour_settles (listing (at_ t v), [], [])) as [D1 D2]; [split; [exact P|intros i c k []]|].
+    split; [exact D1|]. intros j c M V _. now apply D2. }
+  assert (Tp := take_proper capacity now _ P).
   assert (K := fun j own => take_kept capacity now (listing (at_ t v)) j own P).
   assert (Fd := fun j own => take_finds capacity now (listing (at_ t v)) j own P).
   destruct (take now (listing (at_ t v))) as [visited l] eqn:E. cbn [fst snd] in *.

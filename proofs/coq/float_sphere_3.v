@@ -46,13 +46,28 @@ Definition cells_needed : bool :=
   | where_needed => is_backward l2 || is_backward l3 || is_backward minus_l4
   end.
 
+(* A tolerance that the cells lower is no answer where a sum may be positive or not, and none is certainly not. *)
+Definition certainly_backward (side : bicell R -> R) : bool :=
+  if Rlt_dec (side t) (- error_bound 169 (power_3 m)) then true else false.
+Definition lowered (annuli whole : option (Z * R)) : bool :=
+  match annuli, whole with
+  | Some (1%Z, v), Some (1%Z, w) => if Rlt_dec w v then true else false
+  | _, _ => false
+  end.
+Definition in_doubt (annuli whole : option (Z * R)) : bool :=
+  match use with
+  | where_needed => certified && negb (certainly_backward l2 || certainly_backward l3 || certainly_backward minus_l4) && lowered annuli whole
+  | _ => false
+  end.
+
 Definition bicell_filter : option (Z * R) :=
   if in_range_dec 100 m then
     let roots := Rmax (Rmax (norm_sum (n1 t) (m1 t)) (norm_sum (n2 t) (m2 t)))
                       (Rmax (norm_sum (n3 t) (m3 t)) (norm_sum (n4 t) (m4 t))) in
     let annuli := decide (determinant t) roots (error_bound 1105 (power_5 m)) (error_bound 3246 (power_4 m)) certified in
     if cells_needed
-    then both (both annuli (decide_width (cell_p t) (slabs_p t) m certified)) (decide_width (cell_q t) (slabs_q t) m certified)
+    then let whole := both (both annuli (decide_width (cell_p t) (slabs_p t) m certified)) (decide_width (cell_q t) (slabs_q t) m certified) in
+         if in_doubt annuli whole then None else whole
     else annuli
   else None.
 End code.
@@ -296,7 +311,7 @@ Proof.
   intros sign value A. unfold bicell_filter in A. fold m f e n roots in A.
   destruct (in_range_dec 100 m) as [_ |]; [| discriminate].
   destruct (cells_needed a b c p q use).
-  - apply both_some in A. destruct A as [(A & N) | (-> & v & w' & A & A' & ->)].
+  - destruct in_doubt; [discriminate |]. apply both_some in A. destruct A as [(A & N) | (-> & v & w' & A & A' & ->)].
     + apply both_some in A. destruct A as [(A & _) | (-> & _)]; [| congruence].
       destruct (whole _ _ A) as [(? & _) | ?]; [congruence | now right].
     + apply both_some in A. destruct A as [(_ & N) | (_ & v' & w'' & A & A'' & ->)]; [congruence |].

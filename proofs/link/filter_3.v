@@ -133,6 +133,14 @@ Definition bicell_norms (m : T) := let m2 := m * m in constant o annulus_3_norms
 Definition side_error (m : T) := let m2 := m * m in constant o annulus_3_side_u * (m2 * m).
 Definition backward (m : T) (k : partition) := negb (less o (side_error m) (side k)).
 
+(* unless(): a tolerance that the cells lower is no answer where one of the sums may be positive or not, and none is certainly not. *)
+Definition unless (doubt : bool) (alone whole : answer T) : answer T :=
+  match alone, whole with
+  | positive s, positive t => if doubt && less o t s then refused else whole
+  | _, _ => whole
+  end.
+Definition certainly_backward (m : T) (k : partition) := less o (side k) (opposite o (side_error m)).
+
 Definition bicell_filter (a b c p q : vector_3) (certified : bool) (cells : cells) : answer T :=
   let b := difference_3 b a in let c := difference_3 c a in let p := difference_3 p a in let q := difference_3 q a in
   let m := bicell_magnitude b c p q in
@@ -145,9 +153,15 @@ Definition bicell_filter (a b c p q : vector_3) (certified : bool) (cells : cell
                   | where_needed => backward m (ab_cpq t) || backward m (ca_bpq t) || backward m (bc_apq t)
                   | always => true
                   end in
-    both needed (both needed (decide o (insphere t) largest (bicell_error m) (bicell_norms m) certified)
-                             (decide_width (cell_p t) (cell_p_slab t) m certified))
-                (decide_width (cell_q t) (cell_q_slab t) m certified).
+    let annuli := decide o (insphere t) largest (bicell_error m) (bicell_norms m) certified in
+    let doubt := match cells with
+                 | where_needed => certified && negb (certainly_backward m (ab_cpq t) || certainly_backward m (ca_bpq t) ||
+                                                      certainly_backward m (bc_apq t))
+                 | _ => false
+                 end in
+    unless doubt annuli
+      (both needed (both needed annuli (decide_width (cell_p t) (cell_p_slab t) m certified))
+                   (decide_width (cell_q t) (cell_q_slab t) m certified)).
 End over.
 
 (* The expressions, to be compared with those the C++ templates record. *)

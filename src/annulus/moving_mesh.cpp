@@ -150,11 +150,11 @@ double Moving_mesh<d>::displacement(Index i) const {
 template <int d>
 double Moving_mesh<d>::theta(Index i) const {
     parts_->engine.require_vertex(i);
-    return parts_->embedding.theta(i);
+    return parts_->embedding.theta(parts_->engine.standing(), i);
 }
 template <int d>
 Measures Moving_mesh<d>::measure() const {
-    return parts_->embedding.measure();
+    return parts_->embedding.measure(parts_->engine.standing());
 }
 template <int d>
 Audit_input<d> Moving_mesh<d>::audit_input() const {

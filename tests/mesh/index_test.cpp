@@ -42,10 +42,11 @@ static_assert(std::is_trivially_copyable_v<Cell_index> && sizeof(Cell_index) == 
 TEST_CASE("The cells and facets of a table are each visited once", "[mesh][index]") {
     Random random(5);
     Cgal_embedding_3<No_info> e;
-    e.build(point_set(Set_3::uniform, 40, random));
+    const auto points = point_set(Set_3::uniform, 40, random);
+    e.build(points);
     e.mirror();
     std::vector<Cell_index> changed;
-    e.remove(7, changed);  // leaves holes
+    e.remove(points, 7, changed);  // leaves holes
     const Cell_table<3>& t = std::as_const(e).table();
     std::set<Cell_index> cells;
     std::set<Corner_index> facets;
@@ -78,7 +79,7 @@ TEST_CASE("CGAL's vertex at infinity has the index of infinity, and a vertex wit
         e.mirror();
         CHECK(e.table().vertex(e.table().corner_of_infinity()) == infinite);
         std::vector<Cell_index> changed;
-        e.remove(2, changed);
+        e.remove(points, 2, changed);
         CHECK(e.table().corner_of(2) == no_corner);
         CHECK(e.table().corner_of(1) != no_corner);
         e.rebuild(points);

@@ -80,6 +80,12 @@ template <class V, class Mask>
     return {select(undecided, V(0.0), l.sign), select(needed, V(min(l.tolerance, r.tolerance)), l.tolerance)};
 }
 
+/// `decision`, but nothing where it is positive and in doubt.
+template <class V, class Mask>
+[[nodiscard]] Decision<V> unless(const Decision<V>& decision, const Mask& doubt) {
+    return {select(doubt && decision.sign > V(0.0), V(0.0), decision.sign), decision.tolerance};
+}
+
 /// `decision` where the largest difference m is in the range of the bounds, 1 / range to range; nothing elsewhere.
 template <class V>
 [[nodiscard]] Decision<V> in_range(const V& m, double range, const Decision<V>& decision) {

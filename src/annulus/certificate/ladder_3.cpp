@@ -74,8 +74,11 @@ bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cell_widths cells
         const auto t = annulus_terms(vector(x, 1, difference), vector(x, 2, difference), vector(x, 3, difference),
                                      vector(x, 4, difference));
         out.backward = 0;
-        for (std::size_t k = 1; k < partitions_3; ++k)
+        bool certainly = false;  // one of them is backward
+        for (std::size_t k = 1; k < partitions_3; ++k) {
             if (!(t.side[k].lower() > 0.0)) out.backward = static_cast<std::uint8_t>(out.backward | (1U << k));
+            certainly = certainly || t.side[k].upper() <= 0.0;
+        }
         if (!detail::interval_sign(t.determinant, out)) return false;
         if (out.sign < 0) return true;
         double most = 0.0;
@@ -90,6 +93,7 @@ bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cell_widths cells
             double p = 0.0;
             double q = 0.0;
             if (!width_lower(cell_p_terms(t), p) || !width_lower(cell_q_terms(t), q)) return false;
+            if (cells == Cell_widths::where_needed && !certainly && std::min(p, q) < lower) return false;
             lower = std::min(lower, std::min(p, q));
         }
         out.tolerance = detail::unscaled_lower(lower, s);

@@ -21,7 +21,8 @@ namespace annulus {
 /// does so only along a motion on which both cells stay positive, from the same reference.
 enum class Cell_widths : std::uint8_t {
     never,         ///< the least of the four annuli; see Verdict::backward
-    where_needed,  ///< with the cells where one of the sums is not certainly positive: safe by itself
+    where_needed,  ///< with the cells where one of the sums is not positive: safe by itself. A stage that cannot tell whether
+                   ///< one is, where it matters to the tolerance, leaves it to the next: the answer is that of any order of the points
     always,        ///< the sign tolerance of theory 2: of use where a motion is all that is known of the cells
 };
 
@@ -70,6 +71,7 @@ template <class V>
 [[nodiscard]] Bicell_decision<V> decide_annulus(const Vector_3<V>& b, const Vector_3<V>& c, const Vector_3<V>& p,
                                                 const Vector_3<V>& q, bool certified, Cell_widths cells) {
     using std::max;
+    using std::min;
     const V m = max(V(max(magnitude(b), magnitude(c))), V(max(magnitude(p), magnitude(q))));
     const V m2 = m * m;
     const auto t = annulus_terms(b, c, p, q);
@@ -84,8 +86,13 @@ template <class V>
     if (cells != Cell_widths::never) {
         const auto needed = cells == Cell_widths::always ? backward >= V(0.0) : backward > V(0.0);
         if (any(needed)) {  // the only branch: the widths are half of the work, and often nobody asks for them
+            const V annuli = d.tolerance;
             d = both(d, decide_width(cell_p_terms(t), m, certified), needed);
             d = both(d, decide_width(cell_q_terms(t), m, certified), needed);
+            if (certified && cells == Cell_widths::where_needed) {
+                const V least = min(V(min(t.side[1], t.side[2])), t.side[3]);
+                d = unless(d, !(least < -side_error) && d.tolerance < annuli);
+            }
         }
     }
     return {in_range(m, bounds::filter_range_3, d), backward};

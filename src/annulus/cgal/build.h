@@ -99,7 +99,7 @@ void Cgal_embedding<Traits>::take_cells(Triangulation& other) noexcept {
 }
 
 template <class Traits>
-void Cgal_embedding<Traits>::set_points(std::span<const Coordinates<d>> x) {
+void Cgal_embedding<Traits>::show_points(std::span<const Coordinates<d>> x) {
     for_each_run(handle_.size(), std::size_t{1} << 14, this->threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
             if (handle_[i] != Vertex_handle()) handle_[i]->set_point(point(x[i]));

@@ -57,22 +57,22 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
 
     // mirror.h
     void mirror() override;
-    void revert() override {
+    void revert(std::span<const Coordinates<d>>) override {
         if (mirrored_) mirror();
     }
     void drop_mirror() noexcept override;
     [[nodiscard]] bool mirrored() const override { return mirrored_; }
     void follow(std::span<const Cell_index> cells) override;
-    void restore_cells(std::span<const Cell_index> cells, std::vector<Cell_index>& made) override;
+    void restore_cells(std::span<const Coordinates<d>> home, std::span<const Cell_index> cells, std::vector<Cell_index>& made) override;
 
     // relocation.h
-    [[nodiscard]] bool insert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) override;
-    void remove(Index v, std::vector<Cell_index>& changed) override;
-    [[nodiscard]] bool reinsert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) override;
-    [[nodiscard]] Relocation relocate(Index v, const Coordinates<d>& p) override;
-    [[nodiscard]] Relocation relocate_by_flips(Index v, const Coordinates<d>& p) override;
-    void set_point(Index v, const Coordinates<d>& p) override { handle_[at(v)]->set_point(point(p)); }
-    void set_points(std::span<const Coordinates<d>> x) override;
+    [[nodiscard]] bool insert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) override;
+    void remove(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed) override;
+    [[nodiscard]] bool reinsert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) override;
+    [[nodiscard]] Relocation relocate(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) override;
+    [[nodiscard]] Relocation relocate_by_flips(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) override;
+    void show_point(Index v, const Coordinates<d>& p) override { handle_[at(v)]->set_point(point(p)); }
+    void show_points(std::span<const Coordinates<d>> x) override;
 
     // readings.h
     void list_cells(std::vector<Index>& vertices) const override {
@@ -80,9 +80,9 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     }
     [[nodiscard]] bool rebuild_sorts(std::span<const Coordinates<d>> x) const override { return order_.sorts(x); }
     [[nodiscard]] Sample sample(std::span<const Coordinates<d>> x, std::size_t count) const override;
-    [[nodiscard]] double star_tolerance(Index v) const override;
-    [[nodiscard]] double theta(Index v) const override;
-    [[nodiscard]] Measures measure() const override;
+    [[nodiscard]] double star_tolerance(std::span<const Coordinates<d>> home, Index v) const override;
+    [[nodiscard]] double theta(std::span<const Coordinates<d>> home, Index v) const override;
+    [[nodiscard]] Measures measure(std::span<const Coordinates<d>> home) const override;
     /// Calls visit(vertices) for each finite cell, or of what is the largest there is when all points are in a plane or on a line
     /// (padded with `none`).
     template <class Visit>
@@ -128,7 +128,7 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     void exchange(Vertex_handle v, Vertex_handle inserted, const Coordinates<d>& p);
     /// Writes v's point when no topological change is needed. False, with nothing changed, when one is.
     [[nodiscard]] bool update_in_place(Index v, const Coordinates<d>& p);
-    [[nodiscard]] Relocation relocate_flat(Index v, const Coordinates<d>& p);
+    [[nodiscard]] Relocation relocate_flat(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p);
 
     /// The certificate of facet (c, i), and where its points are.
     struct Certificate {

@@ -69,7 +69,6 @@ template <int d>
 void Mesh_embedding<d>::build(std::span<const Coordinates<d>> x) {
     builder_->order.forget();
     present_.assign(x.size(), 1);
-    point_.assign(x.begin(), x.end());
     vertices_ = x.size();
     rebuild(x);
 }
@@ -83,7 +82,6 @@ void Mesh_embedding<d>::rebuild(std::span<const Coordinates<d>> x) {
     table.clear(x.size());
     if (tr.dimension() == d) Builder::copy(tr, x.size(), table, this->threads_);
     else Builder::list_flat(tr, flat);
-    if (x.data() != point_.data()) std::copy(x.begin(), x.end(), point_.begin());
     flat_cells_ = std::move(flat);
     table_ = std::move(table);
     dimension_ = tr.dimension();
@@ -95,15 +93,9 @@ bool Mesh_embedding<d>::rebuild_sorts(std::span<const Coordinates<d>> x) const {
 }
 
 template <int d>
-void Mesh_embedding<d>::rebuild_at_points() {
-    rebuild(point_);
-}
-
-template <int d>
 void Mesh_embedding<d>::restore(std::span<const Coordinates<d>> x, Index fresh) {
     if (fresh != none && at(fresh) < present_.size()) present_[at(fresh)] = 0;
     present_.resize(x.size(), 0);
-    point_.resize(x.size());
     vertices_ = static_cast<std::size_t>(std::count(present_.begin(), present_.end(), char{1}));
     builder_->order.forget();
     rebuild(x);
@@ -124,12 +116,12 @@ bool Mesh_embedding<d>::delaunay_of(std::span<const Coordinates<d>> x, std::span
 
 /// The same under other numbers, all of which `made` receives: the table does not become smaller, since the engine may have noted some.
 template <int d>
-void Mesh_embedding<d>::replace_everything(std::vector<Cell_index>& made) {
+void Mesh_embedding<d>::replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made) {
     std::vector<Index> vertices;
     for (std::size_t v = 0; v < present_.size(); ++v)
         if (present_[v] != 0) vertices.push_back(static_cast<Index>(v));
     std::vector<Cell_points<d>> cells;
-    if (!delaunay_of(point_, vertices, cells)) throw Error(Error_code::collision, "two vertices are at one place");
+    if (!delaunay_of(x, vertices, cells)) throw Error(Error_code::collision, "two vertices are at one place");
     std::vector<Cell_index> old;
     for (const Cell_index c : table_.cells()) old.push_back(c);
     replace_cells<d>(table_, old, cells, made);
@@ -144,44 +136,45 @@ void Mesh_embedding<d>::keep_present(std::vector<Cell_index>& cells, std::size_t
     cells.erase(std::remove_if(begin, std::unique(begin, cells.end()), gone), cells.end());
 }
 
-/// What is outside of them is Delaunay at the points, and so were they.
+/// What is outside of them is Delaunay there, and so were they.
 template <int d>
-void Mesh_embedding<d>::restore_cells(std::span<const Cell_index> cells, std::vector<Cell_index>& made) {
+void Mesh_embedding<d>::restore_cells(std::span<const Coordinates<d>> home, std::span<const Cell_index> cells,
+                                      std::vector<Cell_index>& made) {
     std::vector<Cell_index> present;
     std::copy_if(cells.begin(), cells.end(), std::back_inserter(present),
                  [this](Cell_index c) { return table_.is_cell(c); });
     const std::size_t first = made.size();
-    if (!local_.rebuild(point_, present, std::numeric_limits<double>::infinity(), made)) {
-        replace_everything(made);
+    if (!local_.rebuild(home, present, std::numeric_limits<double>::infinity(), made)) {
+        replace_everything(home, made);
     }
     keep_present(made, first);
 }
 
 template <int d>
-bool Mesh_embedding<d>::is_taken(const Coordinates<d>& p, Index but) const {
+bool Mesh_embedding<d>::is_taken(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index but) const {
     if (dimension_ < d) {
-        for (std::size_t v = 0; v < point_.size(); ++v)
-            if (present_[v] != 0 && static_cast<Index>(v) != but && point_[v] == p) return true;
+        for (std::size_t v = 0; v < present_.size(); ++v)
+            if (present_[v] != 0 && static_cast<Index>(v) != but && home[v] == p) return true;
         return false;
     }
-    const Cell_index c = locate<d>(table_, point_, p, table_.cell_of(table_.corner_of_infinity()));
+    const Cell_index c = locate<d>(table_, home, p, table_.cell_of(table_.corner_of_infinity()));
     for (const Index v : cell_points(table_, c))
-        if (v != infinite && v != but && point_[at(v)] == p) return true;
+        if (v != infinite && v != but && home[at(v)] == p) return true;
     return false;
 }
 
 /// v goes to p, where nobody is.
 template <int d>
-bool Mesh_embedding<d>::attach(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
-    const Cell_index c = locate<d>(table_, point_, p, table_.cell_of(table_.corner_of_infinity()));
+bool Mesh_embedding<d>::attach(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
+    const Cell_index c = locate<d>(table_, home, p, table_.cell_of(table_.corner_of_infinity()));
     for (const Index w : cell_points(table_, c))
-        if (w != infinite && point_[at(w)] == p) return false;
-    const Coordinates<d> home = std::exchange(point_[at(v)], p);
+        if (w != infinite && home[at(w)] == p) return false;
+    const Coordinates<d> old = std::exchange(home[at(v)], p);
     const std::size_t first = changed.size();
     try {
-        if (!local_.insert(point_, std::array{c}, v, changed)) replace_everything(changed);
+        if (!local_.insert(home, std::array{c}, v, changed)) replace_everything(home, changed);
     } catch (...) {
-        point_[at(v)] = home;
+        home[at(v)] = old;
         throw;
     }
     keep_present(changed, first);
@@ -190,90 +183,82 @@ bool Mesh_embedding<d>::attach(Index v, const Coordinates<d>& p, std::vector<Cel
 
 /// False, with nothing changed, when the rest would be flat.
 template <int d>
-bool Mesh_embedding<d>::detach(Index v, std::vector<Cell_index>& changed) {
+bool Mesh_embedding<d>::detach(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed) {
     if (dimension_ != d || vertices_ <= d + 1U) return false;
     std::vector<Cell_index> star;
     table_.for_each_corner(v, [&](Corner_index h) { star.push_back(table_.cell_of(h)); });
     const std::size_t first = changed.size();
-    if (!local_.remove(point_, star, v, changed)) return false;
+    if (!local_.remove(home, star, v, changed)) return false;
     keep_present(changed, first);
     table_.set_absent(v);
     return true;
 }
 
 template <int d>
-bool Mesh_embedding<d>::insert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
-    if (is_taken(p, none)) return false;
+bool Mesh_embedding<d>::insert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
+    if (is_taken(home, p, none)) return false;
     builder_->order.note_coming(v);
-    if (at(v) >= point_.size()) {
-        point_.resize(at(v) + 1);
-        present_.resize(at(v) + 1, 0);
-    }
+    if (at(v) >= present_.size()) present_.resize(at(v) + 1, 0);
     present_[at(v)] = 1;
     ++vertices_;
     if (dimension_ < d) {
-        point_[at(v)] = p;
-        rebuild_at_points();
+        home[at(v)] = p;
+        rebuild(home);
         return true;
     }
-    table_.set_vertex_bound(point_.size());
-    return attach(v, p, changed);
+    table_.set_vertex_bound(present_.size());
+    return attach(home, v, p, changed);
 }
 
 template <int d>
-void Mesh_embedding<d>::remove(Index v, std::vector<Cell_index>& changed) {
+void Mesh_embedding<d>::remove(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed) {
     builder_->order.note_going(v);
-    if (detach(v, changed)) {
+    if (detach(home, v, changed)) {
         present_[at(v)] = 0;
         --vertices_;
         return;
     }
     present_[at(v)] = 0;
     --vertices_;
-    rebuild_at_points();
+    rebuild(home);
 }
 
 template <int d>
-bool Mesh_embedding<d>::reinsert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
-    if (is_taken(p, v)) throw Error(Error_code::collision, "another vertex is at that position");
-    if (!detach(v, changed)) return false;
-    (void)attach(v, p, changed);
+bool Mesh_embedding<d>::reinsert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
+    if (is_taken(home, p, v)) throw Error(Error_code::collision, "another vertex is at that position");
+    if (!detach(home, v, changed)) return false;
+    (void)attach(home, v, p, changed);
     keep_present(changed, 0);
     return true;
 }
 
 template <int d>
-Relocation Mesh_embedding<d>::relocate(Index v, const Coordinates<d>& p) {
-    if (point_[at(v)] == p) return Relocation::kept;
-    if (is_taken(p, v)) return Relocation::refused;
+Relocation Mesh_embedding<d>::relocate(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) {
+    if (is_taken(home, p, v)) return Relocation::refused;
     std::vector<Cell_index> changed;
-    if (detach(v, changed)) {
-        (void)attach(v, p, changed);
+    if (detach(home, v, changed)) {
+        (void)attach(home, v, p, changed);
     } else {
-        std::vector<Coordinates<d>> x = point_;
+        std::vector<Coordinates<d>> x(home.begin(), home.end());
         x[at(v)] = p;
         rebuild(x);
+        home[at(v)] = p;
     }
     return Relocation::reinserted;
 }
 
 template <int d>
-Relocation Mesh_embedding<d>::relocate_by_flips(Index v, const Coordinates<d>& p) {
-    return update_in_place(v, p) ? Relocation::kept : relocate(v, p);
+Relocation Mesh_embedding<d>::relocate_by_flips(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) {
+    return update_in_place(home, v, p) ? Relocation::kept : relocate(home, v, p);
 }
 
 template <int d>
-bool Mesh_embedding<d>::update_in_place(Index v, const Coordinates<d>& p) {
+bool Mesh_embedding<d>::update_in_place(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) {
     if (dimension_ != d) return false;
-    const Coordinates<d> home = std::exchange(point_[at(v)], p);
-    const bool holds = star_holds<d>(table_, point_, v);
-    if (!holds) point_[at(v)] = home;
+    const Coordinates<d> old = std::exchange(home[at(v)], p);
+    const bool holds = star_holds<d>(table_, home, v);
+    if (!holds) home[at(v)] = old;
     return holds;
-}
-
-template <int d>
-void Mesh_embedding<d>::set_points(std::span<const Coordinates<d>> x) {
-    std::copy(x.begin(), x.end(), point_.begin());
 }
 
 template class Mesh_embedding<2>;

@@ -22,7 +22,7 @@ class Mesh_embedding final : public Embedding<d> {
     [[nodiscard]] Cell_table<d>& table() override { return table_; }
     [[nodiscard]] const Cell_table<d>& table() const { return table_; }
     [[nodiscard]] std::size_t vertices() const override { return vertices_; }
-    [[nodiscard]] std::size_t vertex_bound() const override { return point_.size(); }
+    [[nodiscard]] std::size_t vertex_bound() const override { return present_.size(); }
     [[nodiscard]] int dimension() const override { return dimension_; }
     [[nodiscard]] bool has(Index v) const override { return present_[at(v)] != 0; }
 
@@ -35,43 +35,41 @@ class Mesh_embedding final : public Embedding<d> {
                                    std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>>& cells) override;
 
     void mirror() override { mirrored_ = true; }
-    void revert() override { rebuild_at_points(); }
+    void revert(std::span<const Coordinates<d>> home) override { rebuild(home); }
     void drop_mirror() noexcept override { mirrored_ = false; }
     [[nodiscard]] bool mirrored() const override { return mirrored_; }
     void follow(std::span<const Cell_index>) override {}
-    void restore_cells(std::span<const Cell_index> cells, std::vector<Cell_index>& made) override;
+    void restore_cells(std::span<const Coordinates<d>> home, std::span<const Cell_index> cells, std::vector<Cell_index>& made) override;
 
-    [[nodiscard]] bool insert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) override;
-    void remove(Index v, std::vector<Cell_index>& changed) override;
-    [[nodiscard]] bool reinsert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) override;
-    [[nodiscard]] Relocation relocate(Index v, const Coordinates<d>& p) override;
+    [[nodiscard]] bool insert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) override;
+    void remove(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed) override;
+    [[nodiscard]] bool reinsert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) override;
+    [[nodiscard]] Relocation relocate(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) override;
     /// In place where no topological change is needed, else relocation, in the plane too.
-    [[nodiscard]] Relocation relocate_by_flips(Index v, const Coordinates<d>& p) override;
-    void set_point(Index v, const Coordinates<d>& p) override { point_[at(v)] = p; }
-    void set_points(std::span<const Coordinates<d>> x) override;
+    [[nodiscard]] Relocation relocate_by_flips(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) override;
+    void show_point(Index, const Coordinates<d>&) override {}  // no handles
+    void show_points(std::span<const Coordinates<d>>) override {}
 
     void list_cells(std::vector<Index>& vertices) const override;
     [[nodiscard]] bool rebuild_sorts(std::span<const Coordinates<d>> x) const override;
     [[nodiscard]] Sample sample(std::span<const Coordinates<d>> x, std::size_t count) const override;
-    [[nodiscard]] double star_tolerance(Index v) const override;
-    [[nodiscard]] double theta(Index v) const override;
-    [[nodiscard]] Measures measure() const override;
+    [[nodiscard]] double star_tolerance(std::span<const Coordinates<d>> home, Index v) const override;
+    [[nodiscard]] double theta(std::span<const Coordinates<d>> home, Index v) const override;
+    [[nodiscard]] Measures measure(std::span<const Coordinates<d>> home) const override;
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     struct Builder;
 
-    void rebuild_at_points();
-    void replace_everything(std::vector<Cell_index>& made);
+    void replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made);
     void keep_present(std::vector<Cell_index>& cells, std::size_t first) const;
-    [[nodiscard]] bool attach(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed);
-    [[nodiscard]] bool detach(Index v, std::vector<Cell_index>& changed);
-    /// Writes v's point when no topological change is needed. False, with nothing changed, when one is.
-    [[nodiscard]] bool update_in_place(Index v, const Coordinates<d>& p);
-    [[nodiscard]] bool is_taken(const Coordinates<d>& p, Index but) const;
+    [[nodiscard]] bool attach(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed);
+    [[nodiscard]] bool detach(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed);
+    /// Writes v's position when no topological change is needed. False, with nothing changed, when one is.
+    [[nodiscard]] bool update_in_place(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p);
+    [[nodiscard]] bool is_taken(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index but) const;
 
     Cell_table<d> table_;
-    std::vector<Coordinates<d>> point_;  // by vertex: where it was Delaunay last
     std::vector<char> present_;          // by vertex; 0 for a vacant index
     std::size_t vertices_ = 0;
     int dimension_ = -1;

@@ -24,8 +24,8 @@ template <int d>
 Sample Mesh_embedding<d>::sample(std::span<const Coordinates<d>> x, std::size_t count) const {
     Sample sample;
     if (dimension_ != d) return sample;
-    const std::size_t stride = 1 + point_.size() / (count + 1);
-    for (std::size_t v = 0; v < point_.size(); v += stride) {
+    const std::size_t stride = 1 + present_.size() / (count + 1);
+    for (std::size_t v = 0; v < present_.size(); v += stride) {
         if (present_[v] == 0) continue;
         const Cell_index c = table_.cell_of(table_.corner_of(static_cast<Index>(v)));
         if (table_.is_infinite(c)) continue;
@@ -37,29 +37,29 @@ Sample Mesh_embedding<d>::sample(std::span<const Coordinates<d>> x, std::size_t 
 }
 
 template <int d>
-double Mesh_embedding<d>::star_tolerance(Index v) const {
-    return annulus::star_tolerance<d>(table_, point_, v);
+double Mesh_embedding<d>::star_tolerance(std::span<const Coordinates<d>> home, Index v) const {
+    return annulus::star_tolerance<d>(table_, home, v);
 }
 
 template <int d>
-double Mesh_embedding<d>::theta(Index v) const {
-    return dimension_ == d ? star_theta<d>(table_, point_, v) : 1.5707963267948966;
+double Mesh_embedding<d>::theta(std::span<const Coordinates<d>> home, Index v) const {
+    return dimension_ == d ? star_theta<d>(table_, home, v) : 1.5707963267948966;
 }
 
 template <int d>
-Measures Mesh_embedding<d>::measure() const {
-    if (dimension_ == d) return annulus::measure<d>(table_, point_);
+Measures Mesh_embedding<d>::measure(std::span<const Coordinates<d>> home) const {
+    if (dimension_ == d) return annulus::measure<d>(table_, home);
     Measures m;
-    m.tolerance.assign(point_.size(), std::numeric_limits<double>::infinity());
+    m.tolerance.assign(present_.size(), std::numeric_limits<double>::infinity());
     return m;
 }
 
 #define ANNULUS_READINGS(d)                                                                        \
     template void Mesh_embedding<d>::list_cells(std::vector<Index>&) const;                        \
     template Sample Mesh_embedding<d>::sample(std::span<const Coordinates<d>>, std::size_t) const; \
-    template double Mesh_embedding<d>::star_tolerance(Index) const;                                \
-    template double Mesh_embedding<d>::theta(Index) const;                                         \
-    template Measures Mesh_embedding<d>::measure() const;
+    template double Mesh_embedding<d>::star_tolerance(std::span<const Coordinates<d>>, Index) const; \
+    template double Mesh_embedding<d>::theta(std::span<const Coordinates<d>>, Index) const;        \
+    template Measures Mesh_embedding<d>::measure(std::span<const Coordinates<d>>) const;
 ANNULUS_READINGS(2)
 ANNULUS_READINGS(3)
 #undef ANNULUS_READINGS

@@ -137,7 +137,8 @@ void Cgal_embedding<Traits>::follow(std::span<const Cell_index> cells) {
 }
 
 template <class Traits>
-void Cgal_embedding<Traits>::restore_cells(std::span<const Cell_index> cells, std::vector<Cell_index>& made) {
+void Cgal_embedding<Traits>::restore_cells(std::span<const Coordinates<d>>, std::span<const Cell_index> cells,
+                                             std::vector<Cell_index>& made) {
     std::vector<Cell_index> present;
     std::vector<Cell_handle> theirs;
     std::vector<Points> vertices;

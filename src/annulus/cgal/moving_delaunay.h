@@ -143,10 +143,10 @@ class Moving_delaunay {
     /// Upper bound of |position - fixed position|.
     [[nodiscard]] double displacement(Vertex_handle v) const { return engine_->displacement(index(v)); }
     /// Least theta of the finite bi-cells of v in radians (theory 4); pi/2 when it has none.
-    [[nodiscard]] double theta(Vertex_handle v) const { return embedding_->theta(index(v)); }
+    [[nodiscard]] double theta(Vertex_handle v) const { return embedding_->theta(engine_->standing(), index(v)); }
 
     /// Fresh tolerances, annulus widths and theta of everything at CGAL's points, whatever the strategy. O(n).
-    [[nodiscard]] Measures measure() const { return embedding_->measure(); }
+    [[nodiscard]] Measures measure() const { return embedding_->measure(engine_->standing()); }
 
     /// Exact verdict at the present positions; see audit.h. O(n).
     [[nodiscard]] Audit_result audit() const { return annulus::audit(audit_input()); }

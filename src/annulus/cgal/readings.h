@@ -52,7 +52,7 @@ Sample Cgal_embedding<Traits>::sample(std::span<const Coordinates<d>> x, std::si
 }
 
 template <class Traits>
-double Cgal_embedding<Traits>::star_tolerance(Index v) const {
+double Cgal_embedding<Traits>::star_tolerance(std::span<const Coordinates<d>>, Index v) const {
     double least = std::numeric_limits<double>::infinity();
     for (const Cell_handle c : star(handle_[at(v)])) least = std::min(least, verdict_of_cell(c).tolerance);
     for_each_facet_around(handle_[at(v)], [&](Cell_handle c, int i) {
@@ -63,7 +63,7 @@ double Cgal_embedding<Traits>::star_tolerance(Index v) const {
 }
 
 template <class Traits>
-double Cgal_embedding<Traits>::theta(Index v) const {
+double Cgal_embedding<Traits>::theta(std::span<const Coordinates<d>>, Index v) const {
     double least = 1.5707963267948966;  // pi / 2
     if (tr_.dimension() != d) return least;
     for_each_facet_around(handle_[at(v)], [&](Cell_handle c, int i) {
@@ -74,7 +74,7 @@ double Cgal_embedding<Traits>::theta(Index v) const {
 }
 
 template <class Traits>
-Measures Cgal_embedding<Traits>::measure() const {
+Measures Cgal_embedding<Traits>::measure(std::span<const Coordinates<d>>) const {
     Measures m;
     m.tolerance.assign(handle_.size(), std::numeric_limits<double>::infinity());
     if (tr_.dimension() != d) return m;

@@ -91,20 +91,24 @@ bool Cgal_embedding<Traits>::attach(Index v, const Coordinates<d>& p, Vertex_han
 }
 
 template <class Traits>
-bool Cgal_embedding<Traits>::reinsert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
+bool Cgal_embedding<Traits>::reinsert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p,
+                                      std::vector<Cell_index>& changed) {
     const Vertex_handle handle = handle_[at(v)];
-    const Coordinates<d> home = coordinates(handle->point());
     Vertex_handle near;
     for (int i = 0; i <= d; ++i)
         if (const Vertex_handle w = Traits::cell_of(handle)->vertex(i); w != handle && !tr_.is_infinite(w)) near = w;
     if (!detach(v, changed)) return false;
-    if (attach(v, p, near, changed)) return true;
-    (void)attach(v, home, near, changed);
+    if (attach(v, p, near, changed)) {
+        home[at(v)] = p;
+        return true;
+    }
+    (void)attach(v, home[at(v)], near, changed);
     throw Error(Error_code::collision, "another vertex is at that position");
 }
 
 template <class Traits>
-bool Cgal_embedding<Traits>::insert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
+bool Cgal_embedding<Traits>::insert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p,
+                                    std::vector<Cell_index>& changed) {
     const auto place = Traits::locate(tr_, point(p), Cell_handle());
     if (place.is_vertex()) return false;
     order_.note_coming(v);
@@ -114,6 +118,7 @@ bool Cgal_embedding<Traits>::insert(Index v, const Coordinates<d>& p, std::vecto
     inserted->set_index(v);
     if (at(v) >= handle_.size()) handle_.resize(at(v) + 1);
     handle_[at(v)] = inserted;
+    home[at(v)] = p;
     if (!mirrored_) return true;
     if (before == d) {
         table_.set_vertex_bound(handle_.size());
@@ -129,7 +134,7 @@ bool Cgal_embedding<Traits>::insert(Index v, const Coordinates<d>& p, std::vecto
 }
 
 template <class Traits>
-void Cgal_embedding<Traits>::remove(Index v, std::vector<Cell_index>& changed) {
+void Cgal_embedding<Traits>::remove(std::span<const Coordinates<d>>, Index v, std::vector<Cell_index>& changed) {
     const Vertex_handle handle = handle_[at(v)];
     order_.note_going(v);
     if (mirrored_ && detach(v, changed)) {
@@ -145,21 +150,20 @@ void Cgal_embedding<Traits>::remove(Index v, std::vector<Cell_index>& changed) {
 
 /// All anew: CGAL's vertices of lower dimensions are few ways to get wrong.
 template <class Traits>
-Relocation Cgal_embedding<Traits>::relocate_flat(Index v, const Coordinates<d>& p) {
-    std::vector<Coordinates<d>> x(handle_.size());
-    for (std::size_t k = 0; k < x.size(); ++k)
-        if (handle_[k] != Vertex_handle()) x[k] = coordinates(handle_[k]->point());
+Relocation Cgal_embedding<Traits>::relocate_flat(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) {
+    std::vector<Coordinates<d>> x(home.begin(), home.end());
     x[at(v)] = p;
     rebuild(x);
+    home[at(v)] = p;
     return Relocation::reinserted;
 }
 
 template <class Traits>
-Relocation Cgal_embedding<Traits>::relocate(Index v, const Coordinates<d>& p) {
+Relocation Cgal_embedding<Traits>::relocate(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) {
     const Vertex_handle handle = handle_[at(v)];
     const auto place = Traits::locate(tr_, point(p), Traits::cell_of(handle));
     if (place.is_vertex()) return place.vertex() == handle ? Relocation::kept : Relocation::refused;
-    if (tr_.dimension() != d) return relocate_flat(v, p);
+    if (tr_.dimension() != d) return relocate_flat(home, v, p);
     Vertex_handle inserted;
     Traits::edit([&] { inserted = Traits::insert(tr_, point(p), place); });
     // The handle moves to the new star and the newcomer to the old one, where it is removed.
@@ -169,12 +173,13 @@ Relocation Cgal_embedding<Traits>::relocate(Index v, const Coordinates<d>& p) {
     exchange(handle, inserted, p);
     auto cells = take_out(stand_in);
     put_in_order(cells);  // what is computed from their corners is the same in another run
+    home[at(v)] = p;
     return Relocation::reinserted;
 }
 
 /// CGAL does not tell whether it flipped, so its first question is asked beforehand.
 template <class Traits>
-Relocation Cgal_embedding<Traits>::relocate_by_flips(Index v, const Coordinates<d>& p) {
+Relocation Cgal_embedding<Traits>::relocate_by_flips(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) {
     if constexpr (d == 2) {
         const Vertex_handle handle = handle_[at(v)];
         bool flips = false;
@@ -185,9 +190,12 @@ Relocation Cgal_embedding<Traits>::relocate_by_flips(Index v, const Coordinates<
             handle->set_point(old);
         }
         if (tr_.move_if_no_collision(handle, point(p)) != handle) return Relocation::refused;
+        home[at(v)] = p;
         return flips ? Relocation::flipped : Relocation::reinserted;
     } else {
-        return update_in_place(v, p) ? Relocation::kept : relocate(v, p);
+        if (!update_in_place(v, p)) return relocate(home, v, p);
+        home[at(v)] = p;
+        return Relocation::kept;
     }
 }
 

@@ -17,8 +17,10 @@ enum class Relocation { refused, kept, flipped, reinserted };
 /// What the engine wants of whoever builds triangulations, inserts and removes: the seam between it and CGAL.
 ///
 /// There is the triangulation itself, which others may hold handles of, and its flat mirror, which the engine changes. Vertices are
-/// named by index; `infinite` is the vertex at infinity. The embedding has points of its own: positions at which the triangulation was
-/// last Delaunay; they change only through this interface.
+/// named by index; `infinite` is the vertex at infinity.
+///
+/// Positions are their owner's (Upkeep) and come with each call: `home` are those at which the triangulation is Delaunay. CGAL's vertices
+/// have a point each, which an embedding keeps up because handles show it.
 template <int d>
 class Embedding {
   public:
@@ -57,7 +59,7 @@ class Embedding {
     virtual void mirror() = 0;
     /// After changes of the table that shall not be: brings it in line with the triangulation again, all of it, if there is a mirror.
     /// O(n log n).
-    virtual void revert() = 0;
+    virtual void revert(std::span<const Coordinates<d>> home) = 0;
     /// Forgets the mirror. Strategies that do not use it work on the triangulation alone, which then costs less.
     virtual void drop_mirror() noexcept = 0;
     [[nodiscard]] virtual bool mirrored() const = 0;
@@ -66,29 +68,33 @@ class Embedding {
     virtual void follow(std::span<const Cell_index> cells) = 0;
     /// The opposite: brings these cells of the table in line with the triangulation, under other numbers; `made` receives these.
     /// O(k log k) for k cells.
-    virtual void restore_cells(std::span<const Cell_index> cells, std::vector<Cell_index>& made) = 0;
+    virtual void restore_cells(std::span<const Coordinates<d>> home, std::span<const Cell_index> cells,
+                               std::vector<Cell_index>& made) = 0;
 
-    /// Inserts p as vertex v (a new index, or a vacant one), in both; `changed` receives the cells that are new. False, with nothing
-    /// changed, when a vertex is there.
-    [[nodiscard]] virtual bool insert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) = 0;
+    // Who is given `home` to write in writes home[v] = p, unless nothing has changed.
+    /// Inserts p as vertex v (a new index, for which there is room, or a vacant one), in both; `changed` receives the cells that are new.
+    /// False, with nothing changed, when a vertex is there.
+    [[nodiscard]] virtual bool insert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p,
+                                      std::vector<Cell_index>& changed) = 0;
     /// Removes v; its index becomes vacant and its handle invalid.
-    virtual void remove(Index v, std::vector<Cell_index>& changed) = 0;
+    virtual void remove(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed) = 0;
     /// Takes v out and puts it back in at p, in both; `changed` receives the cells that are new. False, with nothing
     /// changed, when the rest would be flat. Throws Error(collision), with nothing changed but cells' numbers, when another vertex is there.
-    /// Precondition: the triangulation is Delaunay at its points, and the mirror is its own.
-    [[nodiscard]] virtual bool reinsert(Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) = 0;
+    /// Precondition: the mirror is its own.
+    [[nodiscard]] virtual bool reinsert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p,
+                                        std::vector<Cell_index>& changed) = 0;
 
-    // Moves of one vertex without a mirror. The triangulation is Delaunay before and after.
+    // Moves of one vertex, from where it is not yet, without a mirror. The triangulation is Delaunay before and after.
     /// The paper's baseline: locate, insert, remove, with v's handle kept.
-    [[nodiscard]] virtual Relocation relocate(Index v, const Coordinates<d>& p) = 0;
+    [[nodiscard]] virtual Relocation relocate(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) = 0;
     /// Section 3.1 of the paper: flips when no incident cell inverts, else relocation. In space in place where no topological change is
     /// needed, else relocation: paper 3.1 has no flips there, and CGAL's `move_if_no_collision`, whose insertion into a star it has
     /// just made crashes on degenerate input (5.5), is none either.
-    [[nodiscard]] virtual Relocation relocate_by_flips(Index v, const Coordinates<d>& p) = 0;
+    [[nodiscard]] virtual Relocation relocate_by_flips(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) = 0;
 
-    /// Writes the point of v, or of every vertex in the triangulation; no combinatorial change.
-    virtual void set_point(Index v, const Coordinates<d>& p) = 0;
-    virtual void set_points(std::span<const Coordinates<d>> x) = 0;
+    /// The point that v, or every vertex in the triangulation, shows; no combinatorial change.
+    virtual void show_point(Index v, const Coordinates<d>& p) = 0;
+    virtual void show_points(std::span<const Coordinates<d>> x) = 0;
 
     /// Appends the vertices of every finite cell, or of what is the largest there is of lower dimension (padded with `none`).
     virtual void list_cells(std::vector<Index>& vertices) const = 0;
@@ -96,12 +102,12 @@ class Embedding {
     [[nodiscard]] virtual bool rebuild_sorts(std::span<const Coordinates<d>> x) const = 0;
     /// Looks at a cell of some `count` vertices, at x. O(count).
     [[nodiscard]] virtual Sample sample(std::span<const Coordinates<d>> x, std::size_t count) const = 0;
-    /// Least tolerance of the certificates of v at the embedding's points, certified. Precondition: dimension d.
-    [[nodiscard]] virtual double star_tolerance(Index v) const = 0;
-    /// Least theta of the finite bi-cells that contain v, at the embedding's points; pi/2 when there is none.
-    [[nodiscard]] virtual double theta(Index v) const = 0;
-    /// Widths, tolerances and theta of everything, at the embedding's points. O(n).
-    [[nodiscard]] virtual Measures measure() const = 0;
+    /// Least tolerance of the certificates of v, certified. Precondition: dimension d.
+    [[nodiscard]] virtual double star_tolerance(std::span<const Coordinates<d>> home, Index v) const = 0;
+    /// Least theta of the finite bi-cells that contain v; pi/2 when there is none.
+    [[nodiscard]] virtual double theta(std::span<const Coordinates<d>> home, Index v) const = 0;
+    /// Widths, tolerances and theta of everything. O(n).
+    [[nodiscard]] virtual Measures measure(std::span<const Coordinates<d>> home) const = 0;
 
   protected:
     int threads_ = 1;

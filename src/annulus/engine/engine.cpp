@@ -117,6 +117,11 @@ auto Engine<d>::positions() const -> std::span<const Point> {
 }
 
 template <int d>
+auto Engine<d>::standing() const -> std::span<const Point> {
+    return upkeep_->standing();
+}
+
+template <int d>
 auto Engine<d>::fixed_position(Index i) const -> Point {
     return upkeep_->fixed_position(i);
 }
@@ -125,7 +130,7 @@ template <int d>
 double Engine<d>::tolerance(Index i) const {
     if (embedding_.dimension() != d) return 0.0;
     const auto kept = upkeep_->tolerance(i);
-    return kept ? *kept : embedding_.star_tolerance(i);
+    return kept ? *kept : embedding_.star_tolerance(upkeep_->standing(), i);
 }
 
 template <int d>
@@ -160,13 +165,18 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
     if (vacant_.empty() && index_bound() >= Horizons::vertices)
         throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::vertices) + " vertices");
     const Index i = vacant_.empty() ? static_cast<Index>(index_bound()) : vacant_.back();
+    const Point here = p;  // it may be one of positions(), which are about to grow
     guarded(
         [&] {
             make_trusted(report);
             std::vector<Cell_index> changed;
             const int before = embedding_.dimension();
-            if (!embedding_.insert(i, p, changed)) throw Error(Error_code::collision, "another vertex is at that position");
-            upkeep_->place(i, p);
+            const std::size_t bound = index_bound();
+            if (!embedding_.insert(upkeep_->lend(std::max(bound, at(i) + 1)), i, here, changed)) {
+                (void)upkeep_->lend(bound);
+                throw Error(Error_code::collision, "another vertex is at that position");
+            }
+            upkeep_->place(i, here);
             if (before != d && embedding_.mirrored()) upkeep_->refresh_all(report);
             else upkeep_->refresh(changed, report);
             list_changes(report, changed);
@@ -183,7 +193,7 @@ void Engine<d>::remove(Index i, Move_report& report) {
         make_trusted(report);
         std::vector<Cell_index> changed;
         try {
-            embedding_.remove(i, changed);
+            embedding_.remove(positions(), i, changed);
         } catch (...) {
             if (!embedding_.has(i)) vacant_.push_back(i);  // gone, but what followed failed
             throw;

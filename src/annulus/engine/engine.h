@@ -43,6 +43,8 @@ class Engine {
     void require_vertex(Index i) const;
     [[nodiscard]] std::span<const Index> index_of_input() const { return index_of_input_; }
     [[nodiscard]] std::span<const Point> positions() const;
+    /// Those at which the triangulation is Delaunay: others only while tolerances that are not certified are kept.
+    [[nodiscard]] std::span<const Point> standing() const;
     [[nodiscard]] Point fixed_position(Index i) const;
     [[nodiscard]] double tolerance(Index i) const;
     [[nodiscard]] double displacement(Index i) const;

@@ -241,7 +241,7 @@ void Engine<d>::consider_switch(std::span<const Point> x, Move_report& report) {
         Index i = 0;
         do i = static_cast<Index>(random_() % index_bound());
         while (!is_vertex(i));
-        within += distance_upper<d>(x[at(i)], positions()[at(i)]) < embedding_.star_tolerance(i) ? 1 : 0;
+        within += distance_upper<d>(x[at(i)], positions()[at(i)]) < embedding_.star_tolerance(positions(), i) ? 1 : 0;
     }
     if (within < share * sample) return;
     before_ = std::move(upkeep_);

@@ -73,7 +73,7 @@ template <int d>
 void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) {
     if (odometers_.kept() ? odometers_.passes(v, p) : p == position_[at(v)]) {
         position_[at(v)] = p;
-        embedding_.set_point(v, p);
+        embedding_.show_point(v, p);
         ++report.moves.asked;
         ++report.moves.within_tolerance;
         return;
@@ -82,6 +82,7 @@ void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) 
     try {
         position_[at(v)] = p;
         Step<d> step = new_step(position_, v, odometers_.kept() ? Scope::expired : Scope::star);
+        step.home = old;
         step.failed.push_back(v);
         step.most = Chooser<d>::most_generous_repair(embedding_.vertices(), true);
         process(step, [&] { return repair_.mend_one(position_, v, old, step.most); }, report);
@@ -110,7 +111,7 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
     if (step.failed.empty()) {
         report.moves.asked += embedding_.vertices();
         report.moves.within_tolerance += embedding_.vertices();
-        embedding_.set_points(x);
+        embedding_.show_points(x);
         std::copy(x.begin(), x.end(), position_.begin());
         over_ = std::move(step);
     } else {
@@ -161,7 +162,7 @@ void Filter<d>::process(Step<d>& step, Mend mend, Move_report& report) {
     try {
         if (!examine(step) && !mend()) {
             step.rebuilding = rebuild_price(step.x);
-            rebuild(step.x);
+            rebuild(step);
             step.rebuilt = true;
         }
     } catch (...) {
@@ -190,8 +191,8 @@ void Filter<d>::finish(Step<d>& step, Move_report& report) {
     if (!step.rebuilt) {
         if (!alone) chooser_.mended();
         if (tolerances) odometers_.commit(step, repair_);
-        if (alone) embedding_.set_point(step.mover, step.x[at(step.mover)]);
-        else embedding_.set_points(step.x);
+        if (alone) embedding_.show_point(step.mover, step.x[at(step.mover)]);
+        else embedding_.show_points(step.x);
     }
     if (tolerances && step.rebuilt && repair_.kind() == Tolerance_kind::paper) {
         settle(step.x, report);

@@ -69,6 +69,10 @@ class Filter final : public Upkeep<d> {
     /// The vertex takes position p as moving and fixed position.
     void place(Index v, const Coordinates<d>& p) override;
     void put_back(Index v, const Coordinates<d>& p) noexcept override;
+    [[nodiscard]] std::span<Coordinates<d>> lend(std::size_t bound) override {
+        position_.resize(bound);
+        return position_;
+    }
     void cut(std::size_t bound) override;
 
     [[nodiscard]] std::span<const Coordinates<d>> positions() const override { return position_; }
@@ -123,7 +127,7 @@ class Filter final : public Upkeep<d> {
     void note_displacements(std::span<const Coordinates<d>> x);
     void end_timestamp(bool each, Move_report& report);
     [[nodiscard]] bool next_is_mended(std::span<const Coordinates<d>> x);
-    void rebuild(std::span<const Coordinates<d>> x);
+    void rebuild(const Step<d>& step);
     void rebuild_all(std::span<const Coordinates<d>> x, bool mirrors, Move_report& report);
 
     Means means_;

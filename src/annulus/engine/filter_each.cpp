@@ -141,7 +141,7 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
         settle(position_, report);
         return;
     }
-    embedding_.set_point(h, fixed_[at(h)]);
+    embedding_.show_point(h, fixed_[at(h)]);
     epsilon_[at(h)] = unlimited;
     threshold_[at(h)] = 0.0;
     if (held) lower_points();
@@ -156,7 +156,7 @@ void Filter_each<d>::rebuild(Index h, const Coordinates<d>& old_fixed, Move_repo
         embedding_.rebuild(position_);
     } catch (const Error&) {
         fixed_[at(h)] = old_fixed;
-        embedding_.revert();
+        embedding_.revert(fixed_);
         throw;
     }
     if (report_changes_) embedding_.list_cells(report.changed);

@@ -37,6 +37,10 @@ class Filter_each final : public Upkeep<d> {
     void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;
     void refresh(std::span<const Cell_index> cells, Move_report& report) override;
     void place(Index v, const Coordinates<d>& p) override;
+    [[nodiscard]] std::span<Coordinates<d>> lend(std::size_t bound) override {
+        position_.resize(bound);
+        return position_;
+    }
     void cut(std::size_t bound) override { position_.resize(bound); }
     void put_back(Index v, const Coordinates<d>& p) noexcept override { position_[at(v)] = p; }
 

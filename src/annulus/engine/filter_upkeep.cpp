@@ -215,16 +215,17 @@ void Filter<d>::rebuild_all(std::span<const Coordinates<d>> x, bool mirrors, Mov
 
 /// After repair gave up. A collision, of which CGAL finds out before anything of its own has changed, leaves the cells with other numbers.
 template <int d>
-void Filter<d>::rebuild(std::span<const Coordinates<d>> x) {
+void Filter<d>::rebuild(const Step<d>& step) {
     try {
         if (means_ == Means::any) {
             chooser_.gave_up();
             stop_tracking();
             embedding_.drop_mirror();
         }
-        embedding_.rebuild(x);
+        embedding_.rebuild(step.x);
     } catch (const Error&) {
-        embedding_.revert();
+        if (step.mover != none) position_[at(step.mover)] = step.home;
+        embedding_.revert(position_);
         renumbered_ = embedding_.mirrored();
         throw;
     }

@@ -127,7 +127,8 @@ void Odometers<d>::find_expired(Step<d>& step, Repair<d>& repair) {
     for (const Index v : step.failed) anchor(v, step);
     for (const Index v : step.failed) {
         List& list = list_[at(v)];
-        list.take_reached(list.base, [&](Certificate_id id) { look_at(id, v, step, repair); });
+        if (!list.rest().reached(list.base))  // else the tour looks at these as well
+            list.take_reached(list.base, [&](Certificate_id id) { look_at(id, v, step, repair); });
         if (list.rest().reached(list.base)) tour(v, step, repair);
     }
 }

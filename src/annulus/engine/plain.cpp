@@ -48,13 +48,19 @@ void Plain<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
         rebuild(x, report);
         ++report.moves.rebuilt;
     } else {
-        switch (strategy_ == Strategy::relocate_flips ? embedding_.relocate_by_flips(v, p) : embedding_.relocate(v, p)) {
-            case Relocation::refused: throw Error(Error_code::collision, "another vertex is at that position");
-            case Relocation::kept: ++report.moves.kept_in_place; break;
-            case Relocation::flipped: ++report.moves.flipped; break;
-            case Relocation::reinserted: ++report.moves.reinserted; break;
+        const Coordinates<d> home = position_[at(v)];
+        try {
+            switch (strategy_ == Strategy::relocate_flips ? embedding_.relocate_by_flips(position_, v, p) : embedding_.relocate(position_, v, p)) {
+                case Relocation::refused: throw Error(Error_code::collision, "another vertex is at that position");
+                case Relocation::kept: ++report.moves.kept_in_place; break;
+                case Relocation::flipped: ++report.moves.flipped; break;
+                case Relocation::reinserted: ++report.moves.reinserted; break;
+            }
+            list_everything(report);
+        } catch (...) {
+            position_[at(v)] = home;
+            throw;
         }
-        list_everything(report);
     }
     ++report.moves.asked;
     position_[at(v)] = p;

@@ -29,6 +29,10 @@ class Plain final : public Upkeep<d> {
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
     void place(Index v, const Coordinates<d>& p) override;
     void refresh(std::span<const Cell_index>, Move_report&) override {}
+    [[nodiscard]] std::span<Coordinates<d>> lend(std::size_t bound) override {
+        position_.resize(bound);
+        return position_;
+    }
     void cut(std::size_t bound) override { position_.resize(bound); }
     void put_back(Index v, const Coordinates<d>& p) noexcept override { position_[at(v)] = p; }
 

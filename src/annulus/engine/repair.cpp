@@ -188,16 +188,19 @@ bool Repair<d>::mend_one(std::span<Coordinates<d>> x, Index v, const Coordinates
     if (collides(v, old)) throw Error(Error_code::collision, "another vertex is at that position");
     if (mend({x, {}, v, old}, std::min(most, Prices<d>::reinsertion))) return true;
     if (!trusted_) return false;  // nor need it be simplicial then, which restoring wants
-    embedding_.restore_cells(mender_.touched(), renumbered_);
-    return reinsert(v);
+    const Coordinates<d> goal = std::exchange(x[at(v)], old);
+    embedding_.restore_cells(x, mender_.touched(), renumbered_);
+    if (reinsert(x, v, goal)) return true;
+    x[at(v)] = goal;
+    return false;
 }
 
 template <int d>
-bool Repair<d>::reinsert(Index v) {
+bool Repair<d>::reinsert(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& goal) {
     const auto gone = [this](Cell_index c) { return !embedding_.table().is_cell(c); };
     std::vector<Cell_index> changed;
     try {
-        if (!embedding_.reinsert(v, x_[at(v)], changed)) return false;
+        if (!embedding_.reinsert(x, v, goal, changed)) return false;
     } catch (const Error&) {
         renumbered_.insert(renumbered_.end(), changed.begin(), changed.end());
         std::erase_if(renumbered_, gone);

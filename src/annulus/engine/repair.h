@@ -147,7 +147,7 @@ class Repair {
     [[nodiscard]] bool border_in_doubt() const;
     [[nodiscard]] bool mend(const Course<d>& course, double most);
     [[nodiscard]] bool holds_after_mending(double most);
-    [[nodiscard]] bool reinsert(Index v);
+    [[nodiscard]] bool reinsert(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& goal);
     void forget();
     [[nodiscard]] bool collides(Index v, const Coordinates<d>& home) const;
     void count_signs();

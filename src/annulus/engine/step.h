@@ -39,6 +39,7 @@ struct Step {
 
     std::span<const Coordinates<d>> x;  ///< goals, by vertex
     Index mover = none;                 ///< the vertex that moves alone
+    Coordinates<d> home{};              ///< where that was
     Scope scope = Scope::expired;
     std::vector<Index> failed;          ///< those that left their tolerances; without tolerances those that move
     std::vector<Before> before;         ///< of these

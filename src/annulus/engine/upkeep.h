@@ -36,6 +36,8 @@ class Upkeep {
     /// Moves one vertex. Precondition: p is in the coordinate domain.
     virtual void move(Index v, const Coordinates<d>& p, Move_report& report) = 0;
 
+    /// The positions, for who inserts, with room for indices below the bound, and no more.
+    [[nodiscard]] virtual std::span<Coordinates<d>> lend(std::size_t bound) = 0;
     /// The vertex takes position p; it was not in the triangulation, and is now.
     virtual void place(Index v, const Coordinates<d>& p) = 0;
     /// After these cells were replaced by other hands (insertion, removal) at the present positions.
@@ -52,7 +54,7 @@ class Upkeep {
     virtual void move_in_turn(Index v, const Coordinates<d>& p, Move_report& report) { move(v, p, report); }
     /// Positions, and what is kept with them, as noted.
     virtual void take_back() noexcept = 0;
-    /// After take_back(): the positions at which the triangulation is to be built anew, and then the rest.
+    /// The positions at which the triangulation is Delaunay; after take_back(), at which it is to be built anew, before the rest.
     [[nodiscard]] virtual std::span<const Coordinates<d>> standing() const { return positions(); }
     virtual void resume() = 0;
 };
