@@ -22,7 +22,7 @@ double since(Clock::time_point begin) { return std::chrono::duration<double>(Clo
 template <int d>
 std::vector<Coordinates<d>> distinct(std::span<const Coordinates<d>> points, bool merge_duplicates) {
     std::vector<Coordinates<d>> out;
-    Point_set<d> seen({});
+    Point_set<d> seen{std::span<const Coordinates<d>>{}};
     for (std::size_t i = 0; i < points.size(); ++i) {
         require_in_domain(points[i]);
         if (seen.add(points[i])) out.push_back(points[i]);
