@@ -11,30 +11,50 @@ namespace {
 
 struct Field {
     const char* name;
+    const char* doc;
     std::uint64_t& (*of)(Move_report&);
 };
 
 /// In the order of engine/move_report.h. What has a name here is an attribute, a key, and pickled.
 constexpr Field fields[] = {
-    {"asked", [](Move_report& r) -> std::uint64_t& { return r.moves.asked; }},
-    {"within_tolerance", [](Move_report& r) -> std::uint64_t& { return r.moves.within_tolerance; }},
-    {"kept_in_place", [](Move_report& r) -> std::uint64_t& { return r.moves.kept_in_place; }},
-    {"flipped", [](Move_report& r) -> std::uint64_t& { return r.moves.flipped; }},
-    {"reinserted", [](Move_report& r) -> std::uint64_t& { return r.moves.reinserted; }},
-    {"rebuilt", [](Move_report& r) -> std::uint64_t& { return r.moves.rebuilt; }},
-    {"filter", [](Move_report& r) -> std::uint64_t& { return r.arithmetic.filter; }},
-    {"interval", [](Move_report& r) -> std::uint64_t& { return r.arithmetic.interval; }},
-    {"exact", [](Move_report& r) -> std::uint64_t& { return r.arithmetic.exact; }},
-    {"evaluated", [](Move_report& r) -> std::uint64_t& { return r.evaluated; }},
-    {"renewed", [](Move_report& r) -> std::uint64_t& { return r.renewed; }},
-    {"tours", [](Move_report& r) -> std::uint64_t& { return r.tours; }},
-    {"requeued", [](Move_report& r) -> std::uint64_t& { return r.requeued; }},
-    {"flips", [](Move_report& r) -> std::uint64_t& { return r.flips; }},
-    {"undone_flips", [](Move_report& r) -> std::uint64_t& { return r.undone_flips; }},
-    {"tolerance_steps", [](Move_report& r) -> std::uint64_t& { return r.tolerance_steps; }},
-    {"sign_steps", [](Move_report& r) -> std::uint64_t& { return r.sign_steps; }},
-    {"rebuild_steps", [](Move_report& r) -> std::uint64_t& { return r.rebuild_steps; }},
-    {"settlings", [](Move_report& r) -> std::uint64_t& { return r.settlings; }},
+    {"asked", "int: vertices that were to move; the next five add up to it.",
+     [](Move_report& r) -> std::uint64_t& { return r.moves.asked; }},
+    {"within_tolerance", "int: vertices proved by their tolerance alone, or at rest: nothing was evaluated.",
+     [](Move_report& r) -> std::uint64_t& { return r.moves.within_tolerance; }},
+    {"kept_in_place", "int: vertices whose certificates were evaluated, and hold.",
+     [](Move_report& r) -> std::uint64_t& { return r.moves.kept_in_place; }},
+    {"flipped", "int: vertices at which flips mended what was violated.",
+     [](Move_report& r) -> std::uint64_t& { return r.moves.flipped; }},
+    {"reinserted", "int: vertices that were taken out and put back in.",
+     [](Move_report& r) -> std::uint64_t& { return r.moves.reinserted; }},
+    {"rebuilt", "int: vertices of a triangulation that was built anew.",
+     [](Move_report& r) -> std::uint64_t& { return r.moves.rebuilt; }},
+    {"filter", "int: certificates decided in doubles, with a proved error bound.",
+     [](Move_report& r) -> std::uint64_t& { return r.arithmetic.filter; }},
+    {"interval", "int: certificates decided in interval arithmetic.",
+     [](Move_report& r) -> std::uint64_t& { return r.arithmetic.interval; }},
+    {"exact", "int: certificates decided in integers.",
+     [](Move_report& r) -> std::uint64_t& { return r.arithmetic.exact; }},
+    {"evaluated", "int: certificates evaluated.",
+     [](Move_report& r) -> std::uint64_t& { return r.evaluated; }},
+    {"renewed", "int: expired certificates that a second look proved without evaluation.",
+     [](Move_report& r) -> std::uint64_t& { return r.renewed; }},
+    {"tours", "int: vertices all of whose certificates had to be looked at.",
+     [](Move_report& r) -> std::uint64_t& { return r.tours; }},
+    {"requeued", "int: vertices whose reference another vertex renewed (filter-each).",
+     [](Move_report& r) -> std::uint64_t& { return r.requeued; }},
+    {"flips", "int: flips that stand.",
+     [](Move_report& r) -> std::uint64_t& { return r.flips; }},
+    {"undone_flips", "int: flips taken back because they led nowhere.",
+     [](Move_report& r) -> std::uint64_t& { return r.undone_flips; }},
+    {"tolerance_steps", "int: timestamps that began with the tolerances.",
+     [](Move_report& r) -> std::uint64_t& { return r.tolerance_steps; }},
+    {"sign_steps", "int: timestamps that began with the signs of all certificates.",
+     [](Move_report& r) -> std::uint64_t& { return r.sign_steps; }},
+    {"rebuild_steps", "int: timestamps that were rebuilt at once (auto).",
+     [](Move_report& r) -> std::uint64_t& { return r.rebuild_steps; }},
+    {"settlings", "int: times that all tolerances were computed.",
+     [](Move_report& r) -> std::uint64_t& { return r.settlings; }},
 };
 
 std::uint64_t value(const Field& field, const Move_report& report) { return field.of(const_cast<Move_report&>(report)); }
@@ -94,12 +114,20 @@ Report Report::of_state(const py::tuple& state) {
 }
 
 void add_report(py::module_& m) {
-    py::class_<Report> report(m, "MoveReport");
+    py::class_<Report> report(m, "MoveReport", R"(What a call of `MovingDelaunay.move` or `settle` did.
+
+Counts, and the simplices that may be new. `repr` shows the counts that are not 0, `as_dict` has all of them.)");
     for (const Field& f : fields)
-        report.def_property_readonly(f.name, [&f](const Report& r) { return value(f, r.numbers()); });
-    report.def_property_readonly("price", [](const Report& r) { return r.numbers().price; })
-        .def_property_readonly("changed_simplices", &Report::changed_simplices)
-        .def("as_dict", &Report::as_dict)
+        report.def_property_readonly(f.name, [&f](const Report& r) { return value(f, r.numbers()); }, f.doc);
+    report
+        .def_property_readonly("price", [](const Report& r) { return r.numbers().price; },
+                               "float: what it cost, in simplices looked at, by prices that were measured.")
+        .def_property_readonly("changed_simplices", &Report::changed_simplices,
+                               R"(ndarray of int32, shape (m, d + 1): simplices that may be new, as rows of vertex indices, positively oriented; read-only.
+
+Under ``auto``, ``filter`` and ``filter-each`` those that changed, and all after a rebuild; under other strategies all, whatever changed. None with
+``report_changes=False``. The points that are flat have none.)")
+        .def("as_dict", &Report::as_dict, "dict: all counts by name.")
         .def("__repr__", &Report::repr)
         .def(py::pickle([](const Report& r) { return r.state(); }, &Report::of_state));
 }

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is written for readers and type checkers says what there is: stubs, docstrings, examples."""
+
+import ast
+import doctest
+import inspect
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import annulus
+import annulus._core
+import annulus._moving_delaunay
+import pytest
+
+PACKAGE = Path(annulus.__file__).parent
+
+
+def declared(nodes):
+    return {n.name: n for n in nodes if isinstance(n, (ast.FunctionDef, ast.ClassDef))} | {
+        n.target.id: n for n in nodes if isinstance(n, ast.AnnAssign)}
+
+
+def public(thing):
+    return {name for name in vars(thing) if not name.startswith("_")}
+
+
+def test_the_stub_is_the_module():
+    tree = ast.parse((PACKAGE / "_core.pyi").read_text(encoding="utf-8"))
+    stub = declared(tree.body)
+    assert set(stub) - {"_Mesh"} == public(annulus._core)
+    mesh = set(declared(stub["_Mesh"].body)) - {"__init__"}
+    for name in ("Mesh2", "Mesh3"):
+        assert mesh == public(getattr(annulus._core, name))
+    assert set(declared(stub["MoveReport"].body)) == public(annulus.MoveReport)
+
+
+def test_everything_is_explained():
+    things = [getattr(annulus, name) for name in annulus.__all__ if name != "__version__"]
+    things += [getattr(annulus.MovingDelaunay, name) for name in public(annulus.MovingDelaunay)]
+    things += [getattr(annulus.MoveReport, name) for name in public(annulus.MoveReport)]
+    for thing in things:
+        assert inspect.getdoc(thing), thing
+    for name in ("move", "insert", "find_simplex", "remove", "voronoi_volumes"):
+        assert "----" in inspect.getdoc(getattr(annulus.MovingDelaunay, name)), f"{name}: no NumPy style"
+
+
+def test_examples():
+    assert doctest.testmod(annulus._moving_delaunay).failed == 0
+
+
+@pytest.mark.skipif(shutil.which("mypy") is None and not Path("/usr/bin/mypy").exists(), reason="mypy is not installed")
+def test_types(tmp_path):
+    """mypy agrees with the package and with a program that uses it."""
+    program = tmp_path / "program.py"
+    program.write_text("""
+import annulus
+import numpy as np
+
+dt = annulus.MovingDelaunay(np.zeros((0, 3), dtype=np.float32), "filter", threads=2)
+report: annulus.MoveReport = dt.move(dt.points)
+n: int = report.flips + dt.nvertices + annulus.lloyd(10, 1).report.asked
+s = annulus.nodt("sphere", 100).simplices
+new = dt.insert([[0.0, 0.0, 0.0]])
+dt.remove(new)
+""", encoding="utf-8")
+    mypy = [sys.executable, "-m", "mypy"] if subprocess.run([sys.executable, "-m", "mypy", "--version"], capture_output=True,
+                                                            check=False).returncode == 0 else ["/usr/bin/mypy"]
+    # NumPy's own stubs use words that Debian's mypy does not know.
+    done = subprocess.run([*mypy, "--cache-dir", str(tmp_path / "cache"), "--follow-imports=silent", "--strict", "-p", "annulus"],
+                          cwd=PACKAGE.parent, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    done = subprocess.run([*mypy, "--cache-dir", str(tmp_path / "cache"), "--follow-imports=silent", str(program)], cwd=PACKAGE.parent,
+                          capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
