@@ -37,7 +37,7 @@ std::vector<std::array<Index, static_cast<std::size_t>(d)>> hull_of(const Cells<
             for (std::size_t j = 0; j <= d; ++j)
                 if (j != i) facet[k++] = v[j];
             // Leaving out the corner i of a positive simplex gives an orientation that alternates with i.
-            if ((i + d) % 2 == (d == 2 ? 1 : 0)) std::swap(facet[0], facet[1]);
+            if ((i + d) % 2 == (d == 2 ? 1U : 0U)) std::swap(facet[0], facet[1]);
         }
     return hull;
 }

@@ -29,7 +29,9 @@ inline bool goes_on(const py::object& callback, const History& history) {
     const py::gil_scoped_acquire gil;
     if (callback.is_none()) return true;
     const py::object answer = callback(history.mean.size(), history.mean.back(), history.max.back());
-    return answer.is_none() || !answer.cast<bool>();
+    const int enough = PyObject_IsTrue(answer.ptr());
+    if (enough < 0) throw py::error_already_set();
+    return enough == 0;
 }
 
 inline void require_iterations(std::int64_t iterations) {

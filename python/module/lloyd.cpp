@@ -7,6 +7,8 @@
 #include <annulus/motion/sampling_2.h>
 #include <annulus/moving_delaunay_2.h>
 
+#include <pybind11/stl.h>
+
 #include <algorithm>
 #include <numbers>
 #include <optional>
@@ -73,15 +75,16 @@ void iterate(const Domain_2& domain, Density density, std::int64_t iterations, c
     }
 }
 
-py::tuple run(const py::object& points, const std::string& density_name, const py::object& domain_object, const py::object& radius_object,
+py::tuple run(const py::object& points, const std::string& density_name, const py::object& domain_object, std::optional<double> radius_given,
               std::int64_t iterations, const Options& options, std::uint64_t seed, const py::object& callback) {
     require_iterations(iterations);
     const Density density = parse_density(density_name);
-    const double radius = !radius_object.is_none() ? radius_object.cast<double>() : density == Density::sin2 ? 2 * std::numbers::pi : 1.0;
+    const double radius = radius_given.value_or(density == Density::sin2 ? 2 * std::numbers::pi : 1.0);
     std::optional<Domain_2> domain = domain_of(domain_object, radius);
     std::vector<Coordinates<2>> x;
     if (PyIndex_Check(points.ptr()) != 0 && !py::isinstance<py::array>(points)) {  // how many
-        const auto n = py::reinterpret_steal<py::int_>(PyNumber_Index(points.ptr())).cast<std::int64_t>();
+        const Py_ssize_t n = PyNumber_AsSsize_t(points.ptr(), PyExc_OverflowError);
+        if (n == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
         if (n < 3 || n > 100'000'000) throw Error(Error_code::usage, "there can be 3 to 100000000 points, not " + std::to_string(n));
         if (!domain) domain = Domain_2::disc(radius);
         const py::gil_scoped_release without_gil;

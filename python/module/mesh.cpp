@@ -9,7 +9,8 @@
 #include <annulus/arithmetic/environment.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <string>
 #include <utility>
 
 namespace annulus::python {
@@ -38,7 +39,7 @@ Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vect
     double step = 0;
     for (const Index i : vacant) {
         auto& p = x[at(i)];
-        do p[0] = far * (1 + 0x1p-20 * ++step);
+        do p[0] = far * (1 + 0x1p-40 * ++step);
         while (taken.has(p));
     }
     return Moving_mesh<d>(std::span<const Coordinates<d>>(x), options);

@@ -136,6 +136,7 @@ Strategy Mesh<d>::strategy() const {
     template py::array Mesh<d>::is_vertex() const;                                 \
     template std::vector<Index> Mesh<d>::vacant() const;                           \
     template std::vector<Index> Mesh<d>::index_of_input() const;                   \
+    template std::shared_ptr<const Cells<d>> Mesh<d>::kept_cells();                \
     template std::shared_ptr<const Cells<d>> Mesh<d>::cells();                     \
     template std::shared_ptr<const Adjacency> Mesh<d>::adjacency();                \
     template std::vector<Index> Mesh<d>::find(const Points_in<d>&);                \

@@ -9,6 +9,8 @@
 #include <annulus/motion/surface_3.h>
 #include <annulus/moving_delaunay_3.h>
 
+#include <pybind11/stl.h>
+
 #include <filesystem>
 #include <mutex>
 #include <utility>
@@ -19,7 +21,8 @@ namespace {
 
 /// A closed surface: points, and triangles that turn left seen from outside, or all of them right.
 Triangle_surface surface_from(const py::object& object) {
-    const auto pair = object.cast<py::sequence>();
+    if (!py::isinstance<py::sequence>(object)) throw py::type_error("a surface is \"sphere\", a file, or a pair: points and triangles");
+    const auto pair = py::reinterpret_borrow<py::sequence>(object);
     if (pair.size() != 2) throw Error(Error_code::wrong_size, "a surface is a pair: points and triangles");
     const Points_in<3> points(pair[0]);
     const Whole_numbers triangles(pair[1].cast<py::object>());
@@ -105,20 +108,18 @@ Mesh_of_domain iterate(const Domain_3& domain, std::size_t vertices, double grad
     return out;
 }
 
-py::tuple run(const py::object& surface, std::int64_t vertices, double gradation, const py::object& lock, bool allow_crossing,
+py::tuple run(const py::object& surface, std::int64_t vertices, double gradation, std::optional<double> lock, bool allow_crossing,
               std::int64_t iterations, const Options& options, std::uint64_t seed, const py::object& callback) {
     require_iterations(iterations);
     if (vertices < 4 || vertices > 10'000'000)
         throw Error(Error_code::usage, "there can be 4 to 10000000 vertices, not " + std::to_string(vertices));
     if (!(gradation >= 0 && gradation <= 100)) throw Error(Error_code::usage, "gradation must be from 0 to 100");
-    std::optional<double> angle;
-    if (!lock.is_none()) angle = lock.cast<double>();
     const auto domain = domain_of(surface, allow_crossing);
     History history;
     Mesh_of_domain mesh;
     {
         const py::gil_scoped_release without_gil;
-        mesh = iterate(*domain, static_cast<std::size_t>(vertices), gradation, angle, iterations, options, seed, callback, history);
+        mesh = iterate(*domain, static_cast<std::size_t>(vertices), gradation, lock, iterations, options, seed, callback, history);
     }
     std::vector<std::uint8_t> on_surface(mesh.on_surface.begin(), mesh.on_surface.end());
     return py::make_tuple(give_rows(std::move(mesh.points)), give_rows(std::move(mesh.cells)), give(std::move(on_surface)).attr("astype")("bool"),

@@ -66,7 +66,10 @@ Report::Report(Move_report report, int d, bool lists_changes) : d_(d), lists_cha
     const auto width = static_cast<std::ptrdiff_t>(d + 1);
     auto kept = report.changed.begin();
     for (auto cell = report.changed.begin(); cell != report.changed.end(); cell += width)
-        if (std::all_of(cell, cell + width, [](Index v) { return v >= 0; })) kept = std::copy(cell, cell + width, kept);
+        if (std::all_of(cell, cell + width, [](Index v) { return v >= 0; })) {
+            if (kept != cell) std::copy(cell, cell + width, kept);
+            kept += width;
+        }
     report.changed.erase(kept, report.changed.end());
     report_ = std::make_shared<const Move_report>(std::move(report));
 }
