@@ -92,7 +92,7 @@ class MovingDelaunay:
     (1000, True)
     """
 
-    _core: _core.Mesh2 | _core.Mesh3
+    _mesh: _core._Mesh
     _options: dict[str, typing.Any]
     _index_of_input: Indices
 
@@ -105,10 +105,10 @@ class MovingDelaunay:
         shape = points.shape
         if len(shape) != 2 or shape[1] not in (2, 3):
             raise Error(f"points must have shape (n, 2) or (n, 3), not {shape}", "wrong_size")
-        core = (_core.Mesh2 if shape[1] == 2 else _core.Mesh3)(points, _options_of(options))
+        mesh = (_core.Mesh2 if shape[1] == 2 else _core.Mesh3)(points, _options_of(options))
         self._options = options
-        self._core = core
-        self._index_of_input = core.index_of_input
+        self._mesh = mesh
+        self._index_of_input = mesh.index_of_input
         self._index_of_input.flags.writeable = False
 
     # ---- What changes it ---------------------------------------------------------------------
@@ -134,7 +134,7 @@ class MovingDelaunay:
             ``collision`` where two vertices would be at one place, ``wrong_size``, ``unknown_vertex``, ``not_finite``, ``out_of_domain``; nobody has
             moved then.
         """
-        return self._core.move(points, indices)
+        return self._mesh.move(points, indices)
 
     def insert(self, points: ArrayLike) -> Indices:
         """Inserts vertices, all of them or, when it raises, none.
@@ -158,7 +158,7 @@ class MovingDelaunay:
         O(log n) expected for each; more than one at once are first compared with all positions, which takes O(n). When memory runs out half way, those that were
         inserted are taken out again, and there may be more vacant indices than before.
         """
-        return self._core.insert(points)
+        return self._mesh.insert(points)
 
     def remove(self, indices: ArrayLike) -> None:
         """Removes vertices, all of them or, when it raises an `Error`, none; their indices become vacant.
@@ -172,18 +172,18 @@ class MovingDelaunay:
         Error
             ``unknown_vertex`` for an index that is no vertex', or is there twice.
         """
-        self._core.remove(indices)
+        self._mesh.remove(indices)
 
     def settle(self) -> _core.MoveReport:
         """Makes every tolerance fresh, to be measured from where the vertices are now. O(n)."""
-        return self._core.settle()
+        return self._mesh.settle()
 
     # ---- What is read off it -----------------------------------------------------------------
 
     @property
     def points(self) -> Floats:
         """ndarray of float64, shape (npoints, d): positions by vertex index, NaN at vacant indices. Read-only, as of now."""
-        return self._core.points
+        return self._mesh.points
 
     @property
     def simplices(self) -> Indices:
@@ -192,17 +192,17 @@ class MovingDelaunay:
         Counter-clockwise in the plane; in space the determinant of the differences from the first vertex is positive. None, shape (0, d + 1), where the points do not span the plane or
         space: see `flat_simplices`. Their order has no meaning and changes.
         """
-        return self._core.simplices
+        return self._mesh.simplices
 
     @property
     def neighbors(self) -> Indices:
         """ndarray of int32, shape (nsimplex, d + 1): the simplex beyond the facet opposite to each vertex; -1 outside."""
-        return self._core.neighbors
+        return self._mesh.neighbors
 
     @property
     def flat_simplices(self) -> Indices:
         """ndarray of int32, shape (m, k + 1): where the points span only k < d dimensions, their triangles or edges; else (0, d + 1)."""
-        return self._core.flat_simplices
+        return self._mesh.flat_simplices
 
     @property
     def convex_hull(self) -> Indices:
@@ -210,17 +210,17 @@ class MovingDelaunay:
 
         In the plane with the triangulation to their left, in space counter-clockwise as seen from outside.
         """
-        return self._core.convex_hull
+        return self._mesh.convex_hull
 
     @property
     def vertex_neighbor_vertices(self) -> tuple[Indices, Indices]:
         """Two ndarrays of int32, (indptr, indices): the neighbours of vertex v are ``indices[indptr[v]:indptr[v + 1]]``, ascending."""
-        return self._core.vertex_neighbor_vertices
+        return self._mesh.vertex_neighbor_vertices
 
     @property
     def vertex_to_simplex(self) -> Indices:
         """ndarray of int32, shape (npoints,): a simplex of each vertex; -1 at vacant indices and where there are no simplices."""
-        return self._core.vertex_to_simplex
+        return self._mesh.vertex_to_simplex
 
     @property
     def tolerances(self) -> Floats:
@@ -229,7 +229,7 @@ class MovingDelaunay:
         While every vertex is within its own, the triangulation is Delaunay; with ``tolerance="certified"`` these are proved lower bounds. While no tolerances are
         kept (``auto`` decides when), the least tolerance of the certificates of each vertex. 0 where the points do not span the space, NaN at vacant indices.
         """
-        return self._core.tolerances
+        return self._mesh.tolerances
 
     @property
     def theta(self) -> Floats:
@@ -237,12 +237,12 @@ class MovingDelaunay:
 
         It is small where two neighbouring simplices have nearly the same circumscribed circle or sphere.
         """
-        return self._core.theta
+        return self._mesh.theta
 
     @property
     def displacements(self) -> Floats:
         """ndarray of float64, shape (npoints,): an upper bound of how far each vertex is from where its tolerance is measured; NaN if vacant."""
-        return self._core.displacements
+        return self._mesh.displacements
 
     def voronoi_volumes(self) -> Floats:
         """The areas (in the plane) or volumes of the Voronoi cells, in the unit of the points to the power of d.
@@ -252,7 +252,7 @@ class MovingDelaunay:
         ndarray of float64, shape (npoints,)
             ``inf`` for unbounded cells, at the vertices of the hull; NaN at vacant indices.
         """
-        return self._core.voronoi_volumes()
+        return self._mesh.voronoi_volumes()
 
     def find_simplex(self, xi: ArrayLike) -> Indices:
         """The simplices that contain points, decided exactly.
@@ -266,7 +266,7 @@ class MovingDelaunay:
         ndarray of int32, shape (...)
             Rows of `simplices`; -1 outside of the convex hull and for NaN. A point on a facet is in either of its simplices.
         """
-        return self._core.find_simplex(xi)
+        return self._mesh.find_simplex(xi)
 
     def audit(self) -> AuditResult:
         """Looks at all of it with integer arithmetic, which shares no code with what it audits. O(n), microseconds a simplex.
@@ -276,37 +276,37 @@ class MovingDelaunay:
         AuditResult
             Vertices in `first_fault` are counted without vacant indices.
         """
-        return AuditResult(*self._core.audit())
+        return AuditResult(*self._mesh.audit())
 
     @property
     def ndim(self) -> int:
         """int: d, 2 or 3."""
-        return 2 if isinstance(self._core, _core.Mesh2) else 3
+        return 2 if isinstance(self._mesh, _core.Mesh2) else 3
 
     @property
     def affine_dimension(self) -> int:
         """int: that which the points span; -1 without points."""
-        return self._core.dimension
+        return self._mesh.dimension
 
     @property
     def npoints(self) -> int:
         """int: rows of `points`, vacant indices included."""
-        return self._core.npoints
+        return self._mesh.npoints
 
     @property
     def nvertices(self) -> int:
         """int: vertices, vacant indices not counted."""
-        return self._core.vertices
+        return self._mesh.vertices
 
     @property
     def nsimplex(self) -> int:
         """int: rows of `simplices`."""
-        return len(self._core.simplices)
+        return len(self._mesh.simplices)
 
     @property
     def is_vertex(self) -> NDArray[np.bool_]:
         """ndarray of bool, shape (npoints,): False at vacant indices."""
-        return self._core.is_vertex
+        return self._mesh.is_vertex
 
     @property
     def index_of_input(self) -> Indices:
@@ -316,10 +316,10 @@ class MovingDelaunay:
     @property
     def strategy(self) -> str:
         """str: the strategy in force: that of the options, but that ``hybrid`` becomes ``filter`` when it switches."""
-        return self._core.strategy
+        return self._mesh.strategy
 
     def __repr__(self) -> str:
-        if not hasattr(self, "_core"):
+        if not hasattr(self, "_mesh"):
             return f"<{type(self).__name__}: not initialised>"
         n = self.nvertices
         return (f"<{type(self).__name__}: {n} {'vertex' if n == 1 else 'vertices'} in {'the plane' if self.ndim == 2 else 'space'}, "
@@ -328,15 +328,15 @@ class MovingDelaunay:
     # ---- Pickling and copying ----------------------------------------------------------------
 
     def __getstate__(self) -> dict[str, typing.Any]:
-        more = {name: value for name, value in self.__dict__.items() if name != "_core"}
-        return {"format": 1, "points": self._core.points, "vacant": self._core.vacant, "more": more}
+        more = {name: value for name, value in self.__dict__.items() if name != "_mesh"}
+        return {"format": 1, "points": self._mesh.points, "vacant": self._mesh.vacant, "more": more}
 
     def __setstate__(self, state: dict[str, typing.Any]) -> None:
         if state.get("format") != 1:
             raise Error(f"this was pickled by another version of annulus: format {state.get('format')}", "bad_input")
         points, more = state["points"], state["more"]
-        core = _core.Mesh2 if points.shape[1] == 2 else _core.Mesh3
-        self._core = core(points, state["vacant"], _options_of(more["_options"]))
+        kind = _core.Mesh2 if points.shape[1] == 2 else _core.Mesh3
+        self._mesh = kind(points, state["vacant"], _options_of(more["_options"]))
         self.__dict__.update(more)
         self._index_of_input.flags.writeable = False
 

@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <string>
+#include <system_error>
 
 namespace annulus::python {
 
@@ -50,6 +51,9 @@ void translate_errors() {
             if (thrown) std::rethrow_exception(thrown);
         } catch (const Error& e) {
             raise(e);
+        } catch (const std::system_error& e) {  // no memory for the stack of a thread
+            if (e.code() != std::errc::resource_unavailable_try_again && e.code() != std::errc::not_enough_memory) throw;
+            PyErr_NoMemory();
         }
     });
 }

@@ -128,8 +128,8 @@ Counts, and the simplices that may be new. `repr` shows the counts that are not 
         .def_property_readonly("changed_simplices", &Report::changed_simplices,
                                R"(ndarray of int32, shape (m, d + 1): simplices that may be new, as rows of vertex indices, positively oriented; read-only.
 
-Under ``auto``, ``filter`` and ``filter-each`` those that changed, and all after a rebuild; under other strategies all, whatever changed. None with
-``report_changes=False``. The points that are flat have none.)")
+Under ``auto``, ``filter`` and ``filter-each`` those that changed, and all after a rebuild; under other strategies all, whatever changed. Where vertices go one
+after another some may be gone again. None with ``report_changes=False``; points that span no space have no simplices.)")
         .def("as_dict", &Report::as_dict, "dict: all counts by name.")
         .def("__repr__", &Report::repr)
         .def(py::pickle([](const Report& r) { return r.state(); }, &Report::of_state));

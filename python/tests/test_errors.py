@@ -73,10 +73,11 @@ dt = annulus.MovingDelaunay(x, "filter")
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 soft, hard = resource.getrlimit(resource.RLIMIT_AS)
 refused = 0
+there = x[::-1].copy()
 for more in (1 << 18, 1 << 20, 1 << 21, 1 << 22):
     resource.setrlimit(resource.RLIMIT_AS, (used + more, hard))
     try:
-        dt.move(x[::-1].copy())
+        dt.move(there)
     except MemoryError:
         refused += 1
     finally:
