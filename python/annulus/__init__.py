@@ -9,8 +9,9 @@ functions. Everything that is computed is computed by the C++ library of the sam
 from ._core import MoveReport
 from ._core import version as __version__
 from ._error import Error
-from ._moving_delaunay import AuditResult, MovingDelaunay
 from ._functions import LloydResult, NodtResult, counterexample, degeneracy, lloyd, nodt
+from ._moving_delaunay import MovingDelaunay
+from ._readings import AuditResult
 
 __all__ = ["AuditResult", "Error", "LloydResult", "MoveReport", "MovingDelaunay", "NodtResult", "__version__", "counterexample",
            "degeneracy", "lloyd", "nodt"]
