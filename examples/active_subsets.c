@@ -8,7 +8,7 @@
 
 enum { particles = 2000, levels = 4, steps = 3 };
 
-static annulus_mesh *mesh = NULL;
+static annulus_mesh* mesh = NULL;
 
 /* Every call says how it went; what went wrong is kept with the mesh. */
 static void must(int status) {
@@ -61,8 +61,8 @@ int main(void) {
             greatest = fmax(greatest, 1 / volume[i]);
         }
         must(annulus_cells(mesh, 0, NULL, NULL, &cells));
-        printf("substep %d: %lu moved, %lu flips; %lu cells, densities from %.3g to %.3g\n", substep, (unsigned long)report.asked,
-               (unsigned long)report.flips, (unsigned long)cells, least, greatest);
+        printf("substep %d: %lu moved, %lu flips; %lu cells, densities from %.3g to %.3g\n", substep,
+               (unsigned long)report.asked, (unsigned long)report.flips, (unsigned long)cells, least, greatest);
     }
     must(annulus_audit(mesh, &audit));
     printf("Delaunay: %s\n", audit.delaunay ? "yes" : audit.first_fault);

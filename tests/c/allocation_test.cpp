@@ -38,7 +38,8 @@ bool is_delaunay(const annulus_mesh* mesh) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("A call of the C interface that runs out of memory says so, and the mesh goes on, dimension", "[c]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("A call of the C interface that runs out of memory says so, and the mesh goes on, dimension",
+                       "[c]", ((int d), d), 2, 3) {
     struct Call {
         std::string name;
         std::function<int(annulus_mesh*)> make;
@@ -55,15 +56,16 @@ TEMPLATE_TEST_CASE_SIG("A call of the C interface that runs out of memory says s
     std::size_t count = 0;
     annulus_audit_result audit{};
     audit.size = sizeof audit;
-    const std::vector<Call> calls{{"move_all", [&](auto* m) { return annulus_move_all(m, n, far.data(), nullptr); }},
-                                  {"move", [&](auto* m) { return annulus_move(m, 2, some.data(), two.data(), nullptr); }},
-                                  {"insert", [&](auto* m) { return annulus_insert(m, 2, two.data(), fresh.data(), &count, nullptr); }},
-                                  {"remove", [&](auto* m) { return annulus_remove(m, 2, some.data(), &count, nullptr); }},
-                                  {"settle", [&](auto* m) { return annulus_settle(m, nullptr); }},
-                                  {"tolerances", [&](auto* m) { return annulus_tolerances(m, n, lengths.data()); }},
-                                  {"voronoi", [&](auto* m) { return annulus_voronoi(m, n, lengths.data(), nullptr); }},
-                                  {"cells", [&](auto* m) { return annulus_cells(m, 0, nullptr, nullptr, &count); }},
-                                  {"audit", [&](auto* m) { return annulus_audit(m, &audit); }}};
+    const std::vector<Call> calls{
+        {"move_all", [&](auto* m) { return annulus_move_all(m, n, far.data(), nullptr); }},
+        {"move", [&](auto* m) { return annulus_move(m, 2, some.data(), two.data(), nullptr); }},
+        {"insert", [&](auto* m) { return annulus_insert(m, 2, two.data(), fresh.data(), &count, nullptr); }},
+        {"remove", [&](auto* m) { return annulus_remove(m, 2, some.data(), &count, nullptr); }},
+        {"settle", [&](auto* m) { return annulus_settle(m, nullptr); }},
+        {"tolerances", [&](auto* m) { return annulus_tolerances(m, n, lengths.data()); }},
+        {"voronoi", [&](auto* m) { return annulus_voronoi(m, n, lengths.data(), nullptr); }},
+        {"cells", [&](auto* m) { return annulus_cells(m, 0, nullptr, nullptr, &count); }},
+        {"audit", [&](auto* m) { return annulus_audit(m, &audit); }}};
     for (const Call& call : calls)
         for (const Memory memory : {Memory::short_once, Memory::short_for_good}) {
             bool done = false;
@@ -89,7 +91,8 @@ TEMPLATE_TEST_CASE_SIG("A call of the C interface that runs out of memory says s
                     (void)annulus_message(mesh, text, sizeof text);
                     REQUIRE(std::string(text) == "memory ran out");
                     if (call.name != "insert" && call.name != "remove") REQUIRE(points_of(mesh, d) == x);
-                    if (memory == Memory::short_for_good) REQUIRE(annulus_settle(mesh, nullptr) == ANNULUS_OK);  // there may have been no cells
+                    if (memory == Memory::short_for_good)
+                        REQUIRE(annulus_settle(mesh, nullptr) == ANNULUS_OK);  // there may have been no cells
                 }
                 REQUIRE(is_delaunay(mesh));
                 annulus_destroy(&mesh);

@@ -9,22 +9,22 @@
 
 static int width;  // corners of a cell, for compare_cells
 
-static int compare_numbers(const void *a, const void *b) {
-    const int32_t x = *(const int32_t *)a;
-    const int32_t y = *(const int32_t *)b;
+static int compare_numbers(const void* a, const void* b) {
+    const int32_t x = *(const int32_t*)a;
+    const int32_t y = *(const int32_t*)b;
     return (x > y) - (x < y);
 }
-static int compare_cells(const void *a, const void *b) {
+static int compare_cells(const void* a, const void* b) {
     for (int k = 0; k < width; ++k) {
-        const int c = compare_numbers((const int32_t *)a + k, (const int32_t *)b + k);
+        const int c = compare_numbers((const int32_t*)a + k, (const int32_t*)b + k);
         if (c != 0) return c;
     }
     return 0;
 }
 
 // Cells with their corners sorted, in order; malloc's.
-static int32_t *sorted_cells(const annulus_mesh *mesh, int dimension, size_t *count) {
-    int32_t *cells = NULL;
+static int32_t* sorted_cells(const annulus_mesh* mesh, int dimension, size_t* count) {
+    int32_t* cells = NULL;
     const size_t corners = (size_t)dimension + 1;
     CHECK_STATUS(annulus_cells(mesh, 0, NULL, NULL, count), ANNULUS_OK);
     cells = malloc((*count + 1) * corners * sizeof *cells);
@@ -35,7 +35,7 @@ static int32_t *sorted_cells(const annulus_mesh *mesh, int dimension, size_t *co
     return cells;
 }
 
-static void check_delaunay(const annulus_mesh *mesh) {
+static void check_delaunay(const annulus_mesh* mesh) {
     annulus_audit_result audit = {0};
     audit.size = sizeof audit;
     CHECK_STATUS(annulus_audit(mesh, &audit), ANNULUS_OK);
@@ -44,14 +44,14 @@ static void check_delaunay(const annulus_mesh *mesh) {
 }
 
 // Steps of all and of some vertices; the same mesh built anew after each.
-static void check_motion(int dimension, const char *strategy, size_t n) {
+static void check_motion(int dimension, const char* strategy, size_t n) {
     const size_t d = (size_t)dimension;
     const size_t corners = d + 1;
     uint64_t state = 11;
-    double *x = malloc(n * d * sizeof *x);
-    double *some = malloc(n * d * sizeof *some);
-    int32_t *indices = malloc(n * sizeof *indices);
-    annulus_mesh *mesh = NULL;
+    double* x = malloc(n * d * sizeof *x);
+    double* some = malloc(n * d * sizeof *some);
+    int32_t* indices = malloc(n * sizeof *indices);
+    annulus_mesh* mesh = NULL;
     annulus_options options = {0};
     annulus_report report = {0};
     options.size = sizeof options;
@@ -61,13 +61,13 @@ static void check_motion(int dimension, const char *strategy, size_t n) {
     for (size_t i = 0; i < n * d; ++i) x[i] = uniform(&state);
     CHECK_STATUS(annulus_create(&mesh, dimension, n, x, &options), ANNULUS_OK);
     for (int step = 0; step < 12; ++step) {
-        annulus_mesh *fresh = NULL;
+        annulus_mesh* fresh = NULL;
         size_t before = 0;
         size_t now = 0;
         size_t anew = 0;
         size_t changed = 0;
         size_t movers = 0;
-        int32_t *old_cells = sorted_cells(mesh, dimension, &before);
+        int32_t* old_cells = sorted_cells(mesh, dimension, &before);
         if (step % 3 == 0) {
             for (size_t i = 0; i < n * d; ++i) x[i] += 0.02 * (uniform(&state) - 0.5);
             CHECK_STATUS(annulus_move_all(mesh, n, x, &report), ANNULUS_OK);
@@ -81,16 +81,17 @@ static void check_motion(int dimension, const char *strategy, size_t n) {
             CHECK_STATUS(annulus_move(mesh, movers, indices, some, &report), ANNULUS_OK);
             CHECK(report.asked == movers);
         }
-        CHECK(report.within_tolerance + report.kept_in_place + report.flipped + report.reinserted + report.rebuilt == report.asked);
+        CHECK(report.within_tolerance + report.kept_in_place + report.flipped + report.reinserted + report.rebuilt ==
+              report.asked);
         CHECK_STATUS(annulus_points(mesh, n, some), ANNULUS_OK);
         CHECK(memcmp(some, x, n * d * sizeof *x) == 0);
         check_delaunay(mesh);
 
         CHECK_STATUS(annulus_create(&fresh, dimension, n, x, NULL), ANNULUS_OK);
         {
-            int32_t *cells = sorted_cells(mesh, dimension, &now);
-            int32_t *fresh_cells = sorted_cells(fresh, dimension, &anew);
-            int32_t *list = NULL;
+            int32_t* cells = sorted_cells(mesh, dimension, &now);
+            int32_t* fresh_cells = sorted_cells(fresh, dimension, &anew);
+            int32_t* list = NULL;
             CHECK(now == anew && memcmp(cells, fresh_cells, now * corners * sizeof *cells) == 0);
             // What was not there before is listed.
             CHECK_STATUS(annulus_changed(mesh, 0, NULL, &changed), ANNULUS_OK);
@@ -122,10 +123,10 @@ static void check_neighbours(int dimension) {
     double x[3 * n];
     double volumes[n];
     int32_t neighbour_counts[n];
-    int32_t *vertices = NULL;
-    int32_t *neighbours = NULL;
+    int32_t* vertices = NULL;
+    int32_t* neighbours = NULL;
     size_t count = 0;
-    annulus_mesh *mesh = NULL;
+    annulus_mesh* mesh = NULL;
     for (int i = 0; i < 3 * n; ++i) x[i] = uniform(&state);
     CHECK_STATUS(annulus_create(&mesh, dimension, n, x, NULL), ANNULUS_OK);
     CHECK_STATUS(annulus_cells(mesh, 0, NULL, NULL, &count), ANNULUS_OK);
@@ -161,7 +162,7 @@ static void check_volumes(void) {
     double x[3 * n];
     double volumes[n];
     int32_t counts[n];
-    annulus_mesh *mesh = NULL;
+    annulus_mesh* mesh = NULL;
     for (int i = 0; i < n; ++i) {
         x[3 * i] = i % side;
         x[3 * i + 1] = 0.5 * (i / side % side);
@@ -186,8 +187,8 @@ static void check_small_sets(int dimension) {
     int32_t indices[6];
     size_t count = 77;
     int affine = 77;
-    const char *strategy = NULL;
-    annulus_mesh *mesh = NULL;
+    const char* strategy = NULL;
+    annulus_mesh* mesh = NULL;
     annulus_options options = {0};
     options.size = sizeof options;
 
@@ -245,7 +246,8 @@ static void check_small_sets(int dimension) {
 }
 
 int main(void) {
-    static const char *const strategies[] = {"auto", "filter", "filter-each", "hybrid", "in-place", "relocate", "relocate-flips", "rebuild"};
+    static const char* const strategies[] = {"auto",     "filter",   "filter-each",    "hybrid",
+                                             "in-place", "relocate", "relocate-flips", "rebuild"};
     for (int k = 0; k < 8; ++k) {
         check_motion(2, strategies[k], 150);
         check_motion(3, strategies[k], 60);

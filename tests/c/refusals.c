@@ -9,10 +9,10 @@
 
 enum { points = 40 };
 
-static annulus_mesh *a_mesh(int dimension, const annulus_options *options) {
+static annulus_mesh* a_mesh(int dimension, const annulus_options* options) {
     uint64_t state = 7;
     double x[3 * points];
-    annulus_mesh *mesh = NULL;
+    annulus_mesh* mesh = NULL;
     for (int i = 0; i < 3 * points; ++i) x[i] = uniform(&state);
     CHECK_STATUS(annulus_create(&mesh, dimension, points, x, options), ANNULUS_OK);
     return mesh;
@@ -26,8 +26,8 @@ static void check_null(void) {
     size_t count = 77;
     int answer = 77;
     char text[64];
-    annulus_mesh *none = NULL;
-    annulus_mesh *mesh = a_mesh(2, NULL);
+    annulus_mesh* none = NULL;
+    annulus_mesh* mesh = a_mesh(2, NULL);
 
     CHECK_STATUS(annulus_create(NULL, 2, 2, x, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_create(&none, 2, 2, NULL, NULL), ANNULUS_NULL_POINTER);
@@ -92,7 +92,7 @@ static void check_sizes_and_names(void) {
     double x[3 * points + 3] = {0};
     int32_t numbers[points];
     size_t count = 0;
-    annulus_mesh *mesh = NULL;
+    annulus_mesh* mesh = NULL;
     annulus_options options = {0};
     annulus_report report = {0};
     annulus_audit_result audit = {0};
@@ -184,7 +184,7 @@ static void check_indices_and_positions(int dimension) {
     int answer = 77;
     size_t count = 77;
     annulus_audit_result audit = {0};
-    annulus_mesh *mesh = a_mesh(dimension, NULL);
+    annulus_mesh* mesh = a_mesh(dimension, NULL);
     const size_t d = (size_t)dimension;
 
     CHECK_STATUS(annulus_remove(mesh, 1, &bad[5], &count, NULL), ANNULUS_OK);  // 5 is vacant now
@@ -241,8 +241,8 @@ static void check_environment(void) {
     double lengths[points];
     int32_t index = 0;
     size_t count = 0;
-    annulus_mesh *mesh = a_mesh(3, NULL);
-    annulus_mesh *other = NULL;
+    annulus_mesh* mesh = a_mesh(3, NULL);
+    annulus_mesh* other = NULL;
     annulus_audit_result audit = {0};
     audit.size = sizeof audit;
     CHECK_STATUS(annulus_points(mesh, points, x), ANNULUS_OK);

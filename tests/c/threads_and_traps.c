@@ -14,12 +14,12 @@ enum { n = 400, readers = 4 };
 static int failed(int status) { return status != ANNULUS_OK; }
 
 // A mesh of its own, and a message of its own. Returns how much went wrong: checks are counted in one thread.
-static void *moves(void *seed) {
+static void* moves(void* seed) {
     static int wrong;
-    uint64_t state = *(const uint64_t *)seed;
+    uint64_t state = *(const uint64_t*)seed;
     double x[3 * n];
     char text[80];
-    annulus_mesh *mesh = NULL;
+    annulus_mesh* mesh = NULL;
     annulus_audit_result audit = {0};
     int faults = 0;
     audit.size = sizeof audit;
@@ -38,9 +38,9 @@ static void *moves(void *seed) {
     return faults == 0 ? NULL : &wrong;
 }
 
-static void *reads(void *given) {
+static void* reads(void* given) {
     static int wrong;
-    const annulus_mesh *mesh = given;
+    const annulus_mesh* mesh = given;
     double volumes[n];
     double lengths[n];
     int32_t counts[n];
@@ -64,8 +64,8 @@ int main(void) {
     uint64_t state = 9;
     double x[3 * n];
     double volumes[n];
-    void *fault = NULL;
-    annulus_mesh *mesh = NULL;
+    void* fault = NULL;
+    annulus_mesh* mesh = NULL;
     annulus_audit_result audit = {0};
     audit.size = sizeof audit;
 

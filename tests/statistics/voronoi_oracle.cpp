@@ -39,7 +39,8 @@ class Polygon {
             if (sgn(beyond[i]) <= 0) kept.push_back(corners_[i]);
             if (sgn(beyond[i]) * sgn(beyond[k]) >= 0) continue;
             const Number t = beyond[i] / (beyond[i] - beyond[k]);
-            kept.push_back({Number(corners_[i][0] + t * (corners_[k][0] - corners_[i][0])), Number(corners_[i][1] + t * (corners_[k][1] - corners_[i][1]))});
+            kept.push_back({Number(corners_[i][0] + t * (corners_[k][0] - corners_[i][0])),
+                            Number(corners_[i][1] + t * (corners_[k][1] - corners_[i][1]))});
         }
         corners_ = std::move(kept);
     }
@@ -64,7 +65,8 @@ class Polygon {
 };
 
 template <int d>
-std::vector<std::array<Number, static_cast<std::size_t>(d)>> others_seen_from(std::span<const Coordinates<d>> points, std::size_t v) {
+std::vector<std::array<Number, static_cast<std::size_t>(d)>> others_seen_from(std::span<const Coordinates<d>> points,
+                                                                              std::size_t v) {
     std::vector<std::array<Number, static_cast<std::size_t>(d)>> out;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (i == v) continue;
@@ -97,10 +99,12 @@ std::optional<mpq_class> exact_cell(std::span<const Coordinates<3>> points, std:
         for (const auto& m : others) {
             if (&m == &n) continue;
             const Number ratio = m[k] / n[k];
-            facet.cut({m[i] - ratio * n[i], m[j] - ratio * n[j], (m[0] * m[0] + m[1] * m[1] + m[2] * m[2] - ratio * square) / 2});
+            facet.cut({m[i] - ratio * n[i], m[j] - ratio * n[j],
+                       (m[0] * m[0] + m[1] * m[1] + m[2] * m[2] - ratio * square) / 2});
         }
         if (facet.unbounded()) return std::nullopt;
-        volume += square * facet.area() / (6 * abs(n[k]));  // height |n| / 2, area over the projection |n| / |n_k|, a third
+        volume +=
+            square * facet.area() / (6 * abs(n[k]));  // height |n| / 2, area over the projection |n| / |n_k|, a third
     }
     // All on a line: bisectors that nothing cuts are unbounded. No other point at all: nothing was asked.
     if (others.empty()) return std::nullopt;

@@ -95,11 +95,13 @@ TEST_CASE("Areas of Voronoi cells are those of cells cut out exactly, points of 
             const Points x = point_set(family, 6 + random() % 40, random);
             INFO(name_of(family) << ", seed " << seed << "\n" << as_code(x));
             (void)check_all<2>(x);
-            CHECK(voronoi_neighbour_counts<2>(x.size(), cells_of<2>(x)) == counted_from_edges<2>(x.size(), cells_of<2>(x)));
+            CHECK(voronoi_neighbour_counts<2>(x.size(), cells_of<2>(x)) ==
+                  counted_from_edges<2>(x.size(), cells_of<2>(x)));
         }
 }
 
-TEST_CASE("Volumes of Voronoi cells are those of cells cut out exactly, points of every kind", "[statistics][voronoi]") {
+TEST_CASE("Volumes of Voronoi cells are those of cells cut out exactly, points of every kind",
+          "[statistics][voronoi]") {
     for (int i = 0; i < repeats(3); ++i)
         for (const Set_3 set : all_sets_3) {
             const auto seed = static_cast<std::uint64_t>(2000 + i);
@@ -107,7 +109,8 @@ TEST_CASE("Volumes of Voronoi cells are those of cells cut out exactly, points o
             const Points_3 x = point_set(set, 8 + random() % 12, random);
             INFO(name_of(set) << ", seed " << seed << "\n" << as_code(x));
             (void)check_all<3>(x);
-            CHECK(voronoi_neighbour_counts<3>(x.size(), cells_of<3>(x)) == counted_from_edges<3>(x.size(), cells_of<3>(x)));
+            CHECK(voronoi_neighbour_counts<3>(x.size(), cells_of<3>(x)) ==
+                  counted_from_edges<3>(x.size(), cells_of<3>(x)));
         }
 }
 
@@ -124,8 +127,9 @@ TEST_CASE("Flat tetrahedra among the lattice points of a cube, off by ulps, spoi
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("Volumes scale with the points, exactly, from where they are subnormal to where they are too large, dimension",
-                       "[statistics][voronoi]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG(
+    "Volumes scale with the points, exactly, from where they are subnormal to where they are too large, dimension",
+    "[statistics][voronoi]", ((int d), d), 2, 3) {
     Random random(17);
     Points_d<d> x(60);
     for (auto& p : x)
@@ -155,12 +159,13 @@ TEST_CASE("The cells of a lattice are its boxes, exactly, in doubles alone", "[s
     CHECK(counts.exact == 0);
     for (int i = 0; i < 343; ++i) {
         const auto within = [](int k) { return k > 0 && k < 6; };
-        CHECK(volume[static_cast<std::size_t>(i)] == (within(i % 7) && within(i / 7 % 7) && within(i / 49) ? 2.0 : infinity));
+        CHECK(volume[static_cast<std::size_t>(i)] ==
+              (within(i % 7) && within(i / 7 % 7) && within(i / 49) ? 2.0 : infinity));
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("Few cells of random points need integers, and all of them when they are asked for, dimension", "[statistics][voronoi]",
-                       ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Few cells of random points need integers, and all of them when they are asked for, dimension",
+                       "[statistics][voronoi]", ((int d), d), 2, 3) {
     Random random(5);
     Points_d<d> x(4000);
     for (auto& p : x)
@@ -174,14 +179,16 @@ TEMPLATE_TEST_CASE_SIG("Few cells of random points need integers, and all of the
     for (std::size_t v = 0; v < x.size(); v += 37) {
         if (!std::isfinite(volume[v])) continue;
         const auto i = static_cast<Index>(v);
-        worst = std::max(worst, std::fabs(volume[v] / exact_voronoi_volume<d>(x, cells, i, cells_around<d>(cells, i)) - 1));
+        worst =
+            std::max(worst, std::fabs(volume[v] / exact_voronoi_volume<d>(x, cells, i, cells_around<d>(cells, i)) - 1));
     }
     CAPTURE(worst);
     CHECK(worst < 1e-11);
 }
 
-TEMPLATE_TEST_CASE_SIG("Vacant indices have no volume, whatever stands there; flat sets have unbounded cells, dimension", "[statistics][voronoi]",
-                       ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG(
+    "Vacant indices have no volume, whatever stands there; flat sets have unbounded cells, dimension",
+    "[statistics][voronoi]", ((int d), d), 2, 3) {
     Moving_mesh<d> mesh{std::span<const Coordinates<d>>(grid<d>())};
     Index middle = d == 2 ? 12 : 13;
     const auto before = voronoi_volumes<d>(mesh.points(), mesh.cells());
@@ -232,9 +239,11 @@ TEST_CASE("What is no triangulation is refused", "[statistics][voronoi]") {
     CHECK(code([](auto& c) { c.vertices[3][2] = 27; }, x) == static_cast<int>(Error_code::unknown_vertex));
     CHECK(code([](auto& c) { c.vertices[3][2] = -1; }, x) == static_cast<int>(Error_code::unknown_vertex));
     CHECK(code([](auto& c) { c.vertices[3][2] = none; }, x) == static_cast<int>(Error_code::unknown_vertex));
-    CHECK(code([](auto& c) { std::swap(c.vertices[3][2], c.vertices[3][1]); }, x) == static_cast<int>(Error_code::bad_input));
+    CHECK(code([](auto& c) { std::swap(c.vertices[3][2], c.vertices[3][1]); }, x) ==
+          static_cast<int>(Error_code::bad_input));
     CHECK(code([](auto& c) { c.vertices[3][2] = c.vertices[3][1]; }, x) == static_cast<int>(Error_code::bad_input));
-    CHECK(code([&](auto& c) { c.neighbours[3][2] = static_cast<Index>(c.neighbours.size()); }, x) == static_cast<int>(Error_code::bad_input));
+    CHECK(code([&](auto& c) { c.neighbours[3][2] = static_cast<Index>(c.neighbours.size()); }, x) ==
+          static_cast<int>(Error_code::bad_input));
     CHECK(code([](auto& c) { c.neighbours[3][2] = -2; }, x) == static_cast<int>(Error_code::bad_input));
     CHECK(code([](auto& c) { c.neighbours.pop_back(); }, x) == static_cast<int>(Error_code::wrong_size));
     CHECK(code(same, Points_3(x.begin(), x.end() - 1)) == static_cast<int>(Error_code::unknown_vertex));

@@ -63,7 +63,8 @@ class Mesh_of final : public Any_mesh {
         const auto points = mesh_.points();
         for (std::size_t i = 0; i < points.size(); ++i)
             for (std::size_t k = 0; k < d; ++k)
-                x[i * d + k] = is_vertex(static_cast<Index>(i)) ? points[i][k] : std::numeric_limits<double>::quiet_NaN();
+                x[i * d + k] =
+                    is_vertex(static_cast<Index>(i)) ? points[i][k] : std::numeric_limits<double>::quiet_NaN();
     }
     void tolerances(double* lengths) const override {
         const std::vector<double> t = mesh_.tolerances();
@@ -80,7 +81,8 @@ class Mesh_of final : public Any_mesh {
         if (volumes != nullptr) v = voronoi_volumes<d>(mesh_.points(), *cells);
         if (neighbour_counts != nullptr) n = voronoi_neighbour_counts<d>(index_bound(), *cells);
         for (std::size_t i = 0; i < v.size(); ++i)  // a vertex that is alone is in no cell
-            volumes[i] = std::isnan(v[i]) && is_vertex(static_cast<Index>(i)) ? std::numeric_limits<double>::infinity() : v[i];
+            volumes[i] =
+                std::isnan(v[i]) && is_vertex(static_cast<Index>(i)) ? std::numeric_limits<double>::infinity() : v[i];
         std::copy(n.begin(), n.end(), neighbour_counts);
     }
     Cells cells() const override {

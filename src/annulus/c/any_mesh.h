@@ -54,6 +54,7 @@ class Any_mesh {
 };
 
 /// Precondition: dimension is 2 or 3.
-[[nodiscard]] std::unique_ptr<Any_mesh> make_mesh(int dimension, const double* x, std::size_t points, const Options& options);
+[[nodiscard]] std::unique_ptr<Any_mesh> make_mesh(int dimension, const double* x, std::size_t points,
+                                                  const Options& options);
 
 }  // namespace annulus::c

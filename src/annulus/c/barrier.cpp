@@ -73,7 +73,8 @@ int note_exception(Last_error& error) noexcept {
 }
 
 void require_count(std::size_t count, const char* of) {
-    if (count > PTRDIFF_MAX / (4 * sizeof(double))) throw Refused(ANNULUS_WRONG_SIZE, std::to_string(count) + ' ' + of + " are more than memory can hold");
+    if (count > PTRDIFF_MAX / (4 * sizeof(double)))
+        throw Refused(ANNULUS_WRONG_SIZE, std::to_string(count) + ' ' + of + " are more than memory can hold");
 }
 
 }  // namespace annulus::c

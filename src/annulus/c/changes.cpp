@@ -34,11 +34,13 @@ void begin_several(annulus_mesh& m, annulus_report* report, std::size_t* so_far)
 
 }  // namespace
 
-int annulus_create(annulus_mesh** mesh, int dimension, size_t points, const double* coordinates, const annulus_options* options) {
+int annulus_create(annulus_mesh** mesh, int dimension, size_t points, const double* coordinates,
+                   const annulus_options* options) {
     return guarded(error_of_thread(), [&] {
         require(mesh, "mesh");
         *mesh = nullptr;
-        if (dimension != 2 && dimension != 3) throw Refused(ANNULUS_USAGE, "the dimension is " + std::to_string(dimension) + ": it can be 2 or 3");
+        if (dimension != 2 && dimension != 3)
+            throw Refused(ANNULUS_USAGE, "the dimension is " + std::to_string(dimension) + ": it can be 2 or 3");
         require_count(points, "points");
         require(coordinates, points, "coordinates");
         const Options chosen = options_of(options);
@@ -66,7 +68,8 @@ int annulus_move_all(annulus_mesh* mesh, size_t points, const double* coordinate
     });
 }
 
-int annulus_move(annulus_mesh* mesh, size_t count, const int32_t* indices, const double* coordinates, annulus_report* report) {
+int annulus_move(annulus_mesh* mesh, size_t count, const int32_t* indices, const double* coordinates,
+                 annulus_report* report) {
     return guarded(mesh, [&](annulus_mesh& m) {
         require_count(count, "vertices");
         require(indices, count, "indices");
@@ -78,7 +81,8 @@ int annulus_move(annulus_mesh* mesh, size_t count, const int32_t* indices, const
     });
 }
 
-int annulus_insert(annulus_mesh* mesh, size_t count, const double* coordinates, int32_t* indices, size_t* inserted, annulus_report* report) {
+int annulus_insert(annulus_mesh* mesh, size_t count, const double* coordinates, int32_t* indices, size_t* inserted,
+                   annulus_report* report) {
     return guarded(mesh, [&](annulus_mesh& m) {
         if (inserted != nullptr) *inserted = 0;
         require_count(count, "points");
@@ -111,7 +115,8 @@ int annulus_remove(annulus_mesh* mesh, size_t count, const int32_t* indices, siz
         if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
             throw Refused(ANNULUS_UNKNOWN_VERTEX, "vertex " + std::to_string(*twice) + " is to be removed twice");
         for (const Index i : sorted)
-            if (!m.mesh->is_vertex(i)) throw Refused(ANNULUS_UNKNOWN_VERTEX, "no vertex has index " + std::to_string(i));
+            if (!m.mesh->is_vertex(i))
+                throw Refused(ANNULUS_UNKNOWN_VERTEX, "no vertex has index " + std::to_string(i));
         begin_several(m, report, removed);
         Move_report all;
         for (std::size_t k = 0; k < count; ++k) {

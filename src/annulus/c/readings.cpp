@@ -21,7 +21,9 @@ int answer(const annulus_mesh* mesh, To* to, const char* name, Read read) {
 }
 
 void require_capacity(std::size_t capacity, std::size_t needed, const char* of) {
-    if (capacity < needed) throw Refused(ANNULUS_WRONG_SIZE, "there is room for " + std::to_string(capacity) + ' ' + of + " of " + std::to_string(needed));
+    if (capacity < needed)
+        throw Refused(ANNULUS_WRONG_SIZE,
+                      "there is room for " + std::to_string(capacity) + ' ' + of + " of " + std::to_string(needed));
 }
 
 /// An array by vertex index.
@@ -83,7 +85,9 @@ int annulus_is_vertex(const annulus_mesh* mesh, int32_t index, int* given) {
     return answer(mesh, given, "answer", [&](const Any_mesh& m) { return m.is_vertex(index); });
 }
 int annulus_strategy(const annulus_mesh* mesh, const char** name) {
-    return answer(mesh, name, "name", [](const Any_mesh& m) { return name_of(m.strategy()).data(); });  // of a literal, so with a 0 behind it
+    return answer(mesh, name, "name", [](const Any_mesh& m) {
+        return name_of(m.strategy()).data();
+    });  // of a literal, so with a 0 behind it
 }
 
 int annulus_points(const annulus_mesh* mesh, size_t capacity, double* coordinates) {
@@ -97,7 +101,8 @@ int annulus_displacements(const annulus_mesh* mesh, size_t capacity, double* len
 }
 int annulus_voronoi(const annulus_mesh* mesh, size_t capacity, double* volumes, int32_t* neighbour_counts) {
     const void* either = volumes != nullptr ? static_cast<const void*>(volumes) : neighbour_counts;
-    return by_vertex(mesh, capacity, either, "volumes, like neighbour_counts,", [&](const Any_mesh& m) { m.voronoi(volumes, neighbour_counts); });
+    return by_vertex(mesh, capacity, either, "volumes, like neighbour_counts,",
+                     [&](const Any_mesh& m) { m.voronoi(volumes, neighbour_counts); });
 }
 
 int annulus_index_of_input(const annulus_mesh* mesh, size_t capacity, int32_t* indices, size_t* count) {
@@ -116,7 +121,8 @@ int annulus_cells(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, 
         require(count, "count");
         const Cells cells = m.mesh->cells();
         *count = cells.count;
-        if (vertices != nullptr || neighbours != nullptr || capacity > 0) require_capacity(capacity, cells.count, "cells");
+        if (vertices != nullptr || neighbours != nullptr || capacity > 0)
+            require_capacity(capacity, cells.count, "cells");
         if (vertices == nullptr) require(neighbours, capacity, "vertices, like neighbours,");
         const std::size_t numbers = cells.count * static_cast<std::size_t>(m.mesh->dimension() + 1);
         copy(cells.vertices, numbers, vertices);

@@ -6,10 +6,13 @@ namespace annulus::c {
 namespace {
 
 template <class Value>
-void choose(Value& value, const char* name, std::optional<Value> (*named)(std::string_view), const char* what, const char* all) {
+void choose(Value& value, const char* name, std::optional<Value> (*named)(std::string_view), const char* what,
+            const char* all) {
     if (name == nullptr) return;
     const std::optional<Value> found = named(name);
-    if (!found) throw Refused(ANNULUS_USAGE, "there is no " + std::string(what) + " \"" + std::string(name).substr(0, 40) + "\"; there are " + all);
+    if (!found)
+        throw Refused(ANNULUS_USAGE, "there is no " + std::string(what) + " \"" + std::string(name).substr(0, 40) +
+                                         "\"; there are " + all);
     value = *found;
 }
 
@@ -24,7 +27,8 @@ Options options_of(const annulus_options* given) {
     // A caller that knows more than this library may not mean anything by it.
     const auto* beyond = reinterpret_cast<const unsigned char*>(given);
     for (std::size_t i = sizeof known; i < given->size; ++i)
-        if (beyond[i] != 0) throw Refused(ANNULUS_USAGE, "annulus_options has options that this version of the library does not know");
+        if (beyond[i] != 0)
+            throw Refused(ANNULUS_USAGE, "annulus_options has options that this version of the library does not know");
     if (known.reserved != 0) throw Refused(ANNULUS_USAGE, "annulus_options.reserved is not 0");
     if (known.threads < 0) throw Refused(ANNULUS_USAGE, "annulus_options.threads is negative");
     choose(options.strategy, known.strategy, strategy_named, "strategy",

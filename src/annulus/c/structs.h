@@ -13,7 +13,8 @@ namespace annulus::c {
 /// Of these and later versions: from one size_t to what no version will reach.
 inline void require_struct(std::size_t size, std::size_t least, const char* name) {
     if (size < least || size > 65536)
-        throw Refused(ANNULUS_USAGE, std::string(name) + ".size is " + std::to_string(size) + ": set it to sizeof(" + name + ")");
+        throw Refused(ANNULUS_USAGE,
+                      std::string(name) + ".size is " + std::to_string(size) + ": set it to sizeof(" + name + ")");
 }
 
 /// Writes what its owner knows of a struct; of what the library does not know it leaves alone.

@@ -84,7 +84,8 @@ template <int d>
     for (std::size_t i = 0; i < d; ++i)
         for (std::size_t k = 0; k < d; ++k) v[i][k] = exactly.integer[(i + 1) * d + k] - exactly.integer[k];
     const auto t = terms(v);
-    if (sgn(t.denominator) <= 0) throw Error(Error_code::bad_input, "a cell is not positively oriented: its Voronoi vertex is nowhere");
+    if (sgn(t.denominator) <= 0)
+        throw Error(Error_code::bad_input, "a cell is not positively oriented: its Voronoi vertex is nowhere");
     const mpz_class twice = 2 * t.denominator;
     const long exponent = exactly.exponent + std::ilogb(scale);
     Circumcentre<d> out;

@@ -20,7 +20,8 @@ using Integers = std::array<mpz_class, static_cast<std::size_t>(d)>;
 template <int d>
 class Exact_star {
   public:
-    Exact_star(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells, Index v, std::span<const std::size_t> around)
+    Exact_star(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells, Index v,
+               std::span<const std::size_t> around)
         : cells_(cells), v_(v), around_(around) {
         std::vector<double> numbers;
         for (const std::size_t c : around)
@@ -60,7 +61,8 @@ class Exact_star {
         for (std::size_t i = 0, n = 0; i <= d; ++i)
             if (i != own_[k]) others[n++] = &corner_[k][i];
         const auto note = [&](auto&& t) {
-            if (sgn(t.denominator) == 0) throw Error(Error_code::bad_input, "a cell is flat: its Voronoi vertex is nowhere");
+            if (sgn(t.denominator) == 0)
+                throw Error(Error_code::bad_input, "a cell is flat: its Voronoi vertex is nowhere");
             numerator_.push_back(std::move(t.numerator));
             denominator_.push_back(2 * t.denominator);
         };
@@ -90,7 +92,8 @@ class Exact_star {
                 if (other <= around_[k]) continue;
                 const auto found = std::lower_bound(around_.begin(), around_.end(), other);
                 if (found == around_.end() || *found != other)
-                    throw Error(Error_code::bad_input, "neighbours of the cells around vertex " + std::to_string(v_) + " do not go round it");
+                    throw Error(Error_code::bad_input,
+                                "neighbours of the cells around vertex " + std::to_string(v_) + " do not go round it");
                 const Integers<d>& from = centre_[k];
                 const Integers<d>& to = centre_[static_cast<std::size_t>(found - around_.begin())];
                 if constexpr (d == 2) add(edge(k, facet_of<2>[i][0], facet_of<2>[i][1]), from, to);
@@ -134,7 +137,8 @@ class Exact_star {
         long scale = 0;
         const double mantissa = mpz_get_d_2exp(&scale, sum_.get_mpz_t());
         const long shift = scale + d * exponent_ - static_cast<long>((d - 1) * q);
-        const double volume = std::ldexp(mantissa / (d == 2 ? 4 : 12), static_cast<int>(std::clamp(shift, -4000L, 4000L)));
+        const double volume =
+            std::ldexp(mantissa / (d == 2 ? 4 : 12), static_cast<int>(std::clamp(shift, -4000L, 4000L)));
         return std::clamp(volume, std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
     }
 
@@ -158,7 +162,9 @@ double exact_voronoi_volume(std::span<const Coordinates<d>> points, const Mesh_c
     return Exact_star<d>(points, cells, v, around).volume();
 }
 
-template double exact_voronoi_volume<2>(std::span<const Coordinates<2>>, const Mesh_cells<2>&, Index, std::span<const std::size_t>);
-template double exact_voronoi_volume<3>(std::span<const Coordinates<3>>, const Mesh_cells<3>&, Index, std::span<const std::size_t>);
+template double exact_voronoi_volume<2>(std::span<const Coordinates<2>>, const Mesh_cells<2>&, Index,
+                                        std::span<const std::size_t>);
+template double exact_voronoi_volume<3>(std::span<const Coordinates<3>>, const Mesh_cells<3>&, Index,
+                                        std::span<const std::size_t>);
 
 }  // namespace annulus

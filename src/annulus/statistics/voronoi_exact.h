@@ -11,7 +11,8 @@ namespace annulus {
 /// For the cell to the left of a facet: its corners but the one opposite, counter-clockwise seen from outside (in the plane from p to q with
 /// the cell on the left).
 template <int d>
-inline constexpr std::array<std::array<std::size_t, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d + 1)> facet_of{};
+inline constexpr std::array<std::array<std::size_t, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d + 1)>
+    facet_of{};
 template <>
 inline constexpr std::array<std::array<std::size_t, 2>, 3> facet_of<2>{{{1, 2}, {2, 0}, {0, 1}}};
 template <>
@@ -28,7 +29,9 @@ template <int d>
 [[nodiscard]] double exact_voronoi_volume(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells, Index v,
                                           std::span<const std::size_t> around);
 
-extern template double exact_voronoi_volume<2>(std::span<const Coordinates<2>>, const Mesh_cells<2>&, Index, std::span<const std::size_t>);
-extern template double exact_voronoi_volume<3>(std::span<const Coordinates<3>>, const Mesh_cells<3>&, Index, std::span<const std::size_t>);
+extern template double exact_voronoi_volume<2>(std::span<const Coordinates<2>>, const Mesh_cells<2>&, Index,
+                                               std::span<const std::size_t>);
+extern template double exact_voronoi_volume<3>(std::span<const Coordinates<3>>, const Mesh_cells<3>&, Index,
+                                               std::span<const std::size_t>);
 
 }  // namespace annulus

@@ -19,7 +19,8 @@ void count_edges(const Mesh_cells<d>& cells, std::vector<Index>& count) {
     for (const auto& cell : cells.vertices)
         for (std::size_t i = 0; i <= d; ++i)
             for (std::size_t k = 0; k < i; ++k)
-                if (cell[i] != none && cell[k] != none) edges.emplace_back(std::min(cell[i], cell[k]), std::max(cell[i], cell[k]));
+                if (cell[i] != none && cell[k] != none)
+                    edges.emplace_back(std::min(cell[i], cell[k]), std::max(cell[i], cell[k]));
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const auto& [a, b] : edges) {
@@ -33,8 +34,8 @@ void count_edges(const Mesh_cells<d>& cells, std::vector<Index>& count) {
 template <int d>
 std::vector<Index> voronoi_neighbour_counts(std::size_t n, const Mesh_cells<d>& cells) {
     if (cells.neighbours.size() != cells.vertices.size())
-        throw Error(Error_code::wrong_size, "there are neighbours of " + std::to_string(cells.neighbours.size()) + " cells for " +
-                                                std::to_string(cells.vertices.size()) + " cells");
+        throw Error(Error_code::wrong_size, "there are neighbours of " + std::to_string(cells.neighbours.size()) +
+                                                " cells for " + std::to_string(cells.vertices.size()) + " cells");
     std::vector<Index> count(n, 0);  // of cells at a vertex and of facets of the hull, first
     std::vector<char> hull(n, 0);
     bool flat = false;
@@ -42,7 +43,8 @@ std::vector<Index> voronoi_neighbour_counts(std::size_t n, const Mesh_cells<d>& 
         for (const Index v : cell) {
             if (v == none) flat = true;
             else if (v < 0 || at(v) >= n)
-                throw Error(Error_code::unknown_vertex, "a cell names vertex " + std::to_string(v) + " of " + std::to_string(n));
+                throw Error(Error_code::unknown_vertex,
+                            "a cell names vertex " + std::to_string(v) + " of " + std::to_string(n));
         }
     if (flat) {
         count_edges<d>(cells, count);

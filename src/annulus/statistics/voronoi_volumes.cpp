@@ -64,14 +64,15 @@ class Voronoi_volumes {
     void require_whole(const Cell& neighbours) const {
         for (const Index n : neighbours)
             if (n != cells_.outside && (n < 0 || at(n) >= cells_.vertices.size()))
-                throw Error(Error_code::bad_input, "there is no cell " + std::to_string(n) + " that could be a neighbour");
+                throw Error(Error_code::bad_input,
+                            "there is no cell " + std::to_string(n) + " that could be a neighbour");
     }
 
     /// What each vertex is, and the unit. False where no cell has d + 1 corners.
     bool find_hull() {
         if (cells_.neighbours.size() != cells_.vertices.size())
-            throw Error(Error_code::wrong_size, "there are neighbours of " + std::to_string(cells_.neighbours.size()) + " cells for " +
-                                                    std::to_string(cells_.vertices.size()) + " cells");
+            throw Error(Error_code::wrong_size, "there are neighbours of " + std::to_string(cells_.neighbours.size()) +
+                                                    " cells for " + std::to_string(cells_.vertices.size()) + " cells");
         where_.assign(x_.size(), Where::nowhere);
         double largest = 0;
         bool flat = false;
@@ -83,7 +84,8 @@ class Voronoi_volumes {
             for (const Index v : cell) {
                 if (padded && v == none) continue;
                 if (v < 0 || at(v) >= x_.size())
-                    throw Error(Error_code::unknown_vertex, "a cell names vertex " + std::to_string(v) + " of " + std::to_string(x_.size()));
+                    throw Error(Error_code::unknown_vertex,
+                                "a cell names vertex " + std::to_string(v) + " of " + std::to_string(x_.size()));
                 if (where_[at(v)] != Where::nowhere) continue;
                 require_in_domain(x_[at(v)]);
                 for (const double k : x_[at(v)]) largest = std::max(largest, std::fabs(k));
@@ -101,7 +103,7 @@ class Voronoi_volumes {
     }
 
     void find_circumcentres() {
-        const double scale = std::ldexp(1.0, -exponent_);  
+        const double scale = std::ldexp(1.0, -exponent_);
         if (!std::isnormal(scale)) return;  // every coordinate is subnormal
         centre_.resize(cells_.vertices.size());
         for (std::size_t c = 0; c < centre_.size(); ++c) {
@@ -126,7 +128,8 @@ class Voronoi_volumes {
                 const Index n = cells_.neighbours[c][i];
                 if (n == cells_.outside || at(n) < c) continue;
                 const Cell& cell = cells_.vertices[c];
-                for (std::size_t e = 0; e < (d == 2 ? 1 : 3); ++e) add(cell[facet_of<d>[i][e]], cell[facet_of<d>[i][(e + 1) % d]], c, at(n), scale);
+                for (std::size_t e = 0; e < (d == 2 ? 1 : 3); ++e)
+                    add(cell[facet_of<d>[i][e]], cell[facet_of<d>[i][(e + 1) % d]], c, at(n), scale);
             }
     }
 
@@ -139,10 +142,12 @@ class Voronoi_volumes {
         if constexpr (d == 2) {
             const Coordinates<d> step = difference(cells_.vertices[left][0], cells_.vertices[right][0], scale);
             Coordinates<d> dual;
-            for (std::size_t k = 0; k < d; ++k) dual[k] = step[k] + (centre_[right].offset[k] - centre_[left].offset[k]);
+            for (std::size_t k = 0; k < d; ++k)
+                dual[k] = step[k] + (centre_[right].offset[k] - centre_[left].offset[k]);
             // u each for step, the inner difference, the sum.
-            const double moved = centre_[left].error + centre_[right].error +
-                                 4 * u * (absolute_sum(step) + absolute_sum(centre_[left].offset) + absolute_sum(centre_[right].offset));
+            const double moved =
+                centre_[left].error + centre_[right].error +
+                4 * u * (absolute_sum(step) + absolute_sum(centre_[left].offset) + absolute_sum(centre_[right].offset));
             term = (dual[0] * n[1] - dual[1] * n[0]) / 4;
             error = length * (moved + 4 * u * absolute_sum(dual)) / 4;  // n, product, difference: 3 u
         } else {
@@ -159,7 +164,9 @@ class Voronoi_volumes {
             const double far_from = absolute_sum(from);
             const double far_to = absolute_sum(to);
             // n 1, a minor 2, times n 1, sums 2, the division 1: 8 u is used.
-            error = length * (far_from * (error_of_to + 8 * u * far_to) + far_to * error_of_from + error_of_from * error_of_to) / 12;
+            error = length *
+                    (far_from * (error_of_to + 8 * u * far_to) + far_to * error_of_from + error_of_from * error_of_to) /
+                    12;
         }
         error += lost;
         for (const Index v : {p, q}) {
@@ -169,7 +176,8 @@ class Voronoi_volumes {
     }
 
     /// The circumcentre of a cell less the midpoint of the edge that begins at p; u each for the two differences (n is halved), the sums.
-    Coordinates<d> seen_from_middle(Index p, const Coordinates<d>& n, std::size_t cell, double scale, double& error) const {
+    Coordinates<d> seen_from_middle(Index p, const Coordinates<d>& n, std::size_t cell, double scale,
+                                    double& error) const {
         const Coordinates<d> base = difference(p, cells_.vertices[cell][0], scale);
         Coordinates<d> out;
         for (std::size_t k = 0; k < d; ++k) out[k] = (base[k] - n[k] / 2) + centre_[cell].offset[k];
@@ -189,15 +197,15 @@ class Voronoi_volumes {
             ++counts.bounded;
             if (error_[v] <= good * volume_[v])  // false for what is no number
                 volume_[v] = std::min(std::ldexp(volume_[v], d * exponent_), std::numeric_limits<double>::max());
-            else
-                poor.push_back(static_cast<Index>(v));
+            else poor.push_back(static_cast<Index>(v));
         }
         counts.exact = poor.size();
         if (!poor.empty()) compute_exactly(poor);
     }
 
     void compute_exactly(std::span<const Index> poor) {
-        std::vector<std::size_t> end(x_.size(), 0);  // of the cells around a vertex, among all of these; then their beginning
+        std::vector<std::size_t> end(x_.size(),
+                                     0);  // of the cells around a vertex, among all of these; then their beginning
         std::vector<char> wanted(x_.size(), 0);
         for (const Index v : poor) wanted[at(v)] = 1;
         for (const Cell& cell : cells_.vertices)
@@ -211,8 +219,8 @@ class Voronoi_volumes {
         for (std::size_t k = 0; k < poor.size(); ++k) {
             const std::size_t begin = end[at(poor[k])];
             const std::size_t next = k + 1 < poor.size() ? end[at(poor[k + 1])] : total;
-            volume_[at(poor[k])] =
-                exact_voronoi_volume<d>(x_, cells_, poor[k], std::span<const std::size_t>(around).subspan(begin, next - begin));
+            volume_[at(poor[k])] = exact_voronoi_volume<d>(
+                x_, cells_, poor[k], std::span<const std::size_t>(around).subspan(begin, next - begin));
         }
     }
 
@@ -227,7 +235,8 @@ class Voronoi_volumes {
 }  // namespace
 
 template <int d>
-std::vector<double> voronoi_volumes(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells, Voronoi_counts* counts) {
+std::vector<double> voronoi_volumes(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells,
+                                    Voronoi_counts* counts) {
     require_sound_environment();
     Voronoi_counts counted;
     std::vector<double> volumes = Voronoi_volumes<d>(points, cells)(counted);

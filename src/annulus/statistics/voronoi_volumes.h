@@ -49,8 +49,10 @@ template <int d>
 template <int d>
 [[nodiscard]] std::vector<Index> voronoi_neighbour_counts(std::size_t n, const Mesh_cells<d>& cells);
 
-extern template std::vector<double> voronoi_volumes<2>(std::span<const Coordinates<2>>, const Mesh_cells<2>&, Voronoi_counts*);
-extern template std::vector<double> voronoi_volumes<3>(std::span<const Coordinates<3>>, const Mesh_cells<3>&, Voronoi_counts*);
+extern template std::vector<double> voronoi_volumes<2>(std::span<const Coordinates<2>>, const Mesh_cells<2>&,
+                                                       Voronoi_counts*);
+extern template std::vector<double> voronoi_volumes<3>(std::span<const Coordinates<3>>, const Mesh_cells<3>&,
+                                                       Voronoi_counts*);
 extern template std::vector<Index> voronoi_neighbour_counts<2>(std::size_t, const Mesh_cells<2>&);
 extern template std::vector<Index> voronoi_neighbour_counts<3>(std::size_t, const Mesh_cells<3>&);
 

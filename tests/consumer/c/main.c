@@ -9,7 +9,7 @@ int main(void) {
     const int32_t last = 4;
     size_t cells = 0;
     double areas[5];
-    annulus_mesh *mesh = NULL;
+    annulus_mesh* mesh = NULL;
     int wrong = annulus_create(&mesh, 2, 5, x, NULL) != ANNULUS_OK;
     wrong = wrong || annulus_move(mesh, 1, &last, there, NULL) != ANNULUS_OK;
     wrong = wrong || annulus_cells(mesh, 0, NULL, NULL, &cells) != ANNULUS_OK || cells != 4;
