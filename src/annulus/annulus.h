@@ -58,8 +58,8 @@ typedef struct annulus_mesh annulus_mesh;
 // not kept.
 typedef struct annulus_options {
     size_t size;
-    const char*
-        strategy;  // "auto" (default), "filter", "filter-each", "hybrid", "in-place", "relocate", "relocate-flips", "rebuild"
+    // "auto" (default), "filter", "filter-each", "hybrid", "in-place", "relocate", "relocate-flips", "rebuild"
+    const char* strategy;
     const char* tolerance;     // "certified" (default), "paper", "floating"
     const char* second_look;   // "off" (default); in the plane "unequal", "safe-region"
     int32_t threads;           // default 1; results do not depend on it
@@ -94,8 +94,7 @@ typedef struct annulus_report {
 // The verdict of an audit; `size` as above.
 typedef struct annulus_audit_result {
     size_t size;
-    int32_t
-        delaunay;  // 1: the cells are a Delaunay triangulation of the vertices where they are now, shown exactly. 0: not
+    int32_t delaunay;  // 1: shown exactly that the cells are a Delaunay triangulation of the vertices where they are now. 0: not
     int32_t reserved;
     uint64_t inverted_cells;
     uint64_t violated_facets;
