@@ -70,7 +70,8 @@ Adjacency adjacency_of(const Cells<d>& cells) {
     for (std::size_t v = 0; v < n; ++v) {
         const auto first = pool.begin() + static_cast<std::ptrdiff_t>(end[v]), last = pool.begin() + static_cast<std::ptrdiff_t>(end[v + 1]);
         std::sort(first, last);
-        kept = std::copy(first, std::unique(first, last), kept);
+        const auto end_of_list = std::unique(first, last);
+        kept = kept == first ? end_of_list : std::copy(first, end_of_list, kept);
         out.begin.push_back(static_cast<Index>(kept - pool.begin()));
     }
     pool.erase(kept, pool.end());

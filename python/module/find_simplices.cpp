@@ -26,7 +26,7 @@ class Walk {
     [[nodiscard]] Index find(const Coordinates<d>& p) {
         if (cells_.simplices.vertices.empty() || !in_domain(p)) return -1;  // every vertex is in the domain
         Index s = start(p), from = -1;
-        while (true) {
+        for (std::size_t steps = 0; steps < 2 * cells_.simplices.vertices.size() + 100; ++steps) {
             const Index next = beyond(s, from, p);
             if (next == here) return last_ = s;
             if (next == Mesh_cells<d>::outside) {
@@ -36,22 +36,30 @@ class Walk {
             from = s;
             s = next;
         }
+        return search(p);
     }
 
   private:
     static constexpr Index here = -2;
 
+    /// One after another: tolerances that are not certified may leave what is no triangulation, and walks that go round in it.
+    [[nodiscard]] Index search(const Coordinates<d>& p) {
+        for (std::size_t s = 0; s < cells_.simplices.vertices.size(); ++s)
+            if (beyond(static_cast<Index>(s), here, p) == here) return static_cast<Index>(s);
+        return -1;
+    }
+
     /// The simplex that the point is seen in across a facet of s, but not back to where the walk came from; `here` when there is none.
     [[nodiscard]] Index beyond(Index s, Index from, const Coordinates<d>& p) {
         const auto& v = cells_.simplices.vertices[at(s)];
-        Tuple<d, d + 1> x;
+        Tuple<d, d + 1> x{};
         for (std::size_t i = 0; i <= d; ++i) x[i] = &vertices_[at(v[i])];
         random_ = random_ * 6364136223846793005U + 1442695040888963407U;
         const std::size_t first = (random_ >> 33) % (d + 1);
         for (std::size_t k = 0; k <= d; ++k) {
             const std::size_t i = (first + k) % (d + 1);
             const Index next = cells_.simplices.neighbours[at(s)][i];
-            if (next == from && from != -1) continue;
+            if (next == from && next >= 0) continue;
             const auto* const corner = std::exchange(x[i], &p);
             const bool out = orientation_verdict(x, false).sign < 0;
             x[i] = corner;
