@@ -24,7 +24,10 @@ template <int d>
 int follow(const char* file, std::size_t n) {
     std::ifstream in(file, std::ios::binary);
     std::vector<annulus::Coordinates<d>> x(n);
-    const auto next = [&] { return static_cast<bool>(in.read(reinterpret_cast<char*>(x.data()), static_cast<std::streamsize>(n * sizeof x[0]))); };
+    const auto next = [&] {
+        return static_cast<bool>(
+            in.read(reinterpret_cast<char*>(x.data()), static_cast<std::streamsize>(n * sizeof x[0])));
+    };
     if (!next()) return 1;
     annulus::Moving_mesh<d> mesh{std::span<const annulus::Coordinates<d>>(x)};
     while (next()) {

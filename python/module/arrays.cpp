@@ -24,7 +24,8 @@ std::vector<Index> indices_of(const py::object& object) {
     if (any.ndim() > 1) throw Error(Error_code::wrong_size, "indices must have shape (k,), not " + shape_of(any));
     std::vector<Index> out;
     if (any.size() == 0) return out;
-    if (any.dtype().kind() == 'b') throw py::type_error("indices must be whole numbers; for a mask write numpy.flatnonzero(mask)");
+    if (any.dtype().kind() == 'b')
+        throw py::type_error("indices must be whole numbers; for a mask write numpy.flatnonzero(mask)");
     const Whole_numbers numbers(any);
     out.reserve(static_cast<std::size_t>(numbers.size()));
     for (py::ssize_t k = 0; k < numbers.size(); ++k) {

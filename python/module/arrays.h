@@ -36,10 +36,12 @@ template <int d>
 class Points_in {
   public:
     /// Throws Error(wrong_size) for another shape.
-    explicit Points_in(const py::object& object, const char* name = "points") : Points_in(numbers_of(object, name), name) {}
+    explicit Points_in(const py::object& object, const char* name = "points")
+        : Points_in(numbers_of(object, name), name) {}
     Points_in(Numbers numbers, const char* name) : numbers_(std::move(numbers)) {
         if (numbers_.ndim() != 2 || numbers_.shape(1) != d)
-            throw Error(Error_code::wrong_size, std::string(name) + " must have shape (n, " + std::to_string(d) + "), not " + shape_of(numbers_));
+            throw Error(Error_code::wrong_size, std::string(name) + " must have shape (n, " + std::to_string(d) +
+                                                    "), not " + shape_of(numbers_));
     }
     // A Coordinates<d> is d doubles and nothing else.
     [[nodiscard]] std::span<const Coordinates<d>> span() const {
@@ -60,7 +62,7 @@ template <class T, class Owner>
 [[nodiscard]] py::array view(const T* data, std::vector<py::ssize_t> shape, std::shared_ptr<const Owner> owner) {
     auto held = std::make_unique<std::shared_ptr<const Owner>>(std::move(owner));
     const py::capsule base(held.get(), [](void* p) { delete static_cast<std::shared_ptr<const Owner>*>(p); });
-    (void)held.release();  // the capsule's
+    (void)held.release();      // the capsule's
     static const T nothing{};  // NumPy would allocate for a null pointer
     py::array a(py::dtype::of<T>(), std::move(shape), data != nullptr ? data : &nothing, base);
     py::detail::array_proxy(a.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;

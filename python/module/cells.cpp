@@ -68,7 +68,8 @@ Adjacency adjacency_of(const Cells<d>& cells) {
     out.begin.push_back(0);
     auto kept = pool.begin();
     for (std::size_t v = 0; v < n; ++v) {
-        const auto first = pool.begin() + static_cast<std::ptrdiff_t>(end[v]), last = pool.begin() + static_cast<std::ptrdiff_t>(end[v + 1]);
+        const auto first = pool.begin() + static_cast<std::ptrdiff_t>(end[v]),
+                   last = pool.begin() + static_cast<std::ptrdiff_t>(end[v + 1]);
         std::sort(first, last);
         const auto end_of_list = std::unique(first, last);
         kept = kept == first ? end_of_list : std::copy(first, end_of_list, kept);

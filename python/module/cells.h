@@ -14,10 +14,10 @@ struct Cells {
     /// `is_vertex` has a flag for each index.
     Cells(const Moving_mesh<d>& mesh);
 
-    int dimension;                    ///< that the points span; -1 without points
-    Mesh_cells<d> simplices;          ///< none unless the points span the space
-    std::vector<Index> flat;          ///< dimension + 1 vertices a simplex of points that do not
-    std::vector<Index> simplex_of;    ///< by vertex index, one of those around it; -1 without one
+    int dimension;                  ///< that the points span; -1 without points
+    Mesh_cells<d> simplices;        ///< none unless the points span the space
+    std::vector<Index> flat;        ///< dimension + 1 vertices a simplex of points that do not
+    std::vector<Index> simplex_of;  ///< by vertex index, one of those around it; -1 without one
 };
 
 /// The facets with nothing beyond, d vertices each: in the plane with the triangulation to their left, in space counter-clockwise as
@@ -35,7 +35,7 @@ template <int d>
 /// The simplex that holds each of some points, itself or its border; -1 outside the convex hull, and for NaN. Exact: decided by signs
 /// of determinants as the library computes them.
 template <int d>
-void find_simplices(const Cells<d>& cells, std::span<const Coordinates<d>> vertices, std::span<const Coordinates<d>> points,
-                    std::span<Index> out);
+void find_simplices(const Cells<d>& cells, std::span<const Coordinates<d>> vertices,
+                    std::span<const Coordinates<d>> points, std::span<Index> out);
 
 }  // namespace annulus::python

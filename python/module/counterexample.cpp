@@ -7,7 +7,8 @@
 namespace annulus::python {
 
 void add_counterexample(py::module_& m) {
-    m.def("counterexample", [](double delta) { return object_of(counterexample_json(counterexample(delta), "annulus.counterexample")); });
+    m.def("counterexample",
+          [](double delta) { return object_of(counterexample_json(counterexample(delta), "annulus.counterexample")); });
 }
 
 }  // namespace annulus::python

@@ -27,7 +27,9 @@ std::vector<Coordinates<d>> distinct(std::span<const Coordinates<d>> points, boo
         require_in_domain(points[i]);
         if (seen.add(points[i])) out.push_back(points[i]);
         else if (!merge_duplicates)
-            throw Error(Error_code::collision, "point " + std::to_string(i) + " is where an earlier one is (merge_duplicates=True counts such once)");
+            throw Error(
+                Error_code::collision,
+                "point " + std::to_string(i) + " is where an earlier one is (merge_duplicates=True counts such once)");
     }
     return out;
 }
@@ -73,7 +75,8 @@ void add_degeneracy(py::module_& m) {
     m.def("degeneracy", [](const py::object& points, bool merge_duplicates) {
         Numbers numbers = numbers_of(points, "points");
         const bool space = numbers.ndim() == 2 && numbers.shape(1) == 3;
-        return space ? study_of<3>(std::move(numbers), merge_duplicates) : study_of<2>(std::move(numbers), merge_duplicates);
+        return space ? study_of<3>(std::move(numbers), merge_duplicates)
+                     : study_of<2>(std::move(numbers), merge_duplicates);
     });
 }
 

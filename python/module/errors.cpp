@@ -52,7 +52,8 @@ void translate_errors() {
         } catch (const Error& e) {
             raise(e);
         } catch (const std::system_error& e) {  // no memory for the stack of a thread
-            if (e.code() != std::errc::resource_unavailable_try_again && e.code() != std::errc::not_enough_memory) throw;
+            if (e.code() != std::errc::resource_unavailable_try_again && e.code() != std::errc::not_enough_memory)
+                throw;
             PyErr_NoMemory();
         }
     });

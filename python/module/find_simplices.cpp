@@ -21,7 +21,10 @@ template <int d>
 class Walk {
   public:
     Walk(const Cells<d>& cells, std::span<const Coordinates<d>> vertices)
-        : cells_(cells), vertices_(vertices), stride_(1 + vertices.size() / static_cast<std::size_t>(3 + std::cbrt(static_cast<double>(vertices.size())))) {}
+        : cells_(cells),
+          vertices_(vertices),
+          stride_(1 + vertices.size() / static_cast<std::size_t>(3 + std::cbrt(static_cast<double>(vertices.size())))) {
+    }
 
     [[nodiscard]] Index find(const Coordinates<d>& p) {
         if (cells_.simplices.vertices.empty() || !in_domain(p)) return -1;  // every vertex is in the domain
@@ -95,13 +98,15 @@ class Walk {
 }  // namespace
 
 template <int d>
-void find_simplices(const Cells<d>& cells, std::span<const Coordinates<d>> vertices, std::span<const Coordinates<d>> points,
-                    std::span<Index> out) {
+void find_simplices(const Cells<d>& cells, std::span<const Coordinates<d>> vertices,
+                    std::span<const Coordinates<d>> points, std::span<Index> out) {
     Walk<d> walk(cells, vertices);
     for (std::size_t k = 0; k < points.size(); ++k) out[k] = walk.find(points[k]);
 }
 
-template void find_simplices(const Cells<2>&, std::span<const Coordinates<2>>, std::span<const Coordinates<2>>, std::span<Index>);
-template void find_simplices(const Cells<3>&, std::span<const Coordinates<3>>, std::span<const Coordinates<3>>, std::span<Index>);
+template void find_simplices(const Cells<2>&, std::span<const Coordinates<2>>, std::span<const Coordinates<2>>,
+                             std::span<Index>);
+template void find_simplices(const Cells<3>&, std::span<const Coordinates<3>>, std::span<const Coordinates<3>>,
+                             std::span<Index>);
 
 }  // namespace annulus::python

@@ -35,7 +35,8 @@ inline bool goes_on(const py::object& callback, const History& history) {
 }
 
 inline void require_iterations(std::int64_t iterations) {
-    if (iterations < 0) throw Error(Error_code::usage, "iterations must be 0 or more, not " + std::to_string(iterations));
+    if (iterations < 0)
+        throw Error(Error_code::usage, "iterations must be 0 or more, not " + std::to_string(iterations));
 }
 
 }  // namespace annulus::python

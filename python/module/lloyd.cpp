@@ -24,7 +24,8 @@ std::optional<Domain_2> domain_of(const py::object& domain, double radius) {
         const auto name = domain.cast<std::string>();
         if (name == "disc") return Domain_2::disc(radius);
         if (name == "square") return Domain_2::square(radius);
-        throw Error(Error_code::usage, "domain '" + name + "' is none; there are disc, square, and the corners of a convex polygon");
+        throw Error(Error_code::usage,
+                    "domain '" + name + "' is none; there are disc, square, and the corners of a convex polygon");
     }
     const Points_in<2> corners(domain, "domain");
     std::vector<Coordinates<2>> c(corners.span().begin(), corners.span().end());
@@ -57,8 +58,8 @@ void read_stars(const Moving_delaunay_2& dt, Stars_2& stars) {
 }
 
 /// Without the GIL. `points` goes from where the vertices begin to where they end.
-void iterate(const Domain_2& domain, Density density, std::int64_t iterations, const Options& options, const py::object& callback,
-             std::vector<Coordinates<2>>& points, History& history) {
+void iterate(const Domain_2& domain, Density density, std::int64_t iterations, const Options& options,
+             const py::object& callback, std::vector<Coordinates<2>>& points, History& history) {
     Moving_delaunay_2 dt{std::span<const Coordinates<2>>(points), options};
     points.assign(dt.positions().begin(), dt.positions().end());  // fewer where some were merged
     const Lloyd_2 lloyd(domain, density, options.threads);
@@ -75,8 +76,9 @@ void iterate(const Domain_2& domain, Density density, std::int64_t iterations, c
     }
 }
 
-py::tuple run(const py::object& points, const std::string& density_name, const py::object& domain_object, std::optional<double> radius_given,
-              std::int64_t iterations, const Options& options, std::uint64_t seed, const py::object& callback) {
+py::tuple run(const py::object& points, const std::string& density_name, const py::object& domain_object,
+              std::optional<double> radius_given, std::int64_t iterations, const Options& options, std::uint64_t seed,
+              const py::object& callback) {
     require_iterations(iterations);
     const Density density = parse_density(density_name);
     const double radius = radius_given.value_or(density == Density::sin2 ? 2 * std::numbers::pi : 1.0);
@@ -85,7 +87,8 @@ py::tuple run(const py::object& points, const std::string& density_name, const p
     if (PyIndex_Check(points.ptr()) != 0 && !py::isinstance<py::array>(points)) {  // how many
         const Py_ssize_t n = PyNumber_AsSsize_t(points.ptr(), PyExc_OverflowError);
         if (n == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
-        if (n < 3 || n > 100'000'000) throw Error(Error_code::usage, "there can be 3 to 100000000 points, not " + std::to_string(n));
+        if (n < 3 || n > 100'000'000)
+            throw Error(Error_code::usage, "there can be 3 to 100000000 points, not " + std::to_string(n));
         if (!domain) domain = Domain_2::disc(radius);
         const py::gil_scoped_release without_gil;
         x = sample(*domain, density, static_cast<std::size_t>(n), seed);

@@ -27,7 +27,8 @@ Moving_mesh<d> mesh_of(std::span<const Coordinates<d>> points, const Options& op
 
 /// The same with somebody at every vacant index, at a place where nobody is.
 template <int d>
-Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vector<Index>& vacant, const Options& options) {
+Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vector<Index>& vacant,
+                         const Options& options) {
     const py::gil_scoped_release without_gil;
     std::vector<Coordinates<d>> x(points.begin(), points.end());
     for (const Index i : vacant) x.at(at(i)) = {};
@@ -48,7 +49,8 @@ Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vect
 }  // namespace
 
 template <int d>
-Mesh<d>::Mesh(const Points_in<d>& points, const Options& options) : options_(options), mesh_(mesh_of<d>(points.span(), options)) {}
+Mesh<d>::Mesh(const Points_in<d>& points, const Options& options)
+    : options_(options), mesh_(mesh_of<d>(points.span(), options)) {}
 
 template <int d>
 Mesh<d>::Mesh(const Points_in<d>& points, std::vector<Index> vacant, const Options& options)
@@ -72,7 +74,8 @@ Move_report Mesh<d>::changing(Call call) {
             throw;
         }
         points_.reset();
-        if (report.flips > 0 || !report.changed.empty() || report.moves.within_tolerance + report.moves.kept_in_place != report.moves.asked) {
+        if (report.flips > 0 || !report.changed.empty() ||
+            report.moves.within_tolerance + report.moves.kept_in_place != report.moves.asked) {
             cells_.reset();
             adjacency_.reset();
         }
@@ -105,7 +108,8 @@ void Mesh<d>::require_free(std::span<const Point> points) const {
     for (const Point& p : points) require_in_domain(p);
     if (points.size() < 2) return;  // the mesh finds out itself, at less
     const Point_set<d> fresh(points);
-    if (fresh.size() < points.size()) throw Error(Error_code::collision, "two of the points to be inserted are at one place");
+    if (fresh.size() < points.size())
+        throw Error(Error_code::collision, "two of the points to be inserted are at one place");
     const auto x = mesh_.points();
     for (std::size_t i = 0; i < x.size(); ++i)
         if (mesh_.is_vertex(static_cast<Index>(i)) && fresh.has(x[i]))
@@ -152,9 +156,9 @@ void Mesh<d>::remove(const std::vector<Index>& indices) {
         std::sort(once.begin(), once.end());
         for (std::size_t k = 0; k < once.size(); ++k)
             if (!mesh_.is_vertex(once[k]) || (k > 0 && once[k] == once[k - 1]))
-                throw Error(Error_code::unknown_vertex, mesh_.is_vertex(once[k])
-                                                            ? "vertex " + std::to_string(once[k]) + " is to be removed twice"
-                                                            : "no vertex has index " + std::to_string(once[k]));
+                throw Error(Error_code::unknown_vertex,
+                            mesh_.is_vertex(once[k]) ? "vertex " + std::to_string(once[k]) + " is to be removed twice"
+                                                     : "no vertex has index " + std::to_string(once[k]));
         vacant_.reserve(vacant_.size() + indices.size());
         for (const Index i : indices) remove_one(i);
         cells_.reset();

@@ -131,23 +131,23 @@ Strategy Mesh<d>::strategy() const {
     return locked([this] { return mesh_.strategy(); });
 }
 
-#define ANNULUS_READINGS(d)                                                        \
-    template py::array Mesh<d>::points();                                          \
-    template py::array Mesh<d>::is_vertex() const;                                 \
-    template std::vector<Index> Mesh<d>::vacant() const;                           \
-    template std::vector<Index> Mesh<d>::index_of_input() const;                   \
-    template std::shared_ptr<const Cells<d>> Mesh<d>::kept_cells();                \
-    template std::shared_ptr<const Cells<d>> Mesh<d>::cells();                     \
-    template std::shared_ptr<const Adjacency> Mesh<d>::adjacency();                \
-    template std::vector<Index> Mesh<d>::find(const Points_in<d>&);                \
-    template std::vector<double> Mesh<d>::tolerances() const;                      \
-    template std::vector<double> Mesh<d>::thetas() const;                          \
-    template std::vector<double> Mesh<d>::displacements() const;                   \
-    template std::vector<double> Mesh<d>::voronoi_volumes();                       \
-    template Audit_result Mesh<d>::audit() const;                                  \
-    template std::size_t Mesh<d>::vertices() const;                                \
-    template std::size_t Mesh<d>::index_bound() const;                             \
-    template int Mesh<d>::dimension() const;                                       \
+#define ANNULUS_READINGS(d)                                         \
+    template py::array Mesh<d>::points();                           \
+    template py::array Mesh<d>::is_vertex() const;                  \
+    template std::vector<Index> Mesh<d>::vacant() const;            \
+    template std::vector<Index> Mesh<d>::index_of_input() const;    \
+    template std::shared_ptr<const Cells<d>> Mesh<d>::kept_cells(); \
+    template std::shared_ptr<const Cells<d>> Mesh<d>::cells();      \
+    template std::shared_ptr<const Adjacency> Mesh<d>::adjacency(); \
+    template std::vector<Index> Mesh<d>::find(const Points_in<d>&); \
+    template std::vector<double> Mesh<d>::tolerances() const;       \
+    template std::vector<double> Mesh<d>::thetas() const;           \
+    template std::vector<double> Mesh<d>::displacements() const;    \
+    template std::vector<double> Mesh<d>::voronoi_volumes();        \
+    template Audit_result Mesh<d>::audit() const;                   \
+    template std::size_t Mesh<d>::vertices() const;                 \
+    template std::size_t Mesh<d>::index_bound() const;              \
+    template int Mesh<d>::dimension() const;                        \
     template Strategy Mesh<d>::strategy() const;
 ANNULUS_READINGS(2)
 ANNULUS_READINGS(3)

@@ -11,8 +11,8 @@ namespace annulus::python {
 namespace {
 
 py::tuple audit_tuple(const Audit_result& a) {
-    return py::make_tuple(a.delaunay(), a.inverted_cells, a.violated_facets, a.concave_ridges, a.topological_faults, a.degenerate_facets,
-                          a.first_fault);
+    return py::make_tuple(a.delaunay(), a.inverted_cells, a.violated_facets, a.concave_ridges, a.topological_faults,
+                          a.degenerate_facets, a.first_fault);
 }
 
 /// SciPy's find_simplex takes points of any shape (.., d).
@@ -36,9 +36,12 @@ py::array flat_simplices(Mesh<d>& mesh) {
 template <int d>
 void add_mesh(py::module_& m, const char* name) {
     using M = Mesh<d>;
-    const auto report = [](const M& mesh, Move_report r) { return Report(std::move(r), d, mesh.options().report_changes); };
+    const auto report = [](const M& mesh, Move_report r) {
+        return Report(std::move(r), d, mesh.options().report_changes);
+    };
     py::class_<M>(m, name)
-        .def(py::init([](const py::object& points, const Options& o) { return std::make_unique<M>(Points_in<d>(points), o); }))
+        .def(py::init(
+            [](const py::object& points, const Options& o) { return std::make_unique<M>(Points_in<d>(points), o); }))
         .def(py::init([](const py::object& points, const py::object& vacant, const Options& o) {
             return std::make_unique<M>(Points_in<d>(points), indices_of(vacant), o);
         }))
@@ -57,33 +60,40 @@ void add_mesh(py::module_& m, const char* name) {
         .def_property_readonly("is_vertex", &M::is_vertex)
         .def_property_readonly("vacant", [](const M& mesh) { return give(mesh.vacant()); })
         .def_property_readonly("index_of_input", [](const M& mesh) { return give(mesh.index_of_input()); })
-        .def_property_readonly("simplices", [](M& mesh) {
-            const auto cells = mesh.cells();
-            return view_rows(cells->simplices.vertices, cells);
-        })
-        .def_property_readonly("neighbors", [](M& mesh) {
-            const auto cells = mesh.cells();
-            return view_rows(cells->simplices.neighbours, cells);
-        })
+        .def_property_readonly("simplices",
+                               [](M& mesh) {
+                                   const auto cells = mesh.cells();
+                                   return view_rows(cells->simplices.vertices, cells);
+                               })
+        .def_property_readonly("neighbors",
+                               [](M& mesh) {
+                                   const auto cells = mesh.cells();
+                                   return view_rows(cells->simplices.neighbours, cells);
+                               })
         .def_property_readonly("flat_simplices", &flat_simplices<d>)
-        .def_property_readonly("vertex_to_simplex", [](M& mesh) {
-            const auto cells = mesh.cells();
-            return view<Index>(cells->simplex_of.data(), {static_cast<py::ssize_t>(cells->simplex_of.size())}, cells);
-        })
-        .def_property_readonly("convex_hull", [](M& mesh) {
-            const auto cells = mesh.cells();
-            std::vector<std::array<Index, static_cast<std::size_t>(d)>> hull;
-            {
-                const py::gil_scoped_release without_gil;
-                hull = hull_of(*cells);
-            }
-            return give_rows(std::move(hull));
-        })
-        .def_property_readonly("vertex_neighbor_vertices", [](M& mesh) {
-            const auto a = mesh.adjacency();
-            return py::make_tuple(view<Index>(a->begin.data(), {static_cast<py::ssize_t>(a->begin.size())}, a),
-                                  view<Index>(a->index.data(), {static_cast<py::ssize_t>(a->index.size())}, a));
-        })
+        .def_property_readonly("vertex_to_simplex",
+                               [](M& mesh) {
+                                   const auto cells = mesh.cells();
+                                   return view<Index>(cells->simplex_of.data(),
+                                                      {static_cast<py::ssize_t>(cells->simplex_of.size())}, cells);
+                               })
+        .def_property_readonly("convex_hull",
+                               [](M& mesh) {
+                                   const auto cells = mesh.cells();
+                                   std::vector<std::array<Index, static_cast<std::size_t>(d)>> hull;
+                                   {
+                                       const py::gil_scoped_release without_gil;
+                                       hull = hull_of(*cells);
+                                   }
+                                   return give_rows(std::move(hull));
+                               })
+        .def_property_readonly("vertex_neighbor_vertices",
+                               [](M& mesh) {
+                                   const auto a = mesh.adjacency();
+                                   return py::make_tuple(
+                                       view<Index>(a->begin.data(), {static_cast<py::ssize_t>(a->begin.size())}, a),
+                                       view<Index>(a->index.data(), {static_cast<py::ssize_t>(a->index.size())}, a));
+                               })
         .def_property_readonly("tolerances", [](const M& mesh) { return give(mesh.tolerances()); })
         .def_property_readonly("theta", [](const M& mesh) { return give(mesh.thetas()); })
         .def_property_readonly("displacements", [](const M& mesh) { return give(mesh.displacements()); })

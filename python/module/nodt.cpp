@@ -21,7 +21,8 @@ namespace {
 
 /// A closed surface: points, and triangles that turn left seen from outside, or all of them right.
 Triangle_surface surface_from(const py::object& object) {
-    if (!py::isinstance<py::sequence>(object)) throw py::type_error("a surface is \"sphere\", a file, or a pair: points and triangles");
+    if (!py::isinstance<py::sequence>(object))
+        throw py::type_error("a surface is \"sphere\", a file, or a pair: points and triangles");
     const auto pair = py::reinterpret_borrow<py::sequence>(object);
     if (pair.size() != 2) throw Error(Error_code::wrong_size, "a surface is a pair: points and triangles");
     const Points_in<3> points(pair[0]);
@@ -35,7 +36,8 @@ Triangle_surface surface_from(const py::object& object) {
         for (py::ssize_t i = 0; i < 3; ++i) {
             const std::int64_t v = triangles.at(k, i);
             if (v < 0 || static_cast<std::size_t>(v) >= s.points.size())
-                throw Error(Error_code::unknown_vertex, "triangle " + std::to_string(k) + " names point " + std::to_string(v));
+                throw Error(Error_code::unknown_vertex,
+                            "triangle " + std::to_string(k) + " names point " + std::to_string(v));
             t[static_cast<std::size_t>(i)] = static_cast<Index>(v);
         }
     }
@@ -80,8 +82,9 @@ struct Mesh_of_domain {
 };
 
 /// Without the GIL.
-Mesh_of_domain iterate(const Domain_3& domain, std::size_t vertices, double gradation, std::optional<double> lock, std::int64_t iterations,
-                       const Options& options, std::uint64_t seed, const py::object& callback, History& history) {
+Mesh_of_domain iterate(const Domain_3& domain, std::size_t vertices, double gradation, std::optional<double> lock,
+                       std::int64_t iterations, const Options& options, std::uint64_t seed, const py::object& callback,
+                       History& history) {
     const Sizing_3 sizing(domain, gradation);
     Mesh_of_domain out;
     {
@@ -108,8 +111,9 @@ Mesh_of_domain iterate(const Domain_3& domain, std::size_t vertices, double grad
     return out;
 }
 
-py::tuple run(const py::object& surface, std::int64_t vertices, double gradation, std::optional<double> lock, bool allow_crossing,
-              std::int64_t iterations, const Options& options, std::uint64_t seed, const py::object& callback) {
+py::tuple run(const py::object& surface, std::int64_t vertices, double gradation, std::optional<double> lock,
+              bool allow_crossing, std::int64_t iterations, const Options& options, std::uint64_t seed,
+              const py::object& callback) {
     require_iterations(iterations);
     if (vertices < 4 || vertices > 10'000'000)
         throw Error(Error_code::usage, "there can be 4 to 10000000 vertices, not " + std::to_string(vertices));
@@ -119,11 +123,13 @@ py::tuple run(const py::object& surface, std::int64_t vertices, double gradation
     Mesh_of_domain mesh;
     {
         const py::gil_scoped_release without_gil;
-        mesh = iterate(*domain, static_cast<std::size_t>(vertices), gradation, lock, iterations, options, seed, callback, history);
+        mesh = iterate(*domain, static_cast<std::size_t>(vertices), gradation, lock, iterations, options, seed,
+                       callback, history);
     }
     std::vector<std::uint8_t> on_surface(mesh.on_surface.begin(), mesh.on_surface.end());
-    return py::make_tuple(give_rows(std::move(mesh.points)), give_rows(std::move(mesh.cells)), give(std::move(on_surface)).attr("astype")("bool"),
-                          give(std::move(history.mean)), give(std::move(history.max)), Report(std::move(history.total), 3, false));
+    return py::make_tuple(give_rows(std::move(mesh.points)), give_rows(std::move(mesh.cells)),
+                          give(std::move(on_surface)).attr("astype")("bool"), give(std::move(history.mean)),
+                          give(std::move(history.max)), Report(std::move(history.total), 3, false));
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ T chosen(const char* what, std::optional<T> value, const std::string& name, cons
 
 }  // namespace
 
-Options options_of(const std::string& strategy, const std::string& tolerance, const std::string& second_look, int threads,
-                   bool merge_duplicates, bool report_changes, std::uint64_t seed) {
+Options options_of(const std::string& strategy, const std::string& tolerance, const std::string& second_look,
+                   int threads, bool merge_duplicates, bool report_changes, std::uint64_t seed) {
     Options o;
     o.strategy = chosen("strategy", strategy_named(strategy), strategy,
                         "auto, filter, filter-each, in-place, rebuild, relocate, relocate-flips and hybrid");

@@ -35,16 +35,14 @@ constexpr Field fields[] = {
      [](Move_report& r) -> std::uint64_t& { return r.arithmetic.interval; }},
     {"exact", "int: certificates decided in integers.",
      [](Move_report& r) -> std::uint64_t& { return r.arithmetic.exact; }},
-    {"evaluated", "int: certificates evaluated.",
-     [](Move_report& r) -> std::uint64_t& { return r.evaluated; }},
+    {"evaluated", "int: certificates evaluated.", [](Move_report& r) -> std::uint64_t& { return r.evaluated; }},
     {"renewed", "int: expired certificates that a second look proved without evaluation.",
      [](Move_report& r) -> std::uint64_t& { return r.renewed; }},
     {"tours", "int: vertices all of whose certificates had to be looked at.",
      [](Move_report& r) -> std::uint64_t& { return r.tours; }},
     {"requeued", "int: vertices whose reference another vertex renewed (filter-each).",
      [](Move_report& r) -> std::uint64_t& { return r.requeued; }},
-    {"flips", "int: flips that stand.",
-     [](Move_report& r) -> std::uint64_t& { return r.flips; }},
+    {"flips", "int: flips that stand.", [](Move_report& r) -> std::uint64_t& { return r.flips; }},
     {"undone_flips", "int: flips taken back because they led nowhere.",
      [](Move_report& r) -> std::uint64_t& { return r.undone_flips; }},
     {"tolerance_steps", "int: timestamps that began with the tolerances.",
@@ -57,7 +55,9 @@ constexpr Field fields[] = {
      [](Move_report& r) -> std::uint64_t& { return r.settlings; }},
 };
 
-std::uint64_t value(const Field& field, const Move_report& report) { return field.of(const_cast<Move_report&>(report)); }
+std::uint64_t value(const Field& field, const Move_report& report) {
+    return field.of(const_cast<Move_report&>(report));
+}
 
 }  // namespace
 
@@ -110,7 +110,8 @@ Report Report::of_state(const py::tuple& state) {
     const bool lists_changes = !state[2].is_none();
     if (lists_changes) {
         const py::array_t<Index, c_array> changed(state[2].cast<py::object>());
-        if (changed.ndim() != 2 || changed.shape(1) != d + 1) throw Error(Error_code::bad_input, "this is not the state of a report");
+        if (changed.ndim() != 2 || changed.shape(1) != d + 1)
+            throw Error(Error_code::bad_input, "this is not the state of a report");
         r.changed.assign(changed.data(), changed.data() + changed.size());
     }
     return {std::move(r), d, lists_changes};
@@ -121,12 +122,15 @@ void add_report(py::module_& m) {
 
 Counts, and the simplices that may be new. `repr` shows the counts that are not 0, `as_dict` has all of them.)");
     for (const Field& f : fields)
-        report.def_property_readonly(f.name, [&f](const Report& r) { return value(f, r.numbers()); }, f.doc);
+        report.def_property_readonly(
+            f.name, [&f](const Report& r) { return value(f, r.numbers()); }, f.doc);
     report
-        .def_property_readonly("price", [](const Report& r) { return r.numbers().price; },
-                               "float: what it cost, in simplices looked at, by prices that were measured.")
-        .def_property_readonly("changed_simplices", &Report::changed_simplices,
-                               R"(ndarray of int32, shape (m, d + 1): simplices that may be new, as rows of vertex indices, positively oriented; read-only.
+        .def_property_readonly(
+            "price", [](const Report& r) { return r.numbers().price; },
+            "float: what it cost, in simplices looked at, by prices that were measured.")
+        .def_property_readonly(
+            "changed_simplices", &Report::changed_simplices,
+            R"(ndarray of int32, shape (m, d + 1): simplices that may be new, as rows of vertex indices, positively oriented; read-only.
 
 Under ``auto``, ``filter`` and ``filter-each`` those that changed, and all after a rebuild; under other strategies all, whatever changed. Where vertices go one
 after another some may be gone again. None with ``report_changes=False``; points that span no space have no simplices.)")

@@ -14,7 +14,7 @@ struct Counterexample {
     double paper;      ///< least half width of the standard annuli, plain double
     double theta;      ///< least theta of the facets
     Verdict certified;
-    double exact;  ///< the largest double that is not above the tolerance
+    double exact;                               ///< the largest double that is not above the tolerance
     bool three_before, three_after, two_after;  ///< whether three cells around a b, or two at p q r, are Delaunay
 };
 
