@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Delaunay triangulations of moving points, certified after every move.
 
-`MovingDelaunay` keeps the triangulation of points of the plane or of space right while they move, and proves it. Names are those of
-`scipy.spatial.Delaunay` where SciPy has one. `degeneracy`, `counterexample`, `lloyd` and `nodt` are the subcommands of the tool as
-functions. Everything that is computed is computed by the C++ library of the same name.
+`MovingDelaunay` keeps the triangulation of points of the plane or of space right while they move, and proves
+it. Names are those of `scipy.spatial.Delaunay` where SciPy has one. `degeneracy`, `counterexample`, `lloyd`
+and `nodt` are the subcommands of the tool as functions. Everything that is computed is computed by the C++
+library of the same name.
 """
 
 from ._core import MoveReport

@@ -25,8 +25,8 @@ class Error(ValueError):
         ``unknown_vertex``
             an index that names no vertex
         ``environment``
-            the floating-point unit is not in the state that the proofs assume: another module has set it to flush subnormal
-            numbers, or to another rounding
+            the floating-point unit is not in the state that the proofs assume: another module has set it to
+            flush subnormal numbers, or to another rounding
         ``usage``
             options that do not fit together, or do not exist
         ``too_large``

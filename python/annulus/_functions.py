@@ -48,8 +48,8 @@ def degeneracy(points: ArrayLike, merge_duplicates: bool = False) -> dict[str, t
     Returns
     -------
     dict
-        The content of ``degeneracy.json`` as ``annulus degeneracy`` writes it: widths in mean spacings, and None for what points on a line
-        or in a plane do not have. ``file`` is empty.
+        The content of ``degeneracy.json`` as ``annulus degeneracy`` writes it: widths in mean spacings, and
+        None for what points on a line or in a plane do not have. ``file`` is empty.
     """
     return _core.degeneracy(points, bool(merge_duplicates))
 
@@ -82,21 +82,25 @@ def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one
     iterations : int, optional
         How many.
     density : str, optional
-        Under which centroids are taken: ``one``, ``x2+y2``, ``x2`` or ``sin2`` (of the distance from the origin, in radians).
+        Under which centroids are taken: ``one``, ``x2+y2``, ``x2`` or ``sin2`` (of the distance from the
+        origin, in radians).
     domain : str or array_like, shape (m, 2), optional
-        To which cells are cut: ``disc``, ``square`` or the corners of a convex polygon, in order. Without it the disc for points that are sampled, the convex hull for
-        those that are given.
+        To which cells are cut: ``disc``, ``square`` or the corners of a convex polygon, in order. Without it
+        the disc for points that are sampled, the convex hull for those that are given.
     radius : float, optional
         Of the disc, or half the side of the square: 1, or 2 pi for ``sin2``.
     strategy, tolerance, merge_duplicates, threads, seed
-        As for `MovingDelaunay`; the seed is of the sample too. The result does not depend on ``threads``, nor on certified strategies.
+        As for `MovingDelaunay`; the seed is of the sample too. The result does not depend on ``threads``, nor
+        on certified strategies.
     callback : callable, optional
-        ``callback(step, mean_displacement, max_displacement)`` is called after each step, counted from 1; what it returns ends the iterations if it is true.
+        ``callback(step, mean_displacement, max_displacement)`` is called after each step, counted from 1;
+        what it returns ends the iterations if it is true.
 
     Returns
     -------
     LloydResult
-        ``points`` (n, 2); ``mean_displacement`` and ``max_displacement`` by step, in the unit of the points; ``report``, the sum of the steps' reports.
+        ``points`` (n, 2); ``mean_displacement`` and ``max_displacement`` by step, in the unit of the points;
+        ``report``, the sum of the steps' reports.
 
     Raises
     ------
@@ -119,14 +123,15 @@ def nodt(surface: str | os.PathLike[str] | tuple[ArrayLike, ArrayLike], vertices
     Parameters
     ----------
     surface : str, path or pair of array_like
-        ``"sphere"``, the unit sphere; a .off, .obj, .ply or .stl file; or points (n, 3) and triangles (m, 3) that meet in common corners and
-        edges, and turn the same way seen from outside.
+        ``"sphere"``, the unit sphere; a .off, .obj, .ply or .stl file; or points (n, 3) and triangles (m, 3)
+        that meet in common corners and edges, and turn the same way seen from outside.
     vertices : int
         About how many: the size of cells is searched for.
     iterations : int, optional
         How many.
     gradation : float, optional
-        Edges grow with the distance from the surface, to 1 + `gradation` times as long at the depth of the ball of the same volume.
+        Edges grow with the distance from the surface, to 1 + `gradation` times as long at the depth of the
+        ball of the same volume.
     lock : float, optional
         A vertex rests while all dihedral angles of its cells are between this and 180 less it, in degrees.
     allow_crossing : bool, optional
@@ -137,13 +142,15 @@ def nodt(surface: str | os.PathLike[str] | tuple[ArrayLike, ArrayLike], vertices
     Returns
     -------
     NodtResult
-        ``points`` (n, 3); ``simplices`` (m, 4), the cells of the domain, positively oriented; ``on_surface`` (n,), the vertices that were on the surface
-        in the first mesh, which stay on it; displacements by step; ``report``, the sum of the steps' reports.
+        ``points`` (n, 3); ``simplices`` (m, 4), the cells of the domain, positively oriented; ``on_surface``
+        (n,), the vertices that were on the surface in the first mesh, which stay on it; displacements by
+        step; ``report``, the sum of the steps' reports.
 
     Raises
     ------
     Error
-        ``usage``, ``bad_input`` for a surface that is none, ``too_few`` where no mesh of so many vertices was found, and others.
+        ``usage``, ``bad_input`` for a surface that is none, ``too_few`` where no mesh of so many vertices was
+        found, and others.
 
     Notes
     -----

@@ -20,22 +20,25 @@ if typing.TYPE_CHECKING:
 class MovingDelaunay(Readings):
     """A Delaunay triangulation that is kept right while its vertices move.
 
-    After every call, with ``tolerance="certified"``, the simplices are a Delaunay triangulation of the points where they are now. That is
-    proved in every step, by tolerances within which nothing can change and by exact signs where a tolerance does not tell.
+    After every call, with ``tolerance="certified"``, the simplices are a Delaunay triangulation of the points
+    where they are now. That is proved in every step, by tolerances within which nothing can change and by
+    exact signs where a tolerance does not tell.
 
     Parameters
     ----------
     points : array_like, shape (n, 2) or (n, 3)
-        Positions, in any unit of length. float32 and integers up to 2**53 are taken exactly; what would have to be rounded to float64 (long
-        doubles) is a `TypeError`. float64 in C order is read where it is. There may be any number of points, also fewer than d + 1, and
-        they may lie on a line or in a plane.
+        Positions, in any unit of length. float32 and integers up to 2**53 are taken exactly; what would have
+        to be rounded to float64 (long doubles) is a `TypeError`. float64 in C order is read where it is.
+        There may be any number of points, also fewer than d + 1, and they may lie on a line or in a plane.
     strategy : str, optional
-        How the triangulation is kept right: ``auto`` (the cheapest of tolerances, signs with flips, and rebuilding, as counts tell),
-        ``filter``, ``filter-each``, ``in-place``, ``rebuild``, ``relocate``, ``relocate-flips`` or ``hybrid``.
+        How the triangulation is kept right: ``auto`` (the cheapest of tolerances, signs with flips, and
+        rebuilding, as counts tell), ``filter``, ``filter-each``, ``in-place``, ``rebuild``, ``relocate``,
+        ``relocate-flips`` or ``hybrid``.
     tolerance : str, optional
         ``certified``, a proved lower bound; ``paper`` and ``floating`` are uncertified, for comparison.
     merge_duplicates : bool, optional
-        Equal points become one vertex (see `index_of_input`). Without it they are an `Error` with the code ``collision``.
+        Equal points become one vertex (see `index_of_input`). Without it they are an `Error` with the code
+        ``collision``.
     threads : int, optional
         How many may work on what is parallel. Results do not depend on it.
     second_look : str, optional
@@ -48,24 +51,28 @@ class MovingDelaunay(Readings):
     Raises
     ------
     Error
-        With the codes ``wrong_size``, ``not_finite``, ``out_of_domain``, ``collision``, ``too_large``, ``usage``, ``environment``.
+        With the codes ``wrong_size``, ``not_finite``, ``out_of_domain``, ``collision``, ``too_large``,
+        ``usage``, ``environment``.
 
     Notes
-    -----
-    **Indices.** Vertices have the index of their row in `points`. `remove` leaves an index vacant, `insert` takes those that are vacant, the
-    one vacated last first, and then new ones. At vacant indices every array of numbers by vertex (`points`, `tolerances`, `theta`,
-    `displacements`, `voronoi_volumes`) is NaN, `vertex_to_simplex` is -1, the list of neighbours is empty, and no simplex names them. `move` takes
-    a row for them all the same and ignores it.
+    ----- **Indices.** Vertices have the index of their row in `points`. `remove` leaves an index vacant,
+    `insert` takes those that are vacant, the one vacated last first, and then new ones. At vacant indices
+    every array of numbers by vertex (`points`, `tolerances`, `theta`, `displacements`, `voronoi_volumes`) is
+    NaN, `vertex_to_simplex` is -1, the list of neighbours is empty, and no simplex names them. `move` takes a
+    row for them all the same and ignores it.
 
-    **Arrays.** `points`, `simplices`, `neighbors`, `flat_simplices`, `vertex_to_simplex`, `vertex_neighbor_vertices` are read-only arrays that show one
-    moment: they stay as they are when vertices move, and when the triangulation is gone. They are copied once after a change, when they are asked for;
+    **Arrays.** `points`, `simplices`, `neighbors`, `flat_simplices`, `vertex_to_simplex`,
+    `vertex_neighbor_vertices` are read-only arrays that show one moment: they stay as they are when vertices
+    move, and when the triangulation is gone. They are copied once after a change, when they are asked for;
     asking again costs nothing.
 
-    **Threads.** The GIL is released while something is computed; calls on one object from several threads take turns. Do not write in an
-    array while another thread has it as an argument of a call. A signal (Ctrl-C) is seen after the call.
+    **Threads.** The GIL is released while something is computed; calls on one object from several threads
+    take turns. Do not write in an array while another thread has it as an argument of a call. A signal
+    (Ctrl-C) is seen after the call.
 
-    **Processes.** A child of `os.fork` may go on with its copy, with ``threads=1``, unless another thread was in a call on the object when it was forked.
-    Pickling keeps positions, indices and options; tolerances are fresh then, and where d + 2 points are cocircular or cospherical the simplices are those of a rebuild.
+    **Processes.** A child of `os.fork` may go on with its copy, with ``threads=1``, unless another thread was
+    in a call on the object when it was forked. Pickling keeps positions, indices and options; tolerances are
+    fresh then, and where d + 2 points are cocircular or cospherical the simplices are those of a rebuild.
 
     Examples
     --------
@@ -114,8 +121,8 @@ class MovingDelaunay(Readings):
         Raises
         ------
         Error
-            ``collision`` where two vertices would be at one place, ``wrong_size``, ``unknown_vertex``, ``not_finite``, ``out_of_domain``; nobody has
-            moved then.
+            ``collision`` where two vertices would be at one place, ``wrong_size``, ``unknown_vertex``,
+            ``not_finite``, ``out_of_domain``; nobody has moved then.
         """
         return self._mesh.move(points, indices)
 
@@ -134,12 +141,13 @@ class MovingDelaunay(Readings):
         Raises
         ------
         Error
-            ``collision`` where a vertex is (`merge_duplicates` does not apply here), ``wrong_size``, ``not_finite``, ``out_of_domain``, ``too_large``.
+            ``collision`` where a vertex is (`merge_duplicates` does not apply here), ``wrong_size``,
+            ``not_finite``, ``out_of_domain``, ``too_large``.
 
         Notes
-        -----
-        O(log n) expected for each; more than one at once are first compared with all positions, which takes O(n). When memory runs out half way, those that were
-        inserted are taken out again, and there may be more vacant indices than before.
+        ----- O(log n) expected for each; more than one at once are first compared with all positions, which
+        takes O(n). When memory runs out half way, those that were inserted are taken out again, and there may
+        be more vacant indices than before.
         """
         return self._mesh.insert(points)
 

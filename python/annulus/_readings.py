@@ -46,8 +46,9 @@ class Readings:
     def simplices(self) -> Indices:
         """ndarray of int32, shape (nsimplex, d + 1): vertices of the simplices, positively oriented.
 
-        Counter-clockwise in the plane; in space the determinant of the differences from the first vertex is positive. None, shape (0, d + 1), where the points do not span the plane or
-        space: see `flat_simplices`. Their order has no meaning and changes.
+        Counter-clockwise in the plane; in space the determinant of the differences from the first vertex is
+        positive. None, shape (0, d + 1), where the points do not span the plane or space: see
+        `flat_simplices`. Their order has no meaning and changes.
         """
         return self._mesh.simplices
 
@@ -83,8 +84,10 @@ class Readings:
     def tolerances(self) -> Floats:
         """ndarray of float64, shape (npoints,): how far each vertex may be from where its tolerance is measured, in the unit of the points.
 
-        While every vertex is within its own, the triangulation is Delaunay; with ``tolerance="certified"`` these are proved lower bounds. While no tolerances are
-        kept (``auto`` decides when), the least tolerance of the certificates of each vertex. 0 where the points do not span the space, NaN at vacant indices.
+        While every vertex is within its own, the triangulation is Delaunay; with ``tolerance="certified"``
+        these are proved lower bounds. While no tolerances are kept (``auto`` decides when), the least
+        tolerance of the certificates of each vertex. 0 where the points do not span the space, NaN at vacant
+        indices.
         """
         return self._mesh.tolerances
 
@@ -121,7 +124,8 @@ class Readings:
         Returns
         -------
         ndarray of int32, shape (...)
-            Rows of `simplices`; -1 outside of the convex hull and for NaN. A point on a facet is in either of its simplices.
+            Rows of `simplices`; -1 outside of the convex hull and for NaN. A point on a facet is in either of
+            its simplices.
         """
         return self._mesh.find_simplex(xi)
 
