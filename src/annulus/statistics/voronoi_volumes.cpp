@@ -195,7 +195,7 @@ class Voronoi_volumes {
                 continue;
             }
             ++counts.bounded;
-            if (error_[v] <= good * volume_[v])  // false for what is no number
+            if (error_[v] < good * volume_[v])  // false for what is no number, and for what has overflowed
                 volume_[v] = std::min(std::ldexp(volume_[v], d * exponent_), std::numeric_limits<double>::max());
             else poor.push_back(static_cast<Index>(v));
         }
@@ -204,8 +204,8 @@ class Voronoi_volumes {
     }
 
     void compute_exactly(std::span<const Index> poor) {
-        std::vector<std::size_t> end(x_.size(),
-                                     0);  // of the cells around a vertex, among all of these; then their beginning
+        // Where the cells around a vertex end, among those around all of these; then where they begin.
+        std::vector<std::size_t> end(x_.size(), 0);
         std::vector<char> wanted(x_.size(), 0);
         for (const Index v : poor) wanted[at(v)] = 1;
         for (const Cell& cell : cells_.vertices)
