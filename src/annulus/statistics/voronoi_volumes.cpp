@@ -133,7 +133,7 @@ class Voronoi_volumes {
             }
     }
 
-    /// The terms of edge pq between two cells. An offset and its error, as circumcentre() has them, are carried on in sums of absolutes.
+    /// The terms of edge pq between two cells, without their denominator. An offset and its error, as circumcentre() has them, are carried on in sums of absolutes.
     void add(Index p, Index q, std::size_t left, std::size_t right, double scale) {
         const Coordinates<d> n = difference(p, q, scale);
         const double length = absolute_sum(n);
@@ -148,8 +148,8 @@ class Voronoi_volumes {
             const double moved =
                 centre_[left].error + centre_[right].error +
                 4 * u * (absolute_sum(step) + absolute_sum(centre_[left].offset) + absolute_sum(centre_[right].offset));
-            term = (dual[0] * n[1] - dual[1] * n[0]) / 4;
-            error = length * (moved + 4 * u * absolute_sum(dual)) / 4;  // n, product, difference: 3 u
+            term = dual[0] * n[1] - dual[1] * n[0];
+            error = length * (moved + 4 * u * absolute_sum(dual));  // n, product, difference: 3 u
         } else {
             double error_of_from = 0;
             double error_of_to = 0;
@@ -160,13 +160,11 @@ class Voronoi_volumes {
                 const std::size_t j = (k + 2) % 3;
                 term += n[k] * (from[i] * to[j] - from[j] * to[i]);
             }
-            term /= 12;
             const double far_from = absolute_sum(from);
             const double far_to = absolute_sum(to);
-            // n 1, a minor 2, times n 1, sums 2, the division 1: 8 u is used.
+            // n 1, a minor 2, times n 1, sums 2: 8 u is used.
             error = length *
-                    (far_from * (error_of_to + 8 * u * far_to) + far_to * error_of_from + error_of_from * error_of_to) /
-                    12;
+                    (far_from * (error_of_to + 8 * u * far_to) + far_to * error_of_from + error_of_from * error_of_to);
         }
         error += lost;
         for (const Index v : {p, q}) {
@@ -188,6 +186,7 @@ class Voronoi_volumes {
     /// Takes the unit back where a sum is good enough, computes what is not from exact circumcentres, and says what is unbounded or no cell.
     void finish(Voronoi_counts& counts) {
         constexpr double good = 0.99 * voronoi_volume_error;  // sums of errors are rounded, too
+        constexpr double parts = d == 2 ? 4 : 12;
         std::vector<Index> poor;
         for (std::size_t v = 0; v < x_.size(); ++v) {
             if (where_[v] != Where::inside) {
@@ -195,8 +194,8 @@ class Voronoi_volumes {
                 continue;
             }
             ++counts.bounded;
-            if (error_[v] <= good * volume_[v])  // false for what is no number
-                volume_[v] = std::min(std::ldexp(volume_[v], d * exponent_), std::numeric_limits<double>::max());
+            if (error_[v] < good * volume_[v])  // false for what is no number, and for what has overflowed
+                volume_[v] = std::min(std::ldexp(volume_[v] / parts, d * exponent_), std::numeric_limits<double>::max());
             else poor.push_back(static_cast<Index>(v));
         }
         counts.exact = poor.size();
@@ -204,8 +203,8 @@ class Voronoi_volumes {
     }
 
     void compute_exactly(std::span<const Index> poor) {
-        std::vector<std::size_t> end(x_.size(),
-                                     0);  // of the cells around a vertex, among all of these; then their beginning
+        // Where the cells around a vertex end, among those around all of these; then where they begin.
+        std::vector<std::size_t> end(x_.size(), 0);
         std::vector<char> wanted(x_.size(), 0);
         for (const Index v : poor) wanted[at(v)] = 1;
         for (const Cell& cell : cells_.vertices)
@@ -229,7 +228,7 @@ class Voronoi_volumes {
     int exponent_ = 0;  // of the unit: every coordinate is below 2^exponent
     std::vector<Where> where_;
     std::vector<Circumcentre<d>> centre_;
-    std::vector<double> volume_, error_;
+    std::vector<double> volume_, error_;  // in the unit and times 4 or 12, until finish()
 };
 
 }  // namespace
