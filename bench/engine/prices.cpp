@@ -70,7 +70,7 @@ class Repetition {
             if (!table.is_infinite(c)) ++certificates;
         }
         for (const Corner_index f : table.facets())
-            if (facet_kind(table, f) != Facet_kind::border) ++certificates;
+            if (facet_kind(table, f) != Facet_kind::nothing) ++certificates;
         find_unit();
         out_["unit"] = 1e9 * unit_;
         out_["cells"] = static_cast<double>(cells) / all_;

@@ -7,7 +7,7 @@
    - rebase_good             a base of 0, with its length taken off all expiries of the vertex, clipped at 0
    - finished                rebase or not, and thresholds, of all that were anchored: every certificate is good *)
 Require Import Reals Lra Lia ZArith List Bool.
-From Annulus Require Import algorithm_list upper_half algorithm_filter algorithm_keep.
+From Annulus Require Import algorithm_list high_word algorithm_filter algorithm_keep.
 Import ListNotations.
 Open Scope R_scope.
 

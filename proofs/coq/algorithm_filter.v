@@ -3,13 +3,13 @@
    looked at, what is written, rebase, undoing. Definitions only: algorithm_step.v proves what they keep, algorithm_run.v what follows for any
    sequence of calls.
 
-   Functions have the names of the code, and do what it does, one after another. Expiries are the 32 bits of the code (upper_half.v), lists those of
+   Functions have the names of the code, and do what it does, one after another. Expiries are the 32 bits of the code (high_word.v), lists those of
    algorithm_list.v. What the program is given is in the classes below: positions of any metric space, arithmetic that errs on the side that is named
    (`laws`; filter_doubles.v shows that of the code), certificates and what a tolerance promises (`evaluated`), and Repair, which
    may do anything to the mesh that `repaired` allows. Of a record `reference`, `origin` and `allowance` are not in the code: they say what
    its expiries mean, and nothing is computed from them. *)
 Require Import Reals ZArith List Bool.
-From Annulus Require Import algorithm_list upper_half.
+From Annulus Require Import algorithm_list high_word.
 Import ListNotations.
 Open Scope R_scope.
 

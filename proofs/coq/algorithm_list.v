@@ -13,7 +13,7 @@
    - put_proper, put_new_proper, put_many_proper, take_proper, cleared_proper    entries are as many as ever, in order, in range
    - run         a sequence of operations, with the numbers of the code, for traces
 
-   Expiries are compared as their bits; upper_half.v shows that this is the order of the numbers. *)
+   Expiries are compared as their bits; high_word.v shows that this is the order of the numbers. *)
 Require Import ZArith List Sorting.Sorted Bool Lia.
 Import ListNotations.
 Open Scope Z_scope.

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The queue of the paper's filtering algorithm: `filter-each` with the tolerances `paper` and `floating` (docs/theory.md 5.5;
-   src/annulus/engine/filter_each.cpp; paper 3.2), as a program, with an oracle for what evaluation says.
+   src/annulus/engine/paper_queue.cpp; paper 3.2), as a program, with an oracle for what evaluation says.
 
    - processed_rests      a vertex that was processed has D = 0, and keeps it for the rest of the call
    - each_once            in a call every vertex is processed at most once: at most n times in all

@@ -7,10 +7,10 @@
    - sum_lower_down, less_down   what commit_points and rebase write
    - distance_triangle_2, _3     distances are a metric
 
-   Numbers as in float_model.v: IEEE 754 without overflow; an infinite expiry is 2^1024 (upper_half.v). *)
+   Numbers as in float_model.v: IEEE 754 without overflow; an infinite expiry is 2^1024 (high_word.v). *)
 Require Import Reals Lra Psatz ZArith Rgeom.
 From Flocq Require Import Core.
-From Annulus Require Import float_model float_error float_tail float_sums float_displacement vectors algorithm_list upper_half.
+From Annulus Require Import float_model float_error float_tail float_sums float_displacement vectors algorithm_list high_word.
 Open Scope R_scope.
 
 Lemma F_value e : (0 <= e)%Z -> F (value e).

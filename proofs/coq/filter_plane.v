@@ -9,7 +9,7 @@
    Vertices are numbers. A cell is written with its least vertex first, so that the circle of a facet can name its two cells. Where a determinant is 0 the
    certificate may hold by a rule (degenerate.h: the perturbation, a border that does not fold back): `tie`, any statement about the points. *)
 Require Import Reals Lra Psatz ZArith Rgeom List Bool Arith.
-From Annulus Require Import float_model float_displacement float_sums width_2 sign_tolerance_2 upper_half filter_doubles.
+From Annulus Require Import float_model float_displacement float_sums width_2 sign_tolerance_2 high_word filter_doubles.
 From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run.
 Import ListNotations.
 Open Scope R_scope.

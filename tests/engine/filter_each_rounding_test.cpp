@@ -14,17 +14,17 @@ using namespace annulus::testing;
 
 namespace {
 
-REVEAL(Epsilon, &Filter_each<2>::epsilon_);
-REVEAL(Each_position, &Filter_each<2>::position_);
-REVEAL(Lower, &Filter_each<2>::lower);
-REVEAL(Each_passes, &Filter_each<2>::passes);
+REVEAL(Epsilon, &Paper_queue<2>::epsilon_);
+REVEAL(Each_position, &Paper_queue<2>::position_);
+REVEAL(Lower, &Paper_queue<2>::lower);
+REVEAL(Each_passes, &Paper_queue<2>::passes);
 
 }  // namespace
 
 TEST_CASE("filter-each: what passes is nearer to its fixed position than its tolerance", "[relocation][rounding]") {
     REQUIRE(rc::check("of tolerances of any magnitude", [](const Seed& seed) {
         Random random = seed.random();
-        Session<Filter_each<2>> s(random);
+        Session<Paper_queue<2>> s(random);
         for (int i = 0; i < 500; ++i) {
             const auto v = static_cast<Index>(random() % s.points.size());
             const double tolerance = std::ldexp(1.0 + unit(random), integer(random, -30, 0));

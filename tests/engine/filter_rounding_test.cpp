@@ -114,7 +114,7 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
         s.filter.refresh(cells, s.report);
         std::vector<double> tolerances;
         for (const auto& e : s.examination().facets())
-            if (e.kind != Facet_kind::border) tolerances.push_back(e.verdict.tolerance);
+            if (e.kind != Facet_kind::nothing) tolerances.push_back(e.verdict.tolerance);
         for (int i = 0; i < 20; ++i) {
             for (auto& list : s[List{}]) {
                 const double tolerance = tolerances[random() % tolerances.size()];
@@ -126,12 +126,12 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
                 RC_ASSERT(Rational(e.reading()) <= Rational(s[List{}][at(v)].base) + Rational(tolerance));
             };
             for (const auto& e : s.examination().facets()) {
-                if (e.kind == Facet_kind::border) continue;
+                if (e.kind == Facet_kind::nothing) continue;
                 for (const Index v : e.point)
                     if (v != none) check(v, std::as_const(s[Expiries{}]).of_facet(s.embedding.table(), e.id, v), e.verdict.tolerance);
             }
             for (const auto& e : s.examination().cells()) {
-                if (e.kind == Facet_kind::border) continue;
+                if (e.kind == Facet_kind::nothing) continue;
                 for (std::size_t k = 0; k < e.point.size(); ++k)
                     check(e.point[k], s[Expiries{}].of_cell(Cell_table<2>::corner(e.id, static_cast<int>(k))), e.verdict.tolerance);
             }
@@ -266,7 +266,7 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
     }
     SECTION("filter-each") {
         Cgal_embedding_2<int> embedding;
-        Filter_each<2> filter(embedding, Tolerance_kind::floating);
+        Paper_queue<2> filter(embedding, Tolerance_kind::floating);
         Move_report report;
         embedding.build(square);
         embedding.mirror();

@@ -6,7 +6,7 @@
 #include <support/arbitrary.h>
 
 #include <annulus/engine/filter.h>
-#include <annulus/engine/filter_each.h>
+#include <annulus/engine/paper_queue.h>
 #include <annulus/cgal/embedding_2.h>
 
 #include <gmpxx.h>
@@ -47,7 +47,7 @@ inline double rounded_down(const Rational& x) {
 template <class Strategy>
 struct Session {
     static constexpr Tolerance_kind kind =
-        std::is_same_v<Strategy, Filter_each<2>> ? Tolerance_kind::floating : Tolerance_kind::certified;
+        std::is_same_v<Strategy, Paper_queue<2>> ? Tolerance_kind::floating : Tolerance_kind::certified;
     std::vector<Point> points;
     Cgal_embedding_2<int> embedding;
     Strategy filter;

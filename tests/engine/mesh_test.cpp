@@ -55,6 +55,52 @@ TEST_CASE("A few points of space whose region is everything are inserted all the
     }
 }
 
+TEMPLATE_TEST_CASE_SIG("An insertion that is refused leaves positions, their number and what comes next, dimension", "[mesh]", ((int d), d),
+                       2, 3) {
+    for (const Strategy strategy : {Strategy::automatic, Strategy::filter, Strategy::filter_each, Strategy::in_place, Strategy::relocate,
+                                    Strategy::relocate_flips, Strategy::rebuild}) {
+        for (const Tolerance_kind kind : {Tolerance_kind::certified, Tolerance_kind::paper}) {
+            CAPTURE(name_of(strategy), name_of(kind));
+            Options options;
+            options.strategy = strategy;
+            options.tolerance = kind;
+            Points_d<d> x = grid<d>();
+            Moving_mesh<d> mesh(std::span<const Coordinates<d>>(x), options);
+            const auto refused = [&](std::size_t k) {
+                try {
+                    (void)mesh.insert(mesh.points()[k]);  // which is about to move, if there is not room for one more
+                    FAIL("inserted");
+                } catch (const Error& e) {
+                    CHECK(e.code() == Error_code::collision);
+                }
+                CHECK(std::equal(x.begin(), x.end(), mesh.points().begin(), mesh.points().end()));
+            };
+            Coordinates<d> free{};
+            free.fill(0.5);
+            for (int k = 0; k < 20; ++k) {
+                refused(static_cast<std::size_t>(k) % x.size());
+                free[0] += 0x1p-8;
+                CHECK(mesh.insert(free) == static_cast<Index>(x.size()));
+                x.push_back(free);
+            }
+            mesh.remove(3);
+            x[3] = x[5];  // what is at a vacant index is nobody's business
+            try {
+                (void)mesh.insert(x[7]);
+                FAIL("inserted");
+            } catch (const Error& e) {
+                CHECK(e.code() == Error_code::collision);
+            }
+            CHECK(mesh.index_bound() == x.size());
+            CHECK(!mesh.is_vertex(3));
+            free[0] += 0x1p-8;
+            CHECK(mesh.insert(free) == 3);
+            CHECK(mesh.points()[3] == free);
+            CHECK(mesh.audit().first_fault == "");
+        }
+    }
+}
+
 TEMPLATE_TEST_CASE_SIG("Some vertices move at once: in cycles, named twice, to the mesh's own points, or not at all, dimension", "[mesh]",
                        ((int d), d), 2, 3) {
     for (const std::size_t copies : {1U, 40U}) {  // few beside the others, and not

@@ -19,7 +19,7 @@ struct Wide_horizons {
     static constexpr std::uint32_t stamps = std::numeric_limits<std::uint32_t>::max();
     /// Certificates that a vertex lists by name; what else it has is below one bound for all (Expiry_list).
     [[nodiscard]] static constexpr std::size_t listed(int d) { return d == 2 ? 6 : 10; }
-    /// Which bits of the upper half of a double are kept: the sign, 11 of exponent, 20 of significand (Upper_half).
+    /// Which bits of the upper half of a double are kept: the sign, 11 of exponent, 20 of significand (High_word).
     static constexpr std::uint32_t half_mask = 0xFFFFFFFF;
     /// A vertex whose odometer shows this many times what is left of its certificates starts at 0 again (Odometers::rebase).
     static constexpr double odometer = 0x1p8;

@@ -51,7 +51,7 @@ template <std::size_t d, std::size_t k, class Evaluate>
     return std::sqrt(x.upper()) + std::sqrt(y.upper());
 }
 /// A few units in the last place above the lower bound. Used for tightness only, where that does no harm.
-[[nodiscard]] inline double roots_lower_nearly(const Interval& x, const Interval& y) {
+[[nodiscard]] inline double roots_about(const Interval& x, const Interval& y) {
     return std::sqrt(x.lower()) + std::sqrt(y.lower());
 }
 

@@ -13,7 +13,7 @@ bool accept(const Width_terms<Interval>& t, const detail::Scale& s, Verdict& out
     if (out.sign < 0) return true;
     double lower = 0.0;
     if (!detail::quotient_lower_tight(t.determinant, detail::roots_upper(t.inner, t.outer),
-                                      detail::roots_lower_nearly(t.inner, t.outer), lower))
+                                      detail::roots_about(t.inner, t.outer), lower))
         return false;
     out.tolerance = detail::unscaled_lower(lower, s);
     return true;

@@ -19,7 +19,7 @@ Vector_3<Interval> vector(const std::array<const Coordinates<3>*, k>& x, std::si
 bool width_lower(const Width_terms<Interval>& t, double& lower) {
     if (!(t.determinant.lower() > 0.0)) return false;
     return detail::quotient_lower_tight(t.determinant, detail::roots_upper(t.inner, t.outer),
-                                        detail::roots_lower_nearly(t.inner, t.outer), lower);
+                                        detail::roots_about(t.inner, t.outer), lower);
 }
 
 // ---- Exact stage ------------------------------------------------------------------------------------------------
@@ -85,7 +85,7 @@ bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cell_widths cells
         double least = 0.0;
         for (std::size_t k = 0; k < partitions_3; ++k) {
             most = std::max(most, detail::roots_upper(t.inner[k], t.outer[k]));
-            least = std::max(least, detail::roots_lower_nearly(t.inner[k], t.outer[k]));
+            least = std::max(least, detail::roots_about(t.inner[k], t.outer[k]));
         }
         double lower = 0.0;
         if (!detail::quotient_lower_tight(t.determinant, most, least, lower)) return false;

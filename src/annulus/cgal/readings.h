@@ -91,7 +91,7 @@ Measures Cgal_embedding<Traits>::measure(std::span<const Coordinates<d>>) const 
         for (int i = 0; i <= d; ++i) {
             if (index_of(tr_, vertex_beyond(c, i)) < index_of(tr_, c->vertex(i))) continue;  // a facet is seen from two cells
             const Certificate f = certificate(c, i);
-            if (f.kind == Facet_kind::border) continue;
+            if (f.kind == Facet_kind::nothing) continue;
             const double t = facet_verdict(f.kind, f.x).tolerance;
             for (const Index v : f.point) lower(v, t);
             if (f.kind != Facet_kind::empty_sphere) continue;

@@ -7,7 +7,7 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/filter.h>
-#include <annulus/engine/filter_each.h>
+#include <annulus/engine/paper_queue.h>
 #include <annulus/engine/guarded.h>
 #include <annulus/engine/plain.h>
 
@@ -41,7 +41,7 @@ std::unique_ptr<Upkeep<d>> Engine<d>::upkeep_of(Strategy strategy) const {
         return filter_by(Means::tolerances, options_.tolerance);
     if (strategy == Strategy::in_place) return filter_by(Means::signs, Tolerance_kind::certified);
     if (strategy == Strategy::filter_each) {
-        auto filter = std::make_unique<Filter_each<d>>(embedding_, options_.tolerance);
+        auto filter = std::make_unique<Paper_queue<d>>(embedding_, options_.tolerance);
         filter->report_changes(changes);
         return filter;
     }
@@ -75,7 +75,7 @@ void Engine<d>::build(std::span<const Point> points) {
 /// Hands positions and triangulation to the strategy in force as given and Delaunay.
 template <int d>
 void Engine<d>::begin(std::span<const Point> x, Move_report& report) {
-    if (upkeep_->filters() && strategy_ != Strategy::automatic && !embedding_.mirrored()) embedding_.mirror();
+    if (upkeep_->uses_mirror() && strategy_ != Strategy::automatic && !embedding_.mirrored()) embedding_.mirror();
     upkeep_->begin(x, report);
 }
 
@@ -152,7 +152,7 @@ Move_report Engine<d>::settle() {
 /// positions.
 template <int d>
 void Engine<d>::make_trusted(Move_report& report) {
-    if (certified() || !upkeep_->filters()) return;
+    if (certified() || !upkeep_->uses_mirror()) return;
     const std::vector<Point> x(positions().begin(), positions().end());
     embedding_.rebuild(x);
     upkeep_->begin(x, report);

@@ -24,7 +24,7 @@ Move_report Engine<d>::move(Index i, const Point& p) {
 /// Under the filters single moves of flat sets are rebuilds.
 template <int d>
 void Engine<d>::move_one(Index i, const Point& p, Move_report& report) {
-    if (!upkeep_->filters() || embedding_.dimension() == d) {
+    if (!upkeep_->uses_mirror() || embedding_.dimension() == d) {
         upkeep_->move(i, p, report);
         return;
     }
@@ -64,7 +64,7 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
         for (; !home.empty(); home.pop_back()) upkeep_->put_back(home.back().first, home.back().second);
     };
     try {
-        if (share * movers.size() <= embedding_.vertices() && upkeep_->filters() && embedding_.dimension() == d) {
+        if (share * movers.size() <= embedding_.vertices() && upkeep_->uses_mirror() && embedding_.dimension() == d) {
             home.reserve(movers.size());
             try {
                 for (const auto& [i, k] : movers) {
@@ -129,7 +129,7 @@ void Engine<d>::move_everything(std::span<const Point> points, Move_report& repo
     if (strategy_ == Strategy::hybrid && steps_++ % 4 == 0) consider_switch(points, report);
     const bool each = strategy_ != Strategy::rebuild && strategy_ != Strategy::hybrid && strategy_ != Strategy::filter &&
                       strategy_ != Strategy::automatic;
-    if (upkeep_->filters() && embedding_.dimension() != d) rebuild_all(points, report);
+    if (upkeep_->uses_mirror() && embedding_.dimension() != d) rebuild_all(points, report);
     else if (each) move_in_turn(points, report);
     else upkeep_->move_all(points, report);
 }
@@ -183,7 +183,7 @@ void Engine<d>::try_move_in_turn(std::span<const Point> x, Move_report& report) 
     for (bool progress = true; progress && !waiting.empty();) {
         refused.clear();
         for (const Index i : waiting) {
-            if (upkeep_->filters() && embedding_.dimension() != d) {
+            if (upkeep_->uses_mirror() && embedding_.dimension() != d) {
                 // Single moves of a flat set are rebuilds: do them all at once.
                 report.moves = {};
                 rebuild_all(x, report);

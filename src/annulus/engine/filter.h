@@ -79,7 +79,7 @@ class Filter final : public Upkeep<d> {
     [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const override {
         return odometers_.kept() ? odometers_.fixed(v) : position_[at(v)];
     }
-    [[nodiscard]] bool filters() const override { return true; }
+    [[nodiscard]] bool uses_mirror() const override { return true; }
     /// False while the motion is so fast that tolerances would not last a step and are not kept.
     [[nodiscard]] bool tracks() const { return odometers_.kept(); }
     /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own; while tracks().

@@ -81,7 +81,7 @@ class Odometers {
     [[nodiscard]] double reading(Index v, const Coordinates<d>& x) const {
         return sum_upper(list_[at(v)].base, distance_upper<d>(x, vertex_[at(v)].fixed));
     }
-    void set_threshold(Index v) { vertex_[at(v)].threshold = Upper_half::lower(squared_threshold_lower(slack(v))); }
+    void set_threshold(Index v) { vertex_[at(v)].threshold = High_word::lower(squared_threshold_lower(slack(v))); }
     void anchor(Index v, Step<d>& step);
     [[nodiscard]] bool renew(Corner_index f, Step<d>& step) const;
     void look_at(Certificate_id id, Index v, Step<d>& step, Repair<d>& repair);

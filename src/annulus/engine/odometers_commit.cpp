@@ -80,7 +80,7 @@ void Odometers<d>::commit_evaluated(const Repair<d>& repair, std::span<const Coo
             continue;
         }
         for (std::size_t k = 0; k < s.point.size(); ++k) expiry_of(k) = never;
-        if (s.kind == Facet_kind::border) continue;
+        if (s.kind == Facet_kind::nothing) continue;
         const Facet_points<d> around = bicell_points(table_, s.id);
         const auto place_of = [&](std::size_t k) {
             return static_cast<std::size_t>(std::find(around.begin(), around.end(), s.point[k]) - around.begin());
@@ -92,7 +92,7 @@ void Odometers<d>::commit_evaluated(const Repair<d>& repair, std::span<const Coo
         const auto expiry_of = [&](std::size_t k) -> Expiry& {
             return expiries_.of_cell(Cell_table<d>::corner(s.id, static_cast<int>(k)));
         };
-        if (s.kind != Facet_kind::border && repair.kind() != Tolerance_kind::paper)
+        if (s.kind != Facet_kind::nothing && repair.kind() != Tolerance_kind::paper)
             commit_points<fresh>(s, id_of_cell(s.id), expiry_of, step);
         else
             for (std::size_t k = 0; k < s.point.size(); ++k) expiry_of(k) = never;

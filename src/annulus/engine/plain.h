@@ -22,7 +22,7 @@ class Plain final : public Upkeep<d> {
     [[nodiscard]] std::span<const Coordinates<d>> positions() const override { return position_; }
     [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const override { return position_[at(v)]; }
     [[nodiscard]] std::optional<double> tolerance(Index) const override { return std::nullopt; }
-    [[nodiscard]] bool filters() const override { return false; }
+    [[nodiscard]] bool uses_mirror() const override { return false; }
 
     /// By a rebuild. O(n log n).
     void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;

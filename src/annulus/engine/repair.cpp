@@ -100,7 +100,7 @@ void Repair<d>::describe(Cell_suspect& s, Cell_index c) const {
     s.stale = true;
     s.point = cell_points(embedding_.table(), c);
     const bool infinite_cell = std::find(s.point.begin(), s.point.end(), infinite) != s.point.end();
-    s.kind = infinite_cell ? Facet_kind::border : Facet_kind::empty_sphere;
+    s.kind = infinite_cell ? Facet_kind::nothing : Facet_kind::empty_sphere;
 }
 
 template <int d>
@@ -170,7 +170,7 @@ void Repair<d>::collect_violated() {
         disturbed_.insert(disturbed_.end(), s.point.begin(), s.point.end());
     }
     for (const auto& s : facets_) {
-        if (s.kind == Facet_kind::border || s.verdict.sign > 0) continue;
+        if (s.kind == Facet_kind::nothing || s.verdict.sign > 0) continue;
         mender_.signs().violated().push_back(s.id);
         if (s.kind == Facet_kind::empty_sphere && s.verdict.sign == 0) continue;  // degenerate, not violated yet
         note_disturbed(s.point);

@@ -29,7 +29,7 @@ class Repair {
         Id id;
         std::uint32_t next = 0;  ///< suspect of the same cell
         Points point{};     ///< its points, in the order of the determinant
-        Facet_kind kind{};  ///< of a facet; a cell has `border` when it is infinite, else `empty_sphere`
+        Facet_kind kind{};  ///< of a facet; a cell has `nothing` when it is infinite, else `empty_sphere`
         bool stale = true;  ///< verdict not computed for its present points
         Verdict verdict;
     };

@@ -72,7 +72,7 @@ Stage_counts Repair<d>::evaluate_run(std::span<S> suspects) const {
     Batch<S, Tuple<d, d + 2>> empty_spheres;
     for (S& s : suspects) {
         if (!s.stale || !exists(s)) continue;
-        if (s.kind == Facet_kind::border) {
+        if (s.kind == Facet_kind::nothing) {
             s.verdict = {no_limit, 1, Stage::filter};
             s.stale = false;
             continue;
@@ -109,7 +109,7 @@ void Repair<d>::evaluate_stale(std::span<S> suspects) {
 
 template <int d>
 bool Repair<d>::violated(const Facet_suspect& s) const {
-    if (s.kind == Facet_kind::border) return false;
+    if (s.kind == Facet_kind::nothing) return false;
     if (s.kind == Facet_kind::slab) return s.verdict.sign <= 0;
     if (s.kind == Facet_kind::ridge) {
         if (s.verdict.sign != 0) return s.verdict.sign < 0;

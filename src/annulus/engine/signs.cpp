@@ -93,7 +93,7 @@ template <int d>
 template <int d>
 bool Signs<d>::is_violated(Corner_index f) {
     const Facet_kind kind = facet_kind(table_, f);
-    if (kind == Facet_kind::border) return false;
+    if (kind == Facet_kind::nothing) return false;
     if (kind == Facet_kind::ridge) {
         const auto x = tuple<d, d + 1>(facet_certificate(table_, f, false).point, x_);
         const int clear = orientation_sign(x);

@@ -29,7 +29,7 @@ class Upkeep {
     /// How far v may be from there while every other vertex is within its own tolerance; nothing while none are kept.
     [[nodiscard]] virtual std::optional<double> tolerance(Index v) const = 0;
     /// Whether it works on the mirror.
-    [[nodiscard]] virtual bool filters() const = 0;
+    [[nodiscard]] virtual bool uses_mirror() const = 0;
 
     /// Moves every vertex to x.
     virtual void move_all(std::span<const Coordinates<d>> x, Move_report& report) = 0;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
-#include <annulus/arithmetic/upper_half.h>
+#include <annulus/arithmetic/high_word.h>
 
 namespace annulus {
 
@@ -10,7 +10,7 @@ namespace annulus {
 template <int d>
 struct Vertex_record {
     Coordinates<d> fixed{};  ///< fixed position
-    Upper_half threshold;    ///< squared, compared with |moving - fixed|^2
+    High_word threshold;    ///< squared, compared with |moving - fixed|^2
 };
 
 }  // namespace annulus

@@ -12,7 +12,7 @@ namespace annulus {
 /// What certificate a facet of T owns (theory 1); the orientation of a finite cell belongs to the cell.
 enum class Facet_kind : std::uint8_t {
     empty_sphere,  ///< both cells finite
-    border,        ///< one infinite cell: nothing beyond the orientation of the finite one
+    nothing,       ///< one infinite cell: nothing beyond the orientation of the finite one; of a cell, the infinite one
     ridge,         ///< both cells infinite: the hull is convex there
     slab,          ///< the paper's view of a border facet: its own parallel hyperplanes (kind `paper` only)
 };
@@ -25,7 +25,7 @@ using Cell_points = std::array<Index, static_cast<std::size_t>(d + 1)>;
 
 template <int d>
 [[nodiscard]] Facet_kind facet_kind(const Cell_table<d>& t, Corner_index h) {
-    if (t.vertex(h) == infinite || t.vertex(t.twin(h)) == infinite) return Facet_kind::border;
+    if (t.vertex(h) == infinite || t.vertex(t.twin(h)) == infinite) return Facet_kind::nothing;
     return t.is_infinite(t.cell_of(h)) ? Facet_kind::ridge : Facet_kind::empty_sphere;  // as the other cell
 }
 
@@ -124,8 +124,8 @@ template <int d>
         return f;
     }
     f.point.fill(none);
-    if (f.kind == Facet_kind::border && slabs) f.kind = Facet_kind::slab;
-    if (f.kind == Facet_kind::border) return f;
+    if (f.kind == Facet_kind::nothing && slabs) f.kind = Facet_kind::slab;
+    if (f.kind == Facet_kind::nothing) return f;
     const Cell_points<d> x =
         f.kind == Facet_kind::ridge ? ridge_vertex_last(t, h, ridge_points(t, h)) : slab_points(t, h);
     std::copy(x.begin(), x.end(), f.point.begin());
@@ -144,7 +144,7 @@ template <int d>
 template <int d>
 [[nodiscard]] Facet_certificate<d> facet_certificate(const Cell_points<d>& cell, std::size_t slot, Index beyond) {
     if (cell[slot] == infinite || beyond == infinite) {
-        Facet_certificate<d> f{Facet_kind::border, {}};
+        Facet_certificate<d> f{Facet_kind::nothing, {}};
         f.point.fill(none);
         return f;
     }

@@ -20,7 +20,7 @@ Tuple<d, static_cast<int>(n)> pointers(const std::array<Coordinates<d>, n>& x) {
 
 template <int d>
 Verdict of_facet(Facet_kind kind, const std::array<Coordinates<d>, static_cast<std::size_t>(d + 2)>& x) {
-    if (kind == Facet_kind::border) return {std::numeric_limits<double>::infinity(), 1, Stage::filter};
+    if (kind == Facet_kind::nothing) return {std::numeric_limits<double>::infinity(), 1, Stage::filter};
     if (kind == Facet_kind::empty_sphere) {
         const auto points = pointers<d>(x);
         Verdict out = empty_sphere_verdict(points);

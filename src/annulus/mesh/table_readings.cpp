@@ -83,7 +83,7 @@ Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
         lower(cell_points(t, c), cell_verdict(places<d>(x, cell_points(t, c))).tolerance);
     for (const Corner_index h : t.facets()) {
         const Facet_certificate<d> f = facet_certificate(t, h, false);
-        if (f.kind == Facet_kind::border) continue;
+        if (f.kind == Facet_kind::nothing) continue;
         const auto y = places<d>(x, f.point);
         lower(f.point, facet_verdict(f.kind, y).tolerance);
         if (f.kind != Facet_kind::empty_sphere) continue;

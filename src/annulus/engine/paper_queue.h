@@ -23,9 +23,9 @@ namespace annulus {
 /// Certificates are evaluated at the fixed positions, where the triangulation is Delaunay at all times: a tolerance that is
 /// too large gives a wrong answer at the moving positions but never breaks the triangulation CGAL works on.
 template <int d>
-class Filter_each final : public Upkeep<d> {
+class Paper_queue final : public Upkeep<d> {
   public:
-    Filter_each(Embedding<d>& embedding, Tolerance_kind kind) : embedding_(embedding), repair_(embedding, kind, true) {}
+    Paper_queue(Embedding<d>& embedding, Tolerance_kind kind) : embedding_(embedding), repair_(embedding, kind, true) {}
 
     /// As in Filter.
     void report_changes(bool on) { report_changes_ = on; }
@@ -53,7 +53,7 @@ class Filter_each final : public Upkeep<d> {
     [[nodiscard]] std::span<const Coordinates<d>> positions() const override { return position_; }
     [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const override { return fixed_[at(v)]; }
     [[nodiscard]] std::optional<double> tolerance(Index v) const override { return std::max(0.0, epsilon_[at(v)]); }
-    [[nodiscard]] bool filters() const override { return true; }
+    [[nodiscard]] bool uses_mirror() const override { return true; }
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -87,7 +87,7 @@ class Filter_each final : public Upkeep<d> {
     Least_tolerance least_;  // of what is being looked at
 };
 
-extern template class Filter_each<2>;
-extern template class Filter_each<3>;
+extern template class Paper_queue<2>;
+extern template class Paper_queue<3>;
 
 }  // namespace annulus

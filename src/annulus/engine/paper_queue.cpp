@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/engine/filter_each.h>
+#include <annulus/engine/paper_queue.h>
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/engine/chooser.h>
@@ -14,7 +14,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 }  // namespace
 
 template <int d>
-void Filter_each<d>::resize() {
+void Paper_queue<d>::resize() {
     const std::size_t n = at(embedding_.table().vertex_bound());
     position_.resize(n);
     fixed_.resize(n);
@@ -25,7 +25,7 @@ void Filter_each<d>::resize() {
 }
 
 template <int d>
-void Filter_each<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
+void Paper_queue<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
     const bool own = x.data() == position_.data();
     resize();
     if (own) x = position_;
@@ -47,7 +47,7 @@ void Filter_each<d>::settle(std::span<const Coordinates<d>> x, Move_report& repo
 }
 
 template <int d>
-void Filter_each<d>::place(Index v, const Coordinates<d>& p) {
+void Paper_queue<d>::place(Index v, const Coordinates<d>& p) {
     resize();
     position_[at(v)] = fixed_[at(v)] = p;
     epsilon_[at(v)] = unlimited;
@@ -55,7 +55,7 @@ void Filter_each<d>::place(Index v, const Coordinates<d>& p) {
 }
 
 template <int d>
-void Filter_each<d>::take_back() noexcept {
+void Paper_queue<d>::take_back() noexcept {
     position_.swap(noted_.position);
     fixed_.swap(noted_.fixed);
     epsilon_.swap(noted_.epsilon);
@@ -65,7 +65,7 @@ void Filter_each<d>::take_back() noexcept {
 }
 
 template <int d>
-void Filter_each<d>::lower(Index v, double tolerance) {
+void Paper_queue<d>::lower(Index v, double tolerance) {
     if (!(tolerance < epsilon_[at(v)])) return;
     epsilon_[at(v)] = tolerance;
     threshold_[at(v)] = squared_threshold_lower(tolerance);
@@ -76,9 +76,9 @@ void Filter_each<d>::lower(Index v, double tolerance) {
 
 /// Tolerances of what has been evaluated, for the points of it.
 template <int d>
-void Filter_each<d>::update() {
+void Paper_queue<d>::update() {
     const auto note = [this](const auto& s) {
-        if (repair_.exists(s) && s.kind != Facet_kind::border) least_.note(s.point, s.verdict.tolerance);
+        if (repair_.exists(s) && s.kind != Facet_kind::nothing) least_.note(s.point, s.verdict.tolerance);
     };
     for (const auto& s : repair_.facets()) note(s);
     if (repair_.kind() != Tolerance_kind::paper)
@@ -87,12 +87,12 @@ void Filter_each<d>::update() {
 }
 
 template <int d>
-void Filter_each<d>::lower_points() {
+void Paper_queue<d>::lower_points() {
     least_.take([this](Index w, double least) { lower(w, least); });
 }
 
 template <int d>
-void Filter_each<d>::refresh(std::span<const Cell_index> cells, Move_report& report) {
+void Paper_queue<d>::refresh(std::span<const Cell_index> cells, Move_report& report) {
     resize();
     repair_.begin(fixed_);
     repair_.suspect_cells(cells);
@@ -104,7 +104,7 @@ void Filter_each<d>::refresh(std::span<const Cell_index> cells, Move_report& rep
 }
 
 template <int d>
-void Filter_each<d>::process(Index h, Move_report& report, bool first) {
+void Paper_queue<d>::process(Index h, Move_report& report, bool first) {
     const Coordinates<d> old_fixed = fixed_[at(h)];
     fixed_[at(h)] = position_[at(h)];
     repair_.begin(fixed_, false);
@@ -151,7 +151,7 @@ void Filter_each<d>::process(Index h, Move_report& report, bool first) {
 /// At the moving positions, after repair gave up on h. Where two of them coincide CGAL's object stays what it was, and the table becomes
 /// its mirror again.
 template <int d>
-void Filter_each<d>::rebuild(Index h, const Coordinates<d>& old_fixed, Move_report& report) {
+void Paper_queue<d>::rebuild(Index h, const Coordinates<d>& old_fixed, Move_report& report) {
     try {
         embedding_.rebuild(position_);
     } catch (const Error&) {
@@ -163,7 +163,7 @@ void Filter_each<d>::rebuild(Index h, const Coordinates<d>& old_fixed, Move_repo
 }
 
 template <int d>
-void Filter_each<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
+void Paper_queue<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     const Coordinates<d> old = position_[at(v)];
     position_[at(v)] = p;
     if (passes(v)) {
@@ -186,12 +186,12 @@ void Filter_each<d>::move(Index v, const Coordinates<d>& p, Move_report& report)
 }
 
 template <int d>
-void Filter_each<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
+void Paper_queue<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
     for (std::size_t v = 0; v < x.size(); ++v)
         if (embedding_.has(static_cast<Index>(v))) move(static_cast<Index>(v), x[v], report);
 }
 
-template class Filter_each<2>;
-template class Filter_each<3>;
+template class Paper_queue<2>;
+template class Paper_queue<3>;
 
 }  // namespace annulus
