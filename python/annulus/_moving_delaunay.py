@@ -27,9 +27,9 @@ class MovingDelaunay(Readings):
     Parameters
     ----------
     points : array_like, shape (n, 2) or (n, 3)
-        Positions, in any unit of length. float32 and integers up to 2**53 are taken exactly; what would have
-        to be rounded to float64 (long doubles) is a `TypeError`. float64 in C order is read where it is.
-        There may be any number of points, also fewer than d + 1, and they may lie on a line or in a plane.
+        Positions, in any unit of length. float32 and integers are taken exactly; what would have to be rounded
+        to float64 (long doubles, integers that are none) is a `TypeError`. There may be any number of points,
+        also fewer than d + 1, and they may lie on a line or in a plane.
     strategy : str, optional
         How the triangulation is kept right: ``auto`` (the cheapest of tolerances, signs with flips, and
         rebuilding, as counts tell), ``filter``, ``filter-each``, ``in-place``, ``rebuild``, ``relocate``,
@@ -55,11 +55,12 @@ class MovingDelaunay(Readings):
         ``usage``, ``environment``.
 
     Notes
-    ----- **Indices.** Vertices have the index of their row in `points`. `remove` leaves an index vacant,
-    `insert` takes those that are vacant, the one vacated last first, and then new ones. At vacant indices
-    every array of numbers by vertex (`points`, `tolerances`, `theta`, `displacements`, `voronoi_volumes`) is
-    NaN, `vertex_to_simplex` is -1, the list of neighbours is empty, and no simplex names them. `move` takes a
-    row for them all the same and ignores it.
+    -----
+    **Indices.** Vertices have the index of their row in `points`; negative ones name nobody. `remove` leaves
+    an index vacant, `insert` takes those that are vacant, the one vacated last first, and then new ones. At
+    vacant indices every array of numbers by vertex (`points`, `tolerances`, `theta`, `displacements`,
+    `voronoi_volumes`) is NaN, `vertex_to_simplex` is -1, the list of neighbours is empty, and no simplex names
+    them. `move` takes a row for them all the same and ignores it.
 
     **Arrays.** `points`, `simplices`, `neighbors`, `flat_simplices`, `vertex_to_simplex`,
     `vertex_neighbor_vertices` are read-only arrays that show one moment: they stay as they are when vertices
@@ -67,12 +68,13 @@ class MovingDelaunay(Readings):
     asking again costs nothing.
 
     **Threads.** The GIL is released while something is computed; calls on one object from several threads
-    take turns. Do not write in an array while another thread has it as an argument of a call. A signal
-    (Ctrl-C) is seen after the call.
+    take turns. float64 in C order is read where it is while Python has one thread, and copied first while it
+    has more, so that nobody can write in what is being read. A signal (Ctrl-C) is seen after the call.
 
-    **Processes.** A child of `os.fork` may go on with its copy, with ``threads=1``, unless another thread was
-    in a call on the object when it was forked. Pickling keeps positions, indices and options; tolerances are
-    fresh then, and where d + 2 points are cocircular or cospherical the simplices are those of a rebuild.
+    **Processes.** A child of `os.fork` may go on with its copy, with ``threads=1``; if another thread was in a
+    call on the object when it was forked, using it there is a `RuntimeError`. Pickling keeps positions,
+    indices and options; tolerances are fresh then, and where d + 2 points are cocircular or cospherical the
+    simplices are those of a rebuild.
 
     Examples
     --------
@@ -145,9 +147,10 @@ class MovingDelaunay(Readings):
             ``not_finite``, ``out_of_domain``, ``too_large``.
 
         Notes
-        ----- O(log n) expected for each; more than one at once are first compared with all positions, which
-        takes O(n). When memory runs out half way, those that were inserted are taken out again, and there may
-        be more vacant indices than before.
+        -----
+        O(log n) expected for each; more than one at once are first compared with all positions, which takes
+        O(n). When memory runs out half way, those that were inserted are taken out again, and there may be
+        more vacant indices than before.
         """
         return self._mesh.insert(points)
 

@@ -23,12 +23,12 @@ namespace py = pybind11;
 
 constexpr int c_array = py::array::c_style | 0x0100;  // NPY_ARRAY_ALIGNED, which pybind11 does not name
 using Numbers = py::array_t<double, c_array>;
-using Whole_numbers = py::array_t<std::int64_t, c_array>;
 
 [[nodiscard]] std::string shape_of(const py::array& a);
 
-/// What numpy.asarray makes of it as doubles in C order: itself if it is that, else a copy. Throws TypeError where that could round:
-/// of long doubles, complex numbers, objects; and for masked arrays, whose masks would be lost.
+/// What numpy.asarray makes of it as doubles in C order: itself if it is that and no other thread of Python is there to write in it,
+/// else a copy. Throws TypeError where that could round: of long doubles, complex numbers, objects, whole numbers that are no doubles;
+/// and for masked arrays, whose masks would be lost.
 [[nodiscard]] Numbers numbers_of(const py::object& object, const char* name);
 
 /// An array of points, (n, d), as the library takes them, for as long as this lives. Its memory is NumPy's where that can be.

@@ -3,6 +3,7 @@
 
 #include <module/arrays.h>
 #include <module/cells.h>
+#include <module/turn.h>
 
 #include <annulus/moving_mesh.h>
 
@@ -69,7 +70,7 @@ class Mesh {
     void require_free(std::span<const Point> points) const;
 
     const Options options_;
-    mutable std::mutex lock_;
+    mutable Turn lock_;
     Moving_mesh<d> mesh_;
     std::vector<Index> vacant_;
     std::shared_ptr<const std::vector<Point>> points_;  // null once they have changed; so are the others

@@ -26,7 +26,7 @@ Triangle_surface surface_from(const py::object& object) {
     const auto pair = py::reinterpret_borrow<py::sequence>(object);
     if (pair.size() != 2) throw Error(Error_code::wrong_size, "a surface is a pair: points and triangles");
     const Points_in<3> points(pair[0]);
-    const Whole_numbers triangles(pair[1].cast<py::object>());
+    const py::array_t<std::int64_t, c_array> triangles(pair[1].cast<py::object>());
     if (triangles.ndim() != 2 || triangles.shape(1) != 3)
         throw Error(Error_code::wrong_size, "triangles must have shape (m, 3), not " + shape_of(triangles));
     Triangle_surface s;

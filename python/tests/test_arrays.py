@@ -71,7 +71,37 @@ def test_other_numbers_are_exact(kind):
     assert np.array_equal(dt.points, (x + kind(1)).astype(np.float64))
 
 
-@pytest.mark.parametrize("x", [X.astype(complex), X.astype(object), X.astype("U10"), X.astype(np.longdouble), X.astype("datetime64[s]"),
+@pytest.mark.parametrize("kind", [np.int64, np.uint64, ">i8"])
+def test_whole_numbers_that_are_no_doubles(kind):
+    x = np.array([[0, 0], [2**60, 1], [1, 2**53]], dtype=kind)
+    dt = annulus.MovingDelaunay(x)
+    assert [[int(c) for c in p] for p in dt.points] == x.tolist()
+    for wrong in (2**53 + 1, 2**63 - 1, 2**62 + 3):
+        y = x.copy()
+        y[2, 0] = wrong
+        for call in (annulus.MovingDelaunay, dt.move, dt.insert, lambda p: dt.move(p[2:], [1]), annulus.degeneracy):
+            for form in (y, y.tolist()):
+                with pytest.raises(TypeError, match=str(wrong)):
+                    call(form)
+    assert np.array_equal(dt.points, x.astype(float))
+
+
+def test_more_than_memory():
+    for n in (2**33, 2**45):
+        with pytest.raises(MemoryError):
+            annulus.MovingDelaunay(np.broadcast_to(np.float32(0), (n, 3)))
+
+
+def test_points_from_one():
+    """An array whose rows are all the same memory."""
+    with pytest.raises(annulus.Error) as e:
+        annulus.MovingDelaunay(np.broadcast_to([1.0, 2.0], (5, 2)))
+    assert e.value.code == "collision"
+    dt = annulus.MovingDelaunay(np.broadcast_to([1.0, 2.0], (5, 2)), merge_duplicates=True)
+    assert dt.npoints == 1 and dt.index_of_input.tolist() == [0] * 5
+
+
+@pytest.mark.parametrize("x", [X.astype(complex), X.astype(object), X.astype("U10"), X.astype(np.longdouble), X.astype("datetime64[s]"), X.astype("S9"), X.view([("x", float), ("y", float)]), X.astype("m8[s]"), [["1", "2"]],
                                np.ma.masked_less(X, 0.1), None, "abc", 3, {1: 2}, [[1, 2], [3]]], ids=lambda x: str(getattr(x, "dtype", x)))
 def test_what_is_no_point(x):
     with pytest.raises((TypeError, ValueError)):
@@ -102,7 +132,7 @@ def test_other_shapes(shape):
         assert e.value.code == "wrong_size"
 
 
-@pytest.mark.parametrize("indices", [[True, False], np.ones(40, dtype=bool), [1.0], ["1"], [None], [[0], [1]], [0, -1], [40], [2**31], [2**62], [2**64]],
+@pytest.mark.parametrize("indices", [[True, False], np.ones(40, dtype=bool), [1.0], ["1"], [None], [[0], [1]], [0, -1], [40], [2**31], [2**62], [2**63], [2**64], np.array([2**64 - 1], dtype=np.uint64), [1 + 0j]],
                          ids=str)
 def test_what_is_no_index(indices):
     dt = annulus.MovingDelaunay(X)
@@ -121,6 +151,10 @@ def test_no_index_and_one():
     assert dt.npoints == 40 and dt.nvertices == 39
     dt.remove(np.array([6, 7], dtype=np.uint8))
     assert dt.nvertices == 37
+    dt.remove(np.array([8, 9], dtype=np.uint64))
+    dt.move(X[[10]] + 1, indices=np.array([10], dtype=">i4"))
+    dt.move(X[[11, 12]] + 1, indices=(11, np.int8(12)))
+    assert dt.nvertices == 35 and np.array_equal(dt.points[10:13], X[10:13] + 1)
 
 
 def test_nothing_is_copied_that_need_not_be():

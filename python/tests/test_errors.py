@@ -108,6 +108,31 @@ except KeyboardInterrupt:
     assert done.stdout == "interrupted\n", done
 
 
+def test_an_interrupted_move():
+    """Ctrl-C in a call is seen after it; what it did is done."""
+    program = """
+import annulus, numpy, os, signal, threading, time
+x = numpy.random.default_rng(0).random((100000, 3))
+dt = annulus.MovingDelaunay(x, "rebuild")
+mine = time.pthread_getcpuclockid(threading.main_thread().ident)
+before = time.clock_gettime(mine)
+def interrupt():
+    while time.clock_gettime(mine) < before + 0.05:
+        time.sleep(1e-3)
+    os.kill(os.getpid(), signal.SIGINT)
+threading.Thread(target=interrupt).start()
+try:
+    for _ in range(100):
+        dt.move(x + 1)
+        dt.move(x)
+except KeyboardInterrupt:
+    assert dt.audit() and numpy.isin(dt.points - x, [0, 1]).all()
+    print("interrupted")
+"""
+    done = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=300, check=False)
+    assert done.stdout == "interrupted\n", done
+
+
 def test_what_a_callback_raises():
     def stop(step, mean, largest):
         raise KeyError(step)

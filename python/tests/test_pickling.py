@@ -5,6 +5,9 @@ import copy
 import multiprocessing
 import os
 import pickle
+import signal
+import threading
+import time
 
 import annulus
 import numpy as np
@@ -120,3 +123,30 @@ def test_a_fork():
         os._exit(0 if in_a_child(dt)[0] else 1)
     assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
     check(dt)
+
+
+def test_a_fork_in_the_middle_of_a_call():
+    """The thread that was in it is not in the child: no call there waits for it, and none sees what is half done."""
+    x = np.random.default_rng(0).random((60_000, 3))
+    dt = annulus.MovingDelaunay(x, "rebuild")
+    codes = []
+    while len(codes) < 20 and 0 not in codes:
+        mover = threading.Thread(target=dt.move, args=(x[::-1].copy(),))
+        mover.start()
+        clock = time.pthread_getcpuclockid(mover.ident)
+        while mover.is_alive() and time.clock_gettime(clock) < 0.05:
+            time.sleep(1e-3)
+        child = os.fork()
+        if child == 0:
+            signal.alarm(30)
+            try:
+                dt.npoints
+            except RuntimeError as e:
+                os._exit(0 if "forked" in str(e) else 1)
+            except BaseException:
+                os._exit(1)
+            os._exit(2)  # the move was over
+        codes.append(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+        mover.join()
+    assert codes[-1] == 0, codes
+    assert dt.audit()

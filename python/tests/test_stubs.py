@@ -46,6 +46,18 @@ def test_everything_is_explained():
         assert "----" in inspect.getdoc(getattr(annulus.MovingDelaunay, name)), f"{name}: no NumPy style"
 
 
+HEADINGS = ("Parameters", "Returns", "Raises", "Notes", "Examples", "Attributes")
+
+
+def test_docstrings_have_sections():
+    """A heading of NumPy's style is a line of its own, and underlined by another as long."""
+    for file in PACKAGE.glob("*.py"):
+        lines = [line.strip() for line in file.read_text(encoding="utf-8").splitlines()]
+        for k, line in enumerate(lines):
+            assert not line.startswith("---") or set(line) == {"-"} and line == "-" * len(lines[k - 1]) and lines[k - 1] in HEADINGS, (file, k + 1)
+            assert line not in HEADINGS or lines[k + 1] == "-" * len(line), (file, k + 1)
+
+
 def test_examples():
     assert doctest.testmod(annulus._moving_delaunay).failed == 0
 

@@ -106,6 +106,73 @@ def test_others_go_on_meanwhile():
     assert counts[0] > 3
 
 
+def processor_seconds(thread):
+    """What a thread has had of a processor; None once it is gone."""
+    try:
+        return time.clock_gettime(time.pthread_getcpuclockid(thread.ident))
+    except OSError:
+        return None
+
+
+@pytest.mark.skipif(not hasattr(time, "pthread_getcpuclockid"), reason="asks a thread what it has had of a processor")
+@pytest.mark.parametrize("call", [
+    lambda x: annulus.MovingDelaunay(x),
+    lambda x: annulus.degeneracy(x[:30_000]),
+    lambda x: annulus.lloyd(20_000, 30),
+], ids=["construction", "degeneracy", "lloyd"])
+def test_two_threads_compute_at_once(call):
+    """Both have had a processor, and neither is done. Whoever kept the GIL would be done before the other begins."""
+    x = np.random.default_rng(3).random((150_000, 3))
+    threads = [threading.Thread(target=call, args=(x,)) for _ in range(2)]
+    for t in threads:
+        t.start()
+    at_once = False
+    while not at_once and all(t.is_alive() for t in threads):
+        seconds = [processor_seconds(t) for t in threads]
+        at_once = None not in seconds and min(seconds) > 0.03 and all(t.is_alive() for t in threads)
+        time.sleep(1e-3)
+    for t in threads:
+        t.join()
+    assert at_once
+
+
+@pytest.mark.parametrize("d", [2, 3])
+@pytest.mark.parametrize("strategy", ["auto", "filter", "rebuild"])
+def test_an_array_that_is_written_meanwhile(d, strategy):
+    """What is proved is proved of positions as they were at one moment, whatever is written later: also what nothing could be proved of."""
+    rng = np.random.default_rng(4)
+    home = rng.random((2000, d))
+    x = home.copy()
+    dt = annulus.MovingDelaunay(x, strategy)
+    stop = threading.Event()
+
+    def write():
+        own = np.random.default_rng(5)
+        while not stop.is_set():
+            some = own.integers(0, len(x), 50)
+            x[some] = own.choice([np.nan, np.inf, 1e300, -1e-310, 0.5, 1e100], (50, d))
+            x[some] = home[some] + 1e-3 * own.standard_normal((50, d))
+
+    def move():
+        try:
+            for _ in range(60):
+                try:
+                    dt.move(x)
+                except annulus.Error as e:
+                    assert e.code in ("not_finite", "out_of_domain", "collision")
+                try:
+                    dt.move(x[:100], indices=np.arange(100))
+                    dt.find_simplex(x)
+                except annulus.Error as e:
+                    assert e.code in ("not_finite", "out_of_domain", "collision")
+                assert dt.audit()
+        finally:
+            stop.set()
+
+    in_threads(write, move)
+    check(dt)
+
+
 def test_lloyd_in_two_threads():
     results = [None] * 2
 
