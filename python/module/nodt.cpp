@@ -42,7 +42,7 @@ Triangle_surface surface_from(const py::object& object) {
         }
     }
     if (!s.points.empty() && enclosed_volume(s) < 0)
-        for (auto& t : s.triangles) std::swap(t[1], t[2]);
+        for (auto& t : s.triangles) std::swap(t[0], t[2]);  // as they are read backwards
     return s;
 }
 

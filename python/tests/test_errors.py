@@ -126,7 +126,7 @@ try:
         dt.move(x + 1)
         dt.move(x)
 except KeyboardInterrupt:
-    assert dt.audit() and numpy.isin(dt.points - x, [0, 1]).all()
+    assert dt.audit() and (numpy.array_equal(dt.points, x) or numpy.array_equal(dt.points, x + 1))
     print("interrupted")
 """
     done = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=300, check=False)
