@@ -21,7 +21,7 @@ double processor_seconds() {
 
 /// Frames of n points; the first is where the mesh is built. Prints seconds, a line a step.
 template <int d>
-int follow(const char* file, std::size_t n) {
+int follow(const char* file, std::size_t n, const annulus::Options& options) {
     std::ifstream in(file, std::ios::binary);
     std::vector<annulus::Coordinates<d>> x(n);
     const auto next = [&] {
@@ -29,7 +29,7 @@ int follow(const char* file, std::size_t n) {
             in.read(reinterpret_cast<char*>(x.data()), static_cast<std::streamsize>(n * sizeof x[0])));
     };
     if (!next()) return 1;
-    annulus::Moving_mesh<d> mesh{std::span<const annulus::Coordinates<d>>(x)};
+    annulus::Moving_mesh<d> mesh(std::span<const annulus::Coordinates<d>>(x), options);
     while (next()) {
         const double begin = processor_seconds();
         const annulus::Move_report report = mesh.move_all(x);
@@ -42,10 +42,12 @@ int follow(const char* file, std::size_t n) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) {
-        std::fprintf(stderr, "usage: annulus-python-peer FILE DIMENSION POINTS\n");
+    if (argc != 5) {
+        std::fprintf(stderr, "usage: annulus-python-peer FILE DIMENSION POINTS CHANGES\n");
         return 2;
     }
     const std::size_t n = std::strtoull(argv[3], nullptr, 10);
-    return std::string(argv[2]) == "2" ? follow<2>(argv[1], n) : follow<3>(argv[1], n);
+    annulus::Options options;
+    options.report_changes = std::string(argv[4]) == "1";
+    return std::string(argv[2]) == "2" ? follow<2>(argv[1], n, options) : follow<3>(argv[1], n, options);
 }
