@@ -35,15 +35,17 @@ void require_exact(const py::array& a, const char* name) {
 }  // namespace
 
 Numbers numbers_of(const py::object& object, const char* name) {
-    // Nearly always it is an array of NumPy's own, and there is nothing to ask.
-    const bool plain = Py_TYPE(object.ptr()) == py::detail::npy_api::get().PyArray_Type_;
+    const bool plain = Py_TYPE(object.ptr()) == py::detail::npy_api::get().PyArray_Type_;  // nearly always, and there is nothing to ask
     if (!plain && py::isinstance(object, py::module_::import("numpy.ma").attr("MaskedArray")))
         throw py::type_error(std::string(name) + " is a masked array: say what shall stand where values are masked");
     const py::array given = plain ? py::reinterpret_borrow<py::array>(object)
                                   : py::array(py::module_::import("numpy").attr("asarray")(object));
     Numbers numbers(given);
-    if (const char kind = given.dtype().kind(); given.itemsize() == 8 && kind == 'i') require_exact<std::int64_t>(given, name);
-    else if (given.itemsize() == 8 && kind == 'u') require_exact<std::uint64_t>(given, name);
+    if (!numbers.is(given) && given.itemsize() == 8) {
+        const char kind = given.dtype().kind();
+        if (kind == 'i') require_exact<std::int64_t>(given, name);
+        if (kind == 'u') require_exact<std::uint64_t>(given, name);
+    }
     // What is read more than once must not change in between, or what was proved of one position is believed of another.
     const bool fresh = numbers.owndata() && !numbers.is(given);
     if (!fresh && others_may_write()) numbers = Numbers(numbers.attr("copy")());

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <unistd.h>
-
 #include <atomic>
-#include <stdexcept>
 
 namespace annulus::python {
 
@@ -12,21 +9,15 @@ namespace annulus::python {
 class Turn {
   public:
     /// Throws std::runtime_error, which is a RuntimeError in Python, where nobody would ever unlock it.
-    void lock() {
-        const pid_t process = getpid();
-        for (pid_t holder = 0; !holder_.compare_exchange_weak(holder, process, std::memory_order_acquire); holder = 0) {
-            if (holder != 0 && holder != process)
-                throw std::runtime_error("another thread was in a call on this object when this process was forked");
-            if (holder != 0) holder_.wait(holder);
-        }
-    }
+    void lock();
     void unlock() noexcept {
-        holder_.store(0, std::memory_order_release);
+        holder_.store(nobody, std::memory_order_release);
         holder_.notify_one();
     }
 
   private:
-    std::atomic<pid_t> holder_ = 0;  // 0 when nobody does
+    static constexpr int nobody = 0;
+    std::atomic<int> holder_ = nobody;  // else a process, counted by forks: what may be held here is held by it or by an ancestor
 };
 
 }  // namespace annulus::python
