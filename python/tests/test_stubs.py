@@ -62,6 +62,20 @@ def test_examples():
     assert doctest.testmod(annulus._moving_delaunay).failed == 0
 
 
+STUBTEST = shutil.which("stubtest") or "/usr/bin/stubtest"
+
+
+@pytest.mark.skipif(not Path(STUBTEST).exists(), reason="mypy's stubtest is not installed")
+def test_stubtest():
+    """Names, signatures and properties of the stub are those of the module, as mypy's own comparison sees them."""
+    done = subprocess.run([STUBTEST, "--concise", "annulus._core"], cwd=PACKAGE.parent, capture_output=True, text=True, check=False)
+    # What pybind11 makes has a metaclass of pybind11's, and `__init__(*args)` where there is none.
+    known = ("metaclass differs", "MoveReport.__init__ is inconsistent")
+    wrong = [line for line in done.stdout.splitlines() if not any(words in line for words in known)]
+    assert not wrong and not done.stderr, (wrong, done.stderr)
+    assert "Mesh2" in done.stdout, "it has looked"
+
+
 @pytest.mark.skipif(shutil.which("mypy") is None and not Path("/usr/bin/mypy").exists(), reason="mypy is not installed")
 def test_types(tmp_path):
     """mypy agrees with the package and with a program that uses it."""

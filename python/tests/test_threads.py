@@ -141,7 +141,7 @@ def test_two_threads_compute_at_once(call):
 def test_an_array_that_is_written_meanwhile(d, strategy):
     """What is proved is proved of positions as they were at one moment, whatever is written later: also what nothing could be proved of."""
     rng = np.random.default_rng(4)
-    home = rng.random((2000, d))
+    home = rng.random((500, d))
     x = home.copy()
     dt = annulus.MovingDelaunay(x, strategy)
     stop = threading.Event()
@@ -155,7 +155,7 @@ def test_an_array_that_is_written_meanwhile(d, strategy):
 
     def move():
         try:
-            for _ in range(60):
+            for _ in range(40):
                 try:
                     dt.move(x)
                 except annulus.Error as e:
