@@ -111,7 +111,7 @@ def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one
     -----
     A signal is seen between two steps.
     """
-    options = _core.Options(strategy, tolerance, "off", threads, bool(merge_duplicates), False, seed)
+    options = _core.options(strategy, tolerance, "off", threads, bool(merge_duplicates), False, seed)
     return LloydResult(*_core.lloyd(points, density, domain, radius, iterations, options, seed, callback))
 
 
@@ -156,5 +156,5 @@ def nodt(surface: str | os.PathLike[str] | tuple[ArrayLike, ArrayLike], vertices
     -----
     A signal is seen between two steps, and not while the first mesh is made, by CGAL's Mesh_3.
     """
-    options = _core.Options(strategy, tolerance, "off", threads, False, False, seed)
+    options = _core.options(strategy, tolerance, "off", threads, False, False, seed)
     return NodtResult(*_core.nodt(surface, vertices, gradation, lock, bool(allow_crossing), iterations, options, seed, callback))

@@ -97,7 +97,7 @@ class MovingDelaunay(Readings):
         shape = points.shape
         if len(shape) != 2 or shape[1] not in (2, 3):
             raise Error(f"points must have shape (n, 2) or (n, 3), not {shape}", "wrong_size")
-        mesh = (_core.Mesh2 if shape[1] == 2 else _core.Mesh3)(points, _options_of(options))
+        mesh = (_core.Mesh2 if shape[1] == 2 else _core.Mesh3).build(points, _options_of(options))
         self._options = options
         self._mesh = mesh
         self._index_of_input = mesh.index_of_input
@@ -190,10 +190,10 @@ class MovingDelaunay(Readings):
             raise Error(f"this was pickled by another version of annulus: format {state.get('format')}", "bad_input")
         points, more = state["points"], state["more"]
         kind = _core.Mesh2 if points.shape[1] == 2 else _core.Mesh3
-        self._mesh = kind(points, state["vacant"], _options_of(more["_options"]))
+        self._mesh = kind.build_again(points, state["vacant"], _options_of(more["_options"]))
         self.__dict__.update(more)
         self._index_of_input.flags.writeable = False
 
 
 def _options_of(o: dict[str, typing.Any]) -> _core.Options:
-    return _core.Options(o["strategy"], o["tolerance"], o["second_look"], o["threads"], o["merge_duplicates"], o["report_changes"], o["seed"])
+    return _core.options(o["strategy"], o["tolerance"], o["second_look"], o["threads"], o["merge_duplicates"], o["report_changes"], o["seed"])

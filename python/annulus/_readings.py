@@ -31,6 +31,11 @@ class AuditResult(typing.NamedTuple):
         return self.delaunay
 
 
+def report_of(state: tuple[dict[str, typing.Any], int, Indices | None]) -> _core.MoveReport:
+    """What a pickled `MoveReport` is made again by."""
+    return _core.report_of(state)
+
+
 class Readings:
     """The part of `MovingDelaunay` that changes nothing."""
 

@@ -15,6 +15,15 @@ std::string shape_of(const py::array& a) {
 
 namespace {
 
+/// numpy.asarray of it. Nearly always it is an array of NumPy's own, and there is nothing to ask.
+py::array array_of(const py::object& object, const char* name) {
+    if (Py_TYPE(object.ptr()) == py::detail::npy_api::get().PyArray_Type_)
+        return py::reinterpret_borrow<py::array>(object);
+    if (py::isinstance(object, py::module_::import("numpy.ma").attr("MaskedArray")))
+        throw py::type_error(std::string(name) + ": a masked array; say what shall stand where values are masked");
+    return py::module_::import("numpy").attr("asarray")(object);
+}
+
 /// Whether somebody else could write in an array while nobody here holds the GIL. What flags say of writing can change meanwhile.
 bool others_may_write() {
     return PyThreadState_Next(PyInterpreterState_ThreadHead(PyInterpreterState_Get())) != nullptr;
@@ -28,18 +37,15 @@ void require_exact(const py::array& a, const char* name) {
         const T i = numbers.data()[k];
         const auto rounded = static_cast<double>(i);
         if (rounded >= std::ldexp(1.0, std::numeric_limits<T>::digits) || static_cast<T>(rounded) != i)
-            throw py::type_error(std::string(name) + " has " + std::to_string(i) + ", which is no double: round it first");
+            throw py::type_error(std::string(name) + " has " + std::to_string(i) +
+                                 ", which is no double: round it first");
     }
 }
 
 }  // namespace
 
 Numbers numbers_of(const py::object& object, const char* name) {
-    const bool plain = Py_TYPE(object.ptr()) == py::detail::npy_api::get().PyArray_Type_;  // nearly always, and there is nothing to ask
-    if (!plain && py::isinstance(object, py::module_::import("numpy.ma").attr("MaskedArray")))
-        throw py::type_error(std::string(name) + " is a masked array: say what shall stand where values are masked");
-    const py::array given = plain ? py::reinterpret_borrow<py::array>(object)
-                                  : py::array(py::module_::import("numpy").attr("asarray")(object));
+    const py::array given = array_of(object, name);
     Numbers numbers(given);
     if (!numbers.is(given) && given.itemsize() == 8) {
         const char kind = given.dtype().kind();
@@ -71,7 +77,7 @@ std::vector<Index> indices_from(const py::array& any) {
 }  // namespace
 
 std::vector<Index> indices_of(const py::object& object) {
-    const py::array any = py::module_::import("numpy").attr("asarray")(object);
+    const py::array any = array_of(object, "indices");
     if (any.ndim() > 1) throw Error(Error_code::wrong_size, "indices must have shape (k,), not " + shape_of(any));
     if (any.size() == 0) return {};
     const char kind = any.dtype().kind();

@@ -39,12 +39,13 @@ void add_mesh(py::module_& m, const char* name) {
     const auto report = [](const M& mesh, Move_report r) {
         return Report(std::move(r), d, mesh.options().report_changes);
     };
-    py::class_<M>(m, name)
-        .def(py::init(
-            [](const py::object& points, const Options& o) { return std::make_unique<M>(Points_in<d>(points), o); }))
-        .def(py::init([](const py::object& points, const py::object& vacant, const Options& o) {
-            return std::make_unique<M>(Points_in<d>(points), indices_of(vacant), o);
-        }))
+    py::class_<M>(m, name, not_by_new())
+        .def_static("build", [](const py::object& points,
+                                const Options& o) { return std::make_unique<M>(Points_in<d>(points), o); })
+        .def_static("build_again",
+                    [](const py::object& points, const py::object& vacant, const Options& o) {
+                        return std::make_unique<M>(Points_in<d>(points), indices_of(vacant), o);
+                    })
         .def("move",
              [report](M& mesh, const py::object& points, const py::object& indices) {
                  if (indices.is_none()) return report(mesh, mesh.move(Points_in<d>(points)));
@@ -106,7 +107,8 @@ void add_mesh(py::module_& m, const char* name) {
 }  // namespace
 
 void add_meshes(py::module_& m) {
-    py::class_<Options>(m, "Options").def(py::init(&options_of));
+    py::class_<Options>(m, "Options", not_by_new());
+    m.def("options", &options_of);
     add_mesh<2>(m, "Mesh2");
     add_mesh<3>(m, "Mesh3");
 }

@@ -101,6 +101,7 @@ py::str Report::repr() const {
 py::tuple Report::state() const { return py::make_tuple(as_dict(), d_, changed_simplices()); }
 
 Report Report::of_state(const py::tuple& state) {
+    if (state.size() != 3) throw Error(Error_code::bad_input, "this is not the state of a report");
     Move_report r;
     const auto numbers = state[0].cast<py::dict>();
     for (const Field& f : fields) f.of(r) = numbers[f.name].cast<std::uint64_t>();
@@ -118,7 +119,7 @@ Report Report::of_state(const py::tuple& state) {
 }
 
 void add_report(py::module_& m) {
-    py::class_<Report> report(m, "MoveReport", R"(What a call of `MovingDelaunay.move` or `settle` did.
+    py::class_<Report> report(m, "MoveReport", not_by_new(), R"(What a call of `MovingDelaunay.move` or `settle` did.
 
 Counts, and the simplices that may be new. `repr` shows the counts that are not 0, `as_dict` has all of them.)");
     for (const Field& f : fields)
@@ -136,7 +137,12 @@ Under ``auto``, ``filter`` and ``filter-each`` those that changed, and all after
 after another some may be gone again. None with ``report_changes=False``; points that span no space have no simplices.)")
         .def("as_dict", &Report::as_dict, "dict: all counts by name.")
         .def("__repr__", &Report::repr)
-        .def(py::pickle([](const Report& r) { return r.state(); }, &Report::of_state));
+        .def("__reduce__", [](const Report& r) {
+            // A function of Python's, which has a name to be found by.
+            return py::make_tuple(py::module_::import("annulus._readings").attr("report_of"),
+                                  py::make_tuple(r.state()));
+        });
+    m.def("report_of", &Report::of_state);
 }
 
 }  // namespace annulus::python

@@ -16,7 +16,8 @@ int this_process = 1;  // written by a child that has one thread
 }  // namespace
 
 void Turn::lock() {
-    for (int holder = nobody; !holder_.compare_exchange_weak(holder, this_process, std::memory_order_acquire); holder = nobody) {
+    for (int holder = nobody; !holder_.compare_exchange_weak(holder, this_process, std::memory_order_acquire);
+         holder = nobody) {
         if (holder != nobody && holder != this_process)
             throw std::runtime_error("another thread was in a call on this object when this process was forked");
         if (holder != nobody) holder_.wait(holder);

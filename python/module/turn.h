@@ -17,7 +17,8 @@ class Turn {
 
   private:
     static constexpr int nobody = 0;
-    std::atomic<int> holder_ = nobody;  // else a process, counted by forks: what may be held here is held by it or by an ancestor
+    std::atomic<int> holder_ =
+        nobody;  // else a process, counted by forks: what may be held here is held by it or by an ancestor
 };
 
 }  // namespace annulus::python

@@ -132,7 +132,7 @@ def test_other_shapes(shape):
         assert e.value.code == "wrong_size"
 
 
-@pytest.mark.parametrize("indices", [[True, False], np.ones(40, dtype=bool), [1.0], ["1"], [None], [[0], [1]], [0, -1], [40], [2**31], [2**62], [2**63], [2**64], np.array([2**64 - 1], dtype=np.uint64), [1 + 0j]],
+@pytest.mark.parametrize("indices", [[True, False], np.ones(40, dtype=bool), [1.0], ["1"], [None], [[0], [1]], [0, -1], [40], [2**31], [2**62], [2**63], [2**64], np.array([2**64 - 1], dtype=np.uint64), [1 + 0j], np.ma.masked_array([1, 2], [0, 1])],
                          ids=str)
 def test_what_is_no_index(indices):
     dt = annulus.MovingDelaunay(X)

@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 import annulus
+import annulus._core
 import numpy as np
 import pytest
 
@@ -62,6 +63,14 @@ def test_what_was_not_initialised():
                 getattr(dt, name)
         with pytest.raises(AttributeError):
             dt.move(X)
+
+
+@pytest.mark.skipif(sys.version_info < (3, 10), reason="Python cannot be told before")
+@pytest.mark.parametrize("kind", [annulus.MoveReport, annulus._core.Mesh2, annulus._core.Mesh3, annulus._core.Options])
+def test_what_python_cannot_make(kind):
+    for call in (kind, lambda: kind.__new__(kind), lambda: object.__new__(kind)):
+        with pytest.raises(TypeError):
+            call()
 
 
 def test_memory_that_runs_out():
