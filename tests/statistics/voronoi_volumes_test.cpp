@@ -127,6 +127,32 @@ TEST_CASE("Flat tetrahedra among the lattice points of a cube, off by ulps, spoi
     }
 }
 
+TEMPLATE_TEST_CASE_SIG("Cells that are thin and reach far out are as good as others, dimension", "[statistics][voronoi]", ((int d), d), 2, 3) {
+    std::size_t exact = 0;
+    for (int i = 0; i < repeats(3); ++i)
+        for (const double far : {0x1p12, 0x1p20, 0x1p26, 0x1p32, 0x1p40}) {
+            const auto seed = static_cast<std::uint64_t>(4000 + i);
+            Random random(seed);
+            Points_d<d> x(14);  // one between two near ones, in a ring of far ones
+            for (std::size_t k = 0; k < x.size(); ++k) {
+                double length = 0;
+                for (double& c : x[k]) c = between(random, -0.1, 0.1);
+                for (std::size_t c = 0; c + 1 < d && k > 2; ++c) {
+                    x[k][c] = between(random, -1, 1);
+                    length = std::hypot(length, x[k][c]);
+                }
+                for (std::size_t c = 0; c + 1 < d && k > 2; ++c) x[k][c] *= far / length;
+                if (k == 1 || k == 2) {
+                    x[k] = x[0];
+                    x[k][d - 1] += between(random, 1, 2) * (k == 1 ? 1 : -1);
+                }
+            }
+            INFO("seed " << seed << ", far " << far);
+            exact += check_all<d>(x).exact;
+        }
+    CHECK(exact > 0);
+}
+
 TEMPLATE_TEST_CASE_SIG(
     "Volumes scale with the points, exactly, from where they are subnormal to where they are too large, dimension",
     "[statistics][voronoi]", ((int d), d), 2, 3) {
