@@ -20,6 +20,7 @@ if(DEFINED ENV{DEBEMAIL})
 else()
     set(CPACK_PACKAGE_CONTACT "annulus developers <annulus@example.org>")
 endif()
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 # The permissions of directories are Debian's, whatever the umask of who builds.
@@ -75,10 +76,11 @@ if(TARGET annulus-c)
 endif()
 if(TARGET annulus-python)
     # The module is for one minor version of Python, and for that interpreter alone.
-    math(EXPR annulus_python_next "${Python_VERSION_MINOR} + 1")
+    get_directory_property(annulus_python_minor DIRECTORY python DEFINITION Python_VERSION_MINOR)
+    math(EXPR annulus_python_next "${annulus_python_minor} + 1")
     annulus_package(python python3-annulus python "Delaunay triangulations of moving points, Python module"
         "This package has the module annulus, whose MovingDelaunay has the attributes of\nscipy.spatial.Delaunay."
-        "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${annulus_python_next}), python3-numpy")
+        "python3 (>= 3.${annulus_python_minor}), python3 (<< 3.${annulus_python_next}), python3-numpy")
 endif()
 
 # ---- What Debian wants beside the files: a copyright and a changelog ------------------------------

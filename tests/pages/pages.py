@@ -23,7 +23,7 @@ KINDS = [
     Kind("compare", "compare --strategies rebuild,relocate,auto,auto:floating -- lloyd --points 300 --iterations 30",
          shows=["Strategies compared", "Cumulative time"], sorted_tables=1),
     Kind("compare-nodt", "compare --strategies rebuild,filter -- nodt --sphere --vertices 200 --iterations 5",
-         shows=["Strategies compared", "The mesh"], sorted_tables=1),
+         shows=["Strategies compared", "The triangulation"], sorted_tables=1),
     Kind("degeneracy", "degeneracy GRID", "degeneracy.html", ["Degenerate, exactly and nearly", "Quantiles"]),
     Kind("degeneracy-3", "degeneracy POINTS", "degeneracy.html", ["Distributions", "What arithmetic decides"]),
     Kind("degeneracy-flat", "degeneracy LINE", "degeneracy.html"),

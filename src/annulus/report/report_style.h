@@ -25,15 +25,14 @@ code{font:.86em/1.5 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",mon
 .verdict{font-weight:600}.bad{color:var(--bad)}.good{color:var(--good)}
 .numbers{display:grid;grid-template-columns:repeat(auto-fit,minmax(310px,1fr));gap:0 44px;align-items:start}
 .numbers>table:only-child{max-width:560px}
-.scroll{overflow-x:auto;background:linear-gradient(90deg,var(--bg) 30%,transparent) 0 0/40px 100% local,
-linear-gradient(270deg,var(--bg) 30%,transparent) 100% 0/40px 100% local,
-linear-gradient(90deg,var(--rule),transparent) 0 0/12px 100% scroll,
+.scroll{overflow-x:auto;background:linear-gradient(270deg,var(--bg) 30%,transparent) 100% 0/40px 100% local,
 linear-gradient(270deg,var(--rule),transparent) 100% 0/12px 100% scroll;background-repeat:no-repeat}
 table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
 th,td{padding:6px 0;border-bottom:1px solid var(--rule);text-align:left;vertical-align:baseline;font-weight:400}
 .numbers th{color:var(--soft)}.numbers td{text-align:right;white-space:nowrap}
 .wide th,.wide td{padding:6px 9px;text-align:right;white-space:nowrap}
-.wide th:first-child,.wide td:first-child{text-align:left;padding-left:0}
+.wide{font-size:.93rem}
+.wide th:first-child{text-align:left;padding-left:0;position:sticky;left:0;background:var(--bg)}
 .wide thead th{color:var(--soft);font-size:.88rem;white-space:normal}
 .wide th:last-child,.wide td:last-child{padding-right:0}
 .sortable button{all:unset;cursor:pointer}
