@@ -53,10 +53,12 @@ function(annulus_package component name section summary description depends)
     set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION "${section}" PARENT_SCOPE)
     set(CPACK_DEBIAN_${upper}_DESCRIPTION "${summary}\n${about}${description}" PARENT_SCOPE)
     set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "${depends}" PARENT_SCOPE)
-    foreach(file IN ITEMS copyright changelog.gz)
-        install(FILES "${CMAKE_CURRENT_BINARY_DIR}/packages/${file}" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${name}"
-                COMPONENT ${component} EXCLUDE_FROM_ALL)
-    endforeach()
+    # Debian's own files, in packages and nowhere else.
+    install(CODE "
+        if(CMAKE_INSTALL_PREFIX MATCHES \"/usr$\")
+            file(INSTALL \"${CMAKE_CURRENT_BINARY_DIR}/packages/copyright\" \"${CMAKE_CURRENT_BINARY_DIR}/packages/changelog.gz\"
+                 DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/doc/${name}\")
+        endif()" COMPONENT ${component} EXCLUDE_FROM_ALL)
 endfunction()
 
 annulus_package(runtime libannulus-c0 libs "Delaunay triangulations of moving points, C interface"

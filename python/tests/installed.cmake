@@ -3,7 +3,7 @@
 file(REMOVE_RECURSE "${SCRATCH}")
 execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --config "${CONFIG}" --component python --prefix "${SCRATCH}"
                 COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
-file(GLOB_RECURSE package "${SCRATCH}/annulus/__init__.py" "${SCRATCH}/*/annulus/__init__.py")
+file(GLOB_RECURSE package "${SCRATCH}/__init__.py")  # wherever below it
 cmake_path(GET package PARENT_PATH package)
 cmake_path(GET package PARENT_PATH package)
 set(ENV{PYTHONPATH} "${package}")

@@ -163,6 +163,8 @@ class Pages(unittest.TestCase):
             return page.evaluate(f"[...{table}.tBodies[0].rows].map(r => r.cells[{column}].dataset.key ?? null)"
                                  ".map(k => k === null ? null : +k)")
 
+        # One cell has no number, as the ratio to a strategy that took no time.
+        page.evaluate(f"delete {table}.tBodies[0].rows[0].cells[2].dataset.key")
         before = rows()
         for column in range(len(before[0])):
             page.evaluate(f"{table}.tHead.rows[0].cells[{column}].querySelector('button').id = 'head-{number}-{column}'")

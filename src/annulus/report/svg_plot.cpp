@@ -190,12 +190,12 @@ void draw_names(std::string& out, const Plot& plot, const Frame& frame, const st
 }  // namespace
 
 Series histogram_series(std::string name, const Histogram& histogram) {
-    // Empty bins at the ends would only take the room of the others.
+    // More than one empty bin at an end would only take the room of the others.
     const auto edges = histogram.edges();
     const auto counts = histogram.counts();
     std::size_t first = 0, end = counts.size();
-    while (first + 1 < end && counts[first] == 0) ++first;
-    while (first + 1 < end && counts[end - 1] == 0) --end;
+    while (first + 2 < end && counts[first] == 0 && counts[first + 1] == 0) ++first;
+    while (first + 2 < end && counts[end - 1] == 0 && counts[end - 2] == 0) --end;
     Series series{std::move(name), {}, {}, true};
     for (std::size_t i = first; i < end; ++i) {
         series.x.push_back(edges[i]);
