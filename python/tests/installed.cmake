@@ -3,7 +3,10 @@
 file(REMOVE_RECURSE "${SCRATCH}")
 execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --config "${CONFIG}" --component python --prefix "${SCRATCH}"
                 COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
-set(ENV{PYTHONPATH} "${SCRATCH}/${PACKAGES}")
+file(GLOB_RECURSE package "${SCRATCH}/__init__.py")  # wherever below it
+cmake_path(GET package PARENT_PATH package)
+cmake_path(GET package PARENT_PATH package)
+set(ENV{PYTHONPATH} "${package}")
 set(ENV{PYTHONNOUSERSITE} 1)
 execute_process(COMMAND "${PYTHON}" -B -c "
 import annulus, numpy, os

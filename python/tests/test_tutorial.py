@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""docs/python.md: its code is run, block after block, as one program for each section; and it prints what it says."""
+"""README.md and docs/: their Python is run, block after block, as one program for each section; and it prints what it says."""
 
 import contextlib
 import importlib.util
@@ -10,20 +10,21 @@ from pathlib import Path
 
 import pytest
 
-TUTORIAL = Path(os.environ.get("ANNULUS_SOURCE", Path(__file__).resolve().parents[2])) / "docs" / "python.md"
+SOURCE = Path(os.environ.get("ANNULUS_SOURCE", Path(__file__).resolve().parents[2]))
 NEEDS = re.compile(r"<!-- needs: (\w+) -->")
 
 
 def sections():
-    """Of each section that has code: its name, what must be installed for it, and its blocks with what they print."""
-    for section in re.split(r"^## ", TUTORIAL.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]:
-        blocks = re.findall(r"^```(python|text)\n(.*?)^```", section, flags=re.MULTILINE | re.DOTALL)
-        if any(language == "python" for language, _ in blocks):
-            yield pytest.param(NEEDS.findall(section), blocks, id=section.splitlines()[0])
+    """Of each section that has code: its page, what must be installed for it, and its blocks with what they print."""
+    for page in [SOURCE / "README.md", *sorted(SOURCE.glob("docs/*.md"))]:
+        for section in re.split(r"^## ", page.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]:
+            blocks = re.findall(r"^```(python|text)\n(.*?)^```", section, flags=re.MULTILINE | re.DOTALL)
+            if any(language == "python" for language, _ in blocks):
+                yield pytest.param(page, NEEDS.findall(section), blocks, id=f"{page.name}: {section.splitlines()[0]}")
 
 
-@pytest.mark.parametrize("needs, blocks", sections())
-def test_section(needs, blocks, tmp_path, monkeypatch):
+@pytest.mark.parametrize("page, needs, blocks", sections())
+def test_section(page, needs, blocks, tmp_path, monkeypatch):
     for name in needs:
         if importlib.util.find_spec(name) is None:
             pytest.skip(f"{name} is not installed")
@@ -33,7 +34,7 @@ def test_section(needs, blocks, tmp_path, monkeypatch):
         if language == "python":
             output = io.StringIO()
             with contextlib.redirect_stdout(output):
-                exec(compile(text, str(TUTORIAL), "exec"), names)
+                exec(compile(text, str(page), "exec"), names)
             printed = output.getvalue()
         else:
             assert printed == text

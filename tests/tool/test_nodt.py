@@ -218,7 +218,7 @@ class Nodt(tool.ToolTest):
         self.assertEqual(fields["PointData"], {"tolerance", "theta", "boundary"})
         self.assertEqual(fields["CellData"], {"domain", "dihedral_min"})
         html = (self.here / "out" / "report.html").read_text(encoding="utf-8")
-        for text in ("before, cut across", "after 2 iterations, cut across", "Dihedral angles", "Slivers"):
+        for text in ("Before, cut across", "After 2 iterations, cut across", "Dihedral angles", "Slivers"):
             self.assertIn(text, html)
 
     def test_no_iterations(self):
