@@ -53,7 +53,7 @@ int run(const Nodt_call& a, const std::string& command) {
     std::optional<Picture> before;
     if (files) before = mesh.cut("before");
 
-    const Nodt_3 nodt(domain, scene.sizing, vertices_on_surface(domain, scene.points), a.nodt.lock, a.common.threads);
+    const Nodt_3 nodt = scene.motion(a.nodt, a.common.threads);
     Nodt_memory memory;
     std::vector<Coordinates<3>> target(scene.points.size());
     std::optional<Interruption_guard> guard;

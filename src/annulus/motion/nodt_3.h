@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/motion/curve_motion.h>
 #include <annulus/motion/domain_3.h>
 #include <annulus/motion/kept_cells_3.h>
 #include <annulus/motion/sizing_3.h>
@@ -20,12 +21,14 @@ struct Nodt_step {
     std::size_t vertices = 0;  ///< of cells of the domain; the others rest
     std::size_t boundary = 0;  ///< of these, on the surface
     std::size_t locked = 0;    ///< of these, at rest because their cells are good
-    /// Of these, at rest because there is no surface around them, because their target is outside of the domain, or
-    /// because it is another's place.
+    /// Of these, at rest because they are corners, because there is no surface around them, because their target is outside of
+    /// the domain, or because it is another's place.
     std::size_t kept = 0;
 };
 
-/// A flag for every point that is on the surface of the domain, up to 1e-9 of the diagonal of its box.
+/// How far from a surface a point may be that is said to be on it: 1e-9 of the diagonal of the domain's box.
+[[nodiscard]] double rounding_of(const Domain_3& domain);
+/// A flag for every point that is on the surface of the domain, up to `rounding_of`.
 [[nodiscard]] std::vector<char> vertices_on_surface(const Domain_3& domain, std::span<const Coordinates<3>> points);
 
 /// What one step leaves for the next: sizes where vertices have not moved, what is near those on the surface. For steps of one Nodt_3.
@@ -57,6 +60,8 @@ class Nodt_memory {
 /// flat cell at the surface enters or leaves the domain; vertices that follow such jumps never come to rest.
 /// mu is the sizing (its mean over the corners of a cell or facet).
 ///
+/// Sharp edges, where they are given: a vertex on one goes along it, as far as others on the surface (`Curve_motion`); a corner rests.
+///
 /// Locks: given an angle, a vertex rests while every dihedral angle of its cells of the domain is between it and 180
 /// degrees less it. This is judged in every step from the cells as they are, so a vertex is free again as soon as a move
 /// nearby has spoilt one of them.
@@ -65,10 +70,10 @@ class Nodt_3 {
     static constexpr double surface_relaxation = 0.75;
     static constexpr double surface_stride = 0.1;
 
-    /// `domain` must outlive this. `on_surface` has a flag for every vertex. `threads` >= 1, 0 < lock_degrees < 70.5 (the
-    /// regular tetrahedron), else Error(usage).
+    /// `domain` must outlive this. `on_surface` has a flag for every vertex; `sharp` has sharp edges of the domain's surface, and vertices on
+    /// these. `threads` >= 1, 0 < lock_degrees < 70.5 (the regular tetrahedron), else Error(usage).
     Nodt_3(const Domain_3& domain, Sizing_3 sizing, std::vector<char> on_surface,
-           std::optional<double> lock_degrees = {}, int threads = 1);
+           std::optional<double> lock_degrees = {}, int threads = 1, Curve_motion sharp = {});
 
     /// Sets target[v] for every vertex. Targets differ if positions do. `inside` has a flag for every cell.
     ///
@@ -95,6 +100,7 @@ class Nodt_3 {
     std::vector<char> on_surface_;
     std::optional<double> lock_cosine_;
     int threads_;
+    Curve_motion sharp_;
 };
 
 }  // namespace annulus
