@@ -11,6 +11,7 @@
 #include <annulus/motion/surface_3.h>
 #include <annulus/motion/tetrahedral_faults.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -53,7 +54,23 @@ void add_nodt(CLI::App& app, Nodt_arguments& a) {
         ->excludes(sphere);
 }
 
+namespace {
+
+/// What errors name.
+const std::string& source_of(const Nodt_arguments& a) {
+    static const std::string sphere = "--sphere";
+    return a.sphere ? sphere : a.mesh.empty() ? a.surface : a.mesh;
+}
+
+}  // namespace
+
 double Nodt_scene::spacing() const { return std::cbrt(domain->volume() / static_cast<double>(points.size())); }
+
+void Nodt_scene::require_cells(const Nodt_arguments& a, std::span<const char> inside) const {
+    if (std::any_of(inside.begin(), inside.end(), [](char flag) { return flag != 0; })) return;
+    throw Input_error(Error_code::too_few, source_of(a), 0, "no Delaunay cell of its vertices has its circumcentre inside",
+                      "vertices close enough together for its shape");
+}
 
 Nodt_3 Nodt_scene::motion(const Nodt_arguments& a, int threads) const {
     Curve_motion along;
@@ -145,7 +162,7 @@ Nodt_scene make_scene(const Nodt_arguments& a, std::uint64_t seed) {
         throw;
     } catch (const Error& e) {
         const bool crosses = std::string_view(e.what()).starts_with("it crosses");
-        throw Input_error(e.code(), a.sphere ? "--sphere" : a.mesh.empty() ? a.surface : a.mesh, 0, e.what(),
+        throw Input_error(e.code(), source_of(a), 0, e.what(),
                           crosses ? "a surface that does not, or --allow-crossing" : "");
     }
 }

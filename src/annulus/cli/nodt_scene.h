@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct Nodt_scene {
     std::vector<std::string> notes;  ///< what a reader of the results should know about the input
     /// Mean spacing: the cube root of volume per vertex, the unit of length of the paper's figures.
     [[nodiscard]] double spacing() const;
+    /// Throws Input_error where no cell is of the domain: nothing would ever move.
+    void require_cells(const Nodt_arguments& arguments, std::span<const char> inside) const;
     /// The motion that starts here. Refers to this scene.
     [[nodiscard]] Nodt_3 motion(const Nodt_arguments& arguments, int threads) const;
 };

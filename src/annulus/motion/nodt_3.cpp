@@ -7,7 +7,6 @@
 #include <annulus/mesh/parallel_runs.h>
 #include <annulus/motion/surface_stars.h>
 #include <annulus/motion/vectors_3.h>
-#include <cstdlib>
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +63,7 @@ Coordinates<3> towards(const Coordinates<3>& p, const Coordinates<3>& q, double 
     return between(p, q, share * way > most ? most / way : share);
 }
 
-/// q without what is across the surface: its foot in the plane through p with the mean normal of the facets around p.
+/// The foot of q in the plane through p whose normal is the mean of those of the facets around p, weighted with area; q where these are none.
 Coordinates<3> in_tangent_plane(const Coordinates<3>& p, const Coordinates<3>& q, std::span<const std::array<Index, 2>> around,
                                 std::span<const Coordinates<3>> position) {
     Coordinates<3> normal{};
@@ -247,7 +246,7 @@ Nodt_step Nodt_3::step_of(const Mesh& mesh, std::span<const Coordinates<3>> posi
             bool good = boundary ? surface.disc(static_cast<Index>(v)) && area[v].from(position[v], wanted)
                                  : sums.volume[v].from(position[v], wanted);
             if (good && boundary) {
-                if (std::getenv("TANGENT")) wanted = in_tangent_plane(position[v], wanted, surface.around(static_cast<Index>(v)), position);
+                wanted = in_tangent_plane(position[v], wanted, surface.around(static_cast<Index>(v)), position);
                 wanted = towards(position[v], wanted, surface_relaxation, stride(static_cast<Index>(v)));
                 wanted = domain_.project(wanted, position[v], memory.nearby_[v]);
             } else if (good) {

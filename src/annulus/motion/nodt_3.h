@@ -49,7 +49,8 @@ class Nodt_memory {
 /// volume / mu³; a target outside of the domain is refused, and the vertex rests in this step. A vertex of the surface
 /// wants to go to the mean of the circumcentres of its surface facets, weighted with area / mu². It rests unless these
 /// facets are a disc around it: where features are thinner than the mesh, sheets of facets touch, and their mean is the
-/// place of none. It goes three quarters of the way to that mean (`surface_relaxation`), by at most a tenth
+/// place of none. Of the way to that mean it goes what is in its tangent plane, across the mean normal of these facets weighted with area: the
+/// rest only leads into the domain, and from a tip down its sides. It goes three quarters of that (`surface_relaxation`), by at most a tenth
 /// (`surface_stride`) of the distance to its nearest neighbour on the surface, and from there to the nearest point of the
 /// surface. All vertices go at once, and neighbours who go against each other all the way exchange their places for ever:
 /// on the regular triangular lattice this mode is multiplied by -1 a step. (Rows that go against each other are a above and b
