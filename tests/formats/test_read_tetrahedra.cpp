@@ -75,10 +75,13 @@ TEST_CASE("a mesh of which all tetrahedra are negative is turned") {
 }
 
 TEST_CASE("what other programs write is read") {
-    for (const std::string& begin :
-         {std::string("MeshVersionFormatted 1\nDimension\n3\n"), std::string("MeshVersionFormatted\n2\n\nDimension 3\n"),
-          std::string(" MeshVersionFormatted 2\r\n Dimension\r\n 3\r\n"), std::string("# made by hand\nMeshVersionFormatted 1 # single\nDimension 3\n")})
-        CHECK(read(begin + "Vertices\n4\n" + four + "Triangles\n1\n1 2 3 -4\nRidges\n1\n1\nTetrahedra\n# one\n1\n1 2 3 4 12 # a reference\n").cells.size() == 1);
+    for (const std::string& begin : {std::string("MeshVersionFormatted 1\nDimension\n3\n"),
+                                     std::string("MeshVersionFormatted\n2\n\nDimension 3\n"),
+                                     std::string(" MeshVersionFormatted 2\r\n Dimension\r\n 3\r\n"),
+                                     std::string("# made by hand\nMeshVersionFormatted 1 # single\nDimension 3\n")})
+        CHECK(read(begin + "Vertices\n4\n" + four +
+                   "Triangles\n1\n1 2 3 -4\nRidges\n1\n1\nTetrahedra\n# one\n1\n1 2 3 4 12 # a reference\n")
+                  .cells.size() == 1);
 }
 
 TEST_CASE("every fault of a tetrahedral mesh has its line") {
@@ -92,12 +95,16 @@ TEST_CASE("every fault of a tetrahedral mesh has its line") {
     refuse(text(four + "0 0 0 0\n", 5, "1 2 3 5 0\n", 1), 12, "two corners at one point");
     refuse(text(four + "0.5 0.5 0 0\n", 5, "1 2 3 4 0\n1 2 3 5 0\n", 2), 13, "no volume");
     refuse(text(five, 5, "1 2 3 4 0\n2 3 5 4 0\n", 2), 13, "inverted against that at line 12");
-    refuse(text(five + "2 2 2 0\n", 6, "1 2 3 4 0\n2 3 4 5 0\n2 3 4 6 0\n", 3), 15, "more than two tetrahedra, one of them at line 13");
-    refuse(text(four + "0 0 2 0\n", 5, "1 2 3 4 0\n1 2 3 5 0\n", 2), 13, "same side of their common facet as that at line 12");
+    refuse(text(five + "2 2 2 0\n", 6, "1 2 3 4 0\n2 3 4 5 0\n2 3 4 6 0\n", 3), 15,
+           "more than two tetrahedra, one of them at line 13");
+    refuse(text(four + "0 0 2 0\n", 5, "1 2 3 4 0\n1 2 3 5 0\n", 2), 13,
+           "same side of their common facet as that at line 12");
     // Two that share an edge only; that share the middle of a facet; one in the other; that a corner of one touches.
     refuse(text(four + "-1 0 0 0\n0 -1 0 0\n", 6, "1 2 3 4 0\n1 5 6 4 0\n", 2), 14, "an edge is in 4 facets");
-    refuse(text(four + "0.1 0.1 0 0\n0.5 0.1 0 0\n0.1 0.5 0 0\n0.1 0.1 -1 0\n", 8, "1 2 3 4 0\n5 7 6 8 0\n", 2), 15, "meets one of the tetrahedron at line 16");
-    refuse(text(four + "0.2 0.2 -1 0\n0.1 0.2 -1 0\n0.2 0.1 -1 0\n0.1 0.1 0 0\n", 8, "1 2 3 4 0\n5 6 7 8 0\n", 2), 15, "meets one of the tetrahedron at line 16");
+    refuse(text(four + "0.1 0.1 0 0\n0.5 0.1 0 0\n0.1 0.5 0 0\n0.1 0.1 -1 0\n", 8, "1 2 3 4 0\n5 7 6 8 0\n", 2), 15,
+           "meets one of the tetrahedron at line 16");
+    refuse(text(four + "0.2 0.2 -1 0\n0.1 0.2 -1 0\n0.2 0.1 -1 0\n0.1 0.1 0 0\n", 8, "1 2 3 4 0\n5 6 7 8 0\n", 2), 15,
+           "meets one of the tetrahedron at line 16");
 }
 
 TEST_CASE("sheets may touch at a vertex of a tetrahedral mesh") {

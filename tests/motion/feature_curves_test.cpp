@@ -42,11 +42,14 @@ Triangle_surface prism(const std::vector<Coordinates<2>>& polygon) {
 
 std::vector<Coordinates<2>> circle(int n) {
     std::vector<Coordinates<2>> polygon;
-    for (int i = 0; i < n; ++i) polygon.push_back({std::cos(2 * std::numbers::pi * i / n), std::sin(2 * std::numbers::pi * i / n)});
+    for (int i = 0; i < n; ++i)
+        polygon.push_back({std::cos(2 * std::numbers::pi * i / n), std::sin(2 * std::numbers::pi * i / n)});
     return polygon;
 }
 
-double far(const Coordinates<3>& a, const Coordinates<3>& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+double far(const Coordinates<3>& a, const Coordinates<3>& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 }  // namespace
 
@@ -66,7 +69,8 @@ TEST_CASE("a box has twelve sharp edges and eight corners, each edge one curve",
     const Feature_curves none_at_all(s, 90.1);
     CHECK(none_at_all.curves().empty());
     CHECK(none_at_all.corners().empty());
-    for (const double angle : {0.0, 180.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) CHECK_THROWS_AS(Feature_curves(s, angle), Error);
+    for (const double angle : {0.0, 180.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+        CHECK_THROWS_AS(Feature_curves(s, angle), Error);
 }
 
 TEST_CASE("valleys are sharp like ridges", "[motion][features]") {
@@ -96,7 +100,8 @@ TEST_CASE("a curve may end at the corner where it begins", "[motion][features]")
     std::vector<Coordinates<2>> drop;
     for (const auto& p : circle(60))
         if (p[0] > -0.7) drop.push_back(p);
-    std::rotate(drop.begin(), std::find_if(drop.begin(), drop.end(), [](const auto& p) { return p[0] < 0 && p[1] < 0; }), drop.end());
+    std::rotate(drop.begin(),
+                std::find_if(drop.begin(), drop.end(), [](const auto& p) { return p[0] < 0 && p[1] < 0; }), drop.end());
     drop.insert(drop.begin(), {-1.5, 0});
     const Feature_curves sharp(prism(drop), 60);
     CHECK(sharp.corners().size() == 2);
@@ -109,8 +114,9 @@ TEST_CASE("a curve may end at the corner where it begins", "[motion][features]")
     CHECK(back == 2);
     // Two vertices on a rim: one hair behind the corner, one before it. Neither sees the other over the corner.
     auto features = std::make_shared<const Feature_curves>(sharp);
-    const auto rim = static_cast<std::size_t>(std::find_if(sharp.curves().begin(), sharp.curves().end(), [](const auto& c) { return c.closed(); }) -
-                                              sharp.curves().begin());
+    const auto rim = static_cast<std::size_t>(
+        std::find_if(sharp.curves().begin(), sharp.curves().end(), [](const auto& c) { return c.closed(); }) -
+        sharp.curves().begin());
     const double l = sharp.curves()[rim].length();
     const Points points{sharp.curves()[rim].at(0.1 * l), sharp.curves()[rim].at(0.8 * l)};
     const auto wishes = Curve_motion(features, features->places(points, 1e-9)).wishes(points);
@@ -141,7 +147,8 @@ TEST_CASE("the nearest point of a polyline is that of a look at every segment", 
                 }
                 const long double t = std::clamp(de / dd, 0.0L, 1.0L);
                 for (std::size_t j = 0; j < 3; ++j) {
-                    const long double x = points[k][j] + t * (static_cast<long double>(points[k + 1][j]) - points[k][j]) - p[j];
+                    const long double x =
+                        points[k][j] + t * (static_cast<long double>(points[k + 1][j]) - points[k][j]) - p[j];
                     off += x * x;
                 }
                 least = std::min(least, std::sqrt(off));
@@ -150,13 +157,15 @@ TEST_CASE("the nearest point of a polyline is that of a look at every segment", 
         }
         CHECK(line.at(-1) == points.front());
         CHECK(line.at(line.length() + 1) == points.back());
-        for (const double t : {0.0, 0.3, 0.99}) CHECK(line.nearest(line.at(t * line.length())) == Approx(t * line.length()).margin(1e-12));
+        for (const double t : {0.0, 0.3, 0.99})
+            CHECK(line.nearest(line.at(t * line.length())) == Approx(t * line.length()).margin(1e-12));
     }
 }
 
 TEST_CASE("places are those of points, whatever their order", "[motion][features]") {
     const Feature_curves sharp(box({1, 0.8, 0.6}), 30);
-    Points points{{1, 0.8, 0.6}, {0.2, 0.8, 0.6}, {1, 0.8, -0.6}, {1, 0, -0.6}, {0, 0, 0.6}, {0, 0, 0}, {0.2, 0.8, 0.6 + 1e-12}, {0.2, 0.8, 0.601}};
+    Points points{{1, 0.8, 0.6}, {0.2, 0.8, 0.6}, {1, 0.8, -0.6},          {1, 0, -0.6},
+                  {0, 0, 0.6},   {0, 0, 0},       {0.2, 0.8, 0.6 + 1e-12}, {0.2, 0.8, 0.601}};
     std::vector<Place> place = sharp.places(points, 1e-9);
     CHECK(place[0] == Place::corner);
     CHECK(static_cast<Index>(place[1]) >= 0);
@@ -176,7 +185,8 @@ TEST_CASE("places are those of points, whatever their order", "[motion][features
     CHECK(points[1][2] == 0.6);
 }
 
-TEST_CASE("vertices on a curve spread evenly between its corners, on the curve to the bit where it lies along an axis", "[motion][features]") {
+TEST_CASE("vertices on a curve spread evenly between its corners, on the curve to the bit where it lies along an axis",
+          "[motion][features]") {
     auto sharp = std::make_shared<const Feature_curves>(box({1, 0.8, 0.6}), 30);
     Points points;
     for (const double x : {-0.99, -0.97, 0.1, 0.11, 0.12, 0.97}) points.push_back({x, -0.8, 0.6});
@@ -205,7 +215,8 @@ TEST_CASE("vertices on a curve that goes around spread evenly around it", "[moti
     for (const double t : {0.9, 0.95, 0.1, 0.15}) points.push_back(rim.at(t * rim.length()));
     const Curve_motion motion(sharp, sharp->places(points, 1e-9));
     for (int i = 0; i < 400; ++i)
-        for (const auto& w : motion.wishes(points)) points[static_cast<std::size_t>(w.vertex)] = motion.place(w, 0.75, 0.1);
+        for (const auto& w : motion.wishes(points))
+            points[static_cast<std::size_t>(w.vertex)] = motion.place(w, 0.75, 0.1);
     std::vector<double> at;
     for (const auto& p : points) at.push_back(rim.nearest(p));
     std::sort(at.begin(), at.end());

@@ -162,8 +162,11 @@ Nodt_scene make_scene(const Nodt_arguments& a, std::uint64_t seed) {
         throw;
     } catch (const Error& e) {
         const bool crosses = std::string_view(e.what()).starts_with("it crosses");
+        const bool refined = std::string_view(e.what()).find("Mesh_3") != std::string_view::npos;
         throw Input_error(e.code(), source_of(a), 0, e.what(),
-                          crosses ? "a surface that does not, or --allow-crossing" : "");
+                          crosses              ? "a surface that does not, or --allow-crossing"
+                          : refined && a.sharp ? "sharp edges that are farther apart: a larger angle for --sharp, or none"
+                                               : "");
     }
 }
 

@@ -44,9 +44,12 @@ class Complaint {
   public:
     explicit Complaint(const Tetrahedra_file& mesh) : mesh_(mesh) {}
     [[noreturn]] void operator()(std::size_t cell, std::string fault, std::string expected) const {
-        throw Input_error(Error_code::bad_input, mesh_.name, mesh_.cell_lines[cell], std::move(fault), std::move(expected));
+        throw Input_error(Error_code::bad_input, mesh_.name, mesh_.cell_lines[cell], std::move(fault),
+                          std::move(expected));
     }
-    [[nodiscard]] std::string line_of(std::size_t cell) const { return "line " + std::to_string(mesh_.cell_lines[cell]); }
+    [[nodiscard]] std::string line_of(std::size_t cell) const {
+        return "line " + std::to_string(mesh_.cell_lines[cell]);
+    }
 
   private:
     const Tetrahedra_file& mesh_;
@@ -56,15 +59,25 @@ void check_cells(Tetrahedra_file& mesh, const Complaint& fail) {
     for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
         auto v = mesh.cells[c];
         std::sort(v.begin(), v.end());
-        if (std::adjacent_find(v.begin(), v.end()) != v.end()) fail(c, "a tetrahedron has two corners at one point", "four different points");
+        if (std::adjacent_find(v.begin(), v.end()) != v.end())
+            fail(c, "a tetrahedron has two corners at one point", "four different points");
     }
     const std::array<Index, 4> before = mesh.cells.front();
     if (const auto fault = cell_fault(mesh.points, mesh.cells)) {
         switch (fault->kind) {
-            case Cell_fault::Kind::flat: fail(fault->cell, "a tetrahedron has no volume", "four corners that are not in one plane");
-            case Cell_fault::Kind::inverted: fail(fault->cell, "a tetrahedron is inverted against that at " + fail.line_of(fault->other), "all of one orientation");
-            case Cell_fault::Kind::crowded: fail(fault->cell, "a facet is in more than two tetrahedra, one of them at " + fail.line_of(fault->other), "two at most");
-            case Cell_fault::Kind::folded: fail(fault->cell, "a tetrahedron is on the same side of their common facet as that at " + fail.line_of(fault->other), "one on each side");
+            case Cell_fault::Kind::flat:
+                fail(fault->cell, "a tetrahedron has no volume", "four corners that are not in one plane");
+            case Cell_fault::Kind::inverted:
+                fail(fault->cell, "a tetrahedron is inverted against that at " + fail.line_of(fault->other),
+                     "all of one orientation");
+            case Cell_fault::Kind::crowded:
+                fail(fault->cell,
+                     "a facet is in more than two tetrahedra, one of them at " + fail.line_of(fault->other),
+                     "two at most");
+            case Cell_fault::Kind::folded:
+                fail(fault->cell,
+                     "a tetrahedron is on the same side of their common facet as that at " + fail.line_of(fault->other),
+                     "one on each side");
         }
     }
     mesh.turned = mesh.cells.front() != before;

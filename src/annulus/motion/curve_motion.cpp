@@ -24,11 +24,14 @@ std::vector<Curve_motion::Wish> Curve_motion::wishes(std::span<const Coordinates
             all.push_back({v, static_cast<Index>(c), at, at});
         }
         const std::span<Wish> here = std::span(all).subspan(first);
-        std::sort(here.begin(), here.end(), [](const Wish& a, const Wish& b) { return a.at != b.at ? a.at < b.at : a.vertex < b.vertex; });
+        std::sort(here.begin(), here.end(),
+                  [](const Wish& a, const Wish& b) { return a.at != b.at ? a.at < b.at : a.vertex < b.vertex; });
         for (std::size_t i = 0; i < here.size(); ++i) {
             const double around = features_->goes_around(c) ? curve.length() : 0;
             const double before = i > 0 ? here[i - 1].at : around > 0 ? here.back().at - around : 0;
-            const double after = i + 1 < here.size() ? here[i + 1].at : around > 0 ? here.front().at + around : curve.length();
+            const double after = i + 1 < here.size() ? here[i + 1].at
+                                 : around > 0        ? here.front().at + around
+                                                     : curve.length();
             here[i].wanted = before + 0.5 * (after - before);
         }
     }

@@ -24,8 +24,12 @@ class Curve_motion {
         double at, wanted;  ///< along the curve
     };
     /// Whether a vertex is a corner or on a curve.
-    [[nodiscard]] bool holds(std::size_t v) const { return !places_.empty() && places_[v] != Feature_curves::Place::off; }
-    [[nodiscard]] bool is_corner(std::size_t v) const { return !places_.empty() && places_[v] == Feature_curves::Place::corner; }
+    [[nodiscard]] bool holds(std::size_t v) const {
+        return !places_.empty() && places_[v] != Feature_curves::Place::off;
+    }
+    [[nodiscard]] bool is_corner(std::size_t v) const {
+        return !places_.empty() && places_[v] == Feature_curves::Place::corner;
+    }
     /// What the vertices on curves want, each of which is on its curve up to rounding. O(k log k) for k of them and searches of their curves.
     [[nodiscard]] std::vector<Wish> wishes(std::span<const Coordinates<3>> position) const;
     /// Where it comes to when it goes from `at` towards `wanted` by this share of the way, but no farther than `most`.

@@ -52,8 +52,8 @@ std::vector<Sharp_edge> sharp_edges(const Triangle_surface& s, double angle) {
     });
     std::vector<Sharp_edge> sharp;
     for (std::size_t i = 1; i < sides.size(); ++i)
-        if (sides[i].ends == sides[i - 1].ends &&
-            angle_between(normal_of(s, s.triangles[sides[i - 1].triangle]), normal_of(s, s.triangles[sides[i].triangle])) > angle)
+        if (sides[i].ends == sides[i - 1].ends && angle_between(normal_of(s, s.triangles[sides[i - 1].triangle]),
+                                                                normal_of(s, s.triangles[sides[i].triangle])) > angle)
             sharp.push_back(sides[i].ends);
     return sharp;
 }
@@ -66,7 +66,8 @@ class Edge_walk {
             for (const Index v : e) ++begin_[place_of(v) + 2];
         for (std::size_t v = 2; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
         for (const Sharp_edge& e : edges)
-            for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) half_[begin_[place_of(e[i]) + 1]++] = {e[1 - i], false};
+            for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
+                half_[begin_[place_of(e[i]) + 1]++] = {e[1 - i], false};
     }
     [[nodiscard]] std::size_t degree(Index v) const { return begin_[place_of(v) + 1] - begin_[place_of(v)]; }
     [[nodiscard]] Index other(Index v, std::size_t i) const { return half_[begin_[place_of(v)] + i].to; }
@@ -96,7 +97,8 @@ class Edge_walk {
 }  // namespace
 
 Feature_curves::Feature_curves(const Triangle_surface& s, double degrees) {
-    if (!(degrees > 0 && degrees < 180)) throw Error(Error_code::usage, "the angle of sharp edges must be between 0 and 180 degrees");
+    if (!(degrees > 0 && degrees < 180))
+        throw Error(Error_code::usage, "the angle of sharp edges must be between 0 and 180 degrees");
     const double angle = degrees * std::numbers::pi / 180;
     const std::vector<Sharp_edge> edges = sharp_edges(s, angle);
     const auto n = static_cast<Index>(s.points.size());
@@ -130,10 +132,12 @@ std::vector<Feature_curves::Place> Feature_curves::places(std::span<const Coordi
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return points[i] < points[j]; });
     const auto for_each_near = [&](const Coordinates<3>& lower, const Coordinates<3>& upper, const auto& visit) {
-        auto at = std::lower_bound(order.begin(), order.end(), lower[0] - reach, [&](std::size_t i, double x) { return points[i][0] < x; });
+        auto at = std::lower_bound(order.begin(), order.end(), lower[0] - reach,
+                                   [&](std::size_t i, double x) { return points[i][0] < x; });
         for (; at != order.end() && points[*at][0] <= upper[0] + reach; ++at) {
             const Coordinates<3>& p = points[*at];
-            const bool near = p[1] >= lower[1] - reach && p[1] <= upper[1] + reach && p[2] >= lower[2] - reach && p[2] <= upper[2] + reach;
+            const bool near = p[1] >= lower[1] - reach && p[1] <= upper[1] + reach && p[2] >= lower[2] - reach &&
+                              p[2] <= upper[2] + reach;
             if (near && place[*at] == Place::off) visit(*at);
         }
     };
@@ -143,7 +147,8 @@ std::vector<Feature_curves::Place> Feature_curves::places(std::span<const Coordi
         });
     for (std::size_t c = 0; c < curves_.size(); ++c)
         for_each_near(curves_[c].lower(), curves_[c].upper(), [&](std::size_t i) {
-            if (distance(points[i], curves_[c].at(curves_[c].nearest(points[i]))) <= reach) place[i] = static_cast<Place>(c);
+            if (distance(points[i], curves_[c].at(curves_[c].nearest(points[i]))) <= reach)
+                place[i] = static_cast<Place>(c);
         });
     return place;
 }

@@ -11,7 +11,8 @@
 namespace annulus {
 
 Polyline_3::Polyline_3(std::vector<Coordinates<3>> points) : points_(std::move(points)), up_to_{0} {
-    for (std::size_t i = 1; i < points_.size(); ++i) up_to_.push_back(up_to_.back() + distance(points_[i - 1], points_[i]));
+    for (std::size_t i = 1; i < points_.size(); ++i)
+        up_to_.push_back(up_to_.back() + distance(points_[i - 1], points_[i]));
     for (std::size_t first = 0; first + 1 < points_.size(); first += run)
         boxes_.push_back(box_of(first, std::min(first + run, points_.size() - 1)));
     box_ = box_of(0, points_.size() - 1);

@@ -26,7 +26,10 @@ std::vector<Sided_facet> sorted_facets(const std::vector<std::array<Index, 4>>& 
     facets.reserve(4 * cells.size());
     for (std::size_t c = 0; c < cells.size(); ++c)
         for (std::size_t i = 0; i < 4; ++i) {
-            Sided_facet f{{cells[c][facet_corners[i][0]], cells[c][facet_corners[i][1]], cells[c][facet_corners[i][2]]}, true, c, i};
+            Sided_facet f{{cells[c][facet_corners[i][0]], cells[c][facet_corners[i][1]], cells[c][facet_corners[i][2]]},
+                          true,
+                          c,
+                          i};
             for (const auto& [a, b] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{0, 1}})
                 if (f.corners[static_cast<std::size_t>(a)] > f.corners[static_cast<std::size_t>(b)]) {
                     std::swap(f.corners[static_cast<std::size_t>(a)], f.corners[static_cast<std::size_t>(b)]);
@@ -64,7 +67,8 @@ std::optional<Cell_fault> cell_fault(std::span<const Coordinates<3>> points, std
         if (i > 1 && facets[i].corners == facets[i - 2].corners)
             return Cell_fault{Cell_fault::Kind::crowded, facets[i].cell, facets[i - 2].cell};
         const bool third = i + 1 < facets.size() && facets[i].corners == facets[i + 1].corners;
-        if (!third && facets[i].even == facets[i - 1].even) return Cell_fault{Cell_fault::Kind::folded, facets[i].cell, facets[i - 1].cell};
+        if (!third && facets[i].even == facets[i - 1].even)
+            return Cell_fault{Cell_fault::Kind::folded, facets[i].cell, facets[i - 1].cell};
     }
     return std::nullopt;
 }
@@ -88,13 +92,15 @@ Boundary_facets boundary_facets(const std::vector<std::array<Index, 4>>& cells) 
 }
 
 std::optional<std::size_t> covered_twice(const Domain_3& domain, std::span<const Coordinates<3>> points,
-                                         const std::vector<std::array<Index, 4>>& cells, const Boundary_facets& facets) {
+                                         const std::vector<std::array<Index, 4>>& cells,
+                                         const Boundary_facets& facets) {
     // The parts of the boundary, each by one of its vertices.
     std::vector<Index> parent(points.size());
     std::iota(parent.begin(), parent.end(), Index{0});
     const auto root = [&parent](Index v) {
         while (parent[static_cast<std::size_t>(v)] != v)
-            v = parent[static_cast<std::size_t>(v)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(v)])];
+            v = parent[static_cast<std::size_t>(v)] =
+                parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(v)])];
         return v;
     };
     for (const auto& t : facets.triangles)

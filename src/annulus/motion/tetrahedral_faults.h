@@ -27,7 +27,8 @@ struct Cell_fault {
 /// The first cell that has no volume, or is negative while another is positive; else a facet of more than two cells or with two on one
 /// side of it; nothing when there is none. Cells that are negative, all of them, are turned. Exact. Precondition: indices name points, which are
 /// finite. O(n log n).
-[[nodiscard]] std::optional<Cell_fault> cell_fault(std::span<const Coordinates<3>> points, std::vector<std::array<Index, 4>>& cells);
+[[nodiscard]] std::optional<Cell_fault> cell_fault(std::span<const Coordinates<3>> points,
+                                                   std::vector<std::array<Index, 4>>& cells);
 
 /// Triangles that are facets of exactly one cell, counter-clockwise from outside, in the order of the cells; and of which.
 struct Boundary_facets {
@@ -41,6 +42,7 @@ struct Boundary_facets {
 /// twice; nothing when there is none. `domain` is what the facets enclose by the parity of rays. O(n), and one question to it for each
 /// connected part of the boundary.
 [[nodiscard]] std::optional<std::size_t> covered_twice(const Domain_3& domain, std::span<const Coordinates<3>> points,
-                                                       const std::vector<std::array<Index, 4>>& cells, const Boundary_facets& facets);
+                                                       const std::vector<std::array<Index, 4>>& cells,
+                                                       const Boundary_facets& facets);
 
 }  // namespace annulus
