@@ -96,6 +96,21 @@ TEST_CASE("the rims of a cylinder go around, and have no corner", "[motion][feat
     CHECK(Feature_curves(prism(circle(48)), 7).corners().size() == 96);  // a side turns by 7.5 degrees
 }
 
+TEST_CASE("where a sharp edge turns there is a corner", "[motion][features]") {
+    // A low roof: its rim is sharp, its ridges are not.
+    Triangle_surface s;
+    s.points = {{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {0, 0, 0.1}};
+    s.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+    const Feature_curves sharp(s, 60);
+    CHECK(sharp.corners().size() == 4);
+    CHECK(sharp.curves().size() == 4);
+    const Feature_curves around(s, 100);  // it turns by 90 degrees
+    CHECK(around.corners().empty());
+    REQUIRE(around.curves().size() == 1);
+    CHECK(around.goes_around(0));
+    CHECK(around.curves()[0].length() == Approx(8));
+}
+
 TEST_CASE("a curve may end at the corner where it begins", "[motion][features]") {
     std::vector<Coordinates<2>> drop;
     for (const auto& p : circle(60))
