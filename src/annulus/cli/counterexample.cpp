@@ -46,7 +46,7 @@ Run add_counterexample_command(CLI::App& app, const Invocation& invocation) {
         "Five points of space where the paper's tolerance accepts a triangulation that is no longer Delaunay");
     const auto a = std::make_shared<Arguments>();
     sub->add_option("--delta", a->delta, "How far a and b are inside the unit sphere, 2^-40 to 0.1")
-        ->check(CLI::Range(0x1p-40, 0.1))
+        ->check(number_within(0x1p-40, 0.1))
         ->capture_default_str();
     sub->add_flag("--json", a->json, "Print JSON instead of text");
     add_common(*sub, a->common, "counterexample.json", false);
