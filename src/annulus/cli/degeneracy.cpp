@@ -22,6 +22,7 @@ struct Degeneracy_call {
     std::string file;
     int dimension = 0;  // that of the file
     bool ignore_z = false;
+    std::string format;
 };
 
 template <class Embedding_of_cgal, int d>
@@ -102,15 +103,16 @@ bool is_degeneracy(std::string_view name) { return name == "degeneracy.json" || 
 
 int run(const Degeneracy_call& a, const std::string& command) {
     if (!a.common.output.empty()) require_writable(a.common, is_degeneracy);
+    const Read_options options{.ignore_z = a.ignore_z, .format = a.format};
     std::variant<Point_file<2>, Point_file<3>> file;
-    if (a.dimension == 2) file = read_points<2>(a.file, {.ignore_z = a.ignore_z});
-    else if (a.dimension == 3) file = read_points<3>(a.file);
-    else file = read_points_of_any_dimension(a.file, {.ignore_z = a.ignore_z});
+    if (a.dimension == 2) file = read_points<2>(a.file, options);
+    else if (a.dimension == 3) file = read_points<3>(a.file, options);
+    else file = read_points_of_any_dimension(a.file, options);
     const auto* plane = std::get_if<Point_file<2>>(&file);
     Degeneracy_record r = plane != nullptr ? study<Cgal_embedding_2<No_info>>(*plane)
                                            : study<Cgal_embedding_3<No_info>>(std::get<Point_file<3>>(file));
     r.command = command;
-    a.common.say_merged(a.file, r.points - r.vertices);
+    a.common.say_merged(r.file, r.points - r.vertices);
     std::visit([&](const auto& points) { a.common.say_notes(points.notes); }, file);
     if (!a.common.output.empty()) {
         Result_files out(a.common, is_degeneracy);
@@ -131,7 +133,9 @@ Run add_degeneracy_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand(
         "degeneracy", "How degenerate points are: certified counts and distributions of their Delaunay triangulation");
     const auto a = std::make_shared<Degeneracy_call>();
-    sub->add_option("FILE", a->file, "Points, .xyz, .csv, .off, .ply or .mesh")->required();
+    sub->add_option("FILE", a->file, "Points, .xyz, .csv, .lammpstrj, .off, .ply or .mesh; - is standard input")
+        ->required();
+    add_format(*sub, a->format, point_formats);
     auto* dimension = sub->add_option("--dim", a->dimension, "2 or 3; default: that of the file")
                           ->type_name("D")
                           ->check(whole_number(2, 3));

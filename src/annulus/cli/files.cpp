@@ -127,10 +127,10 @@ void write_run(const Common_arguments& arguments, const Tracker_3& tracker, cons
     out.commit();
 }
 
-void say_interrupted(const Common_arguments& a, std::uint64_t done_steps, std::uint64_t steps) {
-    std::fprintf(stderr, "annulus: interrupted after %llu of %llu steps; what was done is in %s\n",
-                 static_cast<unsigned long long>(done_steps), static_cast<unsigned long long>(steps),
-                 partial(a.output).c_str());
+void say_interrupted(const Common_arguments& a, std::uint64_t done_steps, std::optional<std::uint64_t> steps) {
+    const std::string of = steps ? " of " + std::to_string(*steps) : "";
+    std::fprintf(stderr, "annulus: interrupted after %llu%s steps; what was done is in %s\n",
+                 static_cast<unsigned long long>(done_steps), of.c_str(), partial(a.output).c_str());
 }
 
 template <class Moving>

@@ -27,8 +27,9 @@ void write_run(const Common_arguments& arguments, const Tracker_3& tracker, cons
                bool domain, std::optional<Picture> before, std::optional<Picture> after,
                std::vector<std::string> notes);
 
-/// One line on standard error: how far an interrupted run came, of `steps`, and where that is.
-void say_interrupted(const Common_arguments& arguments, std::uint64_t done_steps, std::uint64_t steps);
+/// One line on standard error: how far an interrupted run came, of `steps` where that is known, and where that is.
+void say_interrupted(const Common_arguments& arguments, std::uint64_t done_steps,
+                     std::optional<std::uint64_t> steps = std::nullopt);
 
 /// The few lines a run prints at its end.
 template <class Moving>

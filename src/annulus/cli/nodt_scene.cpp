@@ -2,7 +2,7 @@
 #include <annulus/cli/nodt_scene.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/formats/file_bytes.h>
+#include <annulus/formats/format.h>
 #include <annulus/formats/read_image.h>
 #include <annulus/formats/read_surface.h>
 #include <annulus/motion/ball_3.h>
@@ -46,7 +46,7 @@ double Nodt_scene::spacing() const { return std::cbrt(domain->volume() / static_
 
 namespace {
 
-bool is_image(const std::string& file) { return format_extension(file) == ".inr"; }
+bool is_image(const std::string& file) { return has_extension_of(file, Format::inr); }
 
 std::unique_ptr<const Domain_3> surface_domain(const Nodt_arguments& a, std::vector<std::string>& notes) {
     Triangle_surface surface;

@@ -123,6 +123,7 @@ void Tracker<Moving>::record_step(const Move_report& report, double seconds, dou
             }
         }
     }
+    if (!keeps_steps_) record_.steps.clear();
     record_.steps.push_back(it);
     const bool last = record_.iterations == iterations_;
     if (audit_every_ > 0 && (last || record_.iterations % audit_every_ == 0)) audit();

@@ -6,6 +6,7 @@
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace annulus::cli {
     return r.flips + r.moves.reinserted + r.moves.rebuilt + r.moves.flipped > 0;
 }
 
+/// Of a motion whose end is not known when it begins.
+inline constexpr std::uint64_t unknown_iterations = std::numeric_limits<std::uint64_t>::max();
+
 /// One strategy following a motion: its triangulation (a Moving_delaunay), what it did, and what was measured on the way.
 template <class Moving>
 class Tracker {
@@ -25,6 +29,11 @@ class Tracker {
     /// then about 25 a decade, and the last. The precomputation of tolerances is timed as part of `triangulation`.
     Tracker(std::string name, std::span<const Coordinates<d>> points, const Options& options, double spacing,
             std::uint64_t iterations, std::uint64_t audit_every, bool measure);
+
+    /// How many iterations there are, where that was unknown: told before the last one.
+    void ends_after(std::uint64_t iterations) { iterations_ = iterations; }
+    /// From now on only the last step is kept: memory then does not depend on how many there are.
+    void forget_steps() { keeps_steps_ = false; }
 
     /// Follows one timestamp. Motion seconds and displacement are what the motion says of itself.
     void step(std::span<const Coordinates<d>> x, double motion_seconds, double displacement_mean,
@@ -69,6 +78,7 @@ class Tracker {
     std::uint64_t iterations_;
     std::uint64_t audit_every_;
     bool measure_;
+    bool keeps_steps_ = true;
     bool cells_changed_ = true;
 };
 
