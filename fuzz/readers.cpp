@@ -90,12 +90,12 @@ void points(const fs::path& file) {
 
 template <int d>
 void check_frame(const Recorded_motion& motion, const Frame& frame) {
-    const Frame_points<d> merged = points_of<d>(motion, frame, Coincident::merge);
+    const Frame_points<d> merged = points_of<d>(motion.name, frame, Coincident::merge);
     require(distinct(merged.x) && merged.id.size() == merged.x.size(), "distinct points in a frame");
     require(merged.merged + merged.id.size() == frame.id.size(), "every point is kept or merged");
     bool refused = false;
     try {
-        (void)points_of<d>(motion, frame, Coincident::refuse);
+        (void)points_of<d>(motion.name, frame, Coincident::refuse);
     } catch (const Input_error& error) {
         refused = error.code() == Error_code::collision;
     }
@@ -104,7 +104,7 @@ void check_frame(const Recorded_motion& motion, const Frame& frame) {
 
 template <Absent_frames absent>
 void motion(const fs::path& file) {
-    const Recorded_motion m = read_motion(file, absent);
+    const Recorded_motion m = read_motion(file, {.absent = absent});
     std::size_t all = 0;
     for (const Frame& f : m.frames) {
         all += f.id.size();
