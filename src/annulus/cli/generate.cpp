@@ -40,7 +40,7 @@ std::vector<std::string> words_of(const Families& families) {
 }
 
 template <class Family, std::size_t n>
-std::optional<Family> named(const std::array<std::pair<std::string_view, Family>, n>& families, std::string_view word) {
+std::optional<Family> family_named(const std::array<std::pair<std::string_view, Family>, n>& families, std::string_view word) {
     for (const auto& family : families)
         if (family.first == word) return family.second;
     return std::nullopt;
@@ -63,14 +63,14 @@ struct Generate_call {
 
 template <int d>
 int write_motion(const Generate_call& a, Format format) {
-    const std::optional<Motion_family> family = named(motion_families, a.kind);
+    const std::optional<Motion_family> family = family_named(motion_families, a.kind);
     const std::uint64_t steps = family ? a.steps : 0;
     Generated_motion<d> motion(
-        generate<d>(*named(point_families, family ? a.from : a.kind), static_cast<std::size_t>(a.points), a.seed),
+        generate<d>(*family_named(point_families, family ? a.from : a.kind), static_cast<std::size_t>(a.points), a.seed),
         family.value_or(Motion_family::walk), a.pace, a.seed);
+    const Interruption_guard guard;  // before the file: what is not whole is taken away again
     Text_output out(a.output);
     std::string text;
-    const Interruption_guard guard;  // what is not whole is taken away again
     Progress progress("generate", steps, a.quiet);
     for (std::uint64_t i = 0;; ++i) {
         if (Interruption_guard::interrupted()) return done;
@@ -145,7 +145,7 @@ Run add_generate_command(CLI::App& app, const Invocation&) {
     sub->add_flag("-q,--quiet", a->quiet, "No progress, only errors and the exit status");
     return [a, of_motions] {
         for (const CLI::Option* option : of_motions)
-            if (option->count() > 0 && !named(motion_families, a->kind))
+            if (option->count() > 0 && !family_named(motion_families, a->kind))
                 throw Error(Error_code::usage, option->get_name() + " is for motions: walk, shear, orbit");
         return run(*a);
     };
