@@ -3,8 +3,11 @@
 #include "gzip.h"
 #include "temporary_directory.h"
 
+#include <annulus/formats/frame_points.h>
 #include <annulus/formats/read_motion.h>
 #include <annulus/formats/read_points.h>
+#include <annulus/formats/write_frames.h>
+#include <annulus/motion/generated_motion.h>
 
 #include <catch2/catch.hpp>
 
@@ -182,4 +185,27 @@ TEST_CASE("long lines and many empty ones", "[io][motion]") {
     CHECK(frames[1].line == std::vector<std::uint64_t>{1'000'006});
     expect_fault(directory.file("c.xyz", "1\n\n" + std::string(70'000'000, '1')), 3, "is longer than 64 MiB",
                  [](const auto& file) { (void)all_of(file); });
+}
+
+TEMPLATE_TEST_CASE_SIG("frames that are written are read back, bit for bit", "[io][motion]", ((int d), d), 2, 3) {
+    const Temporary_directory directory;
+    for (const Format format : frame_formats)
+        for (const Motion_family family : {Motion_family::walk, Motion_family::shear, Motion_family::orbit}) {
+            Generated_motion<d> motion(generate<d>(Point_family::clusters, 50, 3), family, 0.1, 3);
+            std::vector<std::vector<Coordinates<d>>> expected;
+            std::string text;
+            for (std::uint64_t i = 0; i < 4; ++i, motion.step()) {
+                expected.emplace_back(motion.points().begin(), motion.points().end());
+                append_frame<d>(text, format, i, motion.points());
+            }
+            const Recorded_motion read = read_motion(directory.file("a", text), {.format = std::string(name_of(format))});
+            CHECK(read.has_z == (d == 3));
+            CHECK(read.notes.empty());
+            REQUIRE(read.frames.size() == 4);
+            for (std::size_t i = 0; i < 4; ++i) {
+                CHECK(read.frames[i].number == i);
+                CHECK(points_of<d>(read.name, read.frames[i], Coincident::refuse).x == expected[i]);
+                if (i > 0) CHECK(expected[i] != expected[i - 1]);
+            }
+        }
 }
