@@ -259,7 +259,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     const std::string_view content(reinterpret_cast<const char*>(data) + 1, size - 1);
     const unsigned letter = data[0] - unsigned{'A'};
-    const unsigned which = letter % 32 % std::size(kinds);
+    const auto which = static_cast<unsigned>(letter % 32 % std::size(kinds));
     const Kind& kind = kinds[which];
     const bool packed = (letter & 32) != 0 && which != packed_bytes;
     const fs::path file = scratch.file(std::string("a") + kind.extension + (packed ? ".gz" : ""),
