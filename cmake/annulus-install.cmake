@@ -6,11 +6,15 @@ set(annulus_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/annulus")
 
 install(TARGETS annulus EXPORT annulusTargets)
 install(TARGETS annulus-toolkit EXPORT annulusToolkitTargets)
+if(TARGET annulus-c)
+    install(TARGETS annulus-c EXPORT annulusCTargets)
+    install(EXPORT annulusCTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}")
+endif()
 if(TARGET annulus-cli)
     install(TARGETS annulus-cli)
 endif()
 install(DIRECTORY src/annulus/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/annulus"
-        FILES_MATCHING PATTERN "*.h" PATTERN cli EXCLUDE)
+        FILES_MATCHING PATTERN "*.h" PATTERN cli EXCLUDE PATTERN c EXCLUDE)
 install(EXPORT annulusTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}")
 install(EXPORT annulusToolkitTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}")
 
