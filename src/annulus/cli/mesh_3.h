@@ -35,4 +35,7 @@ class Mesh_3 {
     bool domain_ = false;
 };
 
+/// All cells of the triangulation, cut as above.
+[[nodiscard]] Picture picture_of(const Moving_delaunay_3& dt, std::string caption);
+
 }  // namespace annulus::cli

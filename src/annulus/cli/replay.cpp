@@ -5,19 +5,15 @@
 #include <annulus/cli/frame_change.h>
 #include <annulus/cli/mesh_3.h>
 #include <annulus/cli/progress.h>
+#include <annulus/cli/replay_scene.h>
 #include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker.h>
-#include <annulus/formats/frame_points.h>
-#include <annulus/formats/motion_reader.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <numeric>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 namespace annulus::cli {
@@ -27,35 +23,16 @@ namespace {
 struct Replay_call {
     Common_arguments common;
     Tracking_arguments tracking;
-    std::string file;
-    int dimension = 0;  // 0: what the file has
-    std::string coincident = "refuse";
-    std::string absent = "refuse";
-    Motion_options motion;
-
-    [[nodiscard]] Coincident on_coincident() const {
-        return coincident == "merge" ? Coincident::merge : Coincident::refuse;
-    }
+    Replay_arguments replay;
+    Frame_arguments frames;
 };
 
-std::optional<Picture> picture(const Moving_delaunay_2& dt, const std::string& caption) {
-    return picture_of(dt, caption);
-}
-std::optional<Picture> picture(const Moving_delaunay_3& dt, const std::string& caption) {
+/// The solid cells in one order, whatever the history of the triangulation.
+std::vector<std::array<Index, 3>> ordered_cells(const Moving_delaunay_2&) { return {}; }
+std::vector<std::array<Index, 4>> ordered_cells(const Moving_delaunay_3& dt) {
     Mesh_3 mesh;
     mesh.read(dt);
-    return mesh.cut(caption);
-}
-
-void write(const Common_arguments& arguments, const Tracker_2& tracker, std::optional<Picture> before,
-           std::vector<std::string> notes) {
-    write_run(arguments, tracker, "step", std::move(before), std::move(notes));
-}
-void write(const Common_arguments& arguments, const Tracker_3& tracker, std::optional<Picture> before,
-           std::vector<std::string> notes) {
-    Mesh_3 mesh;
-    mesh.read(tracker.triangulation());
-    write_run(arguments, tracker, "step", mesh, false, std::move(before), mesh.cut("after"), std::move(notes));
+    return mesh.cells().vertex;
 }
 
 /// How many points came and went, and how many others stood for.
@@ -69,108 +46,111 @@ struct Traffic {
     }
 };
 
-/// The frames of a file as a motion of dimension d. The first one with points has been read to learn what they are.
-template <int d>
-class Replayed_frames {
-  public:
-    Replayed_frames(Motion_reader& reader, Frame&& first, std::uint64_t empty_before, const Replay_call& call)
-        : reader_(reader),
-          frame_(std::move(first)),
-          empty_before_(empty_before),
-          coincident_(call.on_coincident()),
-          first_(points_of<d>(reader.name(), frame_, coincident_)) {
-        if (d == 2 && call.dimension == 0 && reader.has_z()) z_ = frame_.position.front()[2];
-        require_flat();
-    }
-
-    [[nodiscard]] double spacing() const { return spacing_of<d>(first_.x); }
-    [[nodiscard]] bool at_end() { return empty_before_ == 0 && !first_waits_ && reader_.at_end(); }
-
-    bool next(Frame_points<d>& frame) {
-        if (empty_before_ > 0) {
-            --empty_before_;
-            frame = {};
-        } else if (std::exchange(first_waits_, false)) {
-            frame = std::exchange(first_, {});
-        } else {
-            if (!reader_.next(frame_)) return false;
-            require_flat();
-            frame = points_of<d>(reader_.name(), frame_, coincident_);
-        }
-        return true;
-    }
-
-  private:
-    /// What cannot be read twice was taken for a motion of the plane by its first points.
-    void require_flat() const {
-        for (std::size_t i = 0; z_ && i < frame_.position.size(); ++i)
-            if (frame_.position[i][2] != *z_)
-                throw Input_error(Error_code::bad_input, reader_.name(), frame_.line[i],
-                                  "z is not that of all points before", "--dim 3, or --dim 2 to drop z");
-    }
-
-    Motion_reader& reader_;
-    Frame frame_;
-    std::uint64_t empty_before_;
-    bool first_waits_ = true;
-    Coincident coincident_;
-    Frame_points<d> first_;
-    std::optional<double> z_;
-};
-
+/// A triangulation on its way from frame to frame, and what is written of each.
 template <class Moving>
-int replay(const Replay_call& a, const std::string& command, Motion_reader& reader, Frame&& first,
-           std::uint64_t empty_before, Clock::time_point begin) {
-    constexpr int d = Moving::dimension_of_space;
-    Replayed_frames<d> frames(reader, std::move(first), empty_before, a);
-    const double spacing = frames.spacing();
-    Frame_points<d> frame;
-    (void)frames.next(frame);
-    Traffic traffic{.merged = frame.merged};
-    const bool files = !a.common.output.empty();
-    if (files) require_writable(a.common);
-    Tracker<Moving> tracker(a.tracking.strategy, frame.x, options_of(a.tracking, a.common), spacing, unknown_iterations,
-                            a.tracking.audit, files);
-    if (!files) tracker.forget_steps();
-    std::optional<Picture> before;
-    if (files) before = picture(tracker.triangulation(), "before");
+class Replay {
+  public:
+    static constexpr int d = Moving::dimension_of_space;
 
-    Present present{std::move(frame.id), std::vector<Index>(frame.x.size())};
-    std::iota(present.index.begin(), present.index.end(), Index{0});
-    const auto step = [&] {
-        Frame_change<d> change(present, tracker.triangulation().positions(), frame);
-        const auto indices = tracker.follow(change.leave, change.x, change.arrive, change.mean(), change.max);
+    Replay(const Replay_call& a, const Options& options, Replayed_frames<d>& frames)
+        : frames_(frames), films_(!a.common.output.empty()), tracker_(first_frame(a, options)), page_{.step = "step"} {
+        if (!films_) tracker_.forget_steps();
+        else files_.emplace(a.common, a.frames, tracker_);
+        present_ = {std::move(frame_.id), std::vector<Index>(frame_.x.size())};
+        std::iota(present_.index.begin(), present_.index.end(), Index{0});
+        for (std::size_t k = 0; files_ && k < present_.id.size(); ++k) files_->name(present_.index[k], present_.id[k]);
+        note_frame();
+        if (frames_.at_end()) tracker_.ends_after(0);
+    }
+
+    /// One step; false after the last.
+    bool next() {
+        if (!frames_.next(frame_)) return false;
+        if (frames_.at_end()) tracker_.ends_after(tracker_.record().iterations + 1);
+        Frame_change<d> change(present_, tracker_.triangulation().positions(), frame_);
+        if (files_) {
+            std::vector<std::uint64_t> ids;
+            for (std::size_t k = 0; k < change.index.size(); ++k)
+                if (change.index[k] == none) ids.push_back(frame_.id[k]);
+            files_->arriving(ids);
+        }
+        const auto indices = tracker_.follow(change.leave, change.x, change.arrive, 0, change.mean(), change.max);
         auto arrived = indices.begin();
         for (Index& index : change.index)
             if (index == none) index = *arrived++;
-        present = {std::move(frame.id), std::move(change.index)};
-        traffic.arrived += indices.size();
-        traffic.left += change.leave.size();
-        traffic.merged += frame.merged;
-    };
+        present_ = {std::move(frame_.id), std::move(change.index)};
+        traffic_.arrived += indices.size();
+        traffic_.left += change.leave.size();
+        traffic_.merged += frame_.merged;
+        note_frame();
+        return true;
+    }
+
+    [[nodiscard]] Tracker<Moving>& tracker() { return tracker_; }
+    [[nodiscard]] const Traffic& traffic() const { return traffic_; }
+
+    void write(const Common_arguments& arguments, std::vector<std::string> notes) {
+        if (films_) page_.film.add(tracker_.record().iterations, picture_of(tracker_.triangulation(), caption_), true);
+        page_.notes = std::move(notes);
+        page_.cells = ordered_cells(tracker_.triangulation());
+        page_.figures = frame_figures(files_->records(), tracker_.record(), true);
+        page_.frames = &*files_;
+        write_run(arguments, tracker_, std::move(page_));
+    }
+
+  private:
+    Tracker<Moving> first_frame(const Replay_call& a, const Options& options) {
+        (void)frames_.next(frame_);
+        traffic_.merged = frame_.merged;
+        if (films_) require_writable(a.common);
+        return {a.tracking.strategy, frame_.x, options, frames_.spacing(), unknown_iterations, a.tracking.audit, films_};
+    }
+    void note_frame() {
+        if (!files_) return;
+        files_->frame(frame_.number);
+        caption_ = "Frame " + std::to_string(frame_.number);
+        const std::uint64_t step = tracker_.record().iterations;
+        if (page_.film.wants(step)) page_.film.add(step, picture_of(tracker_.triangulation(), caption_));
+    }
+
+    Replayed_frames<d>& frames_;
+    bool films_;
+    Frame_points<d> frame_;
+    Traffic traffic_;
+    Tracker<Moving> tracker_;
+    Run_page<Moving> page_;
+    std::optional<Frame_files<Moving>> files_;
+    Present present_;
+    std::string caption_;  // of the last frame
+};
+
+template <class Moving>
+int replay(const Replay_call& a, const Options& options, const std::string& command, Opened_motion& motion,
+           Clock::time_point begin) {
+    Replayed_frames<Moving::dimension_of_space> frames(motion, a.replay);
+    Replay<Moving> run(a, options, frames);
+    const Tracker<Moving>& tracker = run.tracker();
+    const bool files = !a.common.output.empty();
     std::optional<Interruption_guard> guard;
     if (files) guard.emplace();
     std::optional<Input_error> fault;
     try {
         Progress progress("replay", 0, a.common.quiet);
-        if (frames.at_end()) tracker.ends_after(0);
-        while (!Interruption_guard::interrupted() && frames.next(frame)) {
-            if (frames.at_end()) tracker.ends_after(tracker.record().iterations + 1);
-            step();
+        while (!Interruption_guard::interrupted() && run.next()) {
             char news[40];
             std::snprintf(news, sizeof news, "%.2f %% within tolerance", 100 * tracker.share_within());
-            progress.show(tracker.record().iterations, news, reader.share_read());
+            progress.show(tracker.record().iterations, news, motion.reader.share_read());
         }
     } catch (const Input_error& error) {
         // Whoever is interrupted on a terminal gets the end of a pipe, too: its other end has had the same signal.
         if (!files || (tracker.record().iterations == 0 && !Interruption_guard::interrupted())) throw;
         fault = error;
     }
-    tracker.finish(command, a.common.seed, since(begin));
-    std::vector<std::string> notes = reader.notes();
-    notes.insert(notes.begin(), traffic.in_words());
-    if (files) write(a.common, tracker, std::move(before), notes);
-    a.common.say_notes(reader.notes());
+    run.tracker().finish(command, a.common.seed, since(begin));
+    std::vector<std::string> notes = motion.reader.notes();
+    notes.insert(notes.begin(), run.traffic().in_words());
+    if (files) run.write(a.common, notes);
+    a.common.say_notes(motion.reader.notes());
     if (fault && !Interruption_guard::interrupted())
         throw Input_error(fault->code(), fault->file(), fault->line(), fault->fault(),
                           fault->expected() + "; what was done before is in " + partial(a.common.output));
@@ -186,31 +166,13 @@ int replay(const Replay_call& a, const std::string& command, Motion_reader& read
     return tracker.record().audit.failed == 0 ? done : audit_failed;
 }
 
-/// Of the plane where z is the same everywhere; where the file cannot be read twice, in its first frame with points.
-int dimension_of(const Replay_call& a, const Motion_reader& reader, const Frame& first) {
-    if (!reader.has_z()) return 2;
-    std::error_code ignored;
-    if (!is_standard_input(a.file) && std::filesystem::is_regular_file(a.file, ignored))
-        return is_flat(a.file, a.motion) ? 2 : 3;
-    return std::all_of(first.position.begin(), first.position.end(),
-                       [&](const auto& p) { return p[2] == first.position.front()[2]; })
-               ? 2
-               : 3;
-}
-
 int run(const Replay_call& a, const std::string& command) {
     const auto begin = Clock::now();
-    (void)options_of(a.tracking, a.common);  // wrong usage is told before a file is opened
-    Motion_reader reader(a.file, a.motion);
-    Frame first;
-    std::uint64_t empty_before = 0;
-    while (reader.next(first) && first.id.empty()) ++empty_before;
-    if (a.dimension == 3 && !reader.has_z())
-        throw Input_error(Error_code::bad_input, reader.name(), 0, "points have no z",
-                          "a third coordinate for --dim 3");
-    return (a.dimension != 0 ? a.dimension : dimension_of(a, reader, first)) == 2
-               ? replay<Moving_delaunay_2>(a, command, reader, std::move(first), empty_before, begin)
-               : replay<Moving_delaunay_3>(a, command, reader, std::move(first), empty_before, begin);
+    Options options = options_of(a.tracking, a.common);  // wrong usage is told before a file is opened
+    prepare(a.frames, a.common, options);
+    Opened_motion motion = open_motion(a.replay);
+    return motion.dimension == 2 ? replay<Moving_delaunay_2>(a, options, command, motion, begin)
+                                 : replay<Moving_delaunay_3>(a, options, command, motion, begin);
 }
 
 }  // namespace
@@ -218,31 +180,11 @@ int run(const Replay_call& a, const std::string& command) {
 Run add_replay_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand("replay", "A recorded motion, the triangulation kept right throughout");
     const auto a = std::make_shared<Replay_call>();
-    sub->add_option("FILE", a->file,
-                    "Frames: .xyz (extended XYZ), .lammpstrj (LAMMPS dump) or .csv with columns frame, id, x, y [, z];\n"
-                    ".gz after it unpacks; - is standard input")
-        ->required();
-    add_format(*sub, a->motion.format, frame_formats);
-    sub->add_option("--dim", a->dimension, "Dimension; 2 drops z. Without it, 3 where z is not the same everywhere")
-        ->check(whole_number(2, 3));
-    sub->add_option("--coincident", a->coincident,
-                    "Points of a frame at one place: refuse them, or merge: the one with the least id stands for all")
-        ->check(CLI::IsMember({"refuse", "merge"}))
-        ->capture_default_str();
-    sub->add_option(
-           "--absent-frames", a->absent,
-           "Gaps in the numbers of a .csv file's frames: refuse them, empty: all points disappear for one step\n"
-           "and appear again, or skip: one step leads over the gap")
-        ->check(CLI::IsMember({"refuse", "empty", "skip"}))
-        ->capture_default_str();
+    add_replay(*sub, a->replay);
+    add_frames(*sub, a->frames);
     add_tracking(*sub, a->tracking);
     add_common(*sub, a->common, run_files);
-    return [a, command = command_line(invocation.words)] {
-        a->motion.absent = a->absent == "empty"  ? Absent_frames::empty
-                           : a->absent == "skip" ? Absent_frames::skip
-                                                 : Absent_frames::refuse;
-        return run(*a, command);
-    };
+    return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }
 
 }  // namespace annulus::cli

@@ -6,6 +6,7 @@
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -35,13 +36,17 @@ class Tracker {
     /// From now on only the last step is kept: memory then does not depend on how many there are.
     void forget_steps() { keeps_steps_ = false; }
 
+    /// Told what each call of the triangulation reports, and which vertex it inserted, or `none`.
+    using Listener = std::function<void(const Move_report& report, Index arrived)>;
+    void listen(Listener listener) { listener_ = std::move(listener); }
+
     /// Follows one timestamp. Motion seconds and displacement are what the motion says of itself.
     void step(std::span<const Coordinates<d>> x, double motion_seconds, double displacement_mean,
               double displacement_max);
     /// Follows one timestamp in which some vertices leave, the others move to x (by index), and then some arrive: removals,
     /// one move_all, insertions. Returns the indices of those that arrived. Throws what the triangulation throws.
     std::vector<Index> follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,
-                              std::span<const Coordinates<d>> arrive, double displacement_mean,
+                              std::span<const Coordinates<d>> arrive, double motion_seconds, double displacement_mean,
                               double displacement_max);
     /// What the mesh was before the first step, and is after the last one.
     void mesh_before(Mesh_step mesh) { record_.mesh_before = std::move(mesh); }
@@ -69,7 +74,10 @@ class Tracker {
     void record_step(const Move_report& report, double seconds, double motion_seconds, double displacement_mean,
                      double displacement_max);
 
+    void hear(Move_report& report, Index arrived);
+
     Moving dt_;
+    Listener listener_;
     Run_record record_;
     Move_report totals_;
     std::vector<Width_distribution> widths_;

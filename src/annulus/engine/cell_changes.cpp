@@ -4,26 +4,34 @@
 #include <annulus/mesh/certificates.h>
 
 #include <algorithm>
-#include <utility>
+#include <tuple>
 
 namespace annulus {
 
 namespace {
 
-/// A cell with its vertices in the order of their indices before it: cells with equal ones are the same.
+/// A cell, and before it what cells have in common that are the same: their vertices, in the order of the indices, and their orientation.
 template <class Points>
-using Sorted = std::vector<std::pair<Points, Points>>;
+struct Keyed {
+    Points vertices;
+    bool odd = false;
+    Points cell;
+
+    explicit Keyed(const Points& x) : vertices(x), cell(x) {
+        for (std::size_t i = 0; i < x.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k) odd = odd != (x[k] > x[i]);
+        std::sort(vertices.begin(), vertices.end());
+    }
+    [[nodiscard]] auto key() const { return std::tie(vertices, odd); }
+};
+
+template <class Points>
+using Sorted = std::vector<Keyed<Points>>;
 
 template <class Points>
 Sorted<Points> sorted(const std::vector<Points>& cells) {
-    Sorted<Points> out;
-    out.reserve(cells.size());
-    for (const Points& x : cells) {
-        Points key = x;
-        std::sort(key.begin(), key.end());
-        out.emplace_back(key, x);
-    }
-    std::sort(out.begin(), out.end());
+    Sorted<Points> out(cells.begin(), cells.end());
+    std::sort(out.begin(), out.end(), [](const auto& l, const auto& r) { return l.key() < r.key(); });
     return out;
 }
 
@@ -32,9 +40,9 @@ template <class Points>
 std::vector<Index> without(const Sorted<Points>& cells, const Sorted<Points>& others, bool everything) {
     std::vector<Index> out;
     auto other = others.begin();
-    for (const auto& [key, x] : cells) {
-        while (other != others.end() && other->first < key) ++other;
-        if (everything || other == others.end() || other->first != key) out.insert(out.end(), x.begin(), x.end());
+    for (const Keyed<Points>& x : cells) {
+        while (other != others.end() && other->key() < x.key()) ++other;
+        if (everything || other == others.end() || other->key() != x.key()) out.insert(out.end(), x.cell.begin(), x.cell.end());
     }
     return out;
 }

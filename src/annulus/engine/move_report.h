@@ -47,8 +47,8 @@ struct Move_report {
     double price = 0.0;  ///< filters: what it cost, in cells looked at, by prices that were measured (prices.h)
     double handle_seconds = 0.0;     ///< part of a rebuild spent on keeping vertex handles valid, not CGAL's own
     /// On request (Options::report_changes): the cells that came and those that went, d + 1 vertices a cell, -1 for the one at infinity.
-    /// No cell is in both, but where all points are in a plane or on a line, before or after: then every finite cell there is and there
-    /// was (padded with -2, `none`).
+    /// No cell is in both (one that was turned over is another one), but where all points are in a plane or on a line, before or after:
+    /// then they are every finite cell there is, and there was (padded with -2, `none`).
     std::vector<Index> changed, gone;
 
     Move_report& operator+=(const Move_report& o) {

@@ -13,7 +13,7 @@ Frame_points<d> points_of(const std::string& name, const Frame& frame, Coinciden
     const auto fail = [&](Error_code code, std::size_t i, std::string what, std::string expected) {
         throw Input_error(code, name, frame.line[i], std::move(what), std::move(expected));
     };
-    Frame_points<d> result;
+    Frame_points<d> result{.number = frame.number};
     result.x.reserve(frame.position.size());
     for (std::size_t i = 0; i < frame.position.size(); ++i) {
         Coordinates<d> p;
