@@ -198,20 +198,25 @@ TEMPLATE_TEST_CASE_SIG("Reported changes are the cells that came and those that 
                         for (std::size_t k = 0; k < list.size(); k += corners) {
                             std::array<Index, corners> cell{};
                             std::copy_n(list.begin() + static_cast<std::ptrdiff_t>(k), corners, cell.begin());
-                            if (std::find(cell.begin(), cell.end(), infinite) == cell.end()) CHECK(cells.insert(canonical(cell)).second);
+                            if (std::find(cell.begin(), cell.end(), infinite) == cell.end())
+                                CHECK(cells.insert(canonical(cell)).second);
                         }
                         return cells;
                     };
-                    const auto only = [](const Cells_of<d>& here, const Cells_of<d>& there) {
+                    const auto only = [&](const Cells_of<d>& here, const Cells_of<d>& there) {
                         std::set<std::array<Index, corners>> cells;
-                        std::set_difference(here.begin(), here.end(), there.begin(), there.end(), std::inserter(cells, cells.end()));
+                        std::set_difference(here.begin(), here.end(), there.begin(), there.end(),
+                                            std::inserter(cells, cells.end()));
                         return cells;
                     };
                     // Of a flat set, before or after, everything is listed.
-                    const auto flat = [](const Cells_of<d>& cells) { return cells.empty() || cells[0][d] == none || cells[0][0] == none; };
+                    const auto flat = [](const Cells_of<d>& cells) {
+                        return cells.empty() || cells[0][d] == none || cells[0][0] == none;
+                    };
                     const bool all = flat(before) || flat(after);
                     auto came = finite(report.changed), gone = finite(report.gone);
-                    if (d == 3 && !all)  // where they are compared without their orientation; those that were turned over are in both
+                    if (d == 3 &&
+                        !all)  // where they are compared without their orientation; those that were turned over are in both
                         for (const auto& cell : std::set(came))
                             if (gone.erase(cell) == 1) came.erase(cell);
                     CHECK(came == only(after, all ? Cells_of<d>() : before));

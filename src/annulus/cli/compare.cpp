@@ -7,9 +7,9 @@
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker.h>
 #include <annulus/formats/input_error.h>
-#include <annulus/report/summary.h>
 #include <annulus/formats/write_csv.h>
 #include <annulus/formats/write_json.h>
+#include <annulus/report/summary.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -123,8 +123,8 @@ int compare(const Compare_call& a, const Invocation& invocation, Motion& motion,
     if (ended)
         for (auto& t : trackers) t.ends_after(0);
     const std::uint64_t strategies = trackers.size();
-    std::optional<Progress> progress(std::in_place, "compare", iterations == unknown_iterations ? 0 : iterations * strategies,
-                                     a.common.quiet);
+    std::optional<Progress> progress(std::in_place, "compare",
+                                     iterations == unknown_iterations ? 0 : iterations * strategies, a.common.quiet);
     for (std::uint64_t done_steps = 0; done_steps < iterations && !stopped && !ended;) {
         std::size_t now = 0;
         for (std::size_t bytes = 0; !stopped && !ended && bytes < recording_bytes && done_steps + now < iterations;) {
@@ -227,7 +227,8 @@ int run(const Compare_call& a, const Invocation& invocation) {
 
 Run add_compare_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand(
-        "compare", "The same motion under several strategies: annulus compare --strategies a,b -- lloyd|nodt|replay ...");
+        "compare",
+        "The same motion under several strategies: annulus compare --strategies a,b -- lloyd|nodt|replay ...");
     const auto a = std::make_shared<Compare_call>();
     sub->add_option("--strategies", a->strategies,
                     "Strategies, separated by commas; NAME:KIND changes the tolerance (filter:floating) or the second "

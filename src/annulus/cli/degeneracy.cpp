@@ -10,10 +10,10 @@
 #include <annulus/formats/distinct.h>
 #include <annulus/formats/read_points.h>
 #include <annulus/formats/text_output.h>
-#include <annulus/report/degeneracy_series.h>
 #include <annulus/formats/write_json.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
+#include <annulus/report/degeneracy_series.h>
 
 #include <algorithm>
 #include <charconv>
@@ -99,7 +99,8 @@ std::vector<std::pair<std::string, double>> thresholds_of(const std::vector<std:
         thresholds.emplace_back(word, value);
     }
     if (thresholds.size() > Degeneracy_options<2>::most_thresholds)
-        throw Error(Error_code::usage, "--thresholds takes " + std::to_string(Degeneracy_options<2>::most_thresholds) + " at most");
+        throw Error(Error_code::usage,
+                    "--thresholds takes " + std::to_string(Degeneracy_options<2>::most_thresholds) + " at most");
     return thresholds;
 }
 
@@ -165,7 +166,8 @@ void write(const Degeneracy_call& a, const Content& content, const Csv_table* ta
     out.commit();
 }
 
-void finish(const Degeneracy_call& a, Degeneracy_record r, const std::string& command, const std::vector<std::string>& notes) {
+void finish(const Degeneracy_call& a, Degeneracy_record r, const std::string& command,
+            const std::vector<std::string>& notes) {
     r.command = command;
     a.common.say_merged(r.file, r.points - r.vertices);
     a.common.say_notes(notes);
@@ -202,7 +204,8 @@ void study_frame(const Degeneracy_call& a, const std::string& command, Replayed_
         if (frame.number == *a.frame) {
             if (frame.x.size() < 2)
                 throw Input_error(Error_code::too_few, frames.reader().name(), 0,
-                                  "frame " + std::to_string(frame.number) + " has " + counted(frame.x.size(), "point"), "two at least");
+                                  "frame " + std::to_string(frame.number) + " has " + counted(frame.x.size(), "point"),
+                                  "two at least");
             return finish(a, study<d>(a, frames.reader(), frame), command, frames.reader().notes());
         }
     throw Input_error(Error_code::bad_input, frames.reader().name(), 0, "has no frame " + std::to_string(*a.frame),
@@ -235,7 +238,8 @@ int run(const Degeneracy_call& a, const std::string& command) {
         if (a.dimension == 2) file = read_points<2>(a.file, options);
         else if (a.dimension == 3) file = read_points<3>(a.file, options);
         else file = read_points_of_any_dimension(a.file, options);
-        std::visit([&]<int d>(const Point_file<d>& points) { finish(a, study<d>(a, points), command, points.notes); }, file);
+        std::visit([&]<int d>(const Point_file<d>& points) { finish(a, study<d>(a, points), command, points.notes); },
+                   file);
     }
     if (!a.common.quiet && !a.common.output.empty()) std::printf("written to     %s\n", a.common.output.c_str());
     return done;
@@ -247,21 +251,26 @@ Run add_degeneracy_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand(
         "degeneracy", "How degenerate points are: certified counts and distributions of their Delaunay triangulation");
     const auto a = std::make_shared<Degeneracy_call>();
-    sub->add_option("FILE", a->file, "Points, .xyz, .csv, .lammpstrj, .off, .ply or .mesh, or a motion with --frame or --every; - is standard input")
+    sub->add_option("FILE", a->file,
+                    "Points, .xyz, .csv, .lammpstrj, .off, .ply or .mesh, or a motion with --frame or --every; - is "
+                    "standard input")
         ->required();
     add_format(*sub, a->format, point_formats);
     auto* dimension = sub->add_option("--dim", a->dimension, "2 or 3; default: that of the file")
                           ->type_name("D")
                           ->check(whole_number(2, 3));
     sub->add_flag("--ignore-z", a->ignore_z, "Drop the z coordinate of the file");
-    auto* frame = sub->add_option("--frame", a->frame, "The frame of a motion that the file calls N (.xyz: counted from 0)")
-                      ->type_name("N")
-                      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
-    auto* every = sub->add_option("--every", a->every, "Every N-th frame of a motion, from the first: degeneracy.csv, and curves")
-                      ->type_name("N")
-                      ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()))
-                      ->excludes(frame);
-    sub->add_option("--thresholds", a->thresholds, "Widths to count below, in mean spacings, separated by commas (1e-3,1e-6,1e-9,1e-12)")
+    auto* frame =
+        sub->add_option("--frame", a->frame, "The frame of a motion that the file calls N (.xyz: counted from 0)")
+            ->type_name("N")
+            ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
+    auto* every =
+        sub->add_option("--every", a->every, "Every N-th frame of a motion, from the first: degeneracy.csv, and curves")
+            ->type_name("N")
+            ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()))
+            ->excludes(frame);
+    sub->add_option("--thresholds", a->thresholds,
+                    "Widths to count below, in mean spacings, separated by commas (1e-3,1e-6,1e-9,1e-12)")
         ->delimiter(',')
         ->type_name("LIST");
     sub->add_option("--raw", a->raw, "Write every certificate to this file, a line of CSV each; .gz packs it")

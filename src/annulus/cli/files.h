@@ -27,8 +27,8 @@ struct Run_page {
     Film film{};  ///< in their place
     std::vector<Figure> figures{};
     std::vector<std::string> notes{};
-    std::vector<Cell> cells{};  ///< the solid ones, where they have an order of their own
-    std::vector<Vtu_field> point_fields{}, cell_fields{};     ///< of final.vtu, further ones
+    std::vector<Cell> cells{};                             ///< the solid ones, where they have an order of their own
+    std::vector<Vtu_field> point_fields{}, cell_fields{};  ///< of final.vtu, further ones
     std::vector<std::pair<std::string, std::string>> files{};  ///< further ones, and what is in them
     Frame_files<Moving>* frames = nullptr;
 };

@@ -56,11 +56,14 @@ Frame_record::Voronoi summary_of(const std::vector<double>& volume, const std::v
 }  // namespace
 
 void add_frames(CLI::App& app, Frame_arguments& a) {
-    app.add_option("--every", a.every, "Write every N-th frame for ParaView, from the first: frames.pvd and frame-*.vtu")
+    app.add_option("--every", a.every,
+                   "Write every N-th frame for ParaView, from the first: frames.pvd and frame-*.vtu")
         ->type_name("N")
         ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()));
-    app.add_flag("--voronoi", a.voronoi, "Write voronoi.csv: area or volume and neighbours of every Voronoi cell in every frame");
-    app.add_flag("--changes", a.changes, "Write changes.csv: which points became neighbours, or no longer are, and when");
+    app.add_flag("--voronoi", a.voronoi,
+                 "Write voronoi.csv: area or volume and neighbours of every Voronoi cell in every frame");
+    app.add_flag("--changes", a.changes,
+                 "Write changes.csv: which points became neighbours, or no longer are, and when");
 }
 
 void prepare(const Frame_arguments& frames, const Common_arguments& common, Options& options) {
@@ -73,7 +76,8 @@ void prepare(const Frame_arguments& frames, const Common_arguments& common, Opti
 }
 
 template <class Moving>
-Frame_files<Moving>::Frame_files(const Common_arguments& common, const Frame_arguments& frames, Tracker<Moving>& tracker)
+Frame_files<Moving>::Frame_files(const Common_arguments& common, const Frame_arguments& frames,
+                                 Tracker<Moving>& tracker)
     : frames_(frames), dt_(tracker.triangulation()) {
     for (std::size_t i = 0; i < dt_.index_bound(); ++i) name(static_cast<Index>(i), i);
     if (!frames.any()) return;

@@ -94,7 +94,9 @@ class Guided_replay {
     [[nodiscard]] double spacing() const { return frames_.spacing(); }
     bool next(Timestamp<d>& t);
     [[nodiscard]] bool at_end() { return frames_.at_end(); }
-    [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const { return picture_of(dt, std::move(caption)); }
+    [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const {
+        return picture_of(dt, std::move(caption));
+    }
 
   private:
     Replayed_frames<d>& frames_;

@@ -103,7 +103,8 @@ class Replay {
         (void)frames_.next(frame_);
         traffic_.merged = frame_.merged;
         if (films_) require_writable(a.common);
-        return {a.tracking.strategy, frame_.x, options, frames_.spacing(), unknown_iterations, a.tracking.audit, films_};
+        return {a.tracking.strategy, frame_.x,         options, frames_.spacing(),
+                unknown_iterations,  a.tracking.audit, films_};
     }
     void note_frame() {
         if (!files_) return;

@@ -54,7 +54,8 @@ Opened_motion open_motion(const Replay_arguments& a) {
     Opened_motion motion{Motion_reader(a.file, a.motion())};
     while (motion.reader.next(motion.first) && motion.first.id.empty()) motion.empty.push_back(motion.first.number);
     if (a.dimension == 3 && !motion.reader.has_z())
-        throw Input_error(Error_code::bad_input, motion.reader.name(), 0, "points have no z", "a third coordinate for --dim 3");
+        throw Input_error(Error_code::bad_input, motion.reader.name(), 0, "points have no z",
+                          "a third coordinate for --dim 3");
     motion.dimension = a.dimension != 0 ? a.dimension : dimension_of(a, motion);
     return motion;
 }

@@ -93,7 +93,8 @@ std::vector<Index> Tracker<Moving>::follow(std::span<const Index> leave, std::sp
         return arrived;
     };
     for (const Index i : leave)
-        (void)call([&](Move_report& one) { return dt_.remove(dt_.vertex(static_cast<std::size_t>(i)), &one), none; }, false);
+        (void)call([&](Move_report& one) { return dt_.remove(dt_.vertex(static_cast<std::size_t>(i)), &one), none; },
+                   false);
     (void)call([&](Move_report& one) { return one = dt_.move_all(x), none; }, true);
     for (const auto& p : arrive) {
         const auto point = std::apply([](auto... c) { return typename Moving::Point(c...); }, p);

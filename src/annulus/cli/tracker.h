@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/report/report.h>
-#include <annulus/report/run_record.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
+#include <annulus/report/report.h>
+#include <annulus/report/run_record.h>
 
 #include <functional>
 #include <limits>

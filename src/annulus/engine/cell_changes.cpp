@@ -42,7 +42,8 @@ std::vector<Index> without(const Sorted<Points>& cells, const Sorted<Points>& ot
     auto other = others.begin();
     for (const Keyed<Points>& x : cells) {
         while (other != others.end() && other->key() < x.key()) ++other;
-        if (everything || other == others.end() || other->key() != x.key()) out.insert(out.end(), x.cell.begin(), x.cell.end());
+        if (everything || other == others.end() || other->key() != x.key())
+            out.insert(out.end(), x.cell.begin(), x.cell.end());
     }
     return out;
 }

@@ -30,8 +30,8 @@ class Cell_changes {
 
     Embedding<d>& embedding_;
     Cell_journal<d>& journal_;
-    bool solid_;               ///< there are cells of dimension d
-    bool watched_;             ///< the mirror is
+    bool solid_;                  ///< there are cells of dimension d
+    bool watched_;                ///< the mirror is
     std::vector<Points> before_;  ///< all cells, where it is not
 };
 

@@ -18,7 +18,7 @@ enum class Coincident {
 /// Points of one frame that a triangulation can have: none outside the domain of the library, no two equal, no -0.
 template <int d>
 struct Frame_points {
-    std::uint64_t number = 0;       ///< what the file calls the frame
+    std::uint64_t number = 0;         ///< what the file calls the frame
     std::vector<std::uint64_t> id{};  ///< ascending
     std::vector<Coordinates<d>> x{};
     std::uint64_t merged = 0;  ///< points that another one stands for

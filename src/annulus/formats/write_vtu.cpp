@@ -111,8 +111,10 @@ std::string write_vtu(std::span<const Coordinates<d>> points,
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
         "byte_order=\"";
     out += std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
-    out += "\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n    <Piece NumberOfPoints=\"" +
-           std::to_string(points.size()) + "\" NumberOfCells=\"" + std::to_string(cells.size()) + "\">\n";
+    out +=
+        "\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n    <Piece "
+        "NumberOfPoints=\"" +
+        std::to_string(points.size()) + "\" NumberOfCells=\"" + std::to_string(cells.size()) + "\">\n";
     append_fields(out, "PointData", point_fields, points.size());
     append_fields(out, "CellData", cell_fields, cells.size());
     out += "      <Points>\n";

@@ -73,12 +73,8 @@ Csv_table degeneracy_table(const Degeneracy_series& series) {
 }
 
 nlohmann::ordered_json degeneracy_json(const Degeneracy_series& series) {
-    return {{"command", series.command},
-            {"version", ANNULUS_VERSION},
-            {"file", series.file},
-            {"dimension", series.dimension},
-            {"frames", series.rows.size()},
-            {"thresholds", series.thresholds}};
+    return {{"command", series.command},     {"version", ANNULUS_VERSION},   {"file", series.file},
+            {"dimension", series.dimension}, {"frames", series.rows.size()}, {"thresholds", series.thresholds}};
 }
 
 std::string degeneracy_html(const Degeneracy_series& series) {
@@ -92,16 +88,21 @@ std::string degeneracy_html(const Degeneracy_series& series) {
     };
     Plot counts{"Bi-cells with a width below", frames, {"bi-cells", Scale::log10, {}, {}, false}, {}};
     for (std::size_t k = 0; k < series.thresholds.size(); ++k)
-        counts.series.push_back(over_frames(series.thresholds[k], series, [k](const Numbers& n) { return n.below[k]; }));
+        counts.series.push_back(
+            over_frames(series.thresholds[k], series, [k](const Numbers& n) { return n.below[k]; }));
     Plot zero{"Bi-cells that are exactly degenerate", frames, {"bi-cells", Scale::linear, 0., {}, false}, {}};
     zero.series.push_back(over_frames("", series, [](const Numbers& n) { return n.zero; }));
-    Plot unsound{"Vertices at which the paper's tolerance is unsound", frames, {"vertices", Scale::linear, 0., {}, false}, {}};
+    Plot unsound{
+        "Vertices at which the paper's tolerance is unsound", frames, {"vertices", Scale::linear, 0., {}, false}, {}};
     unsound.series.push_back(over_frames("", series, [](const Numbers& n) { return n.paper_unsound; }));
-    std::string out = page_head(series.file + ": " + grouped(series.rows.size()) + " frames, how degenerate", series.command);
+    std::string out =
+        page_head(series.file + ": " + grouped(series.rows.size()) + " frames, how degenerate", series.command);
     append_plots(out, "Widths and tolerances",
-                 {lengths("Widths of bi-cells", &Numbers::width), lengths("Certified tolerances of vertices", &Numbers::tolerance),
+                 {lengths("Widths of bi-cells", &Numbers::width),
+                  lengths("Certified tolerances of vertices", &Numbers::tolerance),
                   lengths("The paper's tolerances", &Numbers::paper)},
-                 "The least, the one that 1 % are below, and the median, in mean spacings of the frame. What is 0 is not drawn.");
+                 "The least, the one that 1 % are below, and the median, in mean spacings of the frame. What is 0 is "
+                 "not drawn.");
     append_plots(out, "Counts", {counts, zero, unsound}, "Every count is certified. degeneracy.csv has the numbers.");
     return out + page_foot();
 }

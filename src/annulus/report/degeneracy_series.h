@@ -20,8 +20,9 @@ struct Degeneracy_row {
     struct Numbers {
         double spacing = 0;
         std::uint64_t bicells = 0, zero = 0, non_convex = 0, paper_unsound = 0;
-        std::vector<std::uint64_t> below;           ///< widths of bi-cells, by threshold
-        std::array<double, 3> width{}, tolerance{}, paper{};  ///< the least, 1 % and half are smaller; tolerances of vertices
+        std::vector<std::uint64_t> below;  ///< widths of bi-cells, by threshold
+        std::array<double, 3> width{}, tolerance{},
+            paper{};  ///< the least, 1 % and half are smaller; tolerances of vertices
         double theta_median = 0;
     };
     std::uint64_t frame = 0;

@@ -60,14 +60,17 @@ std::string Film::html() const {
     window.whole = !parts;
     std::string out = "<div class=\"film\">\n";
     for (const Shot& shot : pictures_)
-        out += "<figure>" + svg_triangulation(shot.picture, window) + "<figcaption>" + escaped(shot.picture.caption) + ", " +
-               grouped(shot.vertices) + (shot.vertices == 1 ? " vertex" : " vertices") + "</figcaption></figure>\n";
+        out += "<figure>" + svg_triangulation(shot.picture, window) + "<figcaption>" + escaped(shot.picture.caption) +
+               ", " + grouped(shot.vertices) + (shot.vertices == 1 ? " vertex" : " vertices") +
+               "</figcaption></figure>\n";
     out += "<p hidden><label>Frame <input type=\"range\" min=\"0\" max=\"" + std::to_string(pictures_.size() - 1) +
            "\" value=\"0\" step=\"1\"/></label></p>\n</div>\n<figcaption>";
     out += pictures_.size() == frames_ ? "All " + grouped(frames_) + " frames are shown"
-                                       : grouped(pictures_.size()) + " of " + grouped(frames_) + " frames are shown: one in " +
-                                             grouped(stride_) + ", and the last";
-    if (parts) out += "; of each a window in the middle, chosen when there were more than " + grouped(most_vertices) + " vertices";
+                                       : grouped(pictures_.size()) + " of " + grouped(frames_) +
+                                             " frames are shown: one in " + grouped(stride_) + ", and the last";
+    if (parts)
+        out += "; of each a window in the middle, chosen when there were more than " + grouped(most_vertices) +
+               " vertices";
     out += ".</figcaption>\n";
     // Only where there are scripts is there something to slide.
     return out + R"js(<script>

@@ -33,10 +33,12 @@ Plot plot(std::string title, std::string x, std::string y, std::vector<Series> c
 
 std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const Run_record& run, bool steps) {
     const auto over_frames = [&](std::string name, auto value) {
-        return series(std::move(name), frames, [](const Frame_record& f) { return f.number; }, value);
+        return series(
+            std::move(name), frames, [](const Frame_record& f) { return f.number; }, value);
     };
     const auto over_steps = [&](std::string name, auto value) {
-        return series(std::move(name), run.steps, [](const Iteration_record& s) { return s.iteration; }, value);
+        return series(
+            std::move(name), run.steps, [](const Iteration_record& s) { return s.iteration; }, value);
     };
     const auto voronoi = [&](std::string name, auto member) {
         return over_frames(std::move(name), [member](const Frame_record& f) {
@@ -46,11 +48,12 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
     using Voronoi = Frame_record::Voronoi;
     Figure motion{"Over time", {}, ""}, cells{"Voronoi cells over time", {}, ""};
     if (steps) {
-        motion.panels.push_back(plot("How far points go in a step", "step", "displacement (mean spacings)",
-                                     {over_steps("mean", [](const auto& s) { return std::optional(s.displacement_mean); }),
-                                      over_steps("largest", [](const auto& s) { return std::optional(s.displacement_max); })}));
         motion.panels.push_back(
-            plot("Flips", "step", "flips in a step", {over_steps("", [](const auto& s) { return std::optional(s.flips); })}));
+            plot("How far points go in a step", "step", "displacement (mean spacings)",
+                 {over_steps("mean", [](const auto& s) { return std::optional(s.displacement_mean); }),
+                  over_steps("largest", [](const auto& s) { return std::optional(s.displacement_max); })}));
+        motion.panels.push_back(plot("Flips", "step", "flips in a step",
+                                     {over_steps("", [](const auto& s) { return std::optional(s.flips); })}));
     }
     if (std::any_of(frames.begin(), frames.end(), [&](const auto& f) { return f.points != frames.front().points; }))
         motion.panels.push_back(plot("Points", "frame", "points",

@@ -4,9 +4,9 @@
 #include <annulus/certificate/half_width.h>
 #include <annulus/certificate/ladder.h>
 #include <annulus/certificate/theta.h>
+#include <annulus/mesh/certificates.h>
 #include <annulus/statistics/paper_tolerance.h>
 #include <annulus/statistics/spacing.h>
-#include <annulus/mesh/certificates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -196,8 +196,10 @@ class Survey {
     }
 
     /// After its width was counted, which may have made it narrower.
-    void tell(typename Raw_certificate<d>::Kind kind, const Facet_points<d>& points, const Half_width& h, std::size_t i) const {
-        if (options_.raw) options_.raw({kind, points, 2 * h.lower, 2 * h.upper, judged_[i].tolerance, judged_[i].stage});
+    void tell(typename Raw_certificate<d>::Kind kind, const Facet_points<d>& points, const Half_width& h,
+              std::size_t i) const {
+        if (options_.raw)
+            options_.raw({kind, points, 2 * h.lower, 2 * h.upper, judged_[i].tolerance, judged_[i].stage});
     }
 
     /// The ladder, as a run has it, for stages and tolerances.

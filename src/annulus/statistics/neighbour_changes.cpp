@@ -31,7 +31,8 @@ void Neighbour_changes<d>::enter(const Edges& edges, const Edges& others, int si
     for (const auto& edge : edges) {
         while (other != others.end() && *other < edge) ++other;
         if (other != others.end() && *other == edge) continue;
-        const std::uint64_t a = id_[static_cast<std::size_t>(edge.first)], b = id_[static_cast<std::size_t>(edge.second)];
+        const std::uint64_t a = id_[static_cast<std::size_t>(edge.first)],
+                            b = id_[static_cast<std::size_t>(edge.second)];
         changes_.push_back({{std::min(a, b), std::max(a, b)}, sign});
     }
 }
