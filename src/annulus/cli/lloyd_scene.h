@@ -16,6 +16,7 @@ struct Lloyd_arguments {
     std::uint64_t points = 0;
     std::string input;
     bool ignore_z = false;
+    std::string format;  ///< of the input, where not as its extension says
     std::string density = "one";
     std::string domain;
     double radius = 0;

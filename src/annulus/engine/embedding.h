@@ -98,6 +98,8 @@ class Embedding {
 
     /// Appends the vertices of every finite cell, or of what is the largest there is of lower dimension (padded with `none`).
     virtual void list_cells(std::vector<Index>& vertices) const = 0;
+    /// The same, and those with infinity, where there are any of dimension d.
+    virtual void list_all_cells(std::vector<Index>& vertices) const = 0;
     /// Whether rebuild(x) would sort the vertices first, which is a good part of its price. O(1).
     [[nodiscard]] virtual bool rebuild_sorts(std::span<const Coordinates<d>> x) const = 0;
     /// Looks at a cell of some `count` vertices, at x. O(count).

@@ -46,6 +46,7 @@ figcaption{color:var(--soft);font-size:.88rem;line-height:1.45;margin-top:8px;ma
 svg{display:block;width:100%;height:auto}
 .panels>figure:only-child{max-width:620px}
 .mesh{border:1px solid var(--rule)}
+.film{max-width:760px}.film input{width:100%}.film [hidden]{display:none}
 .edges,.dots,.curve,.lead,.grid,.tick,.axis{fill:none}
 .edges{stroke:var(--edge);stroke-linejoin:round}.dots{stroke:var(--c0);stroke-linecap:round}
 .grid{stroke:var(--grid)}.tick,.axis{stroke:var(--soft)}
