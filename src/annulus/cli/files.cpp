@@ -50,7 +50,7 @@ std::string title_of(const Run_record& run, const std::string& step, const std::
 }
 
 void write_run(const Common_arguments& arguments, const Tracker_2& tracker, const std::string& step,
-               std::optional<Picture> before, std::vector<std::string> notes) {
+               std::optional<Picture> before, std::vector<std::string> notes, const std::string& stipples) {
     const Run_record& run = tracker.record();
     const Audit_input<2> in = tracker.triangulation().audit_input();
     const auto cells = triangles(in);
@@ -71,6 +71,7 @@ void write_run(const Common_arguments& arguments, const Tracker_2& tracker, cons
     out.write("iterations.csv", write_csv(iterations_table(run)));
     out.write("final.mesh", write_mesh<2>(in.points, in.cells));
     out.write("final.vtu", write_vtu<2>(in.points, cells, fields));
+    if (!stipples.empty()) out.write("stipples.svg", stipples);
     out.write("report.html", report_html(report));
     out.commit();
 }

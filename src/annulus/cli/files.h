@@ -14,9 +14,9 @@ namespace annulus::cli {
 inline constexpr const char* run_files = "summary.json, iterations.csv, final.mesh, final.vtu and report.html";
 
 /// Writes summary.json, iterations.csv, final.mesh, final.vtu and report.html of one run, all or none: to --output, or
-/// beside it when the run was interrupted. `step` is what a step is called in the heading.
+/// beside it when the run was interrupted. `step` is what a step is called in the heading. `stipples` is stipples.svg, where it is not empty.
 void write_run(const Common_arguments& arguments, const Tracker_2& tracker, const std::string& step,
-               std::optional<Picture> before, std::vector<std::string> notes);
+               std::optional<Picture> before, std::vector<std::string> notes, const std::string& stipples = {});
 
 /// "500 vertices, 50 Lloyd iterations: NAMES", for the head of a report; `step` is "Lloyd iteration".
 [[nodiscard]] std::string title_of(const Run_record& run, const std::string& step, const std::string& names);

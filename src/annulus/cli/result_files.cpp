@@ -14,8 +14,8 @@ namespace {
 /// These tell what a directory holds. Each states its command.
 constexpr std::array<std::string_view, 5> heads{"summary.json", "compare.json", "audit.json", "degeneracy.json",
                                                 "counterexample.json"};
-constexpr std::array<std::string_view, 7> others{"iterations.csv", "dihedral.csv", "final.mesh",     "domain.mesh",
-                                                 "final.vtu",      "report.html",  "degeneracy.html"};
+constexpr std::array<std::string_view, 8> others{"iterations.csv", "dihedral.csv", "final.mesh",      "domain.mesh",
+                                                 "final.vtu",      "report.html",  "degeneracy.html", "stipples.svg"};
 
 template <std::size_t n>
 bool is_one_of(const std::array<std::string_view, n>& names, std::string_view name) {
