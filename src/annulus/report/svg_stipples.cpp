@@ -16,8 +16,8 @@ std::string svg_stipples(std::size_t width, std::size_t height, std::span<const 
     double sum = 0;
     for (const double r : radii) sum += r;
     const double mean = sum / static_cast<double>(radii.size());
-    const int digits = mean > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(mean / 25))), 0, 12) : 2;
-    const auto number = [&](double x) {
+    const int fine = mean > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(mean / 10))), 0, 12) : 2;
+    const auto number = [](double x, int digits) {
         char text[340];
         char* end = std::to_chars(text, text + sizeof text, x, std::chars_format::fixed, digits).ptr;
         if (digits > 0) {
@@ -32,8 +32,8 @@ std::string svg_stipples(std::size_t width, std::size_t height, std::span<const 
                       "\">\n<title>" + std::to_string(points.size()) + " stipples</title>\n<rect width=\"" + w + "\" height=\"" + h +
                       "\" fill=\"" + paper + "\"/>\n<g fill=\"" + ink + "\">\n";
     for (std::size_t i = 0; i < points.size(); ++i)
-        out += "<circle cx=\"" + number(points[i][0]) + "\" cy=\"" + number(static_cast<double>(height) - points[i][1]) + "\" r=\"" +
-               number(radii[radii.size() == 1 ? 0 : i]) + "\"/>\n";
+        out += "<circle cx=\"" + number(points[i][0], fine) + "\" cy=\"" + number(static_cast<double>(height) - points[i][1], fine) + "\" r=\"" +
+               number(radii[radii.size() == 1 ? 0 : i], fine + 1) + "\"/>\n";
     return out + "</g>\n</svg>\n";
 }
 
