@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> a file -> a reader. The first byte says which: A to P of the table below, a to p the same packed by gzip. What a reader
+// Bytes -> a file -> a reader. The first byte says which: A to R of the table below, a to r the same packed by gzip. What a reader
 // returns keeps what its header promises; what it throws is an Input_error in one line; memory is decided by bytes that are there.
 #include <annulus/formats/frame_points.h>
+#include <annulus/formats/read_gray_image.h>
 #include <annulus/formats/read_image.h>
 #include <annulus/formats/read_mesh.h>
 #include <annulus/formats/read_motion.h>
@@ -164,11 +165,17 @@ void image(const fs::path& file) {
     for (const double length : i.spacing) require(length > 0 && std::isfinite(length), "positive lengths");
 }
 
+void picture(const fs::path& file) {
+    const Gray_image i = read_gray_image(file);
+    require(i.value.size() == i.width * i.height && !i.value.empty(), "a value for every pixel");
+    require(std::all_of(i.value.begin(), i.value.end(), [&](std::uint16_t v) { return v <= i.white; }), "no value above white");
+}
+
 struct Kind {
     const char* extension;
     void (*read)(const fs::path&);
 };
-constexpr Kind kinds[16] = {
+constexpr Kind kinds[] = {
     {".xyz", points},                         // A
     {".csv", points},                         // B
     {".off", points},                         // C
@@ -185,6 +192,8 @@ constexpr Kind kinds[16] = {
     {".mesh", mesh},                          // N
     {".inr", image},                          // O
     {".xyz.gz", points},                      // P: the bytes are the packed ones
+    {".pgm", picture},                        // Q
+    {".png", picture},                        // R
 };
 
 std::string gzip(std::string_view text) {
@@ -238,8 +247,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     const std::string_view content(reinterpret_cast<const char*>(data) + 1, size - 1);
     const unsigned letter = data[0] - unsigned{'A'};
-    const Kind& kind = kinds[letter % 16];
-    const bool packed = (letter & 32) != 0 && letter % 16 != 15;
+    const unsigned which = letter % 32 < std::size(kinds) ? letter % 32 : letter % 16;
+    const Kind& kind = kinds[which];
+    const bool packed = (letter & 32) != 0 && which != 15;
     const fs::path file = scratch.file(std::string("a") + kind.extension + (packed ? ".gz" : ""),
                                        packed ? gzip(content) : std::string(content));
     Memory::reset();
@@ -248,8 +258,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const Input_error& error) {
         check_error(error, file, content.size());
     }
-    // gzip packs a thousand bytes into one at the best.
-    const std::size_t most = (std::size_t{1} << 20) + (letter % 16 == 15 ? 100'000 : 200) * size;
+    // Deflate packs a thousand bytes into one at the best, or eight thousand pixels of a bit each.
+    const std::size_t most = (std::size_t{1} << 20) + (which == 15 || which == 17 ? 100'000 : 200) * size;
     if (Memory::peak > most) {
         std::cerr << "// " << Memory::peak << " bytes of memory for " << size << " bytes of input\n";
         std::abort();

@@ -28,6 +28,11 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
                    "Density whose centroids points move to: one, x2+y2, x2, sin2,\n"
                    "or a picture, .png or .pgm, which is stippled: dense where it is dark")
         ->type_name("D")
+        ->check([](const std::string& word) {
+            const bool known = std::any_of(std::begin(all_densities), std::end(all_densities), [&](Density d) { return name_of(d) == word; });
+            return known || is_gray_image(word) ? std::string()
+                                                : "'" + word + "' is none of one, x2+y2, x2, sin2, and no picture (.png, .pgm)";
+        })
         ->capture_default_str();
     app.add_flag("--invert", a.invert, "Of a picture: dense where it is bright");
     app.add_option("--dots", a.dots,
