@@ -2,6 +2,7 @@
 // Bytes -> a file -> a reader. The first byte says which: A to R of the table below, a to r the same packed by gzip. What a reader
 // returns keeps what its header promises; what it throws is an Input_error in one line; memory is decided by bytes that are there.
 #include <annulus/formats/frame_points.h>
+#include <annulus/formats/read_gray_image.h>
 #include <annulus/formats/read_image.h>
 #include <annulus/formats/read_mesh.h>
 #include <annulus/formats/read_motion.h>
@@ -199,6 +200,12 @@ void image(const fs::path& file) {
     for (const double length : i.spacing) require(length > 0 && std::isfinite(length), "positive lengths");
 }
 
+void picture(const fs::path& file) {
+    const Gray_image i = read_gray_image(file);
+    require(i.value.size() == i.width * i.height && !i.value.empty(), "a value for every pixel");
+    require(std::all_of(i.value.begin(), i.value.end(), [&](std::uint16_t v) { return v <= i.white; }), "no value above white");
+}
+
 struct Kind {
     const char* extension;
     void (*read)(const fs::path&);
@@ -222,6 +229,8 @@ constexpr Kind kinds[] = {
     {".xyz.gz", points},                      // P: the bytes are the packed ones
     {".lammpstrj", points},                   // Q
     {".dump", dump},                          // R
+    {".pgm", picture},                        // S
+    {".png", picture},                        // T
 };
 constexpr unsigned packed_bytes = 15;
 
@@ -287,8 +296,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const Input_error& error) {
         check_error(error, file, content.size());
     }
-    // gzip packs a thousand bytes into one at the best.
-    const std::size_t most = (std::size_t{1} << 20) + (which == packed_bytes ? 100'000 : 200) * size;
+    // Deflate packs a thousand bytes into one at the best, or eight thousand pixels of a bit each.
+    const bool deflated = which == packed_bytes || std::string_view(kind.extension) == ".png";
+    const std::size_t most = (std::size_t{1} << 20) + (deflated ? 100'000 : 200) * size;
     if (Memory::peak > most) {
         std::cerr << "// " << Memory::peak << " bytes of memory for " << size << " bytes of input\n";
         std::abort();

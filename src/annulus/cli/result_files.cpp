@@ -14,9 +14,9 @@ namespace {
 /// These tell what a directory holds. Each states its command.
 constexpr std::array<std::string_view, 5> heads{"summary.json", "compare.json", "audit.json", "degeneracy.json",
                                                 "counterexample.json"};
-constexpr std::array<std::string_view, 11> others{"iterations.csv", "dihedral.csv", "final.mesh",      "domain.mesh",
+constexpr std::array<std::string_view, 12> others{"iterations.csv", "dihedral.csv", "final.mesh",      "domain.mesh",
                                                   "final.vtu",      "report.html",  "degeneracy.html", "degeneracy.csv",
-                                                  "frames.pvd",     "voronoi.csv",  "changes.csv"};
+                                                  "frames.pvd",     "voronoi.csv",  "changes.csv",  "stipples.svg"};
 
 /// frame-000012.vtu
 bool is_frame(std::string_view name) {

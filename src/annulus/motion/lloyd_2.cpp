@@ -42,8 +42,8 @@ struct Wish {
     double way = 0;
 };
 
-bool wish_of(const Voronoi_cell_2& cell_of, const Cell_2& cell, const Coordinates<2>& from, const Domain_2& domain, Density density,
-             Wish& wish) {
+bool wish_of(const Voronoi_cell_2& cell_of, const Cell_2& cell, const Coordinates<2>& from, const Domain_2& domain,
+             const Density_2& density, Wish& wish) {
     Coordinates<2> offset;
     if (cell_of.plump()) {
         // Nothing can go wrong here, and lengths are those of the domain: no need to look for where the centroid is, nor for hypot.
@@ -71,7 +71,7 @@ bool is_cyclic(const Stars_2& lists, std::size_t v) { return lists.cyclic(v); }
 
 }  // namespace
 
-bool centroid(Density density, const Cell_2& cell, Coordinates<2>& offset) {
+bool centroid(const Density_2& density, const Cell_2& cell, Coordinates<2>& offset) {
     const Moments_2 m = moments(density, cell.origin, cell.corners);
     if (!(m.mass > 0)) return false;
     offset = {m.first[0] / m.mass, m.first[1] / m.mass};
@@ -95,8 +95,9 @@ bool centroid(Density density, const Cell_2& cell, Coordinates<2>& offset) {
     return true;
 }
 
-Lloyd_2::Lloyd_2(Domain_2 domain, Density density, int threads)
-    : domain_(std::move(domain)), density_(density), threads_(threads) {
+Lloyd_2::Lloyd_2(Domain_2 domain, Density_2 density, int threads)
+    : domain_(std::move(domain)), density_(std::move(density)), threads_(threads) {
+    require_density(density_, domain_);
     if (threads < 1) throw Error(Error_code::usage, "Lloyd needs at least 1 thread");
 }
 

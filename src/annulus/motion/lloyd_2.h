@@ -36,8 +36,8 @@ class Lloyd_memory {
 /// cell, cut to a convex domain, under a density. Immutable; `step` may be called from several threads at once.
 class Lloyd_2 {
   public:
-    /// `threads` >= 1, else Error(usage), is how many work on a step, or fewer where the machine has fewer.
-    Lloyd_2(Domain_2 domain, Density density, int threads = 1);
+    /// Throws what `require_density` does. `threads` >= 1, else Error(usage), is how many work on a step, or fewer where the machine has fewer.
+    Lloyd_2(Domain_2 domain, Density_2 density, int threads = 1);
 
     /// Sets target[v] to the centroid of (Voronoi cell of v, cut to the domain) for every v. The vertices with an empty
     /// list in `neighbours`, unless v is the only one, are vacant: they keep their position and are not counted.
@@ -58,7 +58,7 @@ class Lloyd_2 {
                     Lloyd_memory& memory) const;
 
     [[nodiscard]] const Domain_2& domain() const { return domain_; }
-    [[nodiscard]] Density density() const { return density_; }
+    [[nodiscard]] const Density_2& density() const { return density_; }
     [[nodiscard]] int threads() const { return threads_; }
 
   private:
@@ -68,12 +68,12 @@ class Lloyd_2 {
                          std::vector<double>& way, Remembered remembered) const;
 
     Domain_2 domain_;
-    Density density_;
+    Density_2 density_;
     int threads_;
 };
 
 /// The centroid of a cell under a density, as an offset from the cell's origin; false when the cell has no mass. A
 /// centroid that is out of the cell by more than rounding (a cell thinner than that) becomes the mean of the corners.
-[[nodiscard]] bool centroid(Density density, const Cell_2& cell, Coordinates<2>& offset);
+[[nodiscard]] bool centroid(const Density_2& density, const Cell_2& cell, Coordinates<2>& offset);
 
 }  // namespace annulus
