@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> a file -> a reader. The first byte says which: A to R of the table below, a to r the same packed by gzip. What a reader
+// Bytes -> a file -> a reader. The first byte says which: A to T of the table below, a to t the same packed by gzip. What a reader
 // returns keeps what its header promises; what it throws is an Input_error in one line; memory is decided by bytes that are there.
 #include <annulus/formats/frame_points.h>
 #include <annulus/formats/read_gray_image.h>
