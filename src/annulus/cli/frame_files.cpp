@@ -140,11 +140,11 @@ void Frame_files<Moving>::write_voronoi(std::uint64_t number, const Mesh_cells<d
 
 template <class Moving>
 void Frame_files<Moving>::write_changes(std::uint64_t number, Frame_record& record) {
-    record.pairs.emplace();
+    Frame_record::Neighbour_pairs pairs;
     const std::string frame = std::to_string(number) + ",";
     std::string text;
     for (const Neighbour_change& c : pairs_.take()) {
-        ++(c.made ? record.pairs->made : record.pairs->broken);
+        ++(c.made ? pairs.made : pairs.broken);
         text += frame;
         append_decimal(text, c.first);
         text += ',';
@@ -152,6 +152,7 @@ void Frame_files<Moving>::write_changes(std::uint64_t number, Frame_record& reco
         text += c.made ? ",made\n" : ",broken\n";
     }
     changes_->write(text);
+    if (!records_.empty()) record.pairs = pairs;  // of the first frame there is no frame before
 }
 
 template <class Moving>

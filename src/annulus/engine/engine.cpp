@@ -203,10 +203,7 @@ void Engine<d>::remove(Index i, Move_report& report) {
 
 template <int d>
 Mesh_cells<d> Engine<d>::cells() const {
-    if (embedding_.dimension() == d && embedding_.mirrored()) return mesh_cells(embedding_.table());
-    std::vector<Index> corners;
-    embedding_.list_cells(corners);
-    return mesh_cells<d>(corners, index_bound());
+    return embedding_.cells(index_bound());
 }
 
 template <int d>
