@@ -2,14 +2,14 @@
 #include <annulus/cli/files.h>
 #include <annulus/cli/result_files.h>
 
-#include <annulus/report/axis_ticks.h>
 #include <annulus/formats/input_error.h>
-#include <annulus/report/summary.h>
 #include <annulus/formats/write_csv.h>
 #include <annulus/formats/write_json.h>
 #include <annulus/formats/write_mesh.h>
 #include <annulus/formats/write_vtu.h>
 #include <annulus/motion/dihedral.h>
+#include <annulus/report/axis_ticks.h>
+#include <annulus/report/summary.h>
 
 #include <algorithm>
 #include <cmath>

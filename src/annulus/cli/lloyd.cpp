@@ -56,7 +56,8 @@ int run(const Lloyd_call& a, const std::string& command) {
     if (!a.common.output.empty()) {
         std::vector<std::string> notes = scene.notes;
         if (scene.merged > 0) notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
-        const std::string stipples = scene.stippling ? stipples_of(a.lloyd, scene, tracker.triangulation()) : std::string();
+        const std::string stipples =
+            scene.stippling ? stipples_of(a.lloyd, scene, tracker.triangulation()) : std::string();
         write_run(a.common, tracker, "Lloyd iteration", std::move(before), std::move(notes), stipples);
     }
     if (tracker.record().interrupted) {
