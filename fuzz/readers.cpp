@@ -203,7 +203,8 @@ void image(const fs::path& file) {
 void picture(const fs::path& file) {
     const Gray_image i = read_gray_image(file);
     require(i.value.size() == i.width * i.height && !i.value.empty(), "a value for every pixel");
-    require(std::all_of(i.value.begin(), i.value.end(), [&](std::uint16_t v) { return v <= i.white; }), "no value above white");
+    require(std::all_of(i.value.begin(), i.value.end(), [&](std::uint16_t v) { return v <= i.white; }),
+            "no value above white");
 }
 
 struct Kind {

@@ -5,9 +5,9 @@
 
 #include <annulus/formats/read_gray_image.h>
 
-#include <catch2/catch.hpp>
 #include <png.h>
 #include <zlib.h>
+#include <catch2/catch.hpp>
 
 #include <cstdlib>
 #include <string>
@@ -62,10 +62,11 @@ std::string chunk(const std::string& name, const std::string& data) {
 std::string png_by_hand(std::uint32_t width, std::uint32_t height, char depth, char colour, const std::string& rows) {
     std::string packed(compressBound(rows.size()), '\0');
     uLongf size = packed.size();
-    REQUIRE(compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(rows.data()), rows.size()) == Z_OK);
+    REQUIRE(compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(rows.data()),
+                     rows.size()) == Z_OK);
     packed.resize(size);
-    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", four(width) + four(height) + std::string{depth, colour, 0, 0, 0}) + chunk("IDAT", packed) +
-           chunk("IEND", "");
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", four(width) + four(height) + std::string{depth, colour, 0, 0, 0}) +
+           chunk("IDAT", packed) + chunk("IEND", "");
 }
 
 }  // namespace
@@ -115,27 +116,33 @@ TEST_CASE("PGM that is none is refused where it goes wrong", "[formats][image]")
 TEST_CASE("grey PNG keeps its values", "[formats][image]") {
     std::vector<std::uint8_t> all(256);
     Values expected(256);
-    for (unsigned i = 0; i < 256; ++i) all[i] = static_cast<std::uint8_t>(i), expected[i] = static_cast<std::uint16_t>(i);
+    for (unsigned i = 0; i < 256; ++i)
+        all[i] = static_cast<std::uint8_t>(i), expected[i] = static_cast<std::uint16_t>(i);
     const Gray_image image = read("a.png", png(PNG_FORMAT_GRAY, 16, 16, all));
     CHECK(image.width == 16);
     CHECK(image.height == 16);
     CHECK(image.white == 255);
     CHECK(image.value == expected);
     CHECK(read("a.Png.gz", gzip(png(PNG_FORMAT_GRAY, 16, 16, all))).value == expected);
-    const std::string palette = chunk("PLTE", std::string("\12\12\12\377\377\377", 6)), two = png_by_hand(2, 2, 8, 3, std::string("\0\0\1\0\1\0", 6));
+    const std::string palette = chunk("PLTE", std::string("\12\12\12\377\377\377", 6)),
+                      two = png_by_hand(2, 2, 8, 3, std::string("\0\0\1\0\1\0", 6));
     CHECK(read("a.png", two.substr(0, 33) + palette + two.substr(33)).value == Values{10, 255, 255, 10});
     // One bit a pixel: 10110000 010, rows of 11.
-    CHECK(read("a.png", png_by_hand(11, 1, 1, 0, std::string("\0\xb0\x40", 3))).value == Values{255, 0, 255, 255, 0, 0, 0, 0, 0, 255, 0});
+    CHECK(read("a.png", png_by_hand(11, 1, 1, 0, std::string("\0\xb0\x40", 3))).value ==
+          Values{255, 0, 255, 255, 0, 0, 0, 0, 0, 255, 0});
 }
 
 TEST_CASE("colours become luma, and what is transparent is paper", "[formats][image]") {
-    const Gray_image rgb = read("a.png", png(PNG_FORMAT_RGB, 5, 1, std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255, 90, 90, 90, 0, 255, 0, 0, 0, 255}));
+    const Gray_image rgb = read(
+        "a.png",
+        png(PNG_FORMAT_RGB, 5, 1, std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255, 90, 90, 90, 0, 255, 0, 0, 0, 255}));
     CHECK(rgb.value[0] == 0);
     CHECK(rgb.value[1] == 255);
     CHECK(rgb.value[2] == 90);
     CHECK(rgb.value[3] == 182);  // 0.7152 of white
     CHECK(rgb.value[4] == 18);   // 0.0722
-    const Gray_image clear = read("a.png", png(PNG_FORMAT_GA, 4, 1, std::vector<std::uint8_t>{0, 0, 0, 255, 77, 255, 0, 51}));
+    const Gray_image clear =
+        read("a.png", png(PNG_FORMAT_GA, 4, 1, std::vector<std::uint8_t>{0, 0, 0, 255, 77, 255, 0, 51}));
     CHECK(clear.value == Values{255, 0, 77, 204});
 }
 
@@ -161,7 +168,8 @@ TEST_CASE("PNG that is none is refused in one line", "[formats][image]") {
     CHECK_NOTHROW(read("a.png", whole));
     refuse("a.png", "no picture", 0, "no whole PNG");
     for (std::size_t size = 1; size + 12 < whole.size(); ++size) refuse("a.png", whole.substr(0, size), 0, "");
-    for (std::size_t at = 0; at + 12 < whole.size(); ++at) {  // a wrong bit: refused, or where it does not matter the same picture
+    for (std::size_t at = 0; at + 12 < whole.size();
+         ++at) {  // a wrong bit: refused, or where it does not matter the same picture
         std::string broken = whole;
         broken[at] = static_cast<char>(broken[at] ^ 16);
         const Temporary_directory directory;

@@ -68,8 +68,8 @@ TEST_CASE("sin2 moments keep the promise where it is tightest", "[motion][moment
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> unit(0, 1);
     double worst = 0;
-    for (const double h : {0.003, 0.01, 0.03, 0.05, 0.07, 0.08, 0.09, 0.1, 0.12, 0.15, 0.18, 0.2, 0.22, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5,
-                           0.7, 1.0, 1.499, 2.6})
+    for (const double h : {0.003, 0.01, 0.03, 0.05, 0.07, 0.08, 0.09, 0.1, 0.12, 0.15,  0.18, 0.2,
+                           0.22,  0.25, 0.3,  0.35, 0.4,  0.45, 0.5,  0.7, 1.0,  1.499, 2.6})
         for (const int place : {0, 1, 2, 3})
             for (int i = 0; i < repeats(h < 0.3 ? 60 : 10); ++i) {
                 const double u = unit(random), turn = 2 * pi * unit(random);
@@ -82,7 +82,8 @@ TEST_CASE("sin2 moments keep the promise where it is tightest", "[motion][moment
                 const auto polygon = oracle::random_polygon(random, h);
                 const auto exact = oracle::polygon(Density::sin2, c, polygon, std::max(0.06, h / 6));
                 // What is promised, and a few roundings of the distance in the sine.
-                const double e = error(moments(Density::sin2, c, oracle::straight(polygon)), exact, h) / (1e-9 + 4e-15 * r / h);
+                const double e =
+                    error(moments(Density::sin2, c, oracle::straight(polygon)), exact, h) / (1e-9 + 4e-15 * r / h);
                 worst = std::max(worst, e);
                 CAPTURE(seed, h, place, i, r, turn);
                 CHECK(e < 1);
@@ -145,9 +146,11 @@ TEST_CASE("any smooth density has the error that is stated", "[motion][moments]"
                 oracle::Moments exact;
                 const auto at = [&](oracle::Real x, oracle::Real y) { return first ? waves(x, y) : bell(x, y); };
                 for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-                    oracle::add_triangle(exact, at, {c[0], c[1]}, {polygon[0][0], polygon[0][1]}, {polygon[k][0], polygon[k][1]},
-                                         {polygon[k + 1][0], polygon[k + 1][1]}, std::max(0.05L, oracle::Real(h) / 12));
-                const double e = error(moments(Density_2(first ? wavy : bellshaped), c, oracle::straight(polygon)), exact, h);
+                    oracle::add_triangle(exact, at, {c[0], c[1]}, {polygon[0][0], polygon[0][1]},
+                                         {polygon[k][0], polygon[k][1]}, {polygon[k + 1][0], polygon[k + 1][1]},
+                                         std::max(0.05L, oracle::Real(h) / 12));
+                const double e =
+                    error(moments(Density_2(first ? wavy : bellshaped), c, oracle::straight(polygon)), exact, h);
                 CHECK(e < 1e-9 + 1e-14 / h);
                 worst = std::max(worst, e);
             }

@@ -81,7 +81,9 @@ inline Moments polygon(Density kind, Coordinates<2> c, const std::vector<Coordin
     Moments sum;
     const auto point = [](Coordinates<2> p) { return Point{p[0], p[1]}; };
     for (std::size_t i = 1; i + 1 < offset.size(); ++i)
-        add_triangle(sum, [kind](Real x, Real y) { return density(kind, x, y); }, point(c), point(offset[0]), point(offset[i]), point(offset[i + 1]), size);
+        add_triangle(
+            sum, [kind](Real x, Real y) { return density(kind, x, y); }, point(c), point(offset[0]), point(offset[i]),
+            point(offset[i + 1]), size);
     return sum;
 }
 

@@ -30,9 +30,11 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
                    "or a picture, .png or .pgm, which is stippled: dense where it is dark")
         ->type_name("D")
         ->check([](const std::string& word) {
-            const bool known = std::any_of(std::begin(all_densities), std::end(all_densities), [&](Density d) { return name_of(d) == word; });
-            return known || is_gray_image(word) ? std::string()
-                                                : "'" + word + "' is none of one, x2+y2, x2, sin2, and no picture (.png, .pgm)";
+            const bool known = std::any_of(std::begin(all_densities), std::end(all_densities),
+                                           [&](Density d) { return name_of(d) == word; });
+            return known || is_gray_image(word)
+                       ? std::string()
+                       : "'" + word + "' is none of one, x2+y2, x2, sin2, and no picture (.png, .pgm)";
         })
         ->capture_default_str();
     app.add_flag("--invert", a.invert, "Of a picture: dense where it is bright");
@@ -122,11 +124,13 @@ void require_rings_to_be_few(const Density_2& density, const Domain_2& domain) {
 std::optional<Stippling> stippling_from(const Lloyd_arguments& a) {
     if (!is_gray_image(a.density)) {
         if (a.invert) throw Error(Error_code::usage, "--invert is for a picture: --density FILE.png or FILE.pgm");
-        if (a.dots != "equal") throw Error(Error_code::usage, "--dots is for a picture: --density FILE.png or FILE.pgm");
+        if (a.dots != "equal")
+            throw Error(Error_code::usage, "--dots is for a picture: --density FILE.png or FILE.pgm");
         return {};
     }
     if (!a.domain.empty() || a.radius != 0)
-        throw Error(Error_code::usage, "with a picture for --density the domain is the picture: no --domain, no --radius");
+        throw Error(Error_code::usage,
+                    "with a picture for --density the domain is the picture: no --domain, no --radius");
     const Gray_image image = read_gray_image(a.density);
     try {
         return Stippling::of(image, a.invert);
@@ -162,7 +166,8 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
     }
     if (domain) require_rings_to_be_few(density, *domain);
     if (a.input.empty()) {
-        std::vector<Coordinates<2>> points = sample(*domain, stippling ? Density_2(stippling->ink) : density, a.points, seed);
+        std::vector<Coordinates<2>> points =
+            sample(*domain, stippling ? Density_2(stippling->ink) : density, a.points, seed);
         return {*domain, density, std::move(points), 0, {}, std::move(stippling)};
     }
     const Point_file<2> file = read_points<2>(a.input, {.ignore_z = a.ignore_z, .format = a.format});
@@ -195,7 +200,8 @@ std::string stipples_of(const Lloyd_arguments& a, const Lloyd_scene& scene, cons
         radii.clear();
         for (std::size_t v = 0; v < points.size(); ++v) {
             const Cell_2& cell = cell_of(points[v], stars.of(v), points, stars.cyclic(v));
-            radii.push_back(disc_radius(std::max(moments(Density_2(picture.ink), cell.origin, cell.corners).mass, 0.0) / white, 1));
+            radii.push_back(
+                disc_radius(std::max(moments(Density_2(picture.ink), cell.origin, cell.corners).mass, 0.0) / white, 1));
         }
     }
     return svg_stipples(picture.ink.width(), picture.ink.height(), points, radii, a.invert);

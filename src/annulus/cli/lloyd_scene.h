@@ -32,9 +32,9 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& arguments);
 struct Lloyd_scene {
     Domain_2 domain;
     Density_2 density;
-    std::vector<Coordinates<2>> points;  ///< distinct, in the domain
-    std::uint64_t merged = 0;            ///< duplicates of the input that were merged
-    std::vector<std::string> notes{};    ///< what the input says and nobody obeys
+    std::vector<Coordinates<2>> points;    ///< distinct, in the domain
+    std::uint64_t merged = 0;              ///< duplicates of the input that were merged
+    std::vector<std::string> notes{};      ///< what the input says and nobody obeys
     std::optional<Stippling> stippling{};  ///< where the density is a picture
     /// Mean spacing: the square root of area per point, the unit of length of the paper's figures.
     [[nodiscard]] double spacing() const;
@@ -44,7 +44,8 @@ struct Lloyd_scene {
 [[nodiscard]] Lloyd_scene make_scene(const Lloyd_arguments& arguments, std::uint64_t seed);
 
 /// The picture's dots, where Lloyd iterations left them, as an SVG document. Throws as `make_scene`.
-[[nodiscard]] std::string stipples_of(const Lloyd_arguments& arguments, const Lloyd_scene& scene, const Moving_delaunay_2& dt);
+[[nodiscard]] std::string stipples_of(const Lloyd_arguments& arguments, const Lloyd_scene& scene,
+                                      const Moving_delaunay_2& dt);
 
 /// The stars of a triangulation: of its mirror where there is one, which costs what has changed, else of CGAL's object. The same lists.
 void read_stars(const Moving_delaunay_2& dt, Stars_2& stars);

@@ -11,15 +11,18 @@ bool is_gray_image(const std::filesystem::path& file) {
 }
 
 Gray_image read_gray_image(const std::filesystem::path& file) {
-    if (!is_gray_image(file)) throw Input_error(Error_code::bad_input, file.string(), 0, "has an unknown extension", ".png or .pgm");
+    if (!is_gray_image(file))
+        throw Input_error(Error_code::bad_input, file.string(), 0, "has an unknown extension", ".png or .pgm");
     const Source source = load_file(file);
     return format_extension(file) == ".png" ? read_png(source) : read_pgm(source);
 }
 
-void set_size(Gray_image& image, std::uint64_t width, std::uint64_t height, const std::string& name, std::uint64_t line) {
+void set_size(Gray_image& image, std::uint64_t width, std::uint64_t height, const std::string& name,
+              std::uint64_t line) {
     constexpr std::uint64_t most = std::uint64_t{1} << 26;
     if (width == 0 || height == 0 || width > Image_density::most_width || height > most || width * height > most)
-        throw Input_error(Error_code::bad_input, name, line, "is " + std::to_string(width) + " by " + std::to_string(height) + " pixels",
+        throw Input_error(Error_code::bad_input, name, line,
+                          "is " + std::to_string(width) + " by " + std::to_string(height) + " pixels",
                           "1 to 2^26 pixels, up to 2^17 in a row");
     image.width = width;
     image.height = height;

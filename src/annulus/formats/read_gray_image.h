@@ -23,6 +23,7 @@ namespace annulus {
 [[nodiscard]] Gray_image read_png(const Source& source);
 
 /// The size that a header announces, checked. `line` is where.
-void set_size(Gray_image& image, std::uint64_t width, std::uint64_t height, const std::string& name, std::uint64_t line);
+void set_size(Gray_image& image, std::uint64_t width, std::uint64_t height, const std::string& name,
+              std::uint64_t line);
 
 }  // namespace annulus

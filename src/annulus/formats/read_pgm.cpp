@@ -68,22 +68,29 @@ Gray_image read_pgm(const Source& source) {
     image.white = static_cast<std::uint16_t>(words.whole("the value of white", 1, 65535));
     const std::uint64_t pixels = width * height, bytes = magic == "P5" && image.white > 255 ? 2 : 1;
     if (magic == "P2") {
-        if (words.rest().size() < 2 * pixels) words.fail("is too short for " + std::to_string(pixels) + " values", "a value for each pixel");
+        if (words.rest().size() < 2 * pixels)
+            words.fail("is too short for " + std::to_string(pixels) + " values", "a value for each pixel");
         image.value.reserve(pixels);
-        for (std::uint64_t i = 0; i < pixels; ++i) image.value.push_back(static_cast<std::uint16_t>(words.whole("a value", 0, image.white)));
-        if (const std::string_view more = words.next(); !more.empty()) words.fail("goes on with " + shown(more), "one picture");
+        for (std::uint64_t i = 0; i < pixels; ++i)
+            image.value.push_back(static_cast<std::uint16_t>(words.whole("a value", 0, image.white)));
+        if (const std::string_view more = words.next(); !more.empty())
+            words.fail("goes on with " + shown(more), "one picture");
         return image;
     }
     if (!words.rest().empty()) words.take();  // one white space, and the values begin
     const std::string_view data = words.rest();
     if (data.size() != pixels * bytes)
-        words.fail("has " + std::to_string(data.size()) + " bytes after its header", std::to_string(pixels * bytes) + " for one picture");
+        words.fail("has " + std::to_string(data.size()) + " bytes after its header",
+                   std::to_string(pixels * bytes) + " for one picture");
     image.value.reserve(pixels);
     for (std::uint64_t i = 0; i < pixels; ++i) {
-        const auto byte = [&](std::uint64_t k) { return static_cast<unsigned>(static_cast<unsigned char>(data[bytes * i + k])); };
+        const auto byte = [&](std::uint64_t k) {
+            return static_cast<unsigned>(static_cast<unsigned char>(data[bytes * i + k]));
+        };
         const unsigned value = bytes == 1 ? byte(0) : 256 * byte(0) + byte(1);
         if (value > image.white)
-            words.fail("pixel " + std::to_string(i + 1) + " is " + std::to_string(value), "a value up to " + std::to_string(image.white));
+            words.fail("pixel " + std::to_string(i + 1) + " is " + std::to_string(value),
+                       "a value up to " + std::to_string(image.white));
         image.value.push_back(static_cast<std::uint16_t>(value));
     }
     return image;

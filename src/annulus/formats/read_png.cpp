@@ -74,10 +74,13 @@ class Png {
 
 /// Of the pixel at `at`, laid on white.
 std::uint16_t gray(const std::uint8_t* at, std::size_t channels, std::size_t bytes) {
-    const auto sample = [&](std::size_t k) -> std::uint64_t { return bytes == 1 ? at[k] : std::uint64_t{256} * at[2 * k] + at[2 * k + 1]; };
+    const auto sample = [&](std::size_t k) -> std::uint64_t {
+        return bytes == 1 ? at[k] : std::uint64_t{256} * at[2 * k] + at[2 * k + 1];
+    };
     const std::uint64_t white = bytes == 1 ? 255 : 65535;
     // Luma of ITU-R BT.709.
-    const std::uint64_t value = channels < 3 ? sample(0) : (2126 * sample(0) + 7152 * sample(1) + 722 * sample(2) + 5000) / 10000;
+    const std::uint64_t value =
+        channels < 3 ? sample(0) : (2126 * sample(0) + 7152 * sample(1) + 722 * sample(2) + 5000) / 10000;
     if (channels % 2 == 1) return static_cast<std::uint16_t>(value);
     const std::uint64_t opacity = sample(channels - 1);
     return static_cast<std::uint16_t>((value * opacity + white * (white - opacity) + white / 2) / white);
@@ -105,7 +108,8 @@ Gray_image read_png(const Source& source) {
     if (!png.pixels(rows.data())) fail("is no whole PNG: " + shown(png.message), "a PNG image");
     image.white = png.bytes == 1 ? 255 : 65535;
     image.value.reserve(png.width * png.height);
-    for (std::size_t i = 0; i < png.width * png.height; ++i) image.value.push_back(gray(samples.data() + i * pixel, png.channels, png.bytes));
+    for (std::size_t i = 0; i < png.width * png.height; ++i)
+        image.value.push_back(gray(samples.data() + i * pixel, png.channels, png.bytes));
     return image;
 }
 

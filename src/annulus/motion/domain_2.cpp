@@ -22,7 +22,6 @@ namespace {
 
 using Points = std::vector<Coordinates<2>>;
 
-
 void require(bool fact, const std::string& what) {
     if (!fact) throw Error(Error_code::bad_input, what);
 }
@@ -167,7 +166,8 @@ void require_density(const Density_2& density, const Domain_2& domain) {
     if (image == nullptr) return;
     const auto& box = domain.bounding_box();
     const auto width = static_cast<double>(image->width()), height = static_cast<double>(image->height());
-    if (domain.kind() != Domain_2::Kind::polygon || box.lower[0] < 0 || box.lower[1] < 0 || box.upper[0] > width || box.upper[1] > height)
+    if (domain.kind() != Domain_2::Kind::polygon || box.lower[0] < 0 || box.lower[1] < 0 || box.upper[0] > width ||
+        box.upper[1] > height)
         throw Error(Error_code::usage, "the density of an image is for a polygon in the image");
 }
 

@@ -10,7 +10,8 @@ namespace annulus {
 
 Image_density::Image_density(std::size_t width, std::size_t height, std::span<const std::uint32_t> weight)
     : width_(width), height_(height) {
-    if (width == 0 || width > most_width || height == 0 || weight.size() % width != 0 || weight.size() / width != height)
+    if (width == 0 || width > most_width || height == 0 || weight.size() % width != 0 ||
+        weight.size() / width != height)
         throw Error(Error_code::usage, "an image needs as many weights as pixels, at most 2^17 in a row");
     for (const std::uint32_t w : weight) {
         most_ = std::max(most_, w);

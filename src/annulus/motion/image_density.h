@@ -41,7 +41,9 @@ class Image_density {
     };
     /// The node at (column - 1/2, row - 1/2), 0 <= column <= width + 1 and 0 <= row <= height + 1. Those at the ends repeat their
     /// neighbours' weights.
-    [[nodiscard]] const Node& node(std::size_t column, std::size_t row) const { return node_[row * (width_ + 2) + column]; }
+    [[nodiscard]] const Node& node(std::size_t column, std::size_t row) const {
+        return node_[row * (width_ + 2) + column];
+    }
 
   private:
     std::size_t width_, height_;

@@ -2,8 +2,8 @@
 #include <annulus/motion/lloyd_2.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/motion/moments_2.h>
 #include <annulus/mesh/parallel_runs.h>
+#include <annulus/motion/moments_2.h>
 #include <annulus/motion/voronoi_cell_2.h>
 
 #include <algorithm>
@@ -104,8 +104,8 @@ Lloyd_2::Lloyd_2(Domain_2 domain, Density_2 density, int threads)
 /// `way` is left with how far it is for each vertex, negative for those that stay; remembered(v) means that it is there already, and
 /// the target as well.
 template <class Lists, class Remembered>
-Lloyd_step Lloyd_2::step_over(const Lists& lists, std::span<const Coordinates<2>> position, std::span<Coordinates<2>> target,
-                              std::vector<double>& way, Remembered remembered) const {
+Lloyd_step Lloyd_2::step_over(const Lists& lists, std::span<const Coordinates<2>> position,
+                              std::span<Coordinates<2>> target, std::vector<double>& way, Remembered remembered) const {
     const std::size_t n = lists.size();
     std::vector<Partial> partial((n + run_length - 1) / run_length);
     for_each_run(n, run_length, threads_, [&](std::size_t first, std::size_t last) {
@@ -170,8 +170,8 @@ bool Lloyd_2::find_moved(const Stars_2& stars, std::span<const Coordinates<2>> p
     return known && 4 * std::accumulate(rest.begin(), rest.end(), std::size_t{0}) >= n;
 }
 
-Lloyd_step Lloyd_2::step(const Stars_2& stars, std::span<const Coordinates<2>> position, std::span<Coordinates<2>> target,
-                         Lloyd_memory& memory) const {
+Lloyd_step Lloyd_2::step(const Stars_2& stars, std::span<const Coordinates<2>> position,
+                         std::span<Coordinates<2>> target, Lloyd_memory& memory) const {
     require_sizes(stars.size(), position.size(), target.size());
     const bool asking = find_moved(stars, position, memory);
     const auto moved = [&](Index u) { return memory.moved_[static_cast<std::size_t>(u)] != 0; };

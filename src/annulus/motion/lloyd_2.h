@@ -2,11 +2,11 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
+#include <annulus/mesh/neighbours.h>
 #include <annulus/motion/cell_2.h>
 #include <annulus/motion/density_2.h>
 #include <annulus/motion/domain_2.h>
 #include <annulus/motion/stars_2.h>
-#include <annulus/mesh/neighbours.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -27,9 +27,9 @@ struct Lloyd_step {
 class Lloyd_memory {
     friend class Lloyd_2;
     std::vector<Coordinates<2>> position_, target_;
-    std::vector<double> way_;        ///< how far it was to the target; negative where there was none
-    std::vector<char> moved_;        ///< since the step before
-    std::uint64_t readings_ = 0;     ///< of the stars, up to that step
+    std::vector<double> way_;     ///< how far it was to the target; negative where there was none
+    std::vector<char> moved_;     ///< since the step before
+    std::uint64_t readings_ = 0;  ///< of the stars, up to that step
 };
 
 /// Lloyd's iteration in the plane (section 4.1 of the paper): every site wants to go to the centroid of its Voronoi
@@ -62,7 +62,8 @@ class Lloyd_2 {
     [[nodiscard]] int threads() const { return threads_; }
 
   private:
-    [[nodiscard]] bool find_moved(const Stars_2& stars, std::span<const Coordinates<2>> position, Lloyd_memory& memory) const;
+    [[nodiscard]] bool find_moved(const Stars_2& stars, std::span<const Coordinates<2>> position,
+                                  Lloyd_memory& memory) const;
     template <class Lists, class Remembered>
     Lloyd_step step_over(const Lists& lists, std::span<const Coordinates<2>> position, std::span<Coordinates<2>> target,
                          std::vector<double>& way, Remembered remembered) const;

@@ -17,7 +17,9 @@ namespace {
 class Walk {
   public:
     Walk(const Image_density& image, const Coordinates<2>& origin)
-        : image_(image), column_(below(origin[0], image.width())), row_(below(origin[1], image.height())),
+        : image_(image),
+          column_(below(origin[0], image.width())),
+          row_(below(origin[1], image.height())),
           c_{origin[0] + 0.5 - static_cast<double>(column_), origin[1] + 0.5 - static_cast<double>(row_)} {}
 
     void edge(const Coordinates<2>& from, const Coordinates<2>& to) {
@@ -34,7 +36,9 @@ class Walk {
         }
     }
 
-    [[nodiscard]] Moments_2 moments() const { return mass_ > 1e-10 * size_ ? Moments_2{mass_, {first_[0], first_[1]}} : Moments_2{}; }
+    [[nodiscard]] Moments_2 moments() const {
+        return mass_ > 1e-10 * size_ ? Moments_2{mass_, {first_[0], first_[1]}} : Moments_2{};
+    }
 
   private:
     static std::int64_t below(double x, std::size_t size) {
@@ -44,8 +48,8 @@ class Walk {
     /// The part of an edge within a row of nodes, column by column to the right.
     void in_row(Coordinates<2> a, Coordinates<2> b, double sign) {
         const double bottom = std::floor(a[1]);
-        const auto row = static_cast<std::size_t>(
-            std::clamp(row_ + static_cast<std::int64_t>(bottom), std::int64_t{0}, static_cast<std::int64_t>(image_.height())));
+        const auto row = static_cast<std::size_t>(std::clamp(row_ + static_cast<std::int64_t>(bottom), std::int64_t{0},
+                                                             static_cast<std::int64_t>(image_.height())));
         if (a[0] > b[0]) std::swap(a, b);
         const double slope = (b[1] - a[1]) / (b[0] - a[0]);
         for (Coordinates<2> p = a;;) {
@@ -62,7 +66,8 @@ class Walk {
     struct Along_row {
         double p0, p1, p2, q0, q1, q2, q3;
         Along_row(const Image_density& image, std::int64_t at, std::int64_t from, std::size_t row) {
-            const auto &here = image.node(static_cast<std::size_t>(at), row), &next = image.node(static_cast<std::size_t>(at) + 1, row),
+            const auto &here = image.node(static_cast<std::size_t>(at), row),
+                       &next = image.node(static_cast<std::size_t>(at) + 1, row),
                        &start = image.node(static_cast<std::size_t>(from), row);
             const std::int64_t sum = here.sum - start.sum, moment = here.moment - start.moment - 3 * from * sum;
             const auto weight = static_cast<double>(here.weight), rise = static_cast<double>(next.weight - here.weight),
@@ -75,8 +80,8 @@ class Walk {
     };
 
     void piece(const Coordinates<2>& a, const Coordinates<2>& b, std::size_t row, double bottom, double rise) {
-        const std::int64_t at = std::clamp(column_ + static_cast<std::int64_t>(std::floor((a[0] + b[0]) / 2)), std::int64_t{0},
-                                           static_cast<std::int64_t>(image_.width()));
+        const std::int64_t at = std::clamp(column_ + static_cast<std::int64_t>(std::floor((a[0] + b[0]) / 2)),
+                                           std::int64_t{0}, static_cast<std::int64_t>(image_.width()));
         const Along_row low(image_, at, column_, row), high(image_, at, column_, row + 1);
         const auto left = static_cast<double>(at - column_);
         const Gauss_rule& rule = gauss_rule(3);

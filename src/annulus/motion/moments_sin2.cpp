@@ -85,7 +85,8 @@ struct Demand {
         // |sin r| >= 2 off, and changes by h at most; where it is 0 the mean of its square is that of a squared coordinate, which is
         // h^2 / 8 for a regular triangle, and about h^2 / 64 for cells three times as long as wide. No sine: what is decided here must be
         // known early, because a wrong guess of the processor costs it as much as two edges.
-        const double h = size.radius, turns = r * std::numbers::inv_pi, off = std::abs(turns - static_cast<int>(turns + 0.5));
+        const double h = size.radius, turns = r * std::numbers::inv_pi,
+                     off = std::abs(turns - static_cast<int>(turns + 0.5));
         const double sine = std::max(2 * off - h, h / 8);
         density = 1e-9 * (sine * sine);
         mass = density * size.area;
@@ -185,7 +186,7 @@ Moments_2 sin2_moments(const Coordinates<2>& origin, std::span<const Corner_2> c
         // Two, because most cells of a motion need no more than the first, and few more than the second.
         const Demand demand(r, size);
         if (suffices<4, 7>(demand)) return around<4, 7>(origin, r, corners);
-        if (suffices<6, 11>(demand)) return around<6, 11>(origin, r, corners);
+        if (suffices<8, 13>(demand)) return around<8, 13>(origin, r, corners);
     }
     const auto at = [](const Coordinates<2>& p) {
         const double distance = std::sqrt(p[0] * p[0] + p[1] * p[1]);

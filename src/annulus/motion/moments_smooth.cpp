@@ -117,7 +117,8 @@ Size_2 size_of(const Coordinates<2>& c, std::span<const Corner_2> corners) {
     return {std::sqrt(square) + bulge, std::sqrt(edge2), twice / 2, arcs};
 }
 
-Moments_2 smooth_moments(const Smooth_density& density, const Coordinates<2>& origin, std::span<const Corner_2> corners) {
+Moments_2 smooth_moments(const Smooth_density& density, const Coordinates<2>& origin,
+                         std::span<const Corner_2> corners) {
     if (corners.empty()) return {};
     return Cones(density, origin, corners).moments();
 }

@@ -97,7 +97,8 @@ class Of_image {
 
     Coordinates<2> point(Bits& bits) const {
         const auto at = static_cast<std::uint64_t>(bits.unit() * static_cast<double>(image_.total()));
-        const auto pixel = static_cast<std::size_t>(std::upper_bound(up_to_.begin(), up_to_.end(), at) - up_to_.begin());
+        const auto pixel =
+            static_cast<std::size_t>(std::upper_bound(up_to_.begin(), up_to_.end(), at) - up_to_.begin());
         const double x = place(pixel % image_.width(), image_.width(), bits);
         return {x, place(pixel / image_.width(), image_.height(), bits)};
     }
@@ -115,7 +116,8 @@ class Of_image {
 
 }  // namespace
 
-std::vector<Coordinates<2>> sample(const Domain_2& domain, const Density_2& density, std::size_t n, std::uint64_t seed) {
+std::vector<Coordinates<2>> sample(const Domain_2& domain, const Density_2& density, std::size_t n,
+                                   std::uint64_t seed) {
     require_density(density, domain);
     const double bound = density_upper_bound(density, domain.extent());
     const Uniform uniform(domain);

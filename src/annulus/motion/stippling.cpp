@@ -14,7 +14,8 @@ Stippling Stippling::of(const Gray_image& image, bool inverted) {
     if (!inverted)
         for (std::uint32_t& i : ink) i = image.white - i;
     if (std::all_of(ink.begin(), ink.end(), [](std::uint32_t i) { return i == 0; }))
-        throw Error(Error_code::bad_input, inverted ? "the picture is black all over" : "the picture is white all over");
+        throw Error(Error_code::bad_input,
+                    inverted ? "the picture is black all over" : "the picture is white all over");
     Image_density amount(image.width, image.height, ink);
     // Squares of more than 24 bits lose their last eight; none becomes 0.
     const std::uint32_t part = image.white < 4096 ? 1 : 256;

@@ -10,7 +10,8 @@ std::uint64_t peak_resident_memory() noexcept {
     if (status == nullptr) return 0;
     char line[256];
     unsigned long long kibibytes = 0;
-    while (std::fgets(line, sizeof line, status) != nullptr && std::sscanf(line, "VmHWM: %llu kB", &kibibytes) != 1) continue;
+    while (std::fgets(line, sizeof line, status) != nullptr && std::sscanf(line, "VmHWM: %llu kB", &kibibytes) != 1)
+        continue;
     std::fclose(status);
     return kibibytes * 1024;
 }
