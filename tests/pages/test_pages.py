@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every kind of page that the tool writes, in Chromium: nothing on the console, nothing fetched, nothing outside the window,
 no label cut or upon another, light and dark, wide and narrow; sliders and sorting do what they say.
