@@ -25,6 +25,8 @@ constexpr std::array all_names{
     Names{Format::stl, "stl", {".stl"}},
     Names{Format::mesh, "mesh", {".mesh"}},
     Names{Format::inr, "inr", {".inr"}},
+    Names{Format::pgm, "pgm", {".pgm"}},
+    Names{Format::png, "png", {".png"}},
 };
 
 const Names& names(Format format) { return all_names[static_cast<std::size_t>(format)]; }

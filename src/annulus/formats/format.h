@@ -11,13 +11,14 @@
 namespace annulus {
 
 /// How a file says what it says.
-enum class Format { xyz, csv, lammps, off, obj, ply, stl, mesh, inr };
+enum class Format { xyz, csv, lammps, off, obj, ply, stl, mesh, inr, pgm, png };
 
 /// Formats of files with frames, and of those that have points.
 inline constexpr std::array frame_formats{Format::xyz, Format::csv, Format::lammps};
 inline constexpr std::array point_formats{Format::xyz, Format::csv,  Format::lammps,
                                           Format::off, Format::ply, Format::mesh};
 inline constexpr std::array surface_formats{Format::off, Format::obj, Format::ply, Format::stl};
+inline constexpr std::array picture_formats{Format::png, Format::pgm};
 
 /// "xyz", "lammps": what --format calls it.
 [[nodiscard]] std::string_view name_of(Format format);

@@ -2,19 +2,21 @@
 #include <annulus/formats/read_gray_image.h>
 
 #include <annulus/formats/file_bytes.h>
+#include <annulus/formats/format.h>
+
+#include <algorithm>
 
 namespace annulus {
 
 bool is_gray_image(const std::filesystem::path& file) {
-    const std::string extension = format_extension(file);
-    return extension == ".png" || extension == ".pgm";
+    return std::any_of(picture_formats.begin(), picture_formats.end(),
+                       [&](Format format) { return has_extension_of(file, format); });
 }
 
 Gray_image read_gray_image(const std::filesystem::path& file) {
-    if (!is_gray_image(file))
-        throw Input_error(Error_code::bad_input, file.string(), 0, "has an unknown extension", ".png or .pgm");
+    const Format format = format_of(file, picture_formats);
     const Source source = load_file(file);
-    return format_extension(file) == ".png" ? read_png(source) : read_pgm(source);
+    return format == Format::png ? read_png(source) : read_pgm(source);
 }
 
 void set_size(Gray_image& image, std::uint64_t width, std::uint64_t height, const std::string& name,
