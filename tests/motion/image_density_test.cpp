@@ -158,8 +158,8 @@ TEST_CASE("where an image has no weight a cell has no moments", "[motion][image]
 }
 
 TEST_CASE("images that cannot be and domains that do not fit are refused", "[motion][image]") {
-    const std::vector<std::uint32_t> none(6, 0), six(6, 1), much(6, 1u << 24);
-    CHECK_THROWS_AS(Image_density(2, 3, none), Error);
+    const std::vector<std::uint32_t> white(6, 0), six(6, 1), much(6, 1u << 24);
+    CHECK_THROWS_AS(Image_density(2, 3, white), Error);
     CHECK_THROWS_AS(Image_density(2, 2, six), Error);
     CHECK_THROWS_AS(Image_density(0, 0, {}), Error);
     CHECK_THROWS_AS(Image_density(2, 3, much), Error);
@@ -178,9 +178,9 @@ TEST_CASE("points are drawn from an image in proportion to its density", "[motio
     const Pixels pixels{4, 3, {0, 7, 1, 9, 20, 0, 3, 0, 5, 5, 40, 10}};
     const Domain_2 rectangle = Domain_2::polygon(Points{{0, 0}, {4, 0}, {4, 3}, {0, 3}});
     const int n = 200'000, fine = 4;
-    const Points points = sample(rectangle, pixels.density(), static_cast<std::size_t>(n), 3);
+    const Points drawn = sample(rectangle, pixels.density(), static_cast<std::size_t>(n), 3);
     std::vector<double> seen(16 * 12);
-    for (const auto& p : points) {
+    for (const auto& p : drawn) {
         REQUIRE(rectangle.contains(p));
         seen[std::min(static_cast<std::size_t>(p[1] * fine), std::size_t{11}) * 16 +
              std::min(static_cast<std::size_t>(p[0] * fine), std::size_t{15})] += 1;
