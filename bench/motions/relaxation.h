@@ -52,8 +52,7 @@ class Nodt {
     using Moving = annulus::Moving_delaunay_3;
 
     Nodt(const annulus::cli::Nodt_scene& scene, std::optional<double> lock)
-        : scene_(scene),
-          guide_(scene.points),
+        : scene_(scene), guide_(scene.points),
           nodt_(*scene.domain, scene.sizing, annulus::vertices_on_surface(*scene.domain, scene.points), lock, 1) {}
     [[nodiscard]] const Points<3>& points() const { return scene_.points; }
     [[nodiscard]] double spacing() const { return scene_.spacing(); }

@@ -53,8 +53,7 @@ void add_common(CLI::App& app, Common_arguments& a, const std::string& files, bo
 
 void add_tracking(CLI::App& app, Tracking_arguments& a) {
     app.add_option("--strategy", a.strategy, "How the triangulation is kept right")
-        ->check(CLI::IsMember(
-            {"auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "hybrid"}))
+        ->check(CLI::IsMember({"auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "hybrid"}))
         ->capture_default_str();
     app.add_option("--tolerance", a.tolerance, "Kind of tolerance; only certified ones are proved")
         ->check(CLI::IsMember({"certified", "paper", "floating"}))

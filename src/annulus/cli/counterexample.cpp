@@ -6,8 +6,8 @@
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
 #include <annulus/cli/result_files.h>
-#include <annulus/engine/displacement.h>
 #include <annulus/formats/write_json.h>
+#include <annulus/engine/displacement.h>
 
 #include <algorithm>
 #include <cmath>

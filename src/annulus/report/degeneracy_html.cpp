@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/formats/markup.h>
 #include <annulus/report/axis_ticks.h>
 #include <annulus/report/degeneracy_report.h>
+#include <annulus/formats/markup.h>
 #include <annulus/report/page.h>
 
 namespace annulus {

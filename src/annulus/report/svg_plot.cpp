@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/formats/markup.h>
 #include <annulus/report/axis_ticks.h>
+#include <annulus/formats/markup.h>
 #include <annulus/report/svg_plot.h>
 
 #include <algorithm>
