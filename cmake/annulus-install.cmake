@@ -1,18 +1,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the library, its headers and the tool, so that find_package(annulus) works from the installed tree.
+# Installs the library, its headers, the C interface and the tool, so that find_package(annulus) works from the installed tree. The
+# components are those of the packages: development, runtime, tool; python/ has the fourth, python.
 include(CMakePackageConfigHelpers)
 
 set(annulus_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/annulus")
 
-install(TARGETS annulus EXPORT annulusTargets)
-install(TARGETS annulus-toolkit EXPORT annulusToolkitTargets)
-if(TARGET annulus-cli)
-    install(TARGETS annulus-cli)
+install(TARGETS annulus EXPORT annulusTargets COMPONENT development)
+install(TARGETS annulus-toolkit EXPORT annulusToolkitTargets COMPONENT development)
+if(TARGET annulus-c)
+    install(TARGETS annulus-c EXPORT annulusCTargets
+            LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
+            RUNTIME COMPONENT runtime ARCHIVE COMPONENT development)
+    install(EXPORT annulusCTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}" COMPONENT development)
+    # For those who do not build by CMake. (C++ programs need CGAL's flags and targets, which have no pkg-config.)
+    file(RELATIVE_PATH annulus_pc_to_prefix "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+    configure_file(cmake/annulus_c.pc.in annulus_c.pc @ONLY)
+    install(FILES "${CMAKE_CURRENT_BINARY_DIR}/annulus_c.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
+            COMPONENT development)
 endif()
-install(DIRECTORY src/annulus/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/annulus"
-        FILES_MATCHING PATTERN "*.h" PATTERN cli EXCLUDE)
-install(EXPORT annulusTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}")
-install(EXPORT annulusToolkitTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}")
+install(DIRECTORY src/annulus/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/annulus" COMPONENT development
+        FILES_MATCHING PATTERN "*.h" PATTERN cli EXCLUDE PATTERN c EXCLUDE)
+install(EXPORT annulusTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}" COMPONENT development)
+install(EXPORT annulusToolkitTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}" COMPONENT development)
 
 configure_package_config_file(cmake/annulusConfig.cmake.in annulusConfig.cmake
                               INSTALL_DESTINATION "${annulus_package_dir}")
@@ -20,4 +29,24 @@ write_basic_package_version_file(annulusConfigVersion.cmake COMPATIBILITY SameMi
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/annulusConfig.cmake"
               "${CMAKE_CURRENT_BINARY_DIR}/annulusConfigVersion.cmake"
               cmake/annulus-gmp.cmake
-        DESTINATION "${annulus_package_dir}")
+        DESTINATION "${annulus_package_dir}" COMPONENT development)
+
+# ---- The tool, its man pages and completion, which are made from its own --help --------------------
+if(TARGET annulus-cli)
+    install(TARGETS annulus-cli COMPONENT tool)
+    find_package(Python3 COMPONENTS Interpreter QUIET)
+    if(Python3_Interpreter_FOUND AND NOT CMAKE_CROSSCOMPILING AND NOT ANNULUS_BUILD_FUZZ)
+        set(annulus_share "${CMAKE_CURRENT_BINARY_DIR}/share")
+        add_custom_command(
+            OUTPUT "${annulus_share}/man/man1/annulus.1.gz"
+            COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tools/describe-tool" "--tool=$<TARGET_FILE:annulus-cli>"
+                    "--output=${annulus_share}"
+            DEPENDS annulus-cli tools/describe-tool docs/tool.md
+            COMMENT "Man pages and completion"
+            VERBATIM)
+        add_custom_target(annulus-description ALL DEPENDS "${annulus_share}/man/man1/annulus.1.gz")
+        install(DIRECTORY "${annulus_share}/man/" DESTINATION "${CMAKE_INSTALL_MANDIR}" COMPONENT tool)
+        install(DIRECTORY "${annulus_share}/bash-completion" "${annulus_share}/zsh" DESTINATION "${CMAKE_INSTALL_DATADIR}"
+                COMPONENT tool)
+    endif()
+endif()

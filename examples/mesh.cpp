@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// [readme]
+// [docs]
 #include <annulus/moving_mesh.h>
 
 #include <cmath>
@@ -22,4 +22,4 @@ int main() {
               << cells.vertices[0][1] << ", " << cells.vertices[0][2] << ", " << cells.vertices[0][3] << "\n";
     return mesh.audit().delaunay() ? 0 : 1;
 }
-// [readme]
+// [docs]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// [readme]
+// [docs]
 #include <annulus/moving_delaunay_2.h>
 
 #include <cmath>
@@ -27,4 +27,4 @@ int main() {
               << dt.audit().delaunay() << "\n";
     return dt.audit().delaunay() ? 0 : 1;
 }
-// [readme]
+// [docs]

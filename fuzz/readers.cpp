@@ -8,6 +8,7 @@
 #include <annulus/formats/read_motion.h>
 #include <annulus/formats/read_points.h>
 #include <annulus/formats/read_surface.h>
+#include <annulus/formats/read_tetrahedra.h>
 
 #include <unistd.h>
 #include <zlib.h>
@@ -122,8 +123,7 @@ void motion(const fs::path& file) {
     }
 }
 
-void surface(const fs::path& file) {
-    const Triangle_surface s = read_surface(file).surface;
+void check_closed(const Triangle_surface& s) {
     require(finite(s.points) && distinct(s.points), "points finite and distinct");
     std::set<Index> used;
     std::map<std::pair<Index, Index>, int> edges;
@@ -138,7 +138,22 @@ void surface(const fs::path& file) {
         const auto back = edges.find({edge.second, edge.first});
         require(count == 1 && edge.first != edge.second && back != edges.end() && back->second == 1, "closed");
     }
+}
+
+void surface(const fs::path& file) {
+    const Triangle_surface s = read_surface(file).surface;
+    check_closed(s);
     require(enclosed_volume(s) > 0, "a positive volume");
+}
+
+void check_tetrahedra(const Tetrahedra_file& m) {
+    require(finite(m.points) && distinct(m.points), "points finite and distinct");
+    require(m.cell_lines.size() == m.cells.size() && from_1(m.cell_lines), "a line for each cell");
+    std::set<Index> used;
+    for (const auto& cell : m.cells) used.insert(cell.begin(), cell.end());
+    require(used.size() == m.points.size() && *used.begin() == 0 && *used.rbegin() + 1 == static_cast<Index>(m.points.size()), "every point is used");
+    require(m.boundary.triangles.size() == m.boundary.cells.size(), "a cell behind each facet");
+    check_closed(m.surface());
 }
 
 template <int d>
@@ -156,7 +171,9 @@ void check_mesh(const Mesh_file<d>& m) {
 }
 
 void mesh(const fs::path& file) {
-    std::visit([](const auto& m) { check_mesh(m); }, read_mesh(file));
+    const auto read = read_mesh(file);
+    std::visit([](const auto& m) { check_mesh(m); }, read);
+    if (std::holds_alternative<Mesh_file<3>>(read)) check_tetrahedra(read_tetrahedra(file));
 }
 
 void image(const fs::path& file) {

@@ -51,9 +51,8 @@ class Nodt {
     static constexpr int dimension = 3;
     using Moving = annulus::Moving_delaunay_3;
 
-    Nodt(const annulus::cli::Nodt_scene& scene, std::optional<double> lock)
-        : scene_(scene), guide_(scene.points),
-          nodt_(*scene.domain, scene.sizing, annulus::vertices_on_surface(*scene.domain, scene.points), lock, 1) {}
+    Nodt(const annulus::cli::Nodt_scene& scene, const annulus::cli::Nodt_arguments& arguments)
+        : scene_(scene), guide_(scene.points), nodt_(scene.motion(arguments, 1)) {}
     [[nodiscard]] const Points<3>& points() const { return scene_.points; }
     [[nodiscard]] double spacing() const { return scene_.spacing(); }
     [[nodiscard]] std::pair<double, double> next(Points<3>& target) {

@@ -165,8 +165,8 @@ int main(int argc, char** argv) {
             return run(motion, lloyd.iterations, choice, {{"scene", lloyd.density}});
         }
         const cli::Nodt_scene scene = cli::make_scene(nodt, choice.seed);
-        bench::Nodt motion(scene, nodt.lock);
-        return run(motion, nodt.iterations, choice, {{"scene", nodt.sphere ? "sphere" : nodt.surface}});
+        bench::Nodt motion(scene, nodt);
+        return run(motion, nodt.iterations, choice, {{"scene", nodt.sphere ? "sphere" : nodt.mesh.empty() ? nodt.surface : nodt.mesh}});
     } catch (const std::exception& e) {
         std::fprintf(stderr, "annulus-relaxations: %s\n", e.what());
         return 3;

@@ -19,3 +19,13 @@ foreach(name IN ITEMS consumer mesh-consumer toolkit-consumer)
     find_program(CONSUMER ${name} PATHS "${SCRATCH}/build" "${SCRATCH}/build/${CONFIG}" NO_DEFAULT_PATH REQUIRED)
     step("${CONSUMER}")
 endforeach()
+
+# A project without C++: C_COMPILER is empty where the C interface is not built.
+if(C_COMPILER)
+    step("${CMAKE_COMMAND}" -S "${SOURCE}/c" -B "${SCRATCH}/build-c" -G "${GENERATOR}"
+         "-DCMAKE_PREFIX_PATH=${SCRATCH}/prefix" "-DCMAKE_C_COMPILER=${C_COMPILER}" "-DCMAKE_BUILD_TYPE=${CONFIG}"
+         -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+    step("${CMAKE_COMMAND}" --build "${SCRATCH}/build-c" --config "${CONFIG}")
+    find_program(C_CONSUMER c-consumer PATHS "${SCRATCH}/build-c" "${SCRATCH}/build-c/${CONFIG}" NO_DEFAULT_PATH REQUIRED)
+    step("${C_CONSUMER}")
+endif()

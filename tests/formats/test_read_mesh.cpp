@@ -93,3 +93,15 @@ TEST_CASE("write_mesh writes the format to the letter and refuses what no reader
     const std::vector<std::array<Index, 3>> negative = {{0, infinite, 2}};
     CHECK_THROWS_AS(write_mesh<2>(points, negative), Error);
 }
+
+TEST_CASE("a part of a mesh is written with its boundary and no other points") {
+    const std::vector<Coordinates<3>> points{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {8, 8, 8}, {0, 1, 0}, {0, 0, 1}};
+    const std::vector<std::array<Index, 4>> cells{{1, 2, 4, 5}};
+    const std::vector<std::array<Index, 3>> facets{{2, 4, 5}, {1, 5, 4}, {1, 2, 5}, {1, 4, 2}};
+    CHECK(write_part(points, cells, facets) ==
+          "MeshVersionFormatted 2\nDimension 3\n\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n\n"
+          "Triangles\n4\n2 3 4 0\n1 4 3 0\n1 2 4 0\n1 3 2 0\n\nTetrahedra\n1\n1 2 3 4 0\n\nEnd\n");
+    CHECK(write_part(points, {}, {}) == "MeshVersionFormatted 2\nDimension 3\n\nVertices\n0\n\nTriangles\n0\n\nTetrahedra\n0\n\nEnd\n");
+    const std::vector<std::array<Index, 4>> wrong{{1, 2, 4, 6}};
+    CHECK_THROWS_AS(write_part(points, wrong, facets), Error);
+}

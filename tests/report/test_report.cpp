@@ -100,7 +100,7 @@ TEST_CASE("the report is well formed, complete and alone") {
     CHECK(well_formed(html));
     CHECK(html.starts_with("<!DOCTYPE html>\n"));
     CHECK(contains(html, "<h1>A &lt;title&gt; &amp; &quot;more&quot;</h1>"));
-    CHECK(!contains(html, "<script"));
+    CHECK(occurrences(html, "<script") == 1);  // ours: what sorts tables
     CHECK(contains(html, "&lt;script&gt;alert(1)"));
     for (const char* part : {"12,345", "certified", "rebuild &amp; co", "step 2: &lt;cells&gt; differ",
                              "The strategies disagree", "iteration 10", "Figure &lt;8&gt;", "caption &amp;",

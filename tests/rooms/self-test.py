@@ -19,6 +19,7 @@ CLEAN = {
     "src/annulus/cgal/flips.h": HEADER + "#include <CGAL/Object.h>\n",
     "src/annulus/moving.h": HEADER + "#include <CGAL/Object.h>\n#include <annulus/report/report.h>\n",
     "src/annulus/report/report.h": HEADER + "/*\n#include <annulus/cli/never.h>\n*/\n// #include <annulus/cli/never.h>\n",
+    "src/annulus/c/mesh.cpp": SPDX + "#include <annulus/moving.h>\n",
     "src/annulus/cli/main.cpp": SPDX + "#include <annulus/moving.h>\n#include <annulus/report/report.h>\n",
     "tests/exact_test.cpp": SPDX + '#include "common.h"\n#include <CGAL/Object.h>\n',
 }
@@ -54,14 +55,17 @@ class CheckRooms(unittest.TestCase):
     def test_public_header_from_a_room(self):
         self.rejects("src/annulus/motion/lloyd.h", HEADER + "#include <annulus/moving.h>\n", 3)
 
-    def test_cli_from_a_public_header(self):
+    def test_clients_from_a_public_header_and_from_one_another(self):
         self.rejects("src/annulus/other.h", HEADER + "#include <annulus/cli/x.h>\n", 3)
+        self.rejects("src/annulus/other.h", HEADER + "#include <annulus/c/x.h>\n", 3)
+        self.rejects("src/annulus/cli/x.cpp", SPDX + "#include <annulus/c/x.h>\n", 2)
+        self.rejects("src/annulus/c/x.cpp", SPDX + "#include <annulus/cli/x.h>\n", 2)
 
     def test_quoted_include(self):
         self.rejects("src/annulus/certificate/x.cpp", SPDX + '#include "../cli/x.h"\n', 2)
 
     def test_cgal_where_it_may_not_be(self):
-        for room in ("arithmetic", "certificate", "mesh", "engine", "statistics", "formats", "report", "cli"):
+        for room in ("arithmetic", "certificate", "mesh", "engine", "statistics", "formats", "report", "c", "cli"):
             self.rejects(f"src/annulus/{room}/x.cpp", SPDX + "#include <CGAL/Object.h>\n", 2)
 
     def test_unknown_room(self):
@@ -73,6 +77,7 @@ class CheckRooms(unittest.TestCase):
         self.rejects("src/annulus/formats/x.h", SPDX + "// #pragma once\n", 1)
         self.rejects("src/annulus/formats/x.h", "#pragma once\n", 1)
         self.rejects("tests/x.cpp", "int x;\n", 1)
+        self.rejects("tests/x.c", "int x;\n", 1)
 
     def test_long_file_is_a_warning(self):
         result = self.check({"src/annulus/formats/long.cpp": SPDX + "\n" * 400})

@@ -59,6 +59,12 @@ class Surfaces(ToolTest):
             self.accept([(x, y, z * height) for x, y, z in TETRAHEDRON[0]], TETRAHEDRON[1])
         self.accept(*L_SHAPE)
 
+    def test_sharp_edges_are_kept_or_refused(self):
+        self.accept(*L_SHAPE, "--sharp", "30")
+        self.accept(*TETRAHEDRON, "--sharp", "30")
+        for points in ([(0, 0, 1), (1, 0, 0), (0, 1, 0), (0, 0, 4)], [(x, y, 0.05 * z) for x, y, z in TETRAHEDRON[0]]):  # acute
+            self.judge(self.mesh(points, TETRAHEDRON[1], "--sharp", "30"), points)
+
     def test_lengths(self):
         points, faces = TETRAHEDRON
         for tiny in (1e-320, 5e-324, 1e-200, 1e-17):

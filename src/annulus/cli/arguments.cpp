@@ -5,6 +5,7 @@
 #include <annulus/formats/input_error.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -31,6 +32,16 @@ CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
         return "'" + word + "' is no whole number from " + range;
     };
     return {check, most < std::numeric_limits<std::uint64_t>::max() ? range : "", "whole number"};
+}
+
+CLI::Validator number_within(double least, double most) {
+    const CLI::Range range(least, most);
+    const auto check = [range](const std::string& word) {
+        double value = 0;
+        if (CLI::detail::lexical_cast(word, value) && std::isnan(value)) return "'" + word + "' is no number";
+        return range(word);
+    };
+    return {check, range.get_description(), "number"};
 }
 
 void add_common(CLI::App& app, Common_arguments& a, const std::string& files, bool motion) {

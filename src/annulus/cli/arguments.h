@@ -38,6 +38,8 @@ struct Tracking_arguments {
 
 /// Plain decimal digits, from least to most: CLI11 by itself takes 010 for 8, and what is too large for the largest there is.
 [[nodiscard]] CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
+/// From least to most: CLI::Range by itself takes NaN.
+[[nodiscard]] CLI::Validator number_within(double least, double most);
 
 /// `files` is what --output writes. Where there is no motion, --seed and --threads are taken and have no effect, so that
 /// a script may give every subcommand the same options.

@@ -99,9 +99,10 @@ void write_run(const Common_arguments& arguments, const Tracker_3& tracker, cons
     auto [tolerance, theta] = vertex_fields(dt, m);
     std::vector<Vtu_field> point_fields{{"tolerance", std::move(tolerance)}, {"theta", std::move(theta)}};
     std::vector<Vtu_field> cell_fields{{"dihedral_min", std::move(least_angle)}};
+    const auto facets = domain ? surface_facets(mesh.cells(), mesh.inside()) : std::vector<std::array<Index, 3>>();
     if (domain) {
         std::vector<std::int64_t> boundary(in.points.size(), 0);
-        for (const auto& facet : surface_facets(mesh.cells(), mesh.inside()))
+        for (const auto& facet : facets)
             for (const Index v : facet) boundary[static_cast<std::size_t>(v)] = 1;
         point_fields.push_back({"boundary", std::move(boundary)});
         cell_fields.push_back({"domain", std::move(flag)});
@@ -120,7 +121,7 @@ void write_run(const Common_arguments& arguments, const Tracker_3& tracker, cons
     out.write("iterations.csv", write_csv(iterations_table(run)));
     if (domain) {
         out.write("dihedral.csv", write_csv(dihedral_table(run)));
-        out.write("domain.mesh", write_mesh<3>(in.points, inside));
+        out.write("domain.mesh", write_part(in.points, inside, facets));
     }
     out.write("final.mesh", write_mesh<3>(in.points, cell.empty() ? in.cells : cell));
     out.write("final.vtu", write_vtu<3>(in.points, cell, point_fields, cell_fields));

@@ -28,8 +28,10 @@ Guided_nodt::Guided_nodt(const Nodt_arguments& arguments, const Common_arguments
     : threads_(common.threads),
       scene_(make_scene(arguments, common.seed)),
       guide_(scene_.points),
-      nodt_(*scene_.domain, scene_.sizing, vertices_on_surface(*scene_.domain, scene_.points), arguments.lock,
-            common.threads) {}
+      nodt_(scene_.motion(arguments, common.threads)) {
+    mesh_.read(guide_, true, *scene_.domain, threads_);
+    scene_.require_cells(arguments, mesh_.inside());
+}
 
 Way Guided_nodt::next(std::span<Coordinates<3>> target) {
     mesh_.read(guide_, cells_changed_, *scene_.domain, threads_);

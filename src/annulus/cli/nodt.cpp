@@ -38,22 +38,33 @@ Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step) {
             .dihedral = {counts.begin(), counts.end()}};
 }
 
+std::string filled(const Mesh_3& mesh, const Domain_3& domain) {
+    double sum = 0;
+    for (std::size_t c = 0; c < mesh.cells().size(); ++c)
+        if (mesh.inside()[c] != 0) sum += mesh.kept().moments()[c].volume;
+    char text[80];
+    std::snprintf(text, sizeof text, "At the start the cells of the domain fill %.2f %% of it.", 100 * sum / domain.volume());
+    return text;
+}
+
 int run(const Nodt_call& a, const std::string& command) {
     const auto begin = Clock::now();
     const Options options = options_of(a.tracking, a.common);
     const bool files = !a.common.output.empty();
     if (files) require_writable(a.common);
-    const Nodt_scene scene = make_scene(a.nodt, a.common.seed);
+    Nodt_scene scene = make_scene(a.nodt, a.common.seed);
     const Domain_3& domain = *scene.domain;
     Tracker_3 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.nodt.iterations, a.tracking.audit,
                       files);
     Mesh_3 mesh;
     mesh.read(tracker.triangulation(), true, domain, a.common.threads);
+    scene.require_cells(a.nodt, mesh.inside());
+    scene.notes.push_back(filled(mesh, domain));
     tracker.mesh_before(measured(mesh, {}));
     std::optional<Picture> before;
     if (files) before = mesh.cut("before");
 
-    const Nodt_3 nodt(domain, scene.sizing, vertices_on_surface(domain, scene.points), a.nodt.lock, a.common.threads);
+    const Nodt_3 nodt = scene.motion(a.nodt, a.common.threads);
     Nodt_memory memory;
     std::vector<Coordinates<3>> target(scene.points.size());
     std::optional<Interruption_guard> guard;

@@ -3,10 +3,13 @@
 
 #include <annulus/cli/arguments.h>
 #include <annulus/motion/domain_3.h>
+#include <annulus/motion/feature_curves.h>
+#include <annulus/motion/nodt_3.h>
 #include <annulus/motion/sizing_3.h>
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +18,7 @@ namespace annulus::cli {
 /// The arguments that say which mesh to optimise.
 struct Nodt_arguments {
     std::string surface;
+    std::string mesh;
     bool allow_crossing = false;
     bool sphere = false;
     std::uint64_t vertices = 0;
@@ -22,6 +26,7 @@ struct Nodt_arguments {
     std::string sizing = "constant";
     std::optional<double> gradation;
     std::optional<double> lock;
+    std::optional<double> sharp;
 };
 
 void add_nodt(CLI::App& app, Nodt_arguments& arguments);
@@ -31,9 +36,15 @@ struct Nodt_scene {
     std::unique_ptr<const Domain_3> domain;
     Sizing_3 sizing;
     std::vector<Coordinates<3>> points;
+    std::vector<char> on_surface;  ///< by vertex
+    std::shared_ptr<const Feature_curves> features;  ///< sharp edges, if they are kept
     std::vector<std::string> notes;  ///< what a reader of the results should know about the input
     /// Mean spacing: the cube root of volume per vertex, the unit of length of the paper's figures.
     [[nodiscard]] double spacing() const;
+    /// Throws Input_error where no cell is of the domain: nothing would ever move.
+    void require_cells(const Nodt_arguments& arguments, std::span<const char> inside) const;
+    /// The motion that starts here. Refers to this scene.
+    [[nodiscard]] Nodt_3 motion(const Nodt_arguments& arguments, int threads) const;
 };
 
 /// Throws Input_error or Error.

@@ -31,7 +31,7 @@ class Input_error : public Error {
 };
 
 /// A piece of a file as it may be shown on a terminal: in quotes, at most 40 bytes, bytes that are not printable ASCII
-/// as \xNN, so that a binary file can neither break the line nor drive the terminal.
+/// as `\xNN`, so that a binary file can neither break the line nor drive the terminal.
 [[nodiscard]] std::string shown(std::string_view text);
 
 /// "1 column", "2 columns".

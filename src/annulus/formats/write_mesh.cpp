@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <type_traits>
+#include <vector>
 
 namespace annulus {
 
@@ -37,12 +39,8 @@ void append_section(std::string& out, std::size_t points, std::span<const std::a
     }
 }
 
-}  // namespace
-
 template <int d>
-std::string write_mesh(std::span<const Coordinates<d>> points,
-                       std::span<const std::array<Index, static_cast<std::size_t>(d) + 1>> cells) {
-    static_assert(d == 2 || d == 3);
+std::string head_of(std::span<const Coordinates<d>> points) {
     std::string out = "MeshVersionFormatted 2\nDimension " + std::to_string(d) + "\n\nVertices\n" +
                       std::to_string(points.size()) + "\n";
     for (const Coordinates<d>& p : points) {
@@ -53,10 +51,47 @@ std::string write_mesh(std::span<const Coordinates<d>> points,
         }
         out += "0\n";
     }
+    return out;
+}
+
+constexpr std::string_view tail = "\nEnd\n";
+
+}  // namespace
+
+template <int d>
+std::string write_mesh(std::span<const Coordinates<d>> points,
+                       std::span<const std::array<Index, static_cast<std::size_t>(d) + 1>> cells) {
+    static_assert(d == 2 || d == 3);
+    std::string out = head_of<d>(points);
     constexpr std::size_t corners = static_cast<std::size_t>(d) + 1;
     for (std::size_t k = 2; k <= corners; ++k) append_section<corners>(out, points.size(), cells, k);
-    out += "\nEnd\n";
-    return out;
+    return out += tail;
+}
+
+std::string write_part(std::span<const Coordinates<3>> points, std::span<const std::array<Index, 4>> cells,
+                       std::span<const std::array<Index, 3>> boundary) {
+    std::vector<Index> number(points.size(), none);
+    for (const auto& c : cells)
+        for (const Index v : c) {
+            if (v < 0 || static_cast<std::size_t>(v) >= points.size()) throw Error(Error_code::unknown_vertex, "write_part: a cell names no point");
+            number[static_cast<std::size_t>(v)] = 0;
+        }
+    std::vector<Coordinates<3>> used;
+    for (std::size_t v = 0; v < number.size(); ++v) {
+        if (number[v] == none) continue;
+        number[v] = static_cast<Index>(used.size());
+        used.push_back(points[v]);
+    }
+    const auto numbered = [&](const auto& given) {
+        std::vector<std::remove_cvref_t<decltype(given[0])>> result(given.begin(), given.end());
+        for (auto& c : result)
+            for (Index& v : c) v = number[static_cast<std::size_t>(v)];
+        return result;
+    };
+    std::string out = head_of<3>(used);
+    append_section<3>(out, used.size(), numbered(boundary), 3);
+    append_section<4>(out, used.size(), numbered(cells), 4);
+    return out += tail;
 }
 
 template std::string write_mesh<2>(std::span<const Coordinates<2>>, std::span<const std::array<Index, 3>>);

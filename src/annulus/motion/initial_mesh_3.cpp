@@ -6,6 +6,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_domain_with_polyline_features_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/hilbert_sort.h>
@@ -40,16 +41,17 @@ class Mesh_domain {
     using Bbox_3 = CGAL::Bbox_3;
     using Has_features = CGAL::Tag_false;
     using Subdomain_index = int;
-    using Surface_patch_index = int;
-    using Index = int;
+    using Surface_patch_index = std::pair<int, int>;  // another type than numbers of curves and corners
+    using Index = boost::variant<Subdomain_index, Surface_patch_index>;
     using Subdomain = boost::optional<Subdomain_index>;
     using Surface_patch = boost::optional<Surface_patch_index>;
     using Intersection = std::tuple<Point_3, Index, int>;
-    static constexpr int solid = 1, skin = 2;
+    static constexpr Subdomain_index solid = 1;
+    static constexpr Surface_patch_index skin{1, 0};
 
     /// Mesh_3 sees lengths in `unit`, a power of two. Sets `stop` after that many questions.
     Mesh_domain(const Domain_3& domain, double unit, std::uint64_t seed, std::uint64_t questions,
-                std::atomic<bool>& stop)
+                std::atomic<bool>* stop)
         : domain_(domain), unit_(unit), seed_(seed), left_(questions), stop_(stop) {}
 
     [[nodiscard]] Coordinates<3> outside(const Point_3& p) const {
@@ -83,7 +85,7 @@ class Mesh_domain {
         Intersection operator()(const Segment_3& s) const {
             domain.count();
             const auto p = domain.domain_.crossing(domain.outside(s.source()), domain.outside(s.target()));
-            return p ? Intersection(domain.inside(*p), skin, 2) : Intersection(CGAL::ORIGIN, 0, 0);
+            return p ? Intersection(domain.inside(*p), Index(skin), 2) : Intersection(CGAL::ORIGIN, Index(), 0);
         }
         Intersection operator()(const Ray_3& r) const { return clipped(r); }
         Intersection operator()(const Line_3& l) const { return clipped(l); }
@@ -93,7 +95,7 @@ class Mesh_domain {
         Intersection clipped(const Query& q) const {
             const auto part = CGAL::intersection(q, domain.clip());
             const Segment_3* s = part ? boost::get<Segment_3>(&*part) : nullptr;
-            return s != nullptr ? (*this)(*s) : Intersection(CGAL::ORIGIN, 0, 0);
+            return s != nullptr ? (*this)(*s) : Intersection(CGAL::ORIGIN, Index(), 0);
         }
     };
     struct Do_intersect_surface {
@@ -108,11 +110,6 @@ class Mesh_domain {
     [[nodiscard]] Do_intersect_surface do_intersect_surface_object() const { return {*this}; }
     [[nodiscard]] Construct_intersection construct_intersection_object() const { return {*this}; }
 
-    static Index index_from_surface_patch_index(Surface_patch_index i) { return i; }
-    static Index index_from_subdomain_index(Subdomain_index i) { return i; }
-    static Surface_patch_index surface_patch_index(Index i) { return i; }
-    static Subdomain_index subdomain_index(Index i) { return i; }
-
   private:
     /// The bounding box and a margin, so that rays end beyond the surface.
     [[nodiscard]] K::Iso_cuboid_3 clip() const {
@@ -122,7 +119,7 @@ class Mesh_domain {
     }
 
     void count() const {
-        if (left_ == 0) stop_ = true;
+        if (left_ == 0) *stop_ = true;
         else --left_;
     }
 
@@ -130,22 +127,37 @@ class Mesh_domain {
     double unit_;
     std::uint64_t seed_;
     mutable std::uint64_t left_;
-    std::atomic<bool>& stop_;
+    std::atomic<bool>* stop_;
 };
+
+/// The same with curves and corners on which there are to be vertices; none unless they are added.
+using Sharp_domain = CGAL::Mesh_domain_with_polyline_features_3<Mesh_domain>;
+
+void add(Sharp_domain& domain, const Feature_curves& sharp) {
+    std::vector<K::Point_3> corners;
+    for (const auto& c : sharp.corners()) corners.push_back(domain.inside(c));
+    std::vector<std::vector<K::Point_3>> curves;
+    for (const auto& c : sharp.curves()) {
+        curves.emplace_back();
+        for (const auto& p : c.points()) curves.back().push_back(domain.inside(p));
+    }
+    domain.add_corners(corners.begin(), corners.end());
+    domain.add_features(curves.begin(), curves.end());
+}
 
 struct Field {
     using FT = K::FT;
     using Point_3 = K::Point_3;
-    using Index = int;
+    using Index = Sharp_domain::Index;
     const Sizing_3* sizing;
     const Mesh_domain* domain;
     double size;
     FT operator()(const Point_3& p, int, const Index&) const { return size * sizing->at(domain->outside(p)); }
 };
 
-using Triangulation = CGAL::Mesh_triangulation_3<Mesh_domain>::type;
+using Triangulation = CGAL::Mesh_triangulation_3<Sharp_domain>::type;
 /// A class of this namespace, so that `dump_c3t3` below is found for it.
-struct Complex : CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> {};
+struct Complex : CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Sharp_domain::Corner_index, Sharp_domain::Curve_index> {};
 /// Mesh_3 writes a file named dump-bug before some of its failures. Not here: they are caught.
 [[maybe_unused]] void dump_c3t3(const Complex&, const std::string&) {}
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
@@ -202,23 +214,24 @@ double unit_of(const Domain_3& domain) {
 
 /// A mesh with cells of size h and fewer vertices than `most`, if there is one. Its points are in unit_of(domain).
 Attempt mesh(const Domain_3& domain, const Sizing_3& sizing, double h, std::uint64_t seed, const Shapes& shape,
-             std::size_t most) {
+             std::size_t most, const Feature_curves* sharp) {
     const Silence silence;
     std::atomic<bool> stop = false;
     // Measured: 15 to 50 questions a vertex. Refinement that refuses each point that it thinks of asks for ever, and slowly,
     // because everything is nearly degenerate there.
     const double unit = unit_of(domain);
-    const Mesh_domain mesh_domain(domain, unit, seed, 25 * std::uint64_t{most}, stop);
+    Sharp_domain mesh_domain(domain, unit, seed, 25 * std::uint64_t{most}, &stop);
     h /= unit;
     const Field field{&sizing, &mesh_domain, h};
     CGAL::get_default_random() = CGAL::Random(static_cast<unsigned>(seed));
-    const Criteria criteria(Criteria::Facet_criteria(shape.angle, field, 0.2 * h),
+    const Criteria criteria(Criteria::Edge_criteria(field), Criteria::Facet_criteria(shape.angle, field, 0.2 * h),
                             Criteria::Cell_criteria(shape.radius_edge, field));
     using namespace CGAL::parameters;
     Attempt result;
     try {
+        if (sharp != nullptr) add(mesh_domain, *sharp);
         const Complex c3t3 = CGAL::make_mesh_3<Complex>(
-            mesh_domain, criteria, no_perturb(), no_exude(),
+            mesh_domain, criteria, sharp != nullptr ? features() : no_features(), no_perturb(), no_exude(),
             mesh_3_options(maximal_number_of_vertices = most, pointer_to_stop_atomic_boolean = &stop));
         if (stop) return result;
         if (c3t3.triangulation().number_of_vertices() >= most) {
@@ -226,9 +239,14 @@ Attempt mesh(const Domain_3& domain, const Sizing_3& sizing, double h, std::uint
             return result;
         }
         std::unordered_set<const void*> seen;
+        const auto take = [&](const auto& v) {
+            if (seen.insert(&*v).second) result.points.push_back(v->point().point());
+        };
         for (auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-            for (int i = 0; i < 4; ++i)
-                if (seen.insert(&*c->vertex(i)).second) result.points.push_back(c->vertex(i)->point().point());
+            for (int i = 0; i < 4; ++i) take(c->vertex(i));
+        const auto& t = c3t3.triangulation();  // where cells beside a sharp edge are thought to be outside
+        for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v)
+            if (c3t3.in_dimension(v) < 2) take(v);
         result.outcome = Attempt::Outcome::complete;
     } catch (const CGAL::Failure_exception&) {
     }
@@ -238,7 +256,8 @@ Attempt mesh(const Domain_3& domain, const Sizing_3& sizing, double h, std::uint
 }  // namespace
 
 std::vector<Coordinates<3>> initial_mesh(const Domain_3& domain, const Sizing_3& sizing, std::size_t n,
-                                         std::uint64_t seed) {
+                                         std::uint64_t seed, const Feature_curves* sharp) {
+    if (sharp != nullptr && sharp->corners().empty() && sharp->curves().empty()) sharp = nullptr;
     if (n < 4) throw Error(Error_code::usage, "a mesh needs at least 4 vertices");
     // Of the counts so far, those around n, as logarithms of (size, count); the count falls with the size about as its
     // third power.
@@ -253,7 +272,7 @@ std::vector<Coordinates<3>> initial_mesh(const Domain_3& domain, const Sizing_3&
     bool too_many = false;
     auto shape = shapes.begin();
     for (int tries = 0; tries < 12 && distance(best.size()) > 0.01; ++tries) {
-        Attempt attempt = mesh(domain, sizing, h, seed, *shape, most);
+        Attempt attempt = mesh(domain, sizing, h, seed, *shape, most, sharp);
         if (attempt.outcome == Attempt::Outcome::failed) {
             if (++shape == shapes.end()) throw Error(Error_code::bad_input, "Mesh_3 cannot refine this domain");
             h = first;

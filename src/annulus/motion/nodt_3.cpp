@@ -6,6 +6,7 @@
 #include <annulus/motion/distinct_targets.h>
 #include <annulus/mesh/parallel_runs.h>
 #include <annulus/motion/surface_stars.h>
+#include <annulus/motion/vectors_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,8 @@ namespace annulus {
 namespace {
 
 constexpr std::size_t run_length = 256;
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// A sum of weighted offsets from a vertex, and of the weights.
 struct Mean {
@@ -39,14 +42,7 @@ struct Mean {
 Coordinates<3> weighted_circumcentre(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c,
                                      double& area) {
     // With the origin at a and n = b × c: 2 |n|² x = |b|² c×n + |c|² n×b; the area is |n| / 2.
-    Coordinates<3> u, v;
-    for (std::size_t k = 0; k < 3; ++k) u[k] = b[k] - a[k], v[k] = c[k] - a[k];
-    const auto cross = [](const Coordinates<3>& p, const Coordinates<3>& q) {
-        return Coordinates<3>{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-    };
-    const auto dot = [](const Coordinates<3>& p, const Coordinates<3>& q) {
-        return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-    };
+    const Coordinates<3> u = minus(b, a), v = minus(c, a);
     const Coordinates<3> n = cross(u, v), vn = cross(v, n), nu = cross(n, u);
     const double length = std::sqrt(dot(n, n));
     area = length / 2;
@@ -61,20 +57,24 @@ struct Partial {
     std::size_t vertices = 0, boundary = 0, locked = 0, kept = 0;
 };
 
-double distance(const Coordinates<3>& p, const Coordinates<3>& q) {
-    return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
-}
-
 /// This share of the way from p to q, but no farther than `most`.
 Coordinates<3> towards(const Coordinates<3>& p, const Coordinates<3>& q, double share, double most) {
     const double way = distance(p, q);
-    if (share * way > most) share = most / way;
-    Coordinates<3> x;
-    for (std::size_t k = 0; k < 3; ++k) x[k] = p[k] + share * (q[k] - p[k]);
-    return x;
+    return between(p, q, share * way > most ? most / way : share);
 }
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+/// The foot of q in the plane through p whose normal is the mean of those of the facets around p, weighted with area; q where these are none.
+Coordinates<3> in_tangent_plane(const Coordinates<3>& p, const Coordinates<3>& q, std::span<const std::array<Index, 2>> around,
+                                std::span<const Coordinates<3>> position) {
+    Coordinates<3> normal{};
+    for (const auto& [a, b] : around) {
+        const Coordinates<3> n = cross(minus(position[at(a)], p), minus(position[at(b)], p));
+        for (std::size_t k = 0; k < 3; ++k) normal[k] += n[k];
+    }
+    const double square = dot(normal, normal), height = dot(minus(q, p), normal) / square;
+    if (!std::isfinite(height)) return q;
+    return {q[0] - height * normal[0], q[1] - height * normal[1], q[2] - height * normal[2]};
+}
 
 /// The mean of the sizing over corners.
 double size_of(std::span<const double> mu, std::span<const Index> corners) {
@@ -86,9 +86,13 @@ double size_of(std::span<const double> mu, std::span<const Index> corners) {
 
 }  // namespace
 
-std::vector<char> vertices_on_surface(const Domain_3& domain, std::span<const Coordinates<3>> points) {
+double rounding_of(const Domain_3& domain) {
     const Domain_3::Box box = domain.bounding_box();
-    const double rounding = 1e-9 * distance(box.lower, box.upper);
+    return 1e-9 * distance(box.lower, box.upper);
+}
+
+std::vector<char> vertices_on_surface(const Domain_3& domain, std::span<const Coordinates<3>> points) {
+    const double rounding = rounding_of(domain);
     std::vector<char> on(points.size());
     std::transform(points.begin(), points.end(), on.begin(),
                    [&](const Coordinates<3>& p) { return distance(p, domain.project(p)) <= rounding ? 1 : 0; });
@@ -96,8 +100,8 @@ std::vector<char> vertices_on_surface(const Domain_3& domain, std::span<const Co
 }
 
 Nodt_3::Nodt_3(const Domain_3& domain, Sizing_3 sizing, std::vector<char> on_surface,
-               std::optional<double> lock_degrees, int threads)
-    : domain_(domain), sizing_(sizing), on_surface_(std::move(on_surface)), threads_(threads) {
+               std::optional<double> lock_degrees, int threads, Curve_motion sharp)
+    : domain_(domain), sizing_(sizing), on_surface_(std::move(on_surface)), threads_(threads), sharp_(std::move(sharp)) {
     if (threads < 1) throw Error(Error_code::usage, "natural ODT needs at least 1 thread");
     if (!lock_degrees) return;
     if (!(*lock_degrees > 0 && *lock_degrees < 70.5))
@@ -214,6 +218,13 @@ Nodt_step Nodt_3::step_of(const Mesh& mesh, std::span<const Coordinates<3>> posi
         for (const Index k : t) area[at(k)].add(moment, scale * weight, a, position[at(k)]);
     }
 
+    const auto stride = [&](Index v) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const auto& [a, b] : surface.around(v)) nearest = std::min(nearest, distance(position[at(v)], position[at(a)]));
+        return surface_stride * nearest;
+    };
+    const auto locked = [&](std::size_t v) { return lock_cosine_ && sums.bad[v] == 0; };
+
     std::vector<Partial> partial((n + run_length - 1) / run_length);
     for_each_run(n, run_length, threads_, [&](std::size_t first, std::size_t last) {
         Partial& counts = partial[first / run_length];
@@ -223,18 +234,20 @@ Nodt_step Nodt_3::step_of(const Mesh& mesh, std::span<const Coordinates<3>> posi
             const bool boundary = on_surface_[v] != 0;
             ++counts.vertices;
             counts.boundary += boundary;
-            if (lock_cosine_ && sums.bad[v] == 0) {
+            if (locked(v)) {
                 ++counts.locked;
+                continue;
+            }
+            if (sharp_.holds(v)) {
+                counts.kept += sharp_.is_corner(v);
                 continue;
             }
             Coordinates<3> wanted;
             bool good = boundary ? surface.disc(static_cast<Index>(v)) && area[v].from(position[v], wanted)
                                  : sums.volume[v].from(position[v], wanted);
             if (good && boundary) {
-                double nearest = std::numeric_limits<double>::infinity();
-                for (const auto& [a, b] : surface.around(static_cast<Index>(v)))
-                    nearest = std::min(nearest, distance(position[v], position[at(a)]));
-                wanted = towards(position[v], wanted, surface_relaxation, surface_stride * nearest);
+                wanted = in_tangent_plane(position[v], wanted, surface.around(static_cast<Index>(v)), position);
+                wanted = towards(position[v], wanted, surface_relaxation, stride(static_cast<Index>(v)));
                 wanted = domain_.project(wanted, position[v], memory.nearby_[v]);
             } else if (good) {
                 good = domain_.contains(wanted);
@@ -243,6 +256,10 @@ Nodt_step Nodt_3::step_of(const Mesh& mesh, std::span<const Coordinates<3>> posi
             else ++counts.kept;
         }
     });
+    for (const Curve_motion::Wish& w : sharp_.wishes(position)) {
+        const std::size_t v = at(w.vertex);
+        if (sums.volume[v].weight > 0 && !locked(v)) target[v] = sharp_.place(w, surface_relaxation, stride(w.vertex));
+    }
     Nodt_step total;
     for (const Partial& p : partial) {
         total.vertices += p.vertices;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/motion/curve_motion.h>
 #include <annulus/motion/domain_3.h>
 #include <annulus/motion/kept_cells_3.h>
 #include <annulus/motion/sizing_3.h>
@@ -20,12 +21,14 @@ struct Nodt_step {
     std::size_t vertices = 0;  ///< of cells of the domain; the others rest
     std::size_t boundary = 0;  ///< of these, on the surface
     std::size_t locked = 0;    ///< of these, at rest because their cells are good
-    /// Of these, at rest because there is no surface around them, because their target is outside of the domain, or
-    /// because it is another's place.
+    /// Of these, at rest because they are corners, because there is no surface around them, because their target is outside of
+    /// the domain, or because it is another's place.
     std::size_t kept = 0;
 };
 
-/// A flag for every point that is on the surface of the domain, up to 1e-9 of the diagonal of its box.
+/// How far from a surface a point may be that is said to be on it: 1e-9 of the diagonal of the domain's box.
+[[nodiscard]] double rounding_of(const Domain_3& domain);
+/// A flag for every point that is on the surface of the domain, up to `rounding_of`.
 [[nodiscard]] std::vector<char> vertices_on_surface(const Domain_3& domain, std::span<const Coordinates<3>> points);
 
 /// What one step leaves for the next: sizes where vertices have not moved, what is near those on the surface. For steps of one Nodt_3.
@@ -46,7 +49,8 @@ class Nodt_memory {
 /// volume / mu³; a target outside of the domain is refused, and the vertex rests in this step. A vertex of the surface
 /// wants to go to the mean of the circumcentres of its surface facets, weighted with area / mu². It rests unless these
 /// facets are a disc around it: where features are thinner than the mesh, sheets of facets touch, and their mean is the
-/// place of none. It goes three quarters of the way to that mean (`surface_relaxation`), by at most a tenth
+/// place of none. Of the way to that mean it goes what is in its tangent plane, across the mean normal of these facets weighted with area: the
+/// rest only leads into the domain, and from a tip down its sides. It goes three quarters of that (`surface_relaxation`), by at most a tenth
 /// (`surface_stride`) of the distance to its nearest neighbour on the surface, and from there to the nearest point of the
 /// surface. All vertices go at once, and neighbours who go against each other all the way exchange their places for ever:
 /// on the regular triangular lattice this mode is multiplied by -1 a step. (Rows that go against each other are a above and b
@@ -57,6 +61,8 @@ class Nodt_memory {
 /// flat cell at the surface enters or leaves the domain; vertices that follow such jumps never come to rest.
 /// mu is the sizing (its mean over the corners of a cell or facet).
 ///
+/// Sharp edges, where they are given: a vertex on one goes along it, as far as others on the surface (`Curve_motion`); a corner rests.
+///
 /// Locks: given an angle, a vertex rests while every dihedral angle of its cells of the domain is between it and 180
 /// degrees less it. This is judged in every step from the cells as they are, so a vertex is free again as soon as a move
 /// nearby has spoilt one of them.
@@ -65,10 +71,10 @@ class Nodt_3 {
     static constexpr double surface_relaxation = 0.75;
     static constexpr double surface_stride = 0.1;
 
-    /// `domain` must outlive this. `on_surface` has a flag for every vertex. `threads` >= 1, 0 < lock_degrees < 70.5 (the
-    /// regular tetrahedron), else Error(usage).
+    /// `domain` must outlive this. `on_surface` has a flag for every vertex; `sharp` has sharp edges of the domain's surface, and vertices on
+    /// these. `threads` >= 1, 0 < lock_degrees < 70.5 (the regular tetrahedron), else Error(usage).
     Nodt_3(const Domain_3& domain, Sizing_3 sizing, std::vector<char> on_surface,
-           std::optional<double> lock_degrees = {}, int threads = 1);
+           std::optional<double> lock_degrees = {}, int threads = 1, Curve_motion sharp = {});
 
     /// Sets target[v] for every vertex. Targets differ if positions do. `inside` has a flag for every cell.
     ///
@@ -95,6 +101,7 @@ class Nodt_3 {
     std::vector<char> on_surface_;
     std::optional<double> lock_cosine_;
     int threads_;
+    Curve_motion sharp_;
 };
 
 }  // namespace annulus

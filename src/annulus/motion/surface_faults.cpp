@@ -12,7 +12,8 @@ namespace annulus {
 namespace {
 
 struct Directed_edge {
-    Index from, to;
+    std::array<Index, 2> ends;  ///< the lesser first: they are compared most
+    bool turned;                ///< whether the triangle runs from the greater to the lesser
     std::size_t triangle;
 };
 
@@ -69,18 +70,20 @@ std::optional<Edge_fault> edge_fault(const std::vector<std::array<Index, 3>>& tr
     std::vector<Directed_edge> edges;
     edges.reserve(3 * triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t)
-        for (std::size_t i = 0; i < 3; ++i) edges.push_back({triangles[t][i], triangles[t][(i + 1) % 3], t});
-    const auto ends = [](const Directed_edge& e) { return std::pair(std::min(e.from, e.to), std::max(e.from, e.to)); };
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Index from = triangles[t][i], to = triangles[t][(i + 1) % 3];
+            edges.push_back({{std::min(from, to), std::max(from, to)}, from > to, t});
+        }
     std::sort(edges.begin(), edges.end(), [&](const Directed_edge& a, const Directed_edge& b) {
-        return ends(a) != ends(b) ? ends(a) < ends(b) : a.triangle < b.triangle;
+        return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle;
     });
     const Directed_edge* open = nullptr;
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t next = i + 1;
-        while (next < edges.size() && ends(edges[next]) == ends(edges[i])) ++next;
+        while (next < edges.size() && edges[next].ends == edges[i].ends) ++next;
         if (next - i > 2)
             return Edge_fault{Edge_fault::Kind::crowded, edges[i + 2].triangle, edges[i].triangle, next - i};
-        if (next - i == 2 && edges[i].from == edges[i + 1].from)
+        if (next - i == 2 && edges[i].turned == edges[i + 1].turned)
             return Edge_fault{Edge_fault::Kind::turned, edges[i + 1].triangle, edges[i].triangle, 2};
         if (next - i == 1 && (open == nullptr || edges[i].triangle < open->triangle)) open = &edges[i];
         i = next;

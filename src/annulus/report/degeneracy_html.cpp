@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/formats/markup.h>
 #include <annulus/report/axis_ticks.h>
 #include <annulus/report/degeneracy_report.h>
-#include <annulus/formats/markup.h>
 #include <annulus/report/page.h>
+#include <annulus/report/table.h>
 
 namespace annulus {
 
 namespace {
 
-using Columns = std::vector<std::string>;
-
-/// A wide table; all cells are HTML, the first of a row its heading.
-void append_table(std::string& out, const Columns& head, const std::vector<Columns>& rows) {
-    out += "<div class=\"scroll\"><table class=\"wide\"><thead><tr>";
-    for (const std::string& h : head) out += "<th scope=\"col\">" + h + "</th>";
-    out += "</tr></thead><tbody>\n";
-    for (const Columns& row : rows) {
-        out += "<tr><th scope=\"row\">" + row.front() + "</th>";
-        for (std::size_t i = 1; i < row.size(); ++i) out += "<td>" + row[i] + "</td>";
-        out += "</tr>\n";
-    }
-    out += "</tbody></table></div>\n";
-}
+using Columns = std::vector<std::string>;  ///< headings, HTML
 
 std::string relative_number(double x) { return x == 0 ? "0" : escaped(readable(x)); }
 
@@ -81,7 +69,7 @@ Words words(int dimension) {
 void append_counts(std::string& out, const Degeneracy& d) {
     Columns head{"", "number", "exactly 0"};
     for (const Threshold& t : d.thresholds) head.push_back(threshold_head(t));
-    std::vector<Columns> rows;
+    std::vector<Table_row> rows;
     const auto add = [&](const std::string& name, std::uint64_t total, std::uint64_t zero,
                          const std::vector<std::uint64_t>& below) {
         rows.push_back({name, grouped(total), with_share(zero, total)});
@@ -113,7 +101,7 @@ void append_quantiles(std::string& out, const Degeneracy& d) {
     Columns head{""};
     for (const double p : Distribution::probabilities)
         head.push_back(p == 0 ? "least" : p == 1 ? "greatest" : p == 0.5 ? "median" : readable(100 * p) + " %");
-    std::vector<Columns> rows;
+    std::vector<Table_row> rows;
     const auto add = [&](const std::string& name, const Distribution& q) {
         if (q.quantiles.empty()) return;
         rows.push_back({name});
@@ -133,7 +121,7 @@ void append_quantiles(std::string& out, const Degeneracy& d) {
 }
 
 void append_stages(std::string& out, const Degeneracy& d) {
-    std::vector<Columns> rows;
+    std::vector<Table_row> rows;
     const auto add = [&](const std::string& name, const Stage_counts& s) {
         rows.push_back({name, grouped(s.total()), with_share(s.filter, s.total()), with_share(s.interval, s.total()),
                         with_share(s.exact, s.total())});

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/report/axis_ticks.h>
 #include <annulus/formats/markup.h>
+#include <annulus/report/axis_ticks.h>
 #include <annulus/report/page.h>
 #include <annulus/report/report_style.h>
+#include <annulus/report/table.h>
 
 namespace annulus {
 
@@ -16,7 +17,7 @@ std::string page_head(const std::string& title, const std::string& command) {
     return out;
 }
 
-std::string page_foot() { return "</main>\n</body>\n</html>\n"; }
+std::string page_foot() { return "</main>\n" + table_script() + "</body>\n</html>\n"; }
 
 std::string percentage(std::uint64_t part, std::uint64_t all) {
     if (all == 0) return "–";

@@ -13,6 +13,7 @@ namespace annulus {
 
 /// Everything before the content: head, style sheet, title and the command, if there is one.
 [[nodiscard]] std::string page_head(const std::string& title, const std::string& command);
+/// The end, with the script of tables that can be sorted.
 [[nodiscard]] std::string page_foot();
 
 /// "12.3 %"; a share that is not all never reads as 100 %, and one that is not nothing never as 0 %. HTML.

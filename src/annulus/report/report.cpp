@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/report/axis_ticks.h>
 #include <annulus/formats/markup.h>
+#include <annulus/report/axis_ticks.h>
 #include <annulus/report/page.h>
 #include <annulus/report/report.h>
 #include <annulus/report/report_plots.h>
+#include <annulus/report/table.h>
 
 #include <algorithm>
 
@@ -68,6 +69,7 @@ void append_pictures(std::string& out, const Report& report) {
     const auto append = [&](const std::optional<Picture>& picture, const char* fallback) {
         if (!picture) return;
         std::string caption = escaped(picture->caption.empty() ? fallback : picture->caption);
+        if (caption[0] >= 'a' && caption[0] <= 'z') caption[0] = static_cast<char>(caption[0] - 'a' + 'A');
         if (!window.whole)
             caption += ": the " + grouped(points_in(window, picture->points)) +
                        " vertices in a window in the middle, of " + grouped(picture->points.size());
@@ -89,19 +91,25 @@ void append_comparison(std::string& out, const Comparison_record& comparison) {
         comparison.runs.begin(), comparison.runs.end(),
         [](const auto& a, const auto& b) { return a.seconds.triangulation < b.seconds.triangulation; });
     const Run_record& first = comparison.runs.front();
-    out +=
-        "<div class=\"scroll\"><table class=\"wide\"><thead><tr><th scope=\"col\">strategy</th>"
-        "<th scope=\"col\">triangulation</th><th scope=\"col\">over fastest</th><th scope=\"col\">" +
-        escaped(first.strategy) +
-        " over it</th><th scope=\"col\">within tolerance</th><th scope=\"col\">audits</th></tr></thead><tbody>\n";
-    const auto ratio = [](double a, double b) { return b > 0 ? readable(a / b) + "×" : std::string("–"); };
-    for (const Run_record& run : comparison.runs)
-        out += "<tr><th scope=\"row\">" + escaped(run.strategy) + "</th><td>" + duration(run.seconds.triangulation) +
-               "</td><td>" + ratio(run.seconds.triangulation, fastest->seconds.triangulation) + "</td><td>" +
-               ratio(first.seconds.triangulation, run.seconds.triangulation) + "</td><td>" +
-               percentage(run.moves.within_tolerance, run.moves.asked) + "</td><td>" + audit(run.audit) +
-               "</td></tr>\n";
-    out += "</tbody></table></div>\n";
+    std::vector<Table_row> rows;
+    const auto ratio = [](double a, double b) {
+        return b > 0 ? Table_cell(readable(a / b) + "×", a / b) : Table_cell("–");
+    };
+    for (const Run_record& run : comparison.runs) {
+        const double seconds = run.seconds.triangulation;
+        const auto asked = static_cast<double>(run.moves.asked);
+        rows.push_back({escaped(run.strategy),
+                        {duration(seconds), seconds},
+                        ratio(seconds, fastest->seconds.triangulation),
+                        ratio(first.seconds.triangulation, seconds),
+                        {percentage(run.moves.within_tolerance, run.moves.asked),
+                         static_cast<double>(run.moves.within_tolerance) / asked},
+                        {audit(run.audit), static_cast<double>(run.audit.failed)}});
+    }
+    append_table(out,
+                 {"strategy", "triangulation", "over fastest", escaped(first.strategy) + " over it", "within tolerance",
+                  "audits"},
+                 rows, true);
     append_plots(out, "Cumulative time", comparison_plots(comparison),
                  "Time for keeping the triangulation and its tolerances right, without the motion, summed over the "
                  "iterations. A curve that flattens belongs to a strategy that gains from small displacements.");

@@ -24,13 +24,21 @@ code{font:.86em/1.5 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",mon
 .command{color:var(--soft);margin-bottom:24px}
 .verdict{font-weight:600}.bad{color:var(--bad)}.good{color:var(--good)}
 .numbers{display:grid;grid-template-columns:repeat(auto-fit,minmax(310px,1fr));gap:0 44px;align-items:start}
-.scroll{overflow-x:auto}
+.numbers>table:only-child{max-width:560px}
+.scroll{overflow-x:auto;background:linear-gradient(270deg,var(--bg) 30%,transparent) 100% 0/40px 100% local,
+linear-gradient(270deg,var(--rule),transparent) 100% 0/12px 100% scroll;background-repeat:no-repeat}
 table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
 th,td{padding:6px 0;border-bottom:1px solid var(--rule);text-align:left;vertical-align:baseline;font-weight:400}
 .numbers th{color:var(--soft)}.numbers td{text-align:right;white-space:nowrap}
-.wide th,.wide td{padding:6px 14px;text-align:right;white-space:nowrap}
-.wide th:first-child,.wide td:first-child{text-align:left;padding-left:0}
+.wide th,.wide td{padding:6px 9px;text-align:right;white-space:nowrap}
+.wide{font-size:.93rem}
+.wide th:first-child{text-align:left;padding-left:0;position:sticky;left:0;background:var(--bg)}
 .wide thead th{color:var(--soft);font-size:.88rem;white-space:normal}
+.wide th:last-child,.wide td:last-child{padding-right:0}
+.sortable button{all:unset;cursor:pointer}
+.sortable button:hover,.sortable [aria-sort] button{color:var(--ink)}
+.sortable button:focus-visible{outline:2px solid var(--c0);outline-offset:3px}
+.sortable [aria-sort] button::after{content:" ↑"}.sortable [aria-sort=descending] button::after{content:" ↓"}
 small{color:var(--soft);font-size:.86em}
 .panels{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,440px),1fr));gap:28px 40px}
 figure{margin:0;min-width:0}
@@ -53,8 +61,7 @@ stroke-dasharray:none!important}
 .c6{stroke:var(--c6);stroke-dasharray:14 5}
 .plot .name.c0{fill:var(--c0)}.plot .name.c1{fill:var(--c1)}.plot .name.c2{fill:var(--c2)}
 .plot .name.c3{fill:var(--c3)}.plot .name.c4{fill:var(--c4)}.plot .name.c5{fill:var(--c5)}.plot .name.c6{fill:var(--c6)}
-@media(max-width:600px){main{padding:24px 14px 40px}h1{font-size:1.35rem}.wide th,.wide td{padding:6px 9px}
-.panels{gap:24px}.plot .tl,.plot .al{font-size:15px}}
+@media(max-width:600px){main{padding:24px 14px 40px}h1{font-size:1.35rem}.panels{gap:24px}.plot .tl,.plot .al{font-size:15px}}
 @media print{:root{--bg:#fff}main{padding:0}h2{break-after:avoid}figure{break-inside:avoid}}
 )css";
 

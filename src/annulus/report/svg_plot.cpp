@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/report/axis_ticks.h>
 #include <annulus/formats/markup.h>
+#include <annulus/report/axis_ticks.h>
 #include <annulus/report/svg_plot.h>
 
 #include <algorithm>
@@ -14,11 +14,12 @@ namespace {
 
 constexpr double width = 520;
 constexpr double height = 360;
-constexpr double left = 58;
+constexpr double least_left = 58;  ///< room for the label of the axis of y, and four digits
 constexpr double top = 14;
 constexpr double bottom = 52;
 constexpr double line_height = 16;    ///< between the names of curves
 constexpr double letter_width = 8.2;  ///< of bold text at 13 units in a wide font
+constexpr double number_width = 9.4;  ///< of a digit at 15 units, which narrow windows have
 constexpr std::size_t colours = 7;    ///< classes c0 to c6
 
 std::string number(double value) {
@@ -28,6 +29,7 @@ std::string number(double value) {
 
 /// Where the axes lie, in the units of the drawing.
 struct Frame {
+    double left = least_left;
     double right = width - 24;  ///< leaves half a tick label
     [[nodiscard]] double x(double place) const { return left + place * (right - left); }
     [[nodiscard]] double y(double place) const { return height - bottom - place * (height - bottom - top); }
@@ -38,12 +40,19 @@ struct Pixel {
     double y;
 };
 
-/// Names of curves stand right of the frame, so it ends where the longest begins.
-Frame frame_for(const Plot& plot) {
+/// Characters of UTF-8.
+std::size_t letters(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// Names of curves stand right of the frame, so it ends where the longest begins; and it begins where the longest number ends.
+Frame frame_for(const Plot& plot, const Axis_range& ys) {
     std::size_t longest = 0;
     for (const Series& s : plot.series)
-        if (!s.steps) longest = std::max(longest, s.name.size());
+        if (!s.steps) longest = std::max(longest, letters(s.name));
     Frame frame;
+    for (const Tick& tick : ys.ticks())
+        frame.left = std::max(frame.left, 24 + number_width * static_cast<double>(letters(tick.label)));
     if (longest > 0) frame.right = width - std::min(letter_width * static_cast<double>(longest) + 14, 190.);
     return frame;
 }
@@ -58,7 +67,7 @@ void draw_axes(std::string& out, const Plot& plot, const Frame& frame, const Axi
             continue;
         }
         out += "<path class=\"grid\" d=\"M" + x0 + " " + y + "H" + x1 + "\"/>";
-        out += "<text class=\"tl e\" x=\"" + number(left - 7) + "\" y=\"" + y + "\" dy=\".34em\">" +
+        out += "<text class=\"tl e\" x=\"" + number(frame.left - 7) + "\" y=\"" + y + "\" dy=\".34em\">" +
                escaped(tick.label) + "</text>";
     }
     for (const Tick& tick : xs.ticks()) {
@@ -127,13 +136,24 @@ std::optional<Pixel> draw_curve(std::string& out, const Series& series, std::siz
     return last;
 }
 
-/// Writes the names of histograms above their peaks; one that would cover another goes above it.
-void draw_peak_names(std::string& out, const Plot& plot, const std::vector<std::optional<Pixel>>& peaks) {
+/// Writes the names of histograms above their peaks, clear of all bars; one that would cover another goes above it.
+void draw_peak_names(std::string& out, const Plot& plot, const std::vector<std::optional<Pixel>>& peaks,
+                     const Frame& frame, const Axis_range& xs, const Axis_range& ys) {
     std::vector<std::pair<Pixel, double>> placed;  // centre and half width
+    const auto top_of_bars = [&](double from, double to) {
+        double y = frame.y(0);
+        for (const Series& s : plot.series)
+            for (std::size_t i = 0; s.steps && i < s.y.size() && i + 1 < s.x.size(); ++i)
+                if (xs.can_show(s.x[i]) && xs.can_show(s.x[i + 1]) && ys.can_show(s.y[i]) &&
+                    frame.x(xs.place(s.x[i])) < to && frame.x(xs.place(s.x[i + 1])) > from)
+                    y = std::min(y, frame.y(ys.place(s.y[i])));
+        return y;
+    };
     for (std::size_t i = 0; i < peaks.size(); ++i) {
         if (!peaks[i] || plot.series[i].name.empty()) continue;
-        const double half = letter_width * static_cast<double>(plot.series[i].name.size()) / 2;
-        Pixel at{std::clamp(peaks[i]->x, left + half + 4, width - half), peaks[i]->y - 11};
+        const double half = letter_width * static_cast<double>(letters(plot.series[i].name)) / 2;
+        Pixel at{std::clamp(peaks[i]->x, frame.left + half + 4, width - half), 0};
+        at.y = std::min(peaks[i]->y, top_of_bars(at.x - half, at.x + half)) - 11;
         const auto covers = [&](const std::pair<Pixel, double>& other) {
             return std::fabs(other.first.x - at.x) < other.second + half &&
                    std::fabs(other.first.y - at.y) < line_height;
@@ -170,8 +190,18 @@ void draw_names(std::string& out, const Plot& plot, const Frame& frame, const st
 }  // namespace
 
 Series histogram_series(std::string name, const Histogram& histogram) {
-    Series series{std::move(name), {histogram.edges().begin(), histogram.edges().end()}, {}, true};
-    for (std::size_t i = 0; i < histogram.counts().size(); ++i) series.y.push_back(100 * histogram.share(i));
+    // More than one empty bin at an end would only take the room of the others.
+    const auto edges = histogram.edges();
+    const auto counts = histogram.counts();
+    std::size_t first = 0, end = counts.size();
+    while (first + 2 < end && counts[first] == 0 && counts[first + 1] == 0) ++first;
+    while (first + 2 < end && counts[end - 1] == 0 && counts[end - 2] == 0) --end;
+    Series series{std::move(name), {}, {}, true};
+    for (std::size_t i = first; i < end; ++i) {
+        series.x.push_back(edges[i]);
+        series.y.push_back(100 * histogram.share(i));
+    }
+    if (first < end) series.x.push_back(edges[end]);
     return series;
 }
 
@@ -187,7 +217,7 @@ std::string svg_plot(const Plot& plot) {
     }
     const Axis_range xs(plot.x, all_x);
     const Axis_range ys(plot.y, all_y);
-    const Frame frame = frame_for(plot);
+    const Frame frame = frame_for(plot, ys);
     std::string out =
         "<svg class=\"plot\" viewBox=\"0 0 520 360\" role=\"img\" aria-label=\"" + escaped(plot.title) + "\">";
     draw_axes(out, plot, frame, xs, ys);
@@ -199,7 +229,7 @@ std::string svg_plot(const Plot& plot) {
         peaks.push_back(plot.series[i].steps ? at : std::nullopt);
     }
     draw_names(out, plot, frame, ends);
-    draw_peak_names(out, plot, peaks);
+    draw_peak_names(out, plot, peaks, frame, xs, ys);
     return out + "</svg>";
 }
 

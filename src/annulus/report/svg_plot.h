@@ -35,7 +35,7 @@ struct Plot {
     std::vector<Series> series;
 };
 
-/// The outline of a histogram, as shares of all samples in percent.
+/// The outline of a histogram from its first bin with samples to its last and an empty one before and after them, as shares of all samples in percent.
 [[nodiscard]] Series histogram_series(std::string name, const Histogram& histogram);
 
 /// The plot as one SVG element, 520 by 360 units, that scales with its container. Colours and fonts come from CSS

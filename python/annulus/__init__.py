@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Delaunay triangulations of moving points, certified after every move.
+
+`MovingDelaunay` keeps the triangulation of points of the plane or of space right while they move, and proves
+it. Names are those of `scipy.spatial.Delaunay` where SciPy has one. `degeneracy`, `counterexample`, `lloyd`
+and `nodt` are the subcommands of the tool as functions. Everything that is computed is computed by the C++
+library of the same name.
+"""
+
+from ._core import MoveReport
+from ._core import version as __version__
+from ._error import Error
+from ._functions import LloydResult, NodtResult, counterexample, degeneracy, lloyd, nodt
+from ._moving_delaunay import MovingDelaunay
+from ._readings import AuditResult
+
+__all__ = ["AuditResult", "Error", "LloydResult", "MoveReport", "MovingDelaunay", "NodtResult", "__version__", "counterexample",
+           "degeneracy", "lloyd", "nodt"]
+
+MoveReport.__module__ = "annulus"

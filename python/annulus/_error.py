@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The one exception of annulus."""
+
+from __future__ import annotations
+
+
+class Error(ValueError):
+    """What annulus throws on purpose. The object a failed call was made on is as it was before the call.
+
+    Attributes
+    ----------
+    code : str
+        The reason as a value; ``str(error)`` has it in words:
+
+        ``not_finite``
+            a coordinate is NaN or infinite
+        ``out_of_domain``
+            a coordinate is larger than 2**500 in magnitude; with `lloyd`, a point is outside of the domain
+        ``collision``
+            two vertices would share a position
+        ``too_few``
+            an operation needs more points than there are
+        ``wrong_size``
+            an array has not the shape that is needed
+        ``unknown_vertex``
+            an index that names no vertex
+        ``environment``
+            the floating-point unit is not in the state that the proofs assume: another module has set it to
+            flush subnormal numbers, or to another rounding
+        ``usage``
+            options that do not fit together, or do not exist
+        ``too_large``
+            more vertices or cells than indices can name
+        ``bad_input``
+            a file, a surface or a domain that is none
+
+    Notes
+    -----
+    Values of the wrong type are a `TypeError`, memory that runs out is a `MemoryError`.
+    """
+
+    code: str
+
+    def __init__(self, message: str, code: str) -> None:
+        super().__init__(message)
+        self.code = code
+
+    def __reduce__(self) -> tuple[type[Error], tuple[str, str]]:
+        return type(self), (str(self), self.code)

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tool's subcommands as functions: `degeneracy`, `counterexample`, `lloyd`, `nodt`."""
+
+from __future__ import annotations
+
+import os
+import typing
+from collections.abc import Callable
+
+import numpy as np
+
+from . import _core
+
+if typing.TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+
+class LloydResult(typing.NamedTuple):
+    """What `lloyd` comes to."""
+
+    points: NDArray[np.float64]
+    mean_displacement: NDArray[np.float64]
+    max_displacement: NDArray[np.float64]
+    report: _core.MoveReport
+
+
+class NodtResult(typing.NamedTuple):
+    """What `nodt` comes to."""
+
+    points: NDArray[np.float64]
+    simplices: NDArray[np.int32]
+    on_surface: NDArray[np.bool_]
+    mean_displacement: NDArray[np.float64]
+    max_displacement: NDArray[np.float64]
+    report: _core.MoveReport
+
+
+def degeneracy(points: ArrayLike, merge_duplicates: bool = False) -> dict[str, typing.Any]:
+    """How degenerate points are: certified counts and distributions of their Delaunay triangulation.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 2) or (n, 3)
+        At least two that differ.
+    merge_duplicates : bool, optional
+        Count equal points once, instead of raising an `Error` with the code ``collision``.
+
+    Returns
+    -------
+    dict
+        The content of ``degeneracy.json`` as ``annulus degeneracy`` writes it: widths in mean spacings, and
+        None for what points on a line or in a plane do not have. ``file`` is empty.
+    """
+    return _core.degeneracy(points, bool(merge_duplicates))
+
+
+def counterexample(delta: float = 0.01) -> dict[str, typing.Any]:
+    """Five points of space where the paper's tolerance accepts a triangulation that is no longer Delaunay.
+
+    Parameters
+    ----------
+    delta : float, optional
+        How far two of them are inside the unit sphere, 2**-40 to 0.1.
+
+    Returns
+    -------
+    dict
+        The content of ``counterexample.json`` as ``annulus counterexample`` writes it.
+    """
+    return _core.counterexample(delta)
+
+
+def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one", domain: str | ArrayLike | None = None,
+          radius: float | None = None, strategy: str = "auto", tolerance: str = "certified", merge_duplicates: bool = False,
+          threads: int = 1, seed: int = 0, callback: Callable[[int, float, float], object] | None = None) -> LloydResult:
+    """Lloyd's iterations in the plane: every point goes to the centroid of its Voronoi cell, again and again.
+
+    Parameters
+    ----------
+    points : int or array_like, shape (n, 2)
+        How many to sample with the density, or where they are: at least three, in the domain.
+    iterations : int, optional
+        How many.
+    density : str, optional
+        Under which centroids are taken: ``one``, ``x2+y2``, ``x2`` or ``sin2`` (of the distance from the
+        origin, in radians).
+    domain : str or array_like, shape (m, 2), optional
+        To which cells are cut: ``disc``, ``square`` or the corners of a convex polygon, in order. Without it
+        the disc for points that are sampled, the convex hull for those that are given.
+    radius : float, optional
+        Of the disc, or half the side of the square: 1, or 2 pi for ``sin2``.
+    strategy, tolerance, merge_duplicates, threads, seed
+        As for `MovingDelaunay`; the seed is of the sample too. The result does not depend on ``threads``, nor
+        on certified strategies.
+    callback : callable, optional
+        ``callback(step, mean_displacement, max_displacement)`` is called after each step, counted from 1;
+        what it returns ends the iterations if it is true.
+
+    Returns
+    -------
+    LloydResult
+        ``points`` (n, 2); ``mean_displacement`` and ``max_displacement`` by step, in the unit of the points;
+        ``report``, the sum of the steps' reports.
+
+    Raises
+    ------
+    Error
+        ``usage``, ``bad_input`` for a domain that is none, ``out_of_domain``, and those of `MovingDelaunay`.
+
+    Notes
+    -----
+    A signal is seen between two steps.
+    """
+    options = _core.options(strategy, tolerance, "off", threads, bool(merge_duplicates), False, seed)
+    return LloydResult(*_core.lloyd(points, density, domain, radius, iterations, options, seed, callback))
+
+
+def nodt(surface: str | os.PathLike[str] | tuple[ArrayLike, ArrayLike], vertices: int, iterations: int = 100, *, gradation: float = 0.0,
+         lock: float | None = None, allow_crossing: bool = False, strategy: str = "auto", tolerance: str = "certified", threads: int = 1,
+         seed: int = 0, callback: Callable[[int, float, float], object] | None = None) -> NodtResult:
+    """Natural-ODT optimisation of a tetrahedral mesh of what a closed surface encloses.
+
+    Parameters
+    ----------
+    surface : str, path or pair of array_like
+        ``"sphere"``, the unit sphere; a .off, .obj, .ply or .stl file; or points (n, 3) and triangles (m, 3)
+        that meet in common corners and edges, and turn the same way seen from outside.
+    vertices : int
+        About how many: the size of cells is searched for.
+    iterations : int, optional
+        How many.
+    gradation : float, optional
+        Edges grow with the distance from the surface, to 1 + `gradation` times as long at the depth of the
+        ball of the same volume.
+    lock : float, optional
+        A vertex rests while all dihedral angles of its cells are between this and 180 less it, in degrees.
+    allow_crossing : bool, optional
+        Take a surface that crosses itself: inside is where a ray leaves it an odd number of times.
+    strategy, tolerance, threads, seed, callback
+        As for `lloyd`; the seed is of the first mesh too.
+
+    Returns
+    -------
+    NodtResult
+        ``points`` (n, 3); ``simplices`` (m, 4), the cells of the domain, positively oriented; ``on_surface``
+        (n,), the vertices that were on the surface in the first mesh, which stay on it; displacements by
+        step; ``report``, the sum of the steps' reports.
+
+    Raises
+    ------
+    Error
+        ``usage``, ``bad_input`` for a surface that is none, ``too_few`` where no mesh of so many vertices was
+        found, and others.
+
+    Notes
+    -----
+    A signal is seen between two steps, and not while the first mesh is made, by CGAL's Mesh_3.
+    """
+    options = _core.options(strategy, tolerance, "off", threads, False, False, seed)
+    return NodtResult(*_core.nodt(surface, vertices, gradation, lock, bool(allow_crossing), iterations, options, seed, callback))

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`MovingDelaunay`: what users see of the compiled classes `Mesh2` and `Mesh3`."""
+
+from __future__ import annotations
+
+import typing
+
+import numpy as np
+
+from . import _core
+from ._error import Error
+from ._readings import Readings
+
+if typing.TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from ._readings import Indices
+
+
+class MovingDelaunay(Readings):
+    """A Delaunay triangulation that is kept right while its vertices move.
+
+    After every call, with ``tolerance="certified"``, the simplices are a Delaunay triangulation of the points
+    where they are now. That is proved in every step, by tolerances within which nothing can change and by
+    exact signs where a tolerance does not tell.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 2) or (n, 3)
+        Positions, in any unit of length. float32 and integers are taken exactly; what would have to be rounded
+        to float64 (long doubles, integers that are none) is a `TypeError`. There may be any number of points,
+        also fewer than d + 1, and they may lie on a line or in a plane.
+    strategy : str, optional
+        How the triangulation is kept right: ``auto`` (the cheapest of tolerances, signs with flips, and
+        rebuilding, as counts tell), ``filter``, ``filter-each``, ``in-place``, ``rebuild``, ``relocate``,
+        ``relocate-flips`` or ``hybrid``.
+    tolerance : str, optional
+        ``certified``, a proved lower bound; ``paper`` and ``floating`` are uncertified, for comparison.
+    merge_duplicates : bool, optional
+        Equal points become one vertex (see `index_of_input`). Without it they are an `Error` with the code
+        ``collision``.
+    threads : int, optional
+        How many may work on what is parallel. Results do not depend on it.
+    second_look : str, optional
+        In the plane, a cheap test before a certificate is evaluated: ``off``, ``unequal`` or ``safe-region``.
+    report_changes : bool, optional
+        Whether reports list `changed_simplices`.
+    seed : int, optional
+        Of the sample that ``hybrid`` draws.
+
+    Raises
+    ------
+    Error
+        With the codes ``wrong_size``, ``not_finite``, ``out_of_domain``, ``collision``, ``too_large``,
+        ``usage``, ``environment``.
+
+    Notes
+    -----
+    **Indices.** Vertices have the index of their row in `points`; negative ones name nobody. `remove` leaves
+    an index vacant, `insert` takes those that are vacant, the one vacated last first, and then new ones. At
+    vacant indices every array of numbers by vertex (`points`, `tolerances`, `theta`, `displacements`,
+    `voronoi_volumes`) is NaN, `vertex_to_simplex` is -1, the list of neighbours is empty, and no simplex names
+    them. `move` takes a row for them all the same and ignores it.
+
+    **Arrays.** `points`, `simplices`, `neighbors`, `flat_simplices`, `vertex_to_simplex`,
+    `vertex_neighbor_vertices` are read-only arrays that show one moment: they stay as they are when vertices
+    move, and when the triangulation is gone. They are copied once after a change, when they are asked for;
+    asking again costs nothing.
+
+    **Threads.** The GIL is released while something is computed; calls on one object from several threads
+    take turns. float64 in C order is read where it is while Python has one thread, and copied first while it
+    has more, so that nobody can write in what is being read. A signal (Ctrl-C) is seen after the call.
+
+    **Processes.** A child of `os.fork` may go on with its copy, with ``threads=1``; if another thread was in a
+    call on the object when it was forked, using it there is a `RuntimeError`. Pickling keeps positions,
+    indices and options; tolerances are fresh then, and where d + 2 points are cocircular or cospherical the
+    simplices are those of a rebuild.
+
+    Examples
+    --------
+    >>> import numpy as np, annulus
+    >>> points = np.random.default_rng(0).random((1000, 2))
+    >>> dt = annulus.MovingDelaunay(points)
+    >>> report = dt.move(points + 1e-4 * np.sin(9 * points))
+    >>> report.asked, dt.audit().delaunay
+    (1000, True)
+    """
+
+    _options: dict[str, typing.Any]
+
+    def __init__(self, points: ArrayLike, strategy: str = "auto", tolerance: str = "certified", merge_duplicates: bool = False,
+                 threads: int = 1, *, second_look: str = "off", report_changes: bool = True, seed: int = 0) -> None:
+        options = {"strategy": strategy, "tolerance": tolerance, "merge_duplicates": bool(merge_duplicates), "threads": threads,
+                   "second_look": second_look, "report_changes": bool(report_changes), "seed": seed}
+        if not isinstance(points, np.ndarray):
+            points = np.asarray(points)
+        shape = points.shape
+        if len(shape) != 2 or shape[1] not in (2, 3):
+            raise Error(f"points must have shape (n, 2) or (n, 3), not {shape}", "wrong_size")
+        mesh = (_core.Mesh2 if shape[1] == 2 else _core.Mesh3).build(points, _options_of(options))
+        self._options = options
+        self._mesh = mesh
+        self._index_of_input = mesh.index_of_input
+        self._index_of_input.flags.writeable = False
+
+    # ---- What changes it ---------------------------------------------------------------------
+
+    def move(self, points: ArrayLike, indices: ArrayLike | None = None) -> _core.MoveReport:
+        """Moves all vertices, or some, at once.
+
+        Parameters
+        ----------
+        points : array_like, shape (npoints, d) or (k, d)
+            Where they go. Rows of vacant indices are ignored.
+        indices : array_like of int, shape (k,), optional
+            Who goes, by index; all without it. For one that is named twice the last row holds.
+
+        Returns
+        -------
+        MoveReport
+            What became of the vertices, what was computed, and the simplices that may be new.
+
+        Raises
+        ------
+        Error
+            ``collision`` where two vertices would be at one place, ``wrong_size``, ``unknown_vertex``,
+            ``not_finite``, ``out_of_domain``; nobody has moved then.
+        """
+        return self._mesh.move(points, indices)
+
+    def insert(self, points: ArrayLike) -> Indices:
+        """Inserts vertices, all of them or, when it raises, none.
+
+        Parameters
+        ----------
+        points : array_like, shape (k, d)
+
+        Returns
+        -------
+        ndarray of int32, shape (k,)
+            Their indices: those that are vacant, the one vacated last first, then new ones.
+
+        Raises
+        ------
+        Error
+            ``collision`` where a vertex is (`merge_duplicates` does not apply here), ``wrong_size``,
+            ``not_finite``, ``out_of_domain``, ``too_large``.
+
+        Notes
+        -----
+        O(log n) expected for each; more than one at once are first compared with all positions, which takes
+        O(n). When memory runs out half way, those that were inserted are taken out again, and there may be
+        more vacant indices than before.
+        """
+        return self._mesh.insert(points)
+
+    def remove(self, indices: ArrayLike) -> None:
+        """Removes vertices, all of them or, when it raises an `Error`, none; their indices become vacant.
+
+        Parameters
+        ----------
+        indices : array_like of int, shape (k,)
+
+        Raises
+        ------
+        Error
+            ``unknown_vertex`` for an index that is no vertex', or is there twice.
+        """
+        self._mesh.remove(indices)
+
+    def settle(self) -> _core.MoveReport:
+        """Makes every tolerance fresh, to be measured from where the vertices are now. O(n)."""
+        return self._mesh.settle()
+
+    def __repr__(self) -> str:
+        if not hasattr(self, "_mesh"):
+            return f"<{type(self).__name__}: not initialised>"
+        n = self.nvertices
+        return (f"<{type(self).__name__}: {n} {'vertex' if n == 1 else 'vertices'} in {'the plane' if self.ndim == 2 else 'space'}, "
+                f"strategy {self.strategy!r}, tolerance {self._options['tolerance']!r}>")
+
+    # ---- Pickling and copying ----------------------------------------------------------------
+
+    def __getstate__(self) -> dict[str, typing.Any]:
+        more = {name: value for name, value in self.__dict__.items() if name != "_mesh"}
+        return {"format": 1, "points": self._mesh.points, "vacant": self._mesh.vacant, "more": more}
+
+    def __setstate__(self, state: dict[str, typing.Any]) -> None:
+        if state.get("format") != 1:
+            raise Error(f"this was pickled by another version of annulus: format {state.get('format')}", "bad_input")
+        points, more = state["points"], state["more"]
+        kind = _core.Mesh2 if points.shape[1] == 2 else _core.Mesh3
+        self._mesh = kind.build_again(points, state["vacant"], _options_of(more["_options"]))
+        self.__dict__.update(more)
+        self._index_of_input.flags.writeable = False
+
+
+def _options_of(o: dict[str, typing.Any]) -> _core.Options:
+    return _core.options(o["strategy"], o["tolerance"], o["second_look"], o["threads"], o["merge_duplicates"], o["report_changes"], o["seed"])

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <module/arrays.h>
+#include <module/json.h>
+#include <module/parts.h>
+#include <module/point_set.h>
+
+#include <annulus/arithmetic/domain.h>
+#include <annulus/arithmetic/environment.h>
+#include <annulus/cgal/mesh_embedding.h>
+#include <annulus/report/degeneracy_report.h>
+
+#include <chrono>
+
+namespace annulus::python {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+/// Each place once, by its first point.
+template <int d>
+std::vector<Coordinates<d>> distinct(std::span<const Coordinates<d>> points, bool merge_duplicates) {
+    std::vector<Coordinates<d>> out;
+    Point_set<d> seen{std::span<const Coordinates<d>>{}};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        require_in_domain(points[i]);
+        if (seen.add(points[i])) out.push_back(points[i]);
+        else if (!merge_duplicates)
+            throw Error(
+                Error_code::collision,
+                "point " + std::to_string(i) + " is where an earlier one is (merge_duplicates=True counts such once)");
+    }
+    return out;
+}
+
+template <int d>
+Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_duplicates) {
+    require_sound_environment();
+    Degeneracy_record r;
+    r.command = "annulus.degeneracy";
+    r.dimension = d;
+    r.points = points.size();
+    const auto x = distinct<d>(points, merge_duplicates);
+    if (x.size() < 2) throw Error(Error_code::too_few, "degeneracy needs two points that differ");
+    r.vertices = x.size();
+    const auto begin = Clock::now();
+    Mesh_embedding<d> embedding;
+    embedding.build(x);
+    r.seconds_triangulation = since(begin);
+    const auto built = Clock::now();
+    r.affine_dimension = embedding.dimension();
+    std::vector<Index> corners;
+    embedding.list_cells(corners);
+    r.simplices = corners.size() / (d + 1);
+    if (r.affine_dimension == d) r.measured = degeneracy(embedding.table(), x);
+    r.seconds_analysis = since(built);
+    return r;
+}
+
+template <int d>
+py::object study_of(Numbers numbers, bool merge_duplicates) {
+    const Points_in<d> points(std::move(numbers), "points");
+    Degeneracy_record record;
+    {
+        const py::gil_scoped_release without_gil;
+        record = study<d>(points.span(), merge_duplicates);
+    }
+    return object_of(degeneracy_json(record));
+}
+
+}  // namespace
+
+void add_degeneracy(py::module_& m) {
+    m.def("degeneracy", [](const py::object& points, bool merge_duplicates) {
+        Numbers numbers = numbers_of(points, "points");
+        const bool space = numbers.ndim() == 2 && numbers.shape(1) == 3;
+        return space ? study_of<3>(std::move(numbers), merge_duplicates)
+                     : study_of<2>(std::move(numbers), merge_duplicates);
+    });
+}
+
+}  // namespace annulus::python

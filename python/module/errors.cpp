@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <module/errors.h>
+
+#include <exception>
+#include <string>
+#include <system_error>
+
+namespace annulus::python {
+
+namespace py = pybind11;
+
+std::string_view name_of(Error_code code) {
+    switch (code) {
+        case Error_code::not_finite: return "not_finite";
+        case Error_code::out_of_domain: return "out_of_domain";
+        case Error_code::collision: return "collision";
+        case Error_code::too_few: return "too_few";
+        case Error_code::wrong_size: return "wrong_size";
+        case Error_code::unknown_vertex: return "unknown_vertex";
+        case Error_code::environment: return "environment";
+        case Error_code::usage: return "usage";
+        case Error_code::too_large: return "too_large";
+        case Error_code::bad_input: return "bad_input";
+    }
+    return "";
+}
+
+namespace {
+
+/// The class is written in Python, where it is easier to read; it is there before anything of this module is called.
+void raise(const Error& e) {
+    try {
+        const py::object type = py::module_::import("annulus._error").attr("Error");
+        // Names of files need not be UTF-8.
+        const std::string_view what = e.what();
+        const auto words = py::reinterpret_steal<py::object>(
+            PyUnicode_DecodeUTF8(what.data(), static_cast<Py_ssize_t>(what.size()), "backslashreplace"));
+        if (!words) throw py::error_already_set();
+        const py::object error = type(words, py::str(std::string(name_of(e.code()))));
+        PyErr_SetObject(type.ptr(), error.ptr());
+    } catch (py::error_already_set& failed) {
+        failed.restore();
+    }
+}
+
+}  // namespace
+
+void translate_errors() {
+    py::register_local_exception_translator([](std::exception_ptr thrown) {
+        try {
+            if (thrown) std::rethrow_exception(thrown);
+        } catch (const Error& e) {
+            raise(e);
+        } catch (const std::system_error& e) {  // no memory for the stack of a thread
+            if (e.code() != std::errc::resource_unavailable_try_again && e.code() != std::errc::not_enough_memory)
+                throw;
+            PyErr_NoMemory();
+        }
+    });
+}
+
+void look_for_signals() {
+    const py::gil_scoped_acquire gil;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+}  // namespace annulus::python

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <module/arrays.h>
+#include <module/errors.h>
+#include <module/report.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace annulus::python {
+
+/// What every run of a motion hands back of its steps.
+struct History {
+    std::vector<double> mean, max;  ///< displacements, by step
+    Move_report total;
+
+    void add(double mean_displacement, double max_displacement, const Move_report& report) {
+        mean.push_back(mean_displacement);
+        max.push_back(max_displacement);
+        total += report;
+    }
+};
+
+/// Between two steps, without the GIL: signals, and what the caller wants to know. False when it has seen enough.
+inline bool goes_on(const py::object& callback, const History& history) {
+    look_for_signals();
+    const py::gil_scoped_acquire gil;
+    if (callback.is_none()) return true;
+    const py::object answer = callback(history.mean.size(), history.mean.back(), history.max.back());
+    const int enough = PyObject_IsTrue(answer.ptr());
+    if (enough < 0) throw py::error_already_set();
+    return enough == 0;
+}
+
+inline void require_iterations(std::int64_t iterations) {
+    if (iterations < 0)
+        throw Error(Error_code::usage, "iterations must be 0 or more, not " + std::to_string(iterations));
+}
+
+}  // namespace annulus::python

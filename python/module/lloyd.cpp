@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <module/following.h>
+#include <module/parts.h>
+
+#include <annulus/arithmetic/domain.h>
+#include <annulus/motion/lloyd_2.h>
+#include <annulus/motion/sampling_2.h>
+#include <annulus/moving_delaunay_2.h>
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+namespace annulus::python {
+
+namespace {
+
+/// The domain by its name, or by its corners either way round; nothing for None.
+std::optional<Domain_2> domain_of(const py::object& domain, double radius) {
+    if (domain.is_none()) return {};
+    if (py::isinstance<py::str>(domain)) {
+        const auto name = domain.cast<std::string>();
+        if (name == "disc") return Domain_2::disc(radius);
+        if (name == "square") return Domain_2::square(radius);
+        throw Error(Error_code::usage,
+                    "domain '" + name + "' is none; there are disc, square, and the corners of a convex polygon");
+    }
+    const Points_in<2> corners(domain, "domain");
+    std::vector<Coordinates<2>> c(corners.span().begin(), corners.span().end());
+    for (const auto& p : c) require_in_domain(p);
+    double area = 0;  // twice, signed
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        const auto& p = c[i];
+        const auto& q = c[(i + 1) % c.size()];
+        area += p[0] * q[1] - p[1] * q[0];
+    }
+    if (area < 0) std::reverse(c.begin(), c.end());
+    return Domain_2::polygon(c);
+}
+
+std::vector<Coordinates<2>> points_in(const std::optional<Domain_2>& domain, std::span<const Coordinates<2>> points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        require_in_domain(points[i]);
+        if (domain && !domain->contains(points[i]))
+            throw Error(Error_code::out_of_domain, "point " + std::to_string(i) + " is outside of the domain");
+    }
+    return {points.begin(), points.end()};
+}
+
+void read_stars(const Moving_delaunay_2& dt, Stars_2& stars) {
+    const auto& embedding = dt.embedding();
+    if (embedding.mirrored() && embedding.dimension() == 2) return stars.read(embedding.table());
+    Neighbours_2 lists;
+    embedding.neighbours(lists);
+    stars.read(lists);
+}
+
+/// Without the GIL. `points` goes from where the vertices begin to where they end.
+void iterate(const Domain_2& domain, Density density, std::int64_t iterations, const Options& options,
+             const py::object& callback, std::vector<Coordinates<2>>& points, History& history) {
+    Moving_delaunay_2 dt{std::span<const Coordinates<2>>(points), options};
+    points.assign(dt.positions().begin(), dt.positions().end());  // fewer where some were merged
+    const Lloyd_2 lloyd(domain, density, options.threads);
+    Stars_2 stars;
+    Lloyd_memory memory;
+    bool changed = true;
+    for (std::int64_t i = 0; i < iterations; ++i) {
+        if (changed) read_stars(dt, stars);
+        const Lloyd_step step = lloyd.step(stars, dt.positions(), points, memory);
+        const Move_report report = dt.move_all(std::span<const Coordinates<2>>(points));
+        changed = report.flips + report.moves.reinserted + report.moves.rebuilt + report.moves.flipped > 0;
+        history.add(step.mean_displacement, step.max_displacement, report);
+        if (!goes_on(callback, history)) return;
+    }
+}
+
+py::tuple run(const py::object& points, const std::string& density_name, const py::object& domain_object,
+              std::optional<double> radius_given, std::int64_t iterations, const Options& options, std::uint64_t seed,
+              const py::object& callback) {
+    require_iterations(iterations);
+    const Density density = parse_density(density_name);
+    const double radius = radius_given.value_or(density == Density::sin2 ? 2 * std::numbers::pi : 1.0);
+    std::optional<Domain_2> domain = domain_of(domain_object, radius);
+    std::vector<Coordinates<2>> x;
+    if (PyIndex_Check(points.ptr()) != 0 && !py::isinstance<py::array>(points)) {  // how many
+        const Py_ssize_t n = PyNumber_AsSsize_t(points.ptr(), PyExc_OverflowError);
+        if (n == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
+        if (n < 3 || n > 100'000'000)
+            throw Error(Error_code::usage, "there can be 3 to 100000000 points, not " + std::to_string(n));
+        if (!domain) domain = Domain_2::disc(radius);
+        const py::gil_scoped_release without_gil;
+        x = sample(*domain, density, static_cast<std::size_t>(n), seed);
+    } else {
+        const Points_in<2> given(points);
+        if (given.span().size() < 3) throw Error(Error_code::too_few, "Lloyd's iteration needs three points");
+        x = points_in(domain, given.span());
+        if (!domain) domain = Domain_2::convex_hull_of(x);
+    }
+    const auto& box = domain->bounding_box();
+    if (density == Density::sin2 && std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]) > 1000)
+        throw Error(Error_code::usage, "density sin2 takes domains up to 1000 wide; its rings are 3.1 apart");
+    History history;
+    {
+        const py::gil_scoped_release without_gil;
+        iterate(*domain, density, iterations, options, callback, x, history);
+    }
+    return py::make_tuple(give_rows(std::move(x)), give(std::move(history.mean)), give(std::move(history.max)),
+                          Report(std::move(history.total), 2, false));
+}
+
+}  // namespace
+
+void add_lloyd(py::module_& m) { m.def("lloyd", &run); }
+
+}  // namespace annulus::python

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mesh: made, and what changes it. What is read off it is in mesh_readings.cpp.
+#include <module/mesh.h>
+
+#include <module/mesh_locked.h>
+#include <module/point_set.h>
+
+#include <annulus/arithmetic/domain.h>
+#include <annulus/arithmetic/environment.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace annulus::python {
+
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+template <int d>
+Moving_mesh<d> mesh_of(std::span<const Coordinates<d>> points, const Options& options) {
+    const py::gil_scoped_release without_gil;
+    return Moving_mesh<d>(points, options);
+}
+
+/// The same with somebody at every vacant index, at a place where nobody is.
+template <int d>
+Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vector<Index>& vacant,
+                         const Options& options) {
+    const py::gil_scoped_release without_gil;
+    std::vector<Coordinates<d>> x(points.begin(), points.end());
+    for (const Index i : vacant) x.at(at(i)) = {};
+    double far = 0x1p-500;
+    for (const auto& p : x)
+        for (const double c : p) far = std::max(far, std::fabs(c));
+    far = std::min(far, 0x1p499);
+    const Point_set<d> taken(x);
+    double step = 0;
+    for (const Index i : vacant) {
+        auto& p = x[at(i)];
+        do p[0] = far * (1 + 0x1p-40 * ++step);
+        while (taken.has(p));
+    }
+    return Moving_mesh<d>(std::span<const Coordinates<d>>(x), options);
+}
+
+}  // namespace
+
+template <int d>
+Mesh<d>::Mesh(const Points_in<d>& points, const Options& options)
+    : options_(options), mesh_(mesh_of<d>(points.span(), options)) {}
+
+template <int d>
+Mesh<d>::Mesh(const Points_in<d>& points, std::vector<Index> vacant, const Options& options)
+    : options_(options), mesh_(mesh_with<d>(points.span(), vacant, options)) {
+    remove(vacant);
+}
+
+/// Makes a call that may change something. Whatever it throws, positions are as they were, but other cells may be as right.
+template <int d>
+template <class Call>
+Move_report Mesh<d>::changing(Call call) {
+    return locked([&] {
+        require_sound_environment();  // another module may have changed it
+        Move_report report;
+        try {
+            call(report);
+        } catch (...) {
+            points_.reset();
+            cells_.reset();
+            adjacency_.reset();
+            throw;
+        }
+        points_.reset();
+        if (report.flips > 0 || !report.changed.empty() ||
+            report.moves.within_tolerance + report.moves.kept_in_place != report.moves.asked) {
+            cells_.reset();
+            adjacency_.reset();
+        }
+        return report;
+    });
+}
+
+template <int d>
+Move_report Mesh<d>::move(const Points_in<d>& points) {
+    return changing([&](Move_report& report) { report = mesh_.move_all(points.span()); });
+}
+
+template <int d>
+Move_report Mesh<d>::move(const std::vector<Index>& indices, const Points_in<d>& points) {
+    return changing([&](Move_report& report) { report = mesh_.move(indices, points.span()); });
+}
+
+template <int d>
+Move_report Mesh<d>::settle() {
+    return changing([&](Move_report& report) {
+        report = mesh_.settle();
+        cells_.reset();  // of tolerances that are not certified others may come
+        adjacency_.reset();
+    });
+}
+
+/// Throws unless the points are in the domain, and no two of them, nor one of them and a vertex, at one place. O(n).
+template <int d>
+void Mesh<d>::require_free(std::span<const Point> points) const {
+    for (const Point& p : points) require_in_domain(p);
+    if (points.size() < 2) return;  // the mesh finds out itself, at less
+    const Point_set<d> fresh(points);
+    if (fresh.size() < points.size())
+        throw Error(Error_code::collision, "two of the points to be inserted are at one place");
+    const auto x = mesh_.points();
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (mesh_.is_vertex(static_cast<Index>(i)) && fresh.has(x[i]))
+            throw Error(Error_code::collision, "vertex " + std::to_string(i) + " is where a point is to be inserted");
+}
+
+template <int d>
+std::vector<Index> Mesh<d>::insert(const Points_in<d>& points) {
+    std::vector<Index> indices;
+    (void)changing([&](Move_report&) {
+        require_free(points.span());
+        indices.reserve(points.span().size());
+        vacant_.reserve(vacant_.size() + points.span().size());
+        try {
+            for (const Point& p : points.span()) {
+                indices.push_back(mesh_.insert(p));
+                if (!vacant_.empty()) vacant_.pop_back();
+            }
+        } catch (...) {
+            for (; !indices.empty(); indices.pop_back()) remove_one(indices.back());
+            throw;
+        }
+        cells_.reset();
+        adjacency_.reset();
+    });
+    return indices;
+}
+
+template <int d>
+void Mesh<d>::remove_one(Index i) {
+    try {
+        mesh_.remove(i);
+    } catch (...) {
+        if (!mesh_.is_vertex(i)) vacant_.push_back(i);
+        throw;
+    }
+    vacant_.push_back(i);
+}
+
+template <int d>
+void Mesh<d>::remove(const std::vector<Index>& indices) {
+    (void)changing([&](Move_report&) {
+        std::vector<Index> once = indices;
+        std::sort(once.begin(), once.end());
+        for (std::size_t k = 0; k < once.size(); ++k)
+            if (!mesh_.is_vertex(once[k]) || (k > 0 && once[k] == once[k - 1]))
+                throw Error(Error_code::unknown_vertex,
+                            mesh_.is_vertex(once[k]) ? "vertex " + std::to_string(once[k]) + " is to be removed twice"
+                                                     : "no vertex has index " + std::to_string(once[k]));
+        vacant_.reserve(vacant_.size() + indices.size());
+        for (const Index i : indices) remove_one(i);
+        cells_.reset();
+        adjacency_.reset();
+    });
+}
+
+template class Mesh<2>;
+template class Mesh<3>;
+
+}  // namespace annulus::python

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <module/mesh.h>
+
+namespace annulus::python {
+
+/// Makes a call with the lock and without the GIL. Taken in that order, so that who waits for the lock keeps nobody from Python.
+template <int d>
+template <class Call>
+auto Mesh<d>::locked(Call call) const {
+    const py::gil_scoped_release without_gil;
+    const std::lock_guard hold(lock_);
+    return call();
+}
+
+}  // namespace annulus::python

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mesh: what is read off it.
+#include <module/mesh.h>
+
+#include <module/mesh_locked.h>
+
+#include <annulus/statistics/voronoi_volumes.h>
+
+#include <limits>
+
+namespace annulus::python {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+template <int d>
+py::array Mesh<d>::points() {
+    const auto points = locked([this] {
+        if (!points_) {
+            const auto x = mesh_.points();
+            auto copy = std::make_shared<std::vector<Point>>(x.begin(), x.end());
+            for (const Index i : vacant_) (*copy)[static_cast<std::size_t>(i)].fill(nan);
+            points_ = std::move(copy);
+        }
+        return points_;
+    });
+    return view_rows(*points, points);
+}
+
+template <int d>
+py::array Mesh<d>::is_vertex() const {
+    auto flags = locked([this] {
+        auto out = std::make_shared<std::vector<char>>(mesh_.index_bound());
+        for (std::size_t i = 0; i < out->size(); ++i) (*out)[i] = mesh_.is_vertex(static_cast<Index>(i)) ? 1 : 0;
+        return out;
+    });
+    // NumPy's bool is a byte that is 0 or 1.
+    static_assert(sizeof(bool) == 1);
+    const auto n = static_cast<py::ssize_t>(flags->size());
+    const auto* const data = reinterpret_cast<const bool*>(flags->data());
+    return view<bool>(data, {n}, std::shared_ptr<const std::vector<char>>(std::move(flags)));
+}
+
+template <int d>
+std::vector<Index> Mesh<d>::vacant() const {
+    return locked([this] { return vacant_; });
+}
+
+template <int d>
+std::vector<Index> Mesh<d>::index_of_input() const {
+    return locked([this] { return std::vector<Index>(mesh_.index_of_input().begin(), mesh_.index_of_input().end()); });
+}
+
+template <int d>
+std::shared_ptr<const Cells<d>> Mesh<d>::kept_cells() {
+    if (!cells_) cells_ = std::make_shared<const Cells<d>>(mesh_);
+    return cells_;
+}
+
+template <int d>
+std::shared_ptr<const Cells<d>> Mesh<d>::cells() {
+    return locked([this] { return kept_cells(); });
+}
+
+template <int d>
+std::shared_ptr<const Adjacency> Mesh<d>::adjacency() {
+    return locked([this] {
+        if (!adjacency_) adjacency_ = std::make_shared<const Adjacency>(adjacency_of(*kept_cells()));
+        return adjacency_;
+    });
+}
+
+template <int d>
+std::vector<Index> Mesh<d>::find(const Points_in<d>& points) {
+    std::vector<Index> out(points.span().size());
+    locked([&] { find_simplices<d>(*kept_cells(), mesh_.points(), points.span(), out); });
+    return out;
+}
+
+template <int d>
+template <class Value>
+std::vector<double> Mesh<d>::by_vertex(Value value) const {
+    return locked([&] {
+        std::vector<double> out(mesh_.index_bound(), nan);
+        for (std::size_t i = 0; i < out.size(); ++i)
+            if (const auto v = static_cast<Index>(i); mesh_.is_vertex(v)) out[i] = value(v);
+        return out;
+    });
+}
+
+template <int d>
+std::vector<double> Mesh<d>::tolerances() const {
+    return by_vertex([this](Index v) { return mesh_.tolerance(v); });
+}
+template <int d>
+std::vector<double> Mesh<d>::thetas() const {
+    return by_vertex([this](Index v) { return mesh_.theta(v); });
+}
+template <int d>
+std::vector<double> Mesh<d>::displacements() const {
+    return by_vertex([this](Index v) { return mesh_.displacement(v); });
+}
+
+template <int d>
+std::vector<double> Mesh<d>::voronoi_volumes() {
+    if (dimension() != d) return by_vertex([](Index) { return std::numeric_limits<double>::infinity(); });
+    return locked([this] { return annulus::voronoi_volumes<d>(mesh_.points(), kept_cells()->simplices); });
+}
+
+template <int d>
+Audit_result Mesh<d>::audit() const {
+    return locked([this] { return mesh_.audit(); });
+}
+template <int d>
+std::size_t Mesh<d>::vertices() const {
+    return locked([this] { return mesh_.number_of_vertices(); });
+}
+template <int d>
+std::size_t Mesh<d>::index_bound() const {
+    return locked([this] { return mesh_.index_bound(); });
+}
+template <int d>
+int Mesh<d>::dimension() const {
+    return locked([this] { return mesh_.dimension(); });
+}
+template <int d>
+Strategy Mesh<d>::strategy() const {
+    return locked([this] { return mesh_.strategy(); });
+}
+
+#define ANNULUS_READINGS(d)                                         \
+    template py::array Mesh<d>::points();                           \
+    template py::array Mesh<d>::is_vertex() const;                  \
+    template std::vector<Index> Mesh<d>::vacant() const;            \
+    template std::vector<Index> Mesh<d>::index_of_input() const;    \
+    template std::shared_ptr<const Cells<d>> Mesh<d>::kept_cells(); \
+    template std::shared_ptr<const Cells<d>> Mesh<d>::cells();      \
+    template std::shared_ptr<const Adjacency> Mesh<d>::adjacency(); \
+    template std::vector<Index> Mesh<d>::find(const Points_in<d>&); \
+    template std::vector<double> Mesh<d>::tolerances() const;       \
+    template std::vector<double> Mesh<d>::thetas() const;           \
+    template std::vector<double> Mesh<d>::displacements() const;    \
+    template std::vector<double> Mesh<d>::voronoi_volumes();        \
+    template Audit_result Mesh<d>::audit() const;                   \
+    template std::size_t Mesh<d>::vertices() const;                 \
+    template std::size_t Mesh<d>::index_bound() const;              \
+    template int Mesh<d>::dimension() const;                        \
+    template Strategy Mesh<d>::strategy() const;
+ANNULUS_READINGS(2)
+ANNULUS_READINGS(3)
+#undef ANNULUS_READINGS
+
+}  // namespace annulus::python

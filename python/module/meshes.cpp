@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The classes Mesh2 and Mesh3, behind annulus.MovingDelaunay.
+#include <module/mesh.h>
+#include <module/parts.h>
+#include <module/report.h>
+
+#include <pybind11/stl.h>
+
+namespace annulus::python {
+
+namespace {
+
+py::tuple audit_tuple(const Audit_result& a) {
+    return py::make_tuple(a.delaunay(), a.inverted_cells, a.violated_facets, a.concave_ridges, a.topological_faults,
+                          a.degenerate_facets, a.first_fault);
+}
+
+/// SciPy's find_simplex takes points of any shape (.., d).
+template <int d>
+py::array find_simplex(Mesh<d>& mesh, const py::object& object) {
+    const Numbers x = numbers_of(object, "xi");
+    if (x.ndim() == 0 || x.shape(x.ndim() - 1) != d)
+        throw Error(Error_code::wrong_size, "xi must have shape (.., " + std::to_string(d) + "), not " + shape_of(x));
+    std::vector<py::ssize_t> shape(x.shape(), x.shape() + x.ndim() - 1);
+    const Points_in<d> points(x.attr("reshape")(x.size() / d, d).template cast<Numbers>(), "xi");
+    return give(mesh.find(points), std::move(shape));
+}
+
+template <int d>
+py::array flat_simplices(Mesh<d>& mesh) {
+    const auto cells = mesh.cells();
+    const py::ssize_t corners = cells->flat.empty() ? d + 1 : cells->dimension + 1;
+    return view<Index>(cells->flat.data(), {static_cast<py::ssize_t>(cells->flat.size()) / corners, corners}, cells);
+}
+
+template <int d>
+void add_mesh(py::module_& m, const char* name) {
+    using M = Mesh<d>;
+    const auto report = [](const M& mesh, Move_report r) {
+        return Report(std::move(r), d, mesh.options().report_changes);
+    };
+    py::class_<M>(m, name, not_by_new())
+        .def_static("build", [](const py::object& points,
+                                const Options& o) { return std::make_unique<M>(Points_in<d>(points), o); })
+        .def_static("build_again",
+                    [](const py::object& points, const py::object& vacant, const Options& o) {
+                        return std::make_unique<M>(Points_in<d>(points), indices_of(vacant), o);
+                    })
+        .def("move",
+             [report](M& mesh, const py::object& points, const py::object& indices) {
+                 if (indices.is_none()) return report(mesh, mesh.move(Points_in<d>(points)));
+                 return report(mesh, mesh.move(indices_of(indices), Points_in<d>(points)));
+             })
+        .def("insert", [](M& mesh, const py::object& points) { return give(mesh.insert(Points_in<d>(points))); })
+        .def("remove", [](M& mesh, const py::object& indices) { mesh.remove(indices_of(indices)); })
+        .def("settle", [report](M& mesh) { return report(mesh, mesh.settle()); })
+        .def("find_simplex", &find_simplex<d>)
+        .def("audit", [](const M& mesh) { return audit_tuple(mesh.audit()); })
+        .def("voronoi_volumes", [](M& mesh) { return give(mesh.voronoi_volumes()); })
+        .def_property_readonly("points", &M::points)
+        .def_property_readonly("is_vertex", &M::is_vertex)
+        .def_property_readonly("vacant", [](const M& mesh) { return give(mesh.vacant()); })
+        .def_property_readonly("index_of_input", [](const M& mesh) { return give(mesh.index_of_input()); })
+        .def_property_readonly("simplices",
+                               [](M& mesh) {
+                                   const auto cells = mesh.cells();
+                                   return view_rows(cells->simplices.vertices, cells);
+                               })
+        .def_property_readonly("neighbors",
+                               [](M& mesh) {
+                                   const auto cells = mesh.cells();
+                                   return view_rows(cells->simplices.neighbours, cells);
+                               })
+        .def_property_readonly("flat_simplices", &flat_simplices<d>)
+        .def_property_readonly("vertex_to_simplex",
+                               [](M& mesh) {
+                                   const auto cells = mesh.cells();
+                                   return view<Index>(cells->simplex_of.data(),
+                                                      {static_cast<py::ssize_t>(cells->simplex_of.size())}, cells);
+                               })
+        .def_property_readonly("convex_hull",
+                               [](M& mesh) {
+                                   const auto cells = mesh.cells();
+                                   std::vector<std::array<Index, static_cast<std::size_t>(d)>> hull;
+                                   {
+                                       const py::gil_scoped_release without_gil;
+                                       hull = hull_of(*cells);
+                                   }
+                                   return give_rows(std::move(hull));
+                               })
+        .def_property_readonly("vertex_neighbor_vertices",
+                               [](M& mesh) {
+                                   const auto a = mesh.adjacency();
+                                   return py::make_tuple(
+                                       view<Index>(a->begin.data(), {static_cast<py::ssize_t>(a->begin.size())}, a),
+                                       view<Index>(a->index.data(), {static_cast<py::ssize_t>(a->index.size())}, a));
+                               })
+        .def_property_readonly("tolerances", [](const M& mesh) { return give(mesh.tolerances()); })
+        .def_property_readonly("theta", [](const M& mesh) { return give(mesh.thetas()); })
+        .def_property_readonly("displacements", [](const M& mesh) { return give(mesh.displacements()); })
+        .def_property_readonly("vertices", &M::vertices)
+        .def_property_readonly("npoints", &M::index_bound)
+        .def_property_readonly("dimension", &M::dimension)
+        .def_property_readonly("strategy", [](const M& mesh) { return std::string(name_of(mesh.strategy())); });
+}
+
+}  // namespace
+
+void add_meshes(py::module_& m) {
+    py::class_<Options>(m, "Options", not_by_new());
+    m.def("options", &options_of);
+    add_mesh<2>(m, "Mesh2");
+    add_mesh<3>(m, "Mesh3");
+}
+
+}  // namespace annulus::python

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <module/following.h>
+#include <module/parts.h>
+
+#include <annulus/formats/read_surface.h>
+#include <annulus/motion/ball_3.h>
+#include <annulus/motion/initial_mesh_3.h>
+#include <annulus/motion/nodt_3.h>
+#include <annulus/motion/surface_3.h>
+#include <annulus/moving_delaunay_3.h>
+
+#include <pybind11/stl.h>
+
+#include <filesystem>
+#include <mutex>
+#include <utility>
+
+namespace annulus::python {
+
+namespace {
+
+/// A closed surface: points, and triangles that turn left seen from outside, or all of them right.
+Triangle_surface surface_from(const py::object& object) {
+    if (!py::isinstance<py::sequence>(object))
+        throw py::type_error("a surface is \"sphere\", a file, or a pair: points and triangles");
+    const auto pair = py::reinterpret_borrow<py::sequence>(object);
+    if (pair.size() != 2) throw Error(Error_code::wrong_size, "a surface is a pair: points and triangles");
+    const Points_in<3> points(pair[0]);
+    const py::array_t<std::int64_t, c_array> triangles(pair[1].cast<py::object>());
+    if (triangles.ndim() != 2 || triangles.shape(1) != 3)
+        throw Error(Error_code::wrong_size, "triangles must have shape (m, 3), not " + shape_of(triangles));
+    Triangle_surface s;
+    s.points.assign(points.span().begin(), points.span().end());
+    for (py::ssize_t k = 0; k < triangles.shape(0); ++k) {
+        auto& t = s.triangles.emplace_back();
+        for (py::ssize_t i = 0; i < 3; ++i) {
+            const std::int64_t v = triangles.at(k, i);
+            if (v < 0 || static_cast<std::size_t>(v) >= s.points.size())
+                throw Error(Error_code::unknown_vertex,
+                            "triangle " + std::to_string(k) + " names point " + std::to_string(v));
+            t[static_cast<std::size_t>(i)] = static_cast<Index>(v);
+        }
+    }
+    if (!s.points.empty() && enclosed_volume(s) < 0)
+        for (auto& t : s.triangles) std::swap(t[0], t[2]);  // as they are read backwards
+    return s;
+}
+
+std::unique_ptr<const Domain_3> domain_of(const py::object& surface, bool allow_crossing) {
+    if (py::isinstance<py::str>(surface) && surface.cast<std::string>() == "sphere") return std::make_unique<Ball_3>(1);
+    Triangle_surface s;
+    if (py::isinstance<py::str>(surface) || py::hasattr(surface, "__fspath__")) {
+        const auto file = py::module_::import("os").attr("fspath")(surface).cast<std::string>();
+        const py::gil_scoped_release without_gil;
+        s = read_surface(std::filesystem::path(file)).surface;
+        return std::make_unique<Surface_3>(s, allow_crossing);
+    }
+    s = surface_from(surface);
+    const py::gil_scoped_release without_gil;
+    return std::make_unique<Surface_3>(s, allow_crossing);
+}
+
+/// The cells of the triangulation, and which of them are of the domain.
+void read_cells(const Moving_delaunay_3& dt, bool changed, const Domain_3& domain, int threads, Kept_cells_3& kept) {
+    const auto& embedding = dt.embedding();
+    if (changed && embedding.mirrored() && embedding.dimension() == 3) {
+        kept.read(embedding.table(), threads);
+    } else if (changed) {
+        std::vector<std::array<Index, 4>> cells;
+        embedding.for_each_finite_cell([&](const auto& c) {
+            if (c[3] != none) cells.push_back(c);
+        });
+        kept.read(std::move(cells), dt.positions().size(), threads);
+    }
+    kept.measure(domain, dt.positions(), threads);
+}
+
+struct Mesh_of_domain {
+    std::vector<Coordinates<3>> points;
+    std::vector<std::array<Index, 4>> cells;
+    std::vector<char> on_surface;
+};
+
+/// Without the GIL.
+Mesh_of_domain iterate(const Domain_3& domain, std::size_t vertices, double gradation, std::optional<double> lock,
+                       std::int64_t iterations, const Options& options, std::uint64_t seed, const py::object& callback,
+                       History& history) {
+    const Sizing_3 sizing(domain, gradation);
+    Mesh_of_domain out;
+    {
+        static std::mutex one_at_a_time;  // Mesh_3 draws from numbers that all share
+        const std::lock_guard hold(one_at_a_time);
+        out.points = initial_mesh(domain, sizing, vertices, seed);
+    }
+    Moving_delaunay_3 dt{std::span<const Coordinates<3>>(out.points), options};
+    Kept_cells_3 kept;
+    read_cells(dt, true, domain, options.threads, kept);
+    out.on_surface = vertices_on_surface(domain, out.points);
+    const Nodt_3 nodt(domain, sizing, out.on_surface, lock, options.threads);
+    Nodt_memory memory;
+    for (std::int64_t i = 0; i < iterations; ++i) {
+        const Nodt_step step = nodt.step(kept, dt.positions(), out.points, memory);
+        const Move_report report = dt.move_all(std::span<const Coordinates<3>>(out.points));
+        const bool changed = report.flips + report.moves.reinserted + report.moves.rebuilt + report.moves.flipped > 0;
+        read_cells(dt, changed, domain, options.threads, kept);
+        history.add(step.mean_displacement, step.max_displacement, report);
+        if (!goes_on(callback, history)) break;
+    }
+    for (std::size_t c = 0; c < kept.cells().size(); ++c)
+        if (kept.inside()[c] != 0) out.cells.push_back(kept.cells().vertex[c]);
+    return out;
+}
+
+py::tuple run(const py::object& surface, std::int64_t vertices, double gradation, std::optional<double> lock,
+              bool allow_crossing, std::int64_t iterations, const Options& options, std::uint64_t seed,
+              const py::object& callback) {
+    require_iterations(iterations);
+    if (vertices < 4 || vertices > 10'000'000)
+        throw Error(Error_code::usage, "there can be 4 to 10000000 vertices, not " + std::to_string(vertices));
+    if (!(gradation >= 0 && gradation <= 100)) throw Error(Error_code::usage, "gradation must be from 0 to 100");
+    const auto domain = domain_of(surface, allow_crossing);
+    History history;
+    Mesh_of_domain mesh;
+    {
+        const py::gil_scoped_release without_gil;
+        mesh = iterate(*domain, static_cast<std::size_t>(vertices), gradation, lock, iterations, options, seed,
+                       callback, history);
+    }
+    std::vector<std::uint8_t> on_surface(mesh.on_surface.begin(), mesh.on_surface.end());
+    return py::make_tuple(give_rows(std::move(mesh.points)), give_rows(std::move(mesh.cells)),
+                          give(std::move(on_surface)).attr("astype")("bool"), give(std::move(history.mean)),
+                          give(std::move(history.max)), Report(std::move(history.total), 3, false));
+}
+
+}  // namespace
+
+void add_nodt(py::module_& m) { m.def("nodt", &run); }
+
+}  // namespace annulus::python

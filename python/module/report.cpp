@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <module/report.h>
+
+#include <module/parts.h>
+
+#include <algorithm>
+
+namespace annulus::python {
+
+namespace {
+
+struct Field {
+    const char* name;
+    const char* doc;
+    std::uint64_t& (*of)(Move_report&);
+};
+
+/// In the order of engine/move_report.h. What has a name here is an attribute, a key, and pickled.
+constexpr Field fields[] = {
+    {"asked", "int: vertices that were to move; the next five add up to it.",
+     [](Move_report& r) -> std::uint64_t& { return r.moves.asked; }},
+    {"within_tolerance", "int: vertices proved by their tolerance alone, or at rest: nothing was evaluated.",
+     [](Move_report& r) -> std::uint64_t& { return r.moves.within_tolerance; }},
+    {"kept_in_place", "int: vertices whose certificates were evaluated, and hold.",
+     [](Move_report& r) -> std::uint64_t& { return r.moves.kept_in_place; }},
+    {"flipped", "int: vertices at which flips mended what was violated.",
+     [](Move_report& r) -> std::uint64_t& { return r.moves.flipped; }},
+    {"reinserted", "int: vertices that were taken out and put back in.",
+     [](Move_report& r) -> std::uint64_t& { return r.moves.reinserted; }},
+    {"rebuilt", "int: vertices of a triangulation that was built anew.",
+     [](Move_report& r) -> std::uint64_t& { return r.moves.rebuilt; }},
+    {"filter", "int: certificates decided in doubles, with a proved error bound.",
+     [](Move_report& r) -> std::uint64_t& { return r.arithmetic.filter; }},
+    {"interval", "int: certificates decided in interval arithmetic.",
+     [](Move_report& r) -> std::uint64_t& { return r.arithmetic.interval; }},
+    {"exact", "int: certificates decided in integers.",
+     [](Move_report& r) -> std::uint64_t& { return r.arithmetic.exact; }},
+    {"evaluated", "int: certificates evaluated.", [](Move_report& r) -> std::uint64_t& { return r.evaluated; }},
+    {"renewed", "int: expired certificates that a second look proved without evaluation.",
+     [](Move_report& r) -> std::uint64_t& { return r.renewed; }},
+    {"tours", "int: vertices all of whose certificates had to be looked at.",
+     [](Move_report& r) -> std::uint64_t& { return r.tours; }},
+    {"requeued", "int: vertices whose reference another vertex renewed (filter-each).",
+     [](Move_report& r) -> std::uint64_t& { return r.requeued; }},
+    {"flips", "int: flips that stand.", [](Move_report& r) -> std::uint64_t& { return r.flips; }},
+    {"undone_flips", "int: flips taken back because they led nowhere.",
+     [](Move_report& r) -> std::uint64_t& { return r.undone_flips; }},
+    {"tolerance_steps", "int: timestamps that began with the tolerances.",
+     [](Move_report& r) -> std::uint64_t& { return r.tolerance_steps; }},
+    {"sign_steps", "int: timestamps that began with the signs of all certificates.",
+     [](Move_report& r) -> std::uint64_t& { return r.sign_steps; }},
+    {"rebuild_steps", "int: timestamps that were rebuilt at once (auto).",
+     [](Move_report& r) -> std::uint64_t& { return r.rebuild_steps; }},
+    {"settlings", "int: times that all tolerances were computed.",
+     [](Move_report& r) -> std::uint64_t& { return r.settlings; }},
+};
+
+std::uint64_t value(const Field& field, const Move_report& report) {
+    return field.of(const_cast<Move_report&>(report));
+}
+
+}  // namespace
+
+Report::Report(Move_report report, int d, bool lists_changes) : d_(d), lists_changes_(lists_changes) {
+    // Cells at infinity, and those of flat sets, are no simplices.
+    const auto width = static_cast<std::ptrdiff_t>(d + 1);
+    auto kept = report.changed.begin();
+    for (auto cell = report.changed.begin(); cell != report.changed.end(); cell += width)
+        if (std::all_of(cell, cell + width, [](Index v) { return v >= 0; })) {
+            if (kept != cell) std::copy(cell, cell + width, kept);
+            kept += width;
+        }
+    report.changed.erase(kept, report.changed.end());
+    report_ = std::make_shared<const Move_report>(std::move(report));
+}
+
+py::object Report::changed_simplices() const {
+    if (!lists_changes_) return py::none();
+    const auto m = static_cast<py::ssize_t>(report_->changed.size()) / (d_ + 1);
+    return view<Index>(report_->changed.data(), {m, d_ + 1}, report_);
+}
+
+py::dict Report::as_dict() const {
+    py::dict out;
+    for (const Field& f : fields) out[f.name] = value(f, *report_);
+    out["price"] = report_->price;
+    return out;
+}
+
+py::str Report::repr() const {
+    std::string text = "<MoveReport:";
+    const char* comma = " ";
+    for (const Field& f : fields)
+        if (const std::uint64_t n = value(f, *report_); n > 0) {
+            text += comma + std::string(f.name) + " " + std::to_string(n);
+            comma = ", ";
+        }
+    return text + ">";
+}
+
+py::tuple Report::state() const { return py::make_tuple(as_dict(), d_, changed_simplices()); }
+
+Report Report::of_state(const py::tuple& state) {
+    if (state.size() != 3) throw Error(Error_code::bad_input, "this is not the state of a report");
+    Move_report r;
+    const auto numbers = state[0].cast<py::dict>();
+    for (const Field& f : fields) f.of(r) = numbers[f.name].cast<std::uint64_t>();
+    r.price = numbers["price"].cast<double>();
+    const int d = state[1].cast<int>();
+    if (d != 2 && d != 3) throw Error(Error_code::bad_input, "this is not the state of a report");
+    const bool lists_changes = !state[2].is_none();
+    if (lists_changes) {
+        const py::array_t<Index, c_array> changed(state[2].cast<py::object>());
+        if (changed.ndim() != 2 || changed.shape(1) != d + 1)
+            throw Error(Error_code::bad_input, "this is not the state of a report");
+        r.changed.assign(changed.data(), changed.data() + changed.size());
+    }
+    return {std::move(r), d, lists_changes};
+}
+
+void add_report(py::module_& m) {
+    py::class_<Report> report(m, "MoveReport", not_by_new(), R"(What a call of `MovingDelaunay.move` or `settle` did.
+
+Counts, and the simplices that may be new. `repr` shows the counts that are not 0, `as_dict` has all of them.)");
+    for (const Field& f : fields)
+        report.def_property_readonly(
+            f.name, [&f](const Report& r) { return value(f, r.numbers()); }, f.doc);
+    report
+        .def_property_readonly(
+            "price", [](const Report& r) { return r.numbers().price; },
+            "float: what it cost, in simplices looked at, by prices that were measured.")
+        .def_property_readonly(
+            "changed_simplices", &Report::changed_simplices,
+            R"(ndarray of int32, shape (m, d + 1): simplices that may be new, as rows of vertex indices, positively oriented; read-only.
+
+Under ``auto``, ``filter`` and ``filter-each`` those that changed, and all after a rebuild; under other strategies all, whatever changed. Where vertices go one
+after another some may be gone again. None with ``report_changes=False``; points that span no space have no simplices.)")
+        .def("as_dict", &Report::as_dict, "dict: all counts by name.")
+        .def("__repr__", &Report::repr)
+        .def("__reduce__", [](const Report& r) {
+            // A function of Python's, which has a name to be found by.
+            return py::make_tuple(py::module_::import("annulus._readings").attr("report_of"),
+                                  py::make_tuple(r.state()));
+        });
+    m.def("report_of", &Report::of_state);
+}
+
+}  // namespace annulus::python

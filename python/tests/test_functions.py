@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""degeneracy, counterexample, lloyd, nodt; beside the tool where it was built (ANNULUS_TOOL)."""
+
+import json
+import os
+import subprocess
+
+import annulus
+import numpy as np
+import pytest
+import scipy.spatial
+
+TOOL = os.environ.get("ANNULUS_TOOL", "")
+with_tool = pytest.mark.skipif(not TOOL, reason="the tool was not built")
+GRID = np.indices((6, 6)).reshape(2, -1).T
+# The tetrahedron with corners at the origin and the unit vectors, seen from outside.
+TETRAHEDRON = (np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]), np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]))
+
+
+def tool(directory, *words):
+    subprocess.run([TOOL, *map(str, words)], cwd=directory, check=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+
+
+def write_xyz(path, points):
+    path.write_text("".join(" ".join(map(repr, p)) + "\n" for p in points.tolist()), encoding="utf-8")
+
+
+def test_degeneracy_of_a_grid():
+    r = annulus.degeneracy(GRID)
+    assert (r["dimension"], r["affine_dimension"], r["vertices"], r["simplices"], r["merged"]) == (2, 2, 36, 50, 0)
+    assert (r["bicells"]["total"], r["bicells"]["zero"]) == (65, 25)
+    assert (r["ridges"]["total"], r["ridges"]["zero"]) == (20, 16)
+    assert [t["name"] for t in r["thresholds"]] == ["1e-3", "1e-6", "1e-9", "1e-12", "ulp"]
+    json.dumps(r)
+    r = annulus.degeneracy(np.random.default_rng(0).random((200, 3)).astype(np.float32))
+    assert r["dimension"] == 3 and r["bicells"]["zero"] == 0 and r["bicells"]["total"] > 1000
+
+
+def test_degeneracy_of_little():
+    line = annulus.degeneracy([[0, 0], [1, 1], [2, 2]])
+    assert line["affine_dimension"] == 1 and line["simplices"] == 2 and line["bicells"] is None
+    for x, code in [(np.zeros((0, 2)), "too_few"), ([[1, 2]], "too_few"), ([[1, 2], [1, 2]], "collision"), ([[1, np.nan], [1, 2]], "not_finite"),
+                    (np.zeros((3, 4)), "wrong_size"), ([1, 2, 3], "wrong_size")]:
+        with pytest.raises(annulus.Error) as e:
+            annulus.degeneracy(x)
+        assert e.value.code == code
+    assert annulus.degeneracy(np.concatenate([GRID, GRID[:3]]), merge_duplicates=True)["merged"] == 3
+
+
+@with_tool
+@pytest.mark.parametrize("d", [2, 3])
+def test_degeneracy_is_the_tools(tmp_path, d):
+    x = np.random.default_rng(d).integers(0, 9, (60, d)) / 7
+    write_xyz(tmp_path / "x.xyz", x)
+    tool(tmp_path, "degeneracy", "x.xyz", "--dim", d, "--output", "out", "--quiet")
+    theirs = json.loads((tmp_path / "out" / "degeneracy.json").read_text(encoding="utf-8"))
+    ours = annulus.degeneracy(x, merge_duplicates=True)
+    for name in ("command", "file", "seconds"):
+        assert name in ours
+        del ours[name], theirs[name]
+    assert ours == theirs and list(ours) == list(theirs)
+
+
+def test_counterexample():
+    r = annulus.counterexample()
+    assert r["delta"] == 0.01
+    assert r["accepted"] == {"paper": True, "certified": False}
+    assert r["delaunay"] == {"three_cells_before": True, "three_cells_after": False, "two_cells_after": True}
+    for wrong in (0, 1, -1, np.nan, np.inf):
+        with pytest.raises(annulus.Error) as e:
+            annulus.counterexample(wrong)
+        assert e.value.code == "usage"
+    with pytest.raises(TypeError):
+        annulus.counterexample("0.01")
+
+
+@with_tool
+def test_counterexample_is_the_tools(tmp_path):
+    tool(tmp_path, "counterexample", "--delta", 0.02, "--output", "out", "--quiet")
+    theirs = json.loads((tmp_path / "out" / "counterexample.json").read_text(encoding="utf-8"))
+    assert {**annulus.counterexample(0.02), "command": 0} == {**theirs, "command": 0}
+
+
+def test_lloyd():
+    r = annulus.lloyd(200, 60, density="x2+y2", seed=4)
+    assert r.points.shape == (200, 2) and (np.linalg.norm(r.points, axis=1) < 1).all()
+    assert len(r.mean_displacement) == len(r.max_displacement) == 60
+    assert r.mean_displacement[-1] < r.mean_displacement[0] / 5 and (r.mean_displacement <= r.max_displacement).all()
+    assert r.report.asked == 200 * 60
+    again = annulus.lloyd(200, 60, density="x2+y2", seed=4, strategy="rebuild", threads=2)
+    assert np.array_equal(r.points, again.points), "neither strategy nor threads change a bit"
+    assert annulus.lloyd(5, 0, seed=1).points.shape == (5, 2)
+
+
+def test_a_step_of_lloyd_goes_to_centroids():
+    square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+    x = np.random.default_rng(0).random((30, 2))
+    ours = annulus.lloyd(x, 1, domain=square).points
+    assert np.array_equal(ours, annulus.lloyd(x, 1, domain=square[::-1]).points)
+    # Cells cut to the square are those of the points and their mirror images.
+    images = [x, x * [-1, 1], x * [1, -1], [2, 0] + x * [-1, 1], [0, 2] + x * [1, -1]]
+    voronoi = scipy.spatial.Voronoi(np.concatenate(images))
+    for v in range(30):
+        corners = voronoi.vertices[voronoi.regions[voronoi.point_region[v]]]
+        hull = scipy.spatial.ConvexHull(corners)
+        p = corners[hull.vertices]
+        q = np.roll(p, -1, axis=0)
+        cross = p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]
+        centroid = ((p + q) * cross[:, None]).sum(axis=0) / (3 * cross.sum())
+        assert ours[v] == pytest.approx(centroid, abs=1e-9)
+
+
+def test_what_lloyd_refuses():
+    x = np.random.default_rng(0).random((30, 2))
+    for arguments, named, code in [((2,), {}, "usage"), ((x,), {"domain": "ball"}, "usage"), ((x,), {"density": "2"}, "usage"), ((x, -1), {}, "usage"),
+                                   ((x + 3,), {"domain": "disc"}, "out_of_domain"), ((x[:2],), {}, "too_few"), ((9,), {"radius": -1.0}, "bad_input"),
+                                   ((9,), {"domain": [[0, 0], [1, 1]]}, "bad_input"), ((9,), {"radius": 1e5, "density": "sin2"}, "usage"),
+                                   ((np.repeat(x, 2, axis=0),), {}, "collision"), ((np.full((4, 2), np.nan),), {}, "not_finite"),
+                                   ((x,), {"strategy": "none"}, "usage"), (([[0, 0], [1, 1], [2, 2]],), {}, "bad_input"), ((np.zeros((4, 3)),), {}, "wrong_size")]:
+        with pytest.raises(annulus.Error) as e:
+            annulus.lloyd(*arguments, **named)
+        assert e.value.code == code, (arguments, named, str(e.value))
+    assert annulus.lloyd(np.repeat(x, 2, axis=0), 2, merge_duplicates=True).points.shape == (30, 2)
+    assert annulus.lloyd(np.int64(9), 1).points.shape == (9, 2)
+
+
+@with_tool
+def test_lloyd_is_the_tools(tmp_path):
+    tool(tmp_path, "lloyd", "--points", 100, "--iterations", 20, "--density", "x2", "--seed", 5, "--output", "out", "--quiet")
+    words = (tmp_path / "out" / "final.mesh").read_text(encoding="utf-8").split()
+    at = words.index("Vertices") + 2
+    theirs = np.array(words[at:at + 300], dtype=float).reshape(100, 3)[:, :2]
+    assert np.array_equal(annulus.lloyd(100, 20, density="x2", seed=5).points, theirs)
+
+
+def test_nodt():
+    r = annulus.nodt("sphere", 200, 5, seed=2)
+    n = len(r.points)
+    assert r.points.shape == (n, 3) and r.on_surface.shape == (n,) and r.on_surface.dtype == bool and 150 < n < 300
+    assert np.linalg.norm(r.points[r.on_surface], axis=1) == pytest.approx(1, abs=1e-9)
+    corners = r.points[r.simplices]
+    volumes = np.linalg.det(corners[:, 1:] - corners[:, :1]) / 6
+    assert (volumes > 0).all() and 3 < volumes.sum() < 4.19
+    assert len(r.mean_displacement) == 5 and r.report.asked == 5 * n
+    assert np.array_equal(annulus.nodt("sphere", 200, 5, seed=2, strategy="rebuild").points, r.points)
+    assert len(annulus.nodt("sphere", 100, 9, callback=lambda step, *_: step == 2).mean_displacement) == 2
+
+
+def test_nodt_of_a_surface(tmp_path):
+    points, triangles = TETRAHEDRON
+    r = annulus.nodt((points, triangles), 100, 3)
+    assert np.array_equal(r.points, annulus.nodt((points, triangles[:, ::-1]), 100, 3).points), "either way round"
+    file = tmp_path / "tetrahedron.off"
+    file.write_text("OFF\n4 4 0\n" + "".join("%d %d %d\n" % tuple(p) for p in points) + "".join("3 %d %d %d\n" % tuple(t) for t in triangles),
+                    encoding="utf-8")
+    assert np.array_equal(annulus.nodt(file, 100, 3).points, r.points)
+    assert np.array_equal(annulus.nodt(str(file), 100, 3).points, r.points)
+
+
+def test_what_nodt_refuses(tmp_path):
+    points, triangles = TETRAHEDRON
+    for surface, vertices, named, code in [("sphere", 3, {}, "usage"), ("sphere", 100, {"gradation": -1.0}, "usage"), ("sphere", 100, {"lock": 80.0}, "usage"),
+                                           ((points, triangles[:3]), 100, {}, "bad_input"), ((points, triangles + 1), 100, {}, "unknown_vertex"),
+                                           ((points[:, :2], triangles), 100, {}, "wrong_size"), ((points,), 100, {}, "wrong_size"),
+                                           (tmp_path / "none.off", 100, {}, "bad_input"), ("sphere", 100, {"iterations": -1}, "usage")]:
+        with pytest.raises(annulus.Error) as e:
+            annulus.nodt(surface, vertices, **named)
+        assert e.value.code == code, str(e.value)

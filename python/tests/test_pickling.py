@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pickling, copying, subclasses, forks."""
+
+import copy
+import multiprocessing
+import os
+import pickle
+import signal
+import threading
+import time
+
+import annulus
+import numpy as np
+import pytest
+
+from support import KINDS, as_set, check, points_of
+
+COPIES = [lambda dt: pickle.loads(pickle.dumps(dt)), lambda dt: pickle.loads(pickle.dumps(dt, protocol=2)), copy.copy, copy.deepcopy]
+
+
+def same(a, b):
+    assert type(a) is type(b)
+    assert np.array_equal(a.points, b.points, equal_nan=True) and np.array_equal(a.is_vertex, b.is_vertex)
+    assert np.array_equal(a.index_of_input, b.index_of_input)
+    assert repr(a) == repr(b)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("d", [2, 3])
+@pytest.mark.parametrize("copied", COPIES)
+def test_copies(kind, d, copied):
+    dt = annulus.MovingDelaunay(points_of(kind, 40, d, 1), "filter", threads=2)
+    other = copied(dt)
+    same(dt, other)
+    check(other)
+    other.move(other.points + 1)
+    other.remove([0])
+    assert dt.is_vertex[0], "they have nothing in common"
+    check(dt)
+    check(other)
+
+
+@pytest.mark.parametrize("scale", [1.0, 1e-320, 1e-150, 2.0**499.5])
+def test_vacant_indices_stay_in_their_order(scale):
+    x = points_of("uniform", 30, 2, 2)
+    dt = annulus.MovingDelaunay(x * scale if scale != 1e-320 else np.round(x * 1000) * 5e-324, merge_duplicates=True)
+    n = dt.npoints
+    dt.remove([3, 11, 7])
+    other = pickle.loads(pickle.dumps(dt))
+    same(dt, other)
+    check(other)
+    new = np.array([[0.25, 0.5], [0.5, 0.75], [0.75, 0.25], [0.1, 0.1]]) * max(scale, 1e-300)
+    assert dt.insert(new).tolist() == other.insert(new).tolist() == [7, 11, 3, n]
+    assert as_set(dt.simplices) == as_set(other.simplices)
+
+
+def test_nobody_and_degenerate_sets():
+    for x in (np.zeros((0, 2)), np.ones((1, 3)), [[0, 0], [1, 1], [2, 2]], np.indices((4, 4, 4)).reshape(3, -1).T):
+        dt = annulus.MovingDelaunay(x)
+        same(dt, pickle.loads(pickle.dumps(dt)))
+        n = dt.npoints
+        dt.remove(np.arange(n))
+        other = pickle.loads(pickle.dumps(dt))
+        same(dt, other)
+        assert other.npoints == n and other.nvertices == 0
+        check(other)
+
+
+class Named(annulus.MovingDelaunay):
+    """A subclass with a signature and attributes of its own."""
+
+    def __init__(self, name):
+        super().__init__(points_of("uniform", 20, 2, 0))
+        self.name = name
+
+    def move(self, points, indices=None):
+        self.name += "'"
+        return super().move(points, indices)
+
+
+@pytest.mark.parametrize("copied", COPIES)
+def test_subclasses(copied):
+    dt = Named("it")
+    dt.move(dt.points + 1)
+    other = copied(dt)
+    same(dt, other)
+    assert other.name == "it'" and repr(other).startswith("<Named: 20 vertices in the plane")
+    other.anything = 3
+
+
+def test_reports():
+    dt = annulus.MovingDelaunay(points_of("uniform", 50, 3, 0))
+    report = dt.move(points_of("uniform", 50, 3, 1))
+    other = pickle.loads(pickle.dumps(report))
+    assert other.as_dict() == report.as_dict() and np.array_equal(other.changed_simplices, report.changed_simplices)
+
+
+def test_what_is_no_state():
+    dt = annulus.MovingDelaunay(points_of("uniform", 20, 2, 0))
+    for harm in ({"format": 7}, {"vacant": [3, 3]}, {"vacant": [20]}, {"points": np.full((20, 2), np.nan)}):
+        other = annulus.MovingDelaunay.__new__(annulus.MovingDelaunay)
+        with pytest.raises((annulus.Error, IndexError)):
+            other.__setstate__({**dt.__getstate__(), **harm})
+
+
+def in_a_child(dt):
+    dt.move(dt.points + 0.5)
+    return bool(dt.audit()), dt.points
+
+
+def test_a_pool_of_processes():
+    dt = annulus.MovingDelaunay(points_of("uniform", 200, 2, 0))
+    for method in ("fork", "spawn"):
+        with multiprocessing.get_context(method).Pool(1) as pool:
+            right, points = pool.apply(in_a_child, (dt,))
+        assert right and np.array_equal(points, dt.points + 0.5)
+
+
+def test_a_fork():
+    dt = annulus.MovingDelaunay(points_of("uniform", 200, 3, 0))
+    child = os.fork()
+    if child == 0:
+        os._exit(0 if in_a_child(dt)[0] else 1)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+    check(dt)
+
+
+def test_a_fork_in_the_middle_of_a_call():
+    """The thread that was in it is not in the child: no call there waits for it, and none sees what is half done."""
+    x = np.random.default_rng(0).random((60_000, 3))
+    dt = annulus.MovingDelaunay(x, "rebuild")
+    codes = []
+    while len(codes) < 20 and 0 not in codes:
+        mover = threading.Thread(target=dt.move, args=(x[::-1].copy(),))
+        mover.start()
+        clock = time.pthread_getcpuclockid(mover.ident)
+        while mover.is_alive() and time.clock_gettime(clock) < 0.05:
+            time.sleep(1e-3)
+        child = os.fork()
+        if child == 0:
+            signal.alarm(30)
+            try:
+                dt.npoints
+            except RuntimeError as e:
+                os._exit(0 if "forked" in str(e) else 1)
+            except BaseException:
+                os._exit(1)
+            os._exit(2)  # the move was over
+        codes.append(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+        mover.join()
+    assert codes[-1] == 0, codes
+    assert dt.audit()

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is written for readers and type checkers says what there is: stubs, docstrings, examples."""
+
+import ast
+import doctest
+import inspect
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import annulus
+import annulus._core
+import annulus._moving_delaunay
+import pytest
+
+PACKAGE = Path(annulus.__file__).parent
+
+
+def declared(nodes):
+    return {n.name: n for n in nodes if isinstance(n, (ast.FunctionDef, ast.ClassDef))} | {
+        n.target.id: n for n in nodes if isinstance(n, ast.AnnAssign)}
+
+
+def public(thing):
+    return {name for name in vars(thing) if not name.startswith("_")}
+
+
+def test_the_stub_is_the_module():
+    tree = ast.parse((PACKAGE / "_core.pyi").read_text(encoding="utf-8"))
+    stub = declared(tree.body)
+    assert set(stub) - {"_Mesh"} == public(annulus._core)
+    mesh = set(declared(stub["_Mesh"].body))
+    for name in ("Mesh2", "Mesh3"):
+        assert mesh == public(getattr(annulus._core, name))
+    assert set(declared(stub["MoveReport"].body)) == public(annulus.MoveReport)
+
+
+def test_everything_is_explained():
+    things = [getattr(annulus, name) for name in annulus.__all__ if name != "__version__"]
+    things += [getattr(annulus.MovingDelaunay, name) for name in dir(annulus.MovingDelaunay) if not name.startswith("_")]
+    things += [getattr(annulus.MoveReport, name) for name in public(annulus.MoveReport)]
+    for thing in things:
+        assert inspect.getdoc(thing), thing
+    for name in ("move", "insert", "find_simplex", "remove", "voronoi_volumes"):
+        assert "----" in inspect.getdoc(getattr(annulus.MovingDelaunay, name)), f"{name}: no NumPy style"
+
+
+HEADINGS = ("Parameters", "Returns", "Raises", "Notes", "Examples", "Attributes")
+
+
+def test_docstrings_have_sections():
+    """A heading of NumPy's style is a line of its own, and underlined by another as long."""
+    for file in PACKAGE.glob("*.py"):
+        lines = [line.strip() for line in file.read_text(encoding="utf-8").splitlines()]
+        for k, line in enumerate(lines):
+            assert not line.startswith("---") or set(line) == {"-"} and line == "-" * len(lines[k - 1]) and lines[k - 1] in HEADINGS, (file, k + 1)
+            assert line not in HEADINGS or lines[k + 1] == "-" * len(line), (file, k + 1)
+
+
+def test_examples():
+    assert doctest.testmod(annulus._moving_delaunay).failed == 0
+
+
+STUBTEST = shutil.which("stubtest") or "/usr/bin/stubtest"
+
+
+@pytest.mark.skipif(not Path(STUBTEST).exists(), reason="mypy's stubtest is not installed")
+def test_stubtest():
+    """Names, signatures and properties of the stub are those of the module, as mypy's own comparison sees them."""
+    done = subprocess.run([STUBTEST, "--concise", "annulus._core"], cwd=PACKAGE.parent, capture_output=True, text=True, check=False)
+    # What pybind11 makes has a metaclass of pybind11's, and an `__init__(*args)` that only throws.
+    known = ("metaclass differs", "__init__ is inconsistent")
+    wrong = [line for line in done.stdout.splitlines() if not any(words in line for words in known)]
+    assert not wrong and not done.stderr, (wrong, done.stderr)
+    assert "Mesh2" in done.stdout, "it has looked"
+
+
+@pytest.mark.skipif(shutil.which("mypy") is None and not Path("/usr/bin/mypy").exists(), reason="mypy is not installed")
+def test_types(tmp_path):
+    """mypy agrees with the package and with a program that uses it."""
+    program = tmp_path / "program.py"
+    program.write_text("""
+import annulus
+import numpy as np
+
+dt = annulus.MovingDelaunay(np.zeros((0, 3), dtype=np.float32), "filter", threads=2)
+report: annulus.MoveReport = dt.move(dt.points)
+n: int = report.flips + dt.nvertices + annulus.lloyd(10, 1).report.asked
+s = annulus.nodt("sphere", 100).simplices
+new = dt.insert([[0.0, 0.0, 0.0]])
+dt.remove(new)
+""", encoding="utf-8")
+    mypy = [sys.executable, "-m", "mypy"] if subprocess.run([sys.executable, "-m", "mypy", "--version"], capture_output=True,
+                                                            check=False).returncode == 0 else ["/usr/bin/mypy"]
+    # NumPy's own stubs use words that Debian's mypy does not know.
+    done = subprocess.run([*mypy, "--cache-dir", str(tmp_path / "cache"), "--follow-imports=silent", "--strict", "-p", "annulus"],
+                          cwd=PACKAGE.parent, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    done = subprocess.run([*mypy, "--cache-dir", str(tmp_path / "cache"), "--follow-imports=silent", str(program)], cwd=PACKAGE.parent,
+                          capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr

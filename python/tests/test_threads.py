@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Threads of Python: on objects of their own, and on one; with and without threads of the library."""
+
+import sys
+import threading
+import time
+
+import annulus
+import numpy as np
+import pytest
+
+from support import as_set, check
+
+
+def in_threads(*calls):
+    """Runs them at once and raises what one of them raised."""
+    raised = []
+
+    def guarded(call):
+        try:
+            call()
+        except BaseException as e:
+            raised.append(e)
+
+    threads = [threading.Thread(target=guarded, args=(call,)) for call in calls]
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-5)
+    try:
+        for t in threads:
+            t.start()
+        for t in threads:
+            t.join(120)
+            assert not t.is_alive(), "they wait for each other"
+    finally:
+        sys.setswitchinterval(interval)
+    if raised:
+        raise raised[0]
+
+
+@pytest.mark.parametrize("d", [2, 3])
+def test_one_object(d):
+    rng = np.random.default_rng(0)
+    places = rng.random((8, 150, d))
+    dt = annulus.MovingDelaunay(places[0])
+    stop = threading.Event()
+
+    def mover(seed):
+        own = np.random.default_rng(seed)
+        for _ in range(60):
+            dt.move(places[own.integers(8)])
+            some = own.choice(150, 4, replace=False)
+            dt.move(dt.points[some] + 1e-3 * own.random((4, d)), indices=some)
+        stop.set()
+
+    def reader():
+        while not stop.is_set():
+            points, simplices, (indptr, indices) = dt.points, dt.simplices, dt.vertex_neighbor_vertices
+            assert points.shape == (150, d) and not np.isnan(points).any()
+            assert simplices.min() == 0 and simplices.max() == 149
+            assert indptr[-1] == len(indices) and len(dt.tolerances) == 150
+            assert dt.audit()
+            dt.find_simplex(points[:5])
+            repr(dt)
+
+    in_threads(lambda: mover(1), lambda: mover(2), reader, reader)
+    check(dt)
+
+
+def test_objects_of_their_own():
+    rng = np.random.default_rng(1)
+    x = rng.random((300, 3))
+    way = 1e-3 * rng.standard_normal((10, 300, 3)).cumsum(axis=0)
+    results = [None] * 4
+
+    def follow(k):
+        dt = annulus.MovingDelaunay(x, threads=1 + k % 2)
+        for step in way:
+            dt.move(x + step)
+        results[k] = as_set(dt.simplices)
+
+    in_threads(*(lambda k=k: follow(k) for k in range(4)))
+    assert results.count(results[0]) == 4
+
+
+def test_others_go_on_meanwhile():
+    """The GIL is released: another thread counts on while one builds."""
+    x = np.random.default_rng(2).random((100_000, 3))
+    counts = []
+    building = threading.Event()
+    done = threading.Event()
+
+    def build():
+        building.set()
+        annulus.MovingDelaunay(x)
+        done.set()
+
+    def count():
+        building.wait()
+        n = 0
+        while not done.is_set():
+            n += 1
+            time.sleep(1e-3)
+        counts.append(n)
+
+    in_threads(build, count)
+    assert counts[0] > 3
+
+
+def processor_seconds(thread):
+    """What a thread has had of a processor; None once it is gone."""
+    try:
+        return time.clock_gettime(time.pthread_getcpuclockid(thread.ident))
+    except OSError:
+        return None
+
+
+@pytest.mark.skipif(not hasattr(time, "pthread_getcpuclockid"), reason="asks a thread what it has had of a processor")
+@pytest.mark.parametrize("call", [
+    lambda x: annulus.MovingDelaunay(x),
+    lambda x: annulus.degeneracy(x[:30_000]),
+    lambda x: annulus.lloyd(20_000, 30),
+], ids=["construction", "degeneracy", "lloyd"])
+def test_two_threads_compute_at_once(call):
+    """Both have had a processor, and neither is done. Whoever kept the GIL would be done before the other begins."""
+    x = np.random.default_rng(3).random((150_000, 3))
+    threads = [threading.Thread(target=call, args=(x,)) for _ in range(2)]
+    for t in threads:
+        t.start()
+    at_once = False
+    while not at_once and all(t.is_alive() for t in threads):
+        seconds = [processor_seconds(t) for t in threads]
+        at_once = None not in seconds and min(seconds) > 0.03 and all(t.is_alive() for t in threads)
+        time.sleep(1e-3)
+    for t in threads:
+        t.join()
+    assert at_once
+
+
+@pytest.mark.parametrize("d", [2, 3])
+@pytest.mark.parametrize("strategy", ["auto", "filter", "rebuild"])
+def test_an_array_that_is_written_meanwhile(d, strategy):
+    """What is proved is proved of positions as they were at one moment, whatever is written later: also what nothing could be proved of."""
+    rng = np.random.default_rng(4)
+    home = rng.random((500, d))
+    x = home.copy()
+    dt = annulus.MovingDelaunay(x, strategy)
+    stop = threading.Event()
+
+    def write():
+        own = np.random.default_rng(5)
+        while not stop.is_set():
+            some = own.integers(0, len(x), 50)
+            x[some] = own.choice([np.nan, np.inf, 1e300, -1e-310, 0.5, 1e100], (50, d))
+            x[some] = home[some] + 1e-3 * own.standard_normal((50, d))
+
+    def move():
+        try:
+            for _ in range(40):
+                try:
+                    dt.move(x)
+                except annulus.Error as e:
+                    assert e.code in ("not_finite", "out_of_domain", "collision")
+                try:
+                    dt.move(x[:100], indices=np.arange(100))
+                    dt.find_simplex(x)
+                except annulus.Error as e:
+                    assert e.code in ("not_finite", "out_of_domain", "collision")
+                assert dt.audit()
+        finally:
+            stop.set()
+
+    in_threads(write, move)
+    check(dt)
+
+
+def test_lloyd_in_two_threads():
+    results = [None] * 2
+
+    def run(k):
+        results[k] = annulus.lloyd(300, 10, seed=3, callback=lambda *_: None).points
+
+    in_threads(lambda: run(0), lambda: run(1))
+    assert np.array_equal(results[0], results[1])

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/c/any_mesh.h>
+
+#include <annulus/arithmetic/domain.h>
+#include <annulus/moving_mesh.h>
+#include <annulus/statistics/voronoi_volumes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace annulus::c {
+
+namespace {
+
+/// Interleaved numbers as points, which they are: an array of d doubles has nothing else in it.
+template <int d>
+std::span<const Coordinates<d>> as_points(const double* x, std::size_t points) {
+    static_assert(sizeof(Coordinates<d>) == d * sizeof(double) && alignof(Coordinates<d>) == alignof(double));
+    return {reinterpret_cast<const Coordinates<d>*>(x), points};
+}
+
+template <int d>
+class Mesh_of final : public Any_mesh {
+  public:
+    Mesh_of(const double* x, std::size_t points, const Options& options) : mesh_(as_points<d>(x, points), options) {}
+
+    int dimension() const override { return d; }
+    int affine_dimension() const override { return mesh_.dimension(); }
+    std::size_t vertices() const override { return mesh_.number_of_vertices(); }
+    std::size_t index_bound() const override { return mesh_.index_bound(); }
+    bool is_vertex(Index i) const override { return mesh_.is_vertex(i); }
+    Strategy strategy() const override { return mesh_.strategy(); }
+    const Options& options() const override { return mesh_.options(); }
+    std::span<const Index> index_of_input() const override { return mesh_.index_of_input(); }
+
+    Move_report move_all(const double* x, std::size_t points) override {
+        cells_.reset();
+        return mesh_.move_all(as_points<d>(x, points));
+    }
+    Move_report move(std::span<const Index> indices, const double* x) override {
+        cells_.reset();
+        return mesh_.move(indices, as_points<d>(x, indices.size()));
+    }
+    void require_positions(const double* x, std::size_t points) const override {
+        for (const auto& p : as_points<d>(x, points)) require_in_domain(p);
+    }
+    Index insert(const double* x, Move_report& report) override {
+        cells_.reset();
+        return mesh_.insert(as_points<d>(x, 1)[0], &report);
+    }
+    void remove(Index i, Move_report& report) override {
+        cells_.reset();
+        mesh_.remove(i, &report);
+    }
+    Move_report settle() override {
+        cells_.reset();
+        return mesh_.settle();
+    }
+
+    void points(double* x) const override {
+        const auto now = mesh_.points();
+        for (std::size_t i = 0; i < now.size(); ++i)
+            for (std::size_t k = 0; k < d; ++k)
+                x[i * d + k] =
+                    is_vertex(static_cast<Index>(i)) ? now[i][k] : std::numeric_limits<double>::quiet_NaN();
+    }
+    void tolerances(double* lengths) const override {
+        const std::vector<double> t = mesh_.tolerances();
+        std::copy(t.begin(), t.end(), lengths);
+    }
+    void displacements(double* lengths) const override {
+        for (std::size_t i = 0; i < index_bound(); ++i)
+            lengths[i] = is_vertex(static_cast<Index>(i)) ? mesh_.displacement(static_cast<Index>(i)) : 0.0;
+    }
+    void voronoi(double* volumes, Index* neighbour_counts) const override {
+        const auto cells = listed();
+        std::vector<double> v;
+        std::vector<Index> n;
+        if (volumes != nullptr) v = voronoi_volumes<d>(mesh_.points(), *cells);
+        if (neighbour_counts != nullptr) n = voronoi_neighbour_counts<d>(index_bound(), *cells);
+        for (std::size_t i = 0; i < v.size(); ++i)  // a vertex that is alone is in no cell
+            volumes[i] =
+                std::isnan(v[i]) && is_vertex(static_cast<Index>(i)) ? std::numeric_limits<double>::infinity() : v[i];
+        std::copy(n.begin(), n.end(), neighbour_counts);
+    }
+    Cells cells() const override {
+        const auto cells = listed();
+        Cells out{cells, nullptr, nullptr, cells->vertices.size()};
+        if (out.count > 0) {
+            out.vertices = cells->vertices.front().data();
+            out.neighbours = cells->neighbours.front().data();
+        }
+        return out;
+    }
+    Audit_result audit() const override { return mesh_.audit(); }
+
+  private:
+    std::shared_ptr<const Mesh_cells<d>> listed() const {
+        const std::lock_guard lock(listing_);
+        if (!cells_) cells_ = std::make_shared<const Mesh_cells<d>>(mesh_.cells());
+        return cells_;
+    }
+
+    Moving_mesh<d> mesh_;
+    mutable std::mutex listing_;
+    mutable std::shared_ptr<const Mesh_cells<d>> cells_;
+};
+
+}  // namespace
+
+std::unique_ptr<Any_mesh> make_mesh(int dimension, const double* x, std::size_t points, const Options& options) {
+    if (dimension == 2) return std::make_unique<Mesh_of<2>>(x, points, options);
+    return std::make_unique<Mesh_of<3>>(x, points, options);
+}
+
+}  // namespace annulus::c

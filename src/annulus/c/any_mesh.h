@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/move_report.h>
+#include <annulus/engine/options.h>
+#include <annulus/mesh/audit.h>
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace annulus::c {
+
+/// Cells as plain numbers, dimension + 1 a cell; valid while this object is.
+struct Cells {
+    std::shared_ptr<const void> kept;
+    const Index* vertices = nullptr;
+    const Index* neighbours = nullptr;
+    std::size_t count = 0;
+};
+
+/// A Moving_mesh of either dimension, as plain arrays. Sizes have been looked at by who calls. Throws what Moving_mesh does; const members may
+/// run concurrently.
+class Any_mesh {
+  public:
+    virtual ~Any_mesh() = default;
+
+    [[nodiscard]] virtual int dimension() const = 0;
+    [[nodiscard]] virtual int affine_dimension() const = 0;
+    [[nodiscard]] virtual std::size_t vertices() const = 0;
+    [[nodiscard]] virtual std::size_t index_bound() const = 0;
+    [[nodiscard]] virtual bool is_vertex(Index i) const = 0;
+    [[nodiscard]] virtual Strategy strategy() const = 0;
+    [[nodiscard]] virtual const Options& options() const = 0;
+    [[nodiscard]] virtual std::span<const Index> index_of_input() const = 0;
+
+    virtual Move_report move_all(const double* x, std::size_t points) = 0;
+    virtual Move_report move(std::span<const Index> indices, const double* x) = 0;
+    /// Whether each of these may be a position; throws not_finite, out_of_domain.
+    virtual void require_positions(const double* x, std::size_t points) const = 0;
+    virtual Index insert(const double* x, Move_report& report) = 0;
+    virtual void remove(Index i, Move_report& report) = 0;
+    virtual Move_report settle() = 0;
+
+    virtual void points(double* x) const = 0;
+    virtual void tolerances(double* lengths) const = 0;
+    virtual void displacements(double* lengths) const = 0;
+    /// Either may be null.
+    virtual void voronoi(double* volumes, Index* neighbour_counts) const = 0;
+    /// Listed once between changes.
+    [[nodiscard]] virtual Cells cells() const = 0;
+    [[nodiscard]] virtual Audit_result audit() const = 0;
+};
+
+/// Precondition: dimension is 2 or 3.
+[[nodiscard]] std::unique_ptr<Any_mesh> make_mesh(int dimension, const double* x, std::size_t points,
+                                                  const Options& options);
+
+}  // namespace annulus::c

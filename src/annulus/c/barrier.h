@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/annulus.h>
+#include <annulus/c/any_mesh.h>
+
+#include <array>
+#include <cfenv>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace annulus::c {
+
+/// A call that this interface refuses, before anything was done.
+class Refused : public std::runtime_error {
+  public:
+    Refused(annulus_status status, const std::string& why) : std::runtime_error(why), status_(status) {}
+    [[nodiscard]] annulus_status status() const noexcept { return status_; }
+
+  private:
+    annulus_status status_;
+};
+
+/// What went wrong last. Never allocates: memory may have run out.
+class Last_error {
+  public:
+    /// Returns the status.
+    int note(annulus_status status, const char* why) noexcept;
+    /// As annulus_message.
+    std::size_t copy(char* buffer, std::size_t capacity) const noexcept;
+
+  private:
+    mutable std::mutex writing_;  // functions that only read a mesh fail, too, and may run at once
+    std::array<char, 512> text_{};
+};
+
+/// Of the calling thread: of calls that have no mesh.
+Last_error& error_of_thread() noexcept;
+
+/// While it lives, no floating-point exception traps in this thread; flags and traps are then as they were. The rounding mode is untouched.
+class Quiet_arithmetic {
+  public:
+    Quiet_arithmetic() noexcept { std::feholdexcept(&before_); }
+    ~Quiet_arithmetic() { std::fesetenv(&before_); }
+    Quiet_arithmetic(const Quiet_arithmetic&) = delete;
+    Quiet_arithmetic& operator=(const Quiet_arithmetic&) = delete;
+
+  private:
+    std::fenv_t before_;
+};
+
+/// Notes what is being thrown. Call it in a handler.
+int note_exception(Last_error& error) noexcept;
+
+/// Makes a call through which no exception comes.
+template <class Call>
+int guarded(Last_error& error, const Call& call) noexcept {
+    const Quiet_arithmetic quiet;
+    try {
+        call();
+        return ANNULUS_OK;
+    } catch (...) {
+        return note_exception(error);
+    }
+}
+
+inline void require(const void* pointer, const char* name) {
+    if (pointer == nullptr) throw Refused(ANNULUS_NULL_POINTER, std::string(name) + " is NULL");
+}
+/// An array may be NULL when nothing is to be in it.
+inline void require(const void* array, std::size_t count, const char* name) {
+    if (count > 0) require(array, name);
+}
+/// Numbers or bytes of what can be in memory at all, so that products of sizes do not wrap round.
+void require_count(std::size_t count, const char* of);
+
+}  // namespace annulus::c
+
+/// The handle.
+struct annulus_mesh {
+    std::unique_ptr<annulus::c::Any_mesh> mesh;
+    std::vector<annulus::Index> changed;  // by the last call that changed it
+    mutable annulus::c::Last_error error;
+};
+
+namespace annulus::c {
+
+/// The same for a call on a mesh, which is refused when it is NULL.
+template <class Mesh, class Call>
+int guarded(Mesh* mesh, const Call& call) noexcept {
+    if (mesh == nullptr) return error_of_thread().note(ANNULUS_NULL_POINTER, "mesh is NULL");
+    return guarded(mesh->error, [&] { call(*mesh); });
+}
+
+}  // namespace annulus::c

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// annulus.h: what makes, changes and ends a mesh.
+#include <annulus/annulus.h>
+#include <annulus/arithmetic/environment.h>
+#include <annulus/c/structs.h>
+
+#include <algorithm>
+
+using namespace annulus;
+using namespace annulus::c;
+
+namespace {
+
+void hand_over(annulus_mesh& m, Move_report& done, annulus_report* report) {
+    m.changed = std::move(done.changed);
+    write_report(report, done, m.mesh->dimension(), m.changed.size());
+}
+
+/// For calls that are several of Moving_mesh's: after each, one more has been done, and what was changed is known.
+void add(annulus_mesh& m, const Move_report& one, Move_report& all, annulus_report* report, std::size_t* so_far) {
+    if (so_far != nullptr) ++*so_far;
+    m.changed.insert(m.changed.end(), one.changed.begin(), one.changed.end());
+    Move_report counts = one;
+    counts.changed.clear();
+    all += counts;
+    write_report(report, all, m.mesh->dimension(), m.changed.size());
+}
+
+void begin_several(annulus_mesh& m, annulus_report* report, std::size_t* so_far) {
+    if (so_far != nullptr) *so_far = 0;
+    m.changed.clear();
+    write_report(report, {}, m.mesh->dimension(), 0);
+}
+
+}  // namespace
+
+int annulus_create(annulus_mesh** mesh, int dimension, size_t points, const double* coordinates,
+                   const annulus_options* options) {
+    return guarded(error_of_thread(), [&] {
+        require(mesh, "mesh");
+        *mesh = nullptr;
+        if (dimension != 2 && dimension != 3)
+            throw Refused(ANNULUS_USAGE, "the dimension is " + std::to_string(dimension) + ": it can be 2 or 3");
+        require_count(points, "points");
+        require(coordinates, points, "coordinates");
+        const Options chosen = options_of(options);
+        require_sound_environment();
+        auto made = std::make_unique<annulus_mesh>();
+        made->mesh = make_mesh(dimension, coordinates, points, chosen);
+        *mesh = made.release();
+    });
+}
+
+void annulus_destroy(annulus_mesh** mesh) {
+    if (mesh == nullptr) return;
+    delete *mesh;
+    *mesh = nullptr;
+}
+
+int annulus_move_all(annulus_mesh* mesh, size_t points, const double* coordinates, annulus_report* report) {
+    return guarded(mesh, [&](annulus_mesh& m) {
+        require_count(points, "points");
+        require(coordinates, points, "coordinates");
+        require_report(report);
+        require_sound_environment();
+        Move_report done = m.mesh->move_all(coordinates, points);
+        hand_over(m, done, report);
+    });
+}
+
+int annulus_move(annulus_mesh* mesh, size_t count, const int32_t* indices, const double* coordinates,
+                 annulus_report* report) {
+    return guarded(mesh, [&](annulus_mesh& m) {
+        require_count(count, "vertices");
+        require(indices, count, "indices");
+        require(coordinates, count, "coordinates");
+        require_report(report);
+        require_sound_environment();
+        Move_report done = m.mesh->move({indices, count}, coordinates);
+        hand_over(m, done, report);
+    });
+}
+
+int annulus_insert(annulus_mesh* mesh, size_t count, const double* coordinates, int32_t* indices, size_t* inserted,
+                   annulus_report* report) {
+    return guarded(mesh, [&](annulus_mesh& m) {
+        if (inserted != nullptr) *inserted = 0;
+        require_count(count, "points");
+        require(coordinates, count, "coordinates");
+        require(indices, count, "indices");
+        require_report(report);
+        require_sound_environment();
+        m.mesh->require_positions(coordinates, count);
+        begin_several(m, report, inserted);
+        Move_report all;
+        const auto d = static_cast<std::size_t>(m.mesh->dimension());
+        for (std::size_t k = 0; k < count; ++k) {
+            Move_report one;
+            indices[k] = m.mesh->insert(coordinates + k * d, one);
+            add(m, one, all, report, inserted);
+        }
+    });
+}
+
+int annulus_remove(annulus_mesh* mesh, size_t count, const int32_t* indices, size_t* removed, annulus_report* report) {
+    return guarded(mesh, [&](annulus_mesh& m) {
+        if (removed != nullptr) *removed = 0;
+        require_count(count, "vertices");
+        require(indices, count, "indices");
+        require_report(report);
+        require_sound_environment();
+        std::vector<Index> sorted;
+        if (count > 0) sorted.assign(indices, indices + count);
+        std::sort(sorted.begin(), sorted.end());
+        if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+            throw Refused(ANNULUS_UNKNOWN_VERTEX, "vertex " + std::to_string(*twice) + " is to be removed twice");
+        for (const Index i : sorted)
+            if (!m.mesh->is_vertex(i))
+                throw Refused(ANNULUS_UNKNOWN_VERTEX, "no vertex has index " + std::to_string(i));
+        begin_several(m, report, removed);
+        Move_report all;
+        for (std::size_t k = 0; k < count; ++k) {
+            Move_report one;
+            m.mesh->remove(indices[k], one);
+            add(m, one, all, report, removed);
+        }
+    });
+}
+
+int annulus_settle(annulus_mesh* mesh, annulus_report* report) {
+    return guarded(mesh, [&](annulus_mesh& m) {
+        require_report(report);
+        require_sound_environment();
+        Move_report done = m.mesh->settle();
+        hand_over(m, done, report);
+    });
+}

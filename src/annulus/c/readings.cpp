@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// annulus.h: what a mesh says.
+#include <annulus/annulus.h>
+#include <annulus/arithmetic/environment.h>
+#include <annulus/c/structs.h>
+
+#include <algorithm>
+
+using namespace annulus;
+using namespace annulus::c;
+
+namespace {
+
+/// Writes a value that is there.
+template <class To, class Read>
+int answer(const annulus_mesh* mesh, To* to, const char* name, Read read) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require(to, name);
+        *to = static_cast<To>(read(*m.mesh));
+    });
+}
+
+void require_capacity(std::size_t capacity, std::size_t needed, const char* of) {
+    if (capacity < needed)
+        throw Refused(ANNULUS_WRONG_SIZE,
+                      "there is room for " + std::to_string(capacity) + ' ' + of + " of " + std::to_string(needed));
+}
+
+/// An array by vertex index.
+template <class Read>
+int by_vertex(const annulus_mesh* mesh, std::size_t capacity, const void* array, const char* name, Read read) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require_capacity(capacity, m.mesh->index_bound(), "vertices");
+        require(array, capacity, name);
+        require_sound_environment();
+        read(*m.mesh);
+    });
+}
+
+void copy(const Index* from, std::size_t numbers, std::int32_t* to) {
+    if (to != nullptr) std::copy_n(from, numbers, to);
+}
+
+}  // namespace
+
+size_t annulus_message(const annulus_mesh* mesh, char* buffer, size_t capacity) {
+    return (mesh == nullptr ? error_of_thread() : mesh->error).copy(buffer, capacity);
+}
+
+const char* annulus_status_name(int status) {
+    switch (status) {
+        case ANNULUS_OK: return "ok";
+        case ANNULUS_NULL_POINTER: return "null pointer";
+        case ANNULUS_USAGE: return "usage";
+        case ANNULUS_WRONG_SIZE: return "wrong size";
+        case ANNULUS_NOT_FINITE: return "not finite";
+        case ANNULUS_OUT_OF_DOMAIN: return "out of domain";
+        case ANNULUS_COLLISION: return "collision";
+        case ANNULUS_UNKNOWN_VERTEX: return "unknown vertex";
+        case ANNULUS_ENVIRONMENT: return "environment";
+        case ANNULUS_TOO_LARGE: return "too large";
+        case ANNULUS_NO_MEMORY: return "no memory";
+        case ANNULUS_NO_TRIANGULATION: return "no triangulation";
+        case ANNULUS_INTERNAL: return "internal";
+        default: return "unknown status";
+    }
+}
+
+const char* annulus_version(void) { return ANNULUS_VERSION; }
+int annulus_interface(void) { return ANNULUS_INTERFACE; }
+
+int annulus_dimension(const annulus_mesh* mesh, int* dimension) {
+    return answer(mesh, dimension, "dimension", [](const Any_mesh& m) { return m.dimension(); });
+}
+int annulus_affine_dimension(const annulus_mesh* mesh, int* dimension) {
+    return answer(mesh, dimension, "dimension", [](const Any_mesh& m) { return m.affine_dimension(); });
+}
+int annulus_vertex_count(const annulus_mesh* mesh, size_t* count) {
+    return answer(mesh, count, "count", [](const Any_mesh& m) { return m.vertices(); });
+}
+int annulus_index_bound(const annulus_mesh* mesh, size_t* bound) {
+    return answer(mesh, bound, "bound", [](const Any_mesh& m) { return m.index_bound(); });
+}
+int annulus_is_vertex(const annulus_mesh* mesh, int32_t index, int* given) {
+    return answer(mesh, given, "answer", [&](const Any_mesh& m) { return m.is_vertex(index); });
+}
+int annulus_strategy(const annulus_mesh* mesh, const char** name) {
+    return answer(mesh, name, "name", [](const Any_mesh& m) {
+        return name_of(m.strategy()).data();
+    });  // of a literal, so with a 0 behind it
+}
+
+int annulus_points(const annulus_mesh* mesh, size_t capacity, double* coordinates) {
+    return by_vertex(mesh, capacity, coordinates, "coordinates", [&](const Any_mesh& m) { m.points(coordinates); });
+}
+int annulus_tolerances(const annulus_mesh* mesh, size_t capacity, double* lengths) {
+    return by_vertex(mesh, capacity, lengths, "lengths", [&](const Any_mesh& m) { m.tolerances(lengths); });
+}
+int annulus_displacements(const annulus_mesh* mesh, size_t capacity, double* lengths) {
+    return by_vertex(mesh, capacity, lengths, "lengths", [&](const Any_mesh& m) { m.displacements(lengths); });
+}
+int annulus_voronoi(const annulus_mesh* mesh, size_t capacity, double* volumes, int32_t* neighbour_counts) {
+    const void* either = volumes != nullptr ? static_cast<const void*>(volumes) : neighbour_counts;
+    return by_vertex(mesh, capacity, either, "volumes, like neighbour_counts,",
+                     [&](const Any_mesh& m) { m.voronoi(volumes, neighbour_counts); });
+}
+
+int annulus_index_of_input(const annulus_mesh* mesh, size_t capacity, int32_t* indices, size_t* count) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require(count, "count");
+        const auto all = m.mesh->index_of_input();
+        *count = all.size();
+        if (indices != nullptr || capacity > 0) require_capacity(capacity, all.size(), "points");
+        require(indices, capacity, "indices");
+        copy(all.data(), all.size(), indices);
+    });
+}
+
+int annulus_cells(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, int32_t* neighbours, size_t* count) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require(count, "count");
+        const Cells cells = m.mesh->cells();
+        *count = cells.count;
+        if (vertices != nullptr || neighbours != nullptr || capacity > 0)
+            require_capacity(capacity, cells.count, "cells");
+        if (vertices == nullptr) require(neighbours, capacity, "vertices, like neighbours,");
+        const std::size_t numbers = cells.count * static_cast<std::size_t>(m.mesh->dimension() + 1);
+        copy(cells.vertices, numbers, vertices);
+        copy(cells.neighbours, numbers, neighbours);
+    });
+}
+
+int annulus_changed(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require(count, "count");
+        if (!m.mesh->options().report_changes) throw Refused(ANNULUS_USAGE, "the mesh was made without report_changes");
+        *count = m.changed.size() / static_cast<std::size_t>(m.mesh->dimension() + 1);
+        if (vertices != nullptr || capacity > 0) require_capacity(capacity, *count, "cells");
+        require(vertices, capacity, "vertices");
+        copy(m.changed.data(), m.changed.size(), vertices);
+    });
+}
+
+int annulus_audit(const annulus_mesh* mesh, annulus_audit_result* result) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require(result, "result");
+        require_struct(result->size, sizeof(result->size), "annulus_audit_result");
+        const Audit_result verdict = m.mesh->audit();
+        annulus_audit_result r{};
+        r.delaunay = verdict.delaunay() ? 1 : 0;
+        r.inverted_cells = verdict.inverted_cells;
+        r.violated_facets = verdict.violated_facets;
+        r.concave_ridges = verdict.concave_ridges;
+        r.topological_faults = verdict.topological_faults;
+        r.degenerate_facets = verdict.degenerate_facets;
+        const std::size_t length = std::min(verdict.first_fault.size(), sizeof r.first_fault - 1);
+        std::copy_n(verdict.first_fault.data(), length, r.first_fault);
+        write_struct(result, r);
+    });
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/c/structs.h>
+
+namespace annulus::c {
+
+namespace {
+
+template <class Value>
+void choose(Value& value, const char* name, std::optional<Value> (*named)(std::string_view), const char* what,
+            const char* all) {
+    if (name == nullptr) return;
+    const std::optional<Value> found = named(name);
+    if (!found)
+        throw Refused(ANNULUS_USAGE, "there is no " + std::string(what) + " \"" + std::string(name).substr(0, 40) +
+                                         "\"; there are " + all);
+    value = *found;
+}
+
+}  // namespace
+
+Options options_of(const annulus_options* given) {
+    Options options;
+    if (given == nullptr) return options;
+    require_struct(given->size, sizeof(given->size), "annulus_options");
+    annulus_options known{};
+    std::memcpy(&known, given, std::min(given->size, sizeof known));
+    // A caller that knows more than this library may not mean anything by it.
+    const auto* beyond = reinterpret_cast<const unsigned char*>(given);
+    for (std::size_t i = sizeof known; i < given->size; ++i)
+        if (beyond[i] != 0)
+            throw Refused(ANNULUS_USAGE, "annulus_options has options that this version of the library does not know");
+    if (known.reserved != 0) throw Refused(ANNULUS_USAGE, "annulus_options.reserved is not 0");
+    if (known.threads < 0) throw Refused(ANNULUS_USAGE, "annulus_options.threads is negative");
+    choose(options.strategy, known.strategy, strategy_named, "strategy",
+           "auto, filter, filter-each, hybrid, in-place, relocate, relocate-flips, rebuild");
+    choose(options.tolerance, known.tolerance, tolerance_kind_named, "kind of tolerance", "certified, paper, floating");
+    choose(options.second_look, known.second_look, second_look_named, "second look", "off, unequal, safe-region");
+    options.threads = std::max(1, known.threads);
+    options.merge_duplicates = known.merge_duplicates != 0;
+    options.report_changes = known.report_changes != 0;
+    options.seed = known.seed;
+    return options;
+}
+
+void write_report(annulus_report* to, const Move_report& done, int dimension, std::size_t changed) {
+    if (to == nullptr) return;
+    annulus_report r{};
+    r.asked = done.moves.asked;
+    r.within_tolerance = done.moves.within_tolerance;
+    r.kept_in_place = done.moves.kept_in_place;
+    r.flipped = done.moves.flipped;
+    r.reinserted = done.moves.reinserted;
+    r.rebuilt = done.moves.rebuilt;
+    r.evaluated = done.evaluated;
+    r.by_filter = done.arithmetic.filter;
+    r.by_intervals = done.arithmetic.interval;
+    r.by_integers = done.arithmetic.exact;
+    r.flips = done.flips;
+    r.tolerance_steps = done.tolerance_steps;
+    r.sign_steps = done.sign_steps;
+    r.rebuild_steps = done.rebuild_steps;
+    r.changed = changed / static_cast<std::size_t>(dimension + 1);
+    r.price = done.price;
+    write_struct(to, r);
+}
+
+}  // namespace annulus::c

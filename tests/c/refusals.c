@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the C interface refuses, and that a mesh is as it was afterwards: pointers that are NULL, sizes, names, indices, positions, environments.
+#include "check.h"
+
+#include <fenv.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { points = 40 };
+
+static annulus_mesh* a_mesh(int dimension, const annulus_options* options) {
+    uint64_t state = 7;
+    double x[3 * points];
+    annulus_mesh* mesh = NULL;
+    for (int i = 0; i < 3 * points; ++i) x[i] = uniform(&state);
+    CHECK_STATUS(annulus_create(&mesh, dimension, points, x, options), ANNULUS_OK);
+    return mesh;
+}
+
+static void check_null(void) {
+    const double x[4] = {0, 0, 1, 0};
+    const int32_t index = 0;
+    double place[3 * points];
+    int32_t numbers[points];
+    size_t count = 77;
+    int answer = 77;
+    char text[64];
+    annulus_mesh* none = NULL;
+    annulus_mesh* mesh = a_mesh(2, NULL);
+
+    CHECK_STATUS(annulus_create(NULL, 2, 2, x, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_create(&none, 2, 2, NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK(none == NULL);
+    CHECK(annulus_message(NULL, text, sizeof text) == strlen("coordinates is NULL"));
+    CHECK(strcmp(text, "coordinates is NULL") == 0);
+
+    CHECK_STATUS(annulus_move_all(NULL, 2, x, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_move(NULL, 1, &index, x, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_insert(NULL, 1, x, numbers, NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_remove(NULL, 1, &index, NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_settle(NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_dimension(NULL, &answer), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_affine_dimension(NULL, &answer), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_vertex_count(NULL, &count), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_index_bound(NULL, &count), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_is_vertex(NULL, 0, &answer), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_points(NULL, points, place), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_tolerances(NULL, points, place), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_displacements(NULL, points, place), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_voronoi(NULL, points, place, numbers), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_index_of_input(NULL, points, numbers, &count), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_cells(NULL, 0, NULL, NULL, &count), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_changed(NULL, 0, NULL, &count), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_audit(NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_strategy(NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK(count == 77 && answer == 77);
+
+    CHECK_STATUS(annulus_move_all(mesh, points, NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_move(mesh, 1, NULL, x, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_move(mesh, 1, &index, NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_insert(mesh, 1, NULL, numbers, &count, NULL), ANNULUS_NULL_POINTER);
+    CHECK(count == 0);
+    CHECK_STATUS(annulus_insert(mesh, 1, x, NULL, NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_remove(mesh, 1, NULL, NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_dimension(mesh, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_vertex_count(mesh, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_is_vertex(mesh, 0, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_strategy(mesh, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_points(mesh, points, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_voronoi(mesh, points, NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_cells(mesh, 0, NULL, NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_cells(mesh, 1000, NULL, NULL, &count), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_audit(mesh, NULL), ANNULUS_NULL_POINTER);
+    CHECK(annulus_message(mesh, NULL, 0) == strlen("result is NULL"));
+    CHECK(annulus_message(mesh, text, 4) == strlen("result is NULL"));
+    CHECK(strcmp(text, "res") == 0);
+
+    // Nothing of nothing is fine.
+    CHECK_STATUS(annulus_move(mesh, 0, NULL, NULL, NULL), ANNULUS_OK);
+    CHECK_STATUS(annulus_insert(mesh, 0, NULL, NULL, NULL, NULL), ANNULUS_OK);
+    CHECK_STATUS(annulus_remove(mesh, 0, NULL, NULL, NULL), ANNULUS_OK);
+    annulus_destroy(NULL);
+    annulus_destroy(&none);
+    annulus_destroy(&mesh);
+    CHECK(mesh == NULL);
+    annulus_destroy(&mesh);
+    CHECK_STATUS(annulus_settle(mesh, NULL), ANNULUS_NULL_POINTER);
+}
+
+static void check_sizes_and_names(void) {
+    double x[3 * points + 3] = {0};
+    int32_t numbers[points];
+    size_t count = 0;
+    annulus_mesh* mesh = NULL;
+    annulus_options options = {0};
+    annulus_report report = {0};
+    annulus_audit_result audit = {0};
+    struct {
+        annulus_options known;
+        int64_t later;
+    } longer;
+
+    CHECK_STATUS(annulus_create(&mesh, 1, 1, x, NULL), ANNULUS_USAGE);
+    CHECK_STATUS(annulus_create(&mesh, 4, 1, x, NULL), ANNULUS_USAGE);
+    CHECK_STATUS(annulus_create(&mesh, 2, SIZE_MAX, x, NULL), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_create(&mesh, 2, SIZE_MAX / 16, x, NULL), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &options), ANNULUS_USAGE);  // size is 0
+    options.size = sizeof options;
+    options.strategy = "fastest";
+    CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &options), ANNULUS_USAGE);
+    options.strategy = "filter";
+    options.tolerance = "Certified";
+    CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &options), ANNULUS_USAGE);
+    options.tolerance = NULL;
+    options.second_look = "";
+    CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &options), ANNULUS_USAGE);
+    options.second_look = NULL;
+    options.threads = -1;
+    CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &options), ANNULUS_USAGE);
+    options.threads = 2;
+    options.reserved = 1;
+    CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &options), ANNULUS_USAGE);
+    options.reserved = 0;
+    CHECK(mesh == NULL);
+
+    // A caller that is newer than the library: only what it leaves 0 is fine.
+    memset(&longer, 0, sizeof longer);
+    longer.known = options;
+    longer.known.size = sizeof longer;
+    longer.later = 1;
+    CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &longer.known), ANNULUS_USAGE);
+    longer.later = 0;
+    CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &longer.known), ANNULUS_OK);
+    annulus_destroy(&mesh);
+    // One that is older: what it does not know has its default.
+    options.size = offsetof(annulus_options, tolerance);
+    options.tolerance = "not looked at";
+    CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &options), ANNULUS_OK);
+    annulus_destroy(&mesh);
+
+    mesh = a_mesh(3, NULL);
+    CHECK_STATUS(annulus_points(mesh, points, x), ANNULUS_OK);
+    CHECK_STATUS(annulus_move_all(mesh, points - 1, x, NULL), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_move_all(mesh, points + 1, x, NULL), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_move_all(mesh, SIZE_MAX - 1, x, NULL), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_move_all(mesh, points, x, &report), ANNULUS_USAGE);  // size is 0
+    report.size = sizeof report;
+    report.price = -1;
+    CHECK_STATUS(annulus_move_all(mesh, points, x, &report), ANNULUS_OK);
+    CHECK(report.asked == points && report.size == sizeof report && report.price >= 0);
+    report.size = offsetof(annulus_report, within_tolerance);
+    report.asked = 0;
+    report.within_tolerance = 1234;
+    CHECK_STATUS(annulus_move_all(mesh, points, x, &report), ANNULUS_OK);
+    CHECK(report.asked == points && report.within_tolerance == 1234);
+    CHECK_STATUS(annulus_points(mesh, points - 1, x), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_tolerances(mesh, 0, NULL), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_displacements(mesh, points - 1, x), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_voronoi(mesh, points - 1, x, numbers), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_index_of_input(mesh, points - 1, numbers, &count), ANNULUS_WRONG_SIZE);
+    CHECK(count == points);
+    CHECK_STATUS(annulus_index_of_input(mesh, 0, NULL, &count), ANNULUS_OK);
+    numbers[0] = -77;
+    CHECK_STATUS(annulus_cells(mesh, points / 4, numbers, NULL, &count), ANNULUS_WRONG_SIZE);
+    CHECK(count > points / 4 && numbers[0] == -77);
+    CHECK_STATUS(annulus_cells(mesh, 0, numbers, NULL, &count), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_changed(mesh, 0, NULL, &count), ANNULUS_USAGE);
+    CHECK_STATUS(annulus_audit(mesh, &audit), ANNULUS_USAGE);
+    audit.size = sizeof audit;
+    CHECK_STATUS(annulus_audit(mesh, &audit), ANNULUS_OK);
+    CHECK(audit.delaunay == 1 && audit.first_fault[0] == 0);
+    annulus_destroy(&mesh);
+}
+
+// After each refusal positions, cells and indices are what they were.
+static void check_indices_and_positions(int dimension) {
+    const double far_out = 0x1p501;
+    const int32_t bad[] = {-1, -2, INT32_MIN, points, INT32_MAX, 5};
+    double before[3 * points] = {0};
+    double x[3 * points + 3];
+    double after[3 * points] = {0};
+    int32_t indices[3] = {1, 2, 1};
+    int answer = 77;
+    size_t count = 77;
+    annulus_audit_result audit = {0};
+    annulus_mesh* mesh = a_mesh(dimension, NULL);
+    const size_t d = (size_t)dimension;
+
+    CHECK_STATUS(annulus_remove(mesh, 1, &bad[5], &count, NULL), ANNULUS_OK);  // 5 is vacant now
+    CHECK(count == 1);
+    CHECK_STATUS(annulus_points(mesh, points, before), ANNULUS_OK);
+    CHECK(before[5 * d] != before[5 * d]);
+    memcpy(x, before, sizeof before);
+    for (int k = 0; k < 6; ++k) {
+        CHECK_STATUS(annulus_move(mesh, 1, &bad[k], x, NULL), ANNULUS_UNKNOWN_VERTEX);
+        indices[2] = bad[k];
+        CHECK_STATUS(annulus_remove(mesh, 3, indices, &count, NULL), ANNULUS_UNKNOWN_VERTEX);
+        CHECK(count == 0);
+        CHECK_STATUS(annulus_is_vertex(mesh, bad[k], &answer), ANNULUS_OK);
+        CHECK(answer == 0);
+    }
+    indices[2] = 1;
+    CHECK_STATUS(annulus_remove(mesh, 3, indices, NULL, NULL), ANNULUS_UNKNOWN_VERTEX);
+    CHECK_STATUS(annulus_is_vertex(mesh, 1, &answer), ANNULUS_OK);
+    CHECK(answer == 1);
+
+    x[3 * d] = NAN;
+    CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_NOT_FINITE);
+    CHECK_STATUS(annulus_insert(mesh, 4, x, indices, &count, NULL), ANNULUS_NOT_FINITE);
+    CHECK(count == 0);
+    x[3 * d] = -INFINITY;
+    CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_NOT_FINITE);
+    x[3 * d] = far_out;
+    CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_OUT_OF_DOMAIN);
+    memcpy(x + 3 * d, x + 7 * d, d * sizeof *x);
+    CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_COLLISION);
+    indices[0] = 3;
+    CHECK_STATUS(annulus_move(mesh, 1, indices, x + 7 * d, NULL), ANNULUS_COLLISION);
+
+    CHECK_STATUS(annulus_points(mesh, points, after), ANNULUS_OK);
+    CHECK(memcmp(before, after, d * points * sizeof *after) == 0);
+    audit.size = sizeof audit;
+    CHECK_STATUS(annulus_audit(mesh, &audit), ANNULUS_OK);
+    CHECK(audit.delaunay == 1);
+
+    // The second of three is where a vertex is: the first stays, at the index that was vacant.
+    x[0] = 3.5;
+    memcpy(x + d, x + 7 * d, d * sizeof *x);
+    CHECK_STATUS(annulus_insert(mesh, 3, x, indices, &count, NULL), ANNULUS_COLLISION);
+    CHECK(count == 1 && indices[0] == 5);
+    CHECK_STATUS(annulus_vertex_count(mesh, &count), ANNULUS_OK);
+    CHECK(count == points);
+    CHECK_STATUS(annulus_audit(mesh, &audit), ANNULUS_OK);
+    CHECK(audit.delaunay == 1);
+    annulus_destroy(&mesh);
+}
+
+static void check_environment(void) {
+    double x[3 * points];
+    double lengths[points];
+    int32_t index = 0;
+    size_t count = 0;
+    annulus_mesh* mesh = a_mesh(3, NULL);
+    annulus_mesh* other = NULL;
+    annulus_audit_result audit = {0};
+    audit.size = sizeof audit;
+    CHECK_STATUS(annulus_points(mesh, points, x), ANNULUS_OK);
+    const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    for (int k = 0; k < 3; ++k) {
+        fesetround(modes[k]);
+        CHECK_STATUS(annulus_create(&other, 3, points, x, NULL), ANNULUS_ENVIRONMENT);
+        CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_ENVIRONMENT);
+        CHECK_STATUS(annulus_move(mesh, 1, &index, x, NULL), ANNULUS_ENVIRONMENT);
+        CHECK_STATUS(annulus_insert(mesh, 1, x, &index, NULL, NULL), ANNULUS_ENVIRONMENT);
+        CHECK_STATUS(annulus_remove(mesh, 1, &index, NULL, NULL), ANNULUS_ENVIRONMENT);
+        CHECK_STATUS(annulus_settle(mesh, NULL), ANNULUS_ENVIRONMENT);
+        CHECK_STATUS(annulus_tolerances(mesh, points, lengths), ANNULUS_ENVIRONMENT);
+        CHECK_STATUS(annulus_displacements(mesh, points, lengths), ANNULUS_ENVIRONMENT);
+        CHECK_STATUS(annulus_voronoi(mesh, points, lengths, NULL), ANNULUS_ENVIRONMENT);
+        CHECK(fegetround() == modes[k]);
+        fesetround(FE_TONEAREST);
+    }
+    CHECK(other == NULL);
+    CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_OK);
+    CHECK_STATUS(annulus_audit(mesh, &audit), ANNULUS_OK);
+    CHECK(audit.delaunay == 1);
+
+    // Flags are the caller's.
+    feclearexcept(FE_ALL_EXCEPT);
+    x[0] += 1.0 / 3.0;
+    feclearexcept(FE_ALL_EXCEPT);
+    feraiseexcept(FE_DIVBYZERO);
+    CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_OK);
+    CHECK_STATUS(annulus_voronoi(mesh, points, lengths, NULL), ANNULUS_OK);
+    CHECK(fetestexcept(FE_ALL_EXCEPT) == FE_DIVBYZERO);
+    feclearexcept(FE_ALL_EXCEPT);
+    CHECK_STATUS(annulus_cells(mesh, 0, NULL, NULL, &count), ANNULUS_OK);
+    annulus_destroy(&mesh);
+}
+
+int main(void) {
+    check_null();
+    check_sizes_and_names();
+    check_indices_and_positions(2);
+    check_indices_and_positions(3);
+    check_environment();
+    CHECK(strcmp(annulus_status_name(ANNULUS_COLLISION), "collision") == 0);
+    CHECK(strcmp(annulus_status_name(-5), "unknown status") == 0);
+    CHECK(annulus_interface() == ANNULUS_INTERFACE);
+    CHECK(strlen(annulus_version()) >= 5);
+    return verdict("refusals");
+}

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every kind of page that the tool writes: a line each. A new kind is a new line, and is then tested like the others."""
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Kind:
+    name: str  # of its directory
+    command: str  # its words; DIR is replaced by the directory, MOTION and GRID by files (test_pages.py)
+    page: str = "report.html"
+    shows: list = field(default_factory=list)  # headings that must be there
+    sliders: int = 0  # <input type=range> whose `input` event changes a picture
+    sorted_tables: int = 0
+    status: int = 0
+
+
+KINDS = [
+    Kind("lloyd", "lloyd --points 300 --density x2 --iterations 30", shows=["The triangulation", "Convergence"]),
+    Kind("lloyd-window", "lloyd --points 20000 --iterations 1", shows=["The triangulation"]),
+    Kind("nodt", "nodt --sphere --vertices 300 --iterations 10 --lock 10", shows=["The mesh", "Convergence"]),
+    Kind("replay", "replay MOTION --strategy filter", shows=["The triangulation", "What a step costs"]),
+    Kind("compare", "compare --strategies rebuild,relocate,auto,auto:floating -- lloyd --points 300 --iterations 30",
+         shows=["Strategies compared", "Cumulative time"], sorted_tables=1),
+    Kind("compare-nodt", "compare --strategies rebuild,filter -- nodt --sphere --vertices 200 --iterations 5",
+         shows=["Strategies compared", "The triangulation"], sorted_tables=1),
+    Kind("degeneracy", "degeneracy GRID", "degeneracy.html", ["Degenerate, exactly and nearly", "Quantiles"]),
+    Kind("degeneracy-3", "degeneracy POINTS", "degeneracy.html", ["Distributions", "What arithmetic decides"]),
+    Kind("degeneracy-flat", "degeneracy LINE", "degeneracy.html"),
+]
