@@ -75,17 +75,14 @@ int run(Motion& motion, std::uint64_t iterations, const Choice& choice, ordered_
     for (const std::string& word : choice.strategies) {
         followers.push_back({Word(word), nullptr, 0.0, 0, {}});
         auto& f = followers.back();
-        if (iterations % f.word.every != 0)
-            throw std::invalid_argument(word + ": the last of " + std::to_string(iterations) + " would be left out");
-        if (!f.word.cgal)
-            f.dt = std::make_unique<Moving>(std::span<const Coordinates<d>>(motion.points()), f.word.options);
+        if (iterations % f.word.every != 0) throw std::invalid_argument(word + ": the last of " + std::to_string(iterations) + " would be left out");
+        if (!f.word.cgal) f.dt = std::make_unique<Moving>(std::span<const Coordinates<d>>(motion.points()), f.word.options);
     }
     double motion_seconds = 0.0;
     double displacement = 0.0;
     std::vector<bench::Points<d>> block;
     for (std::uint64_t first = 0; first < iterations; first += block.size()) {
-        block.assign(static_cast<std::size_t>(std::min<std::uint64_t>(block_size, iterations - first)),
-                     bench::Points<d>(motion.points().size()));
+        block.assign(static_cast<std::size_t>(std::min<std::uint64_t>(block_size, iterations - first)), bench::Points<d>(motion.points().size()));
         for (auto& x : block) {
             const auto [taken, way] = motion.next(x);
             motion_seconds += taken;
@@ -111,13 +108,9 @@ int run(Motion& motion, std::uint64_t iterations, const Choice& choice, ordered_
     }
     const double steps = static_cast<double>(iterations);
     const double n = static_cast<double>(motion.points().size());
-    out.update({{"dimension", d},
-                {"points", motion.points().size()},
-                {"iterations", iterations},
-                {"displacement", displacement / steps},
+    out.update({{"dimension", d}, {"points", motion.points().size()}, {"iterations", iterations}, {"displacement", displacement / steps},
                 {"motion", motion_seconds}});
-    std::printf("%zu points, %.3g spacings a step, motion %.2f s", motion.points().size(), displacement / steps,
-                motion_seconds);
+    std::printf("%zu points, %.3g spacings a step, motion %.2f s", motion.points().size(), displacement / steps, motion_seconds);
     int failed = 0;
     const Follower<Moving>* reference = nullptr;
     decltype(canonical(*followers[0].dt)) cells;
@@ -157,9 +150,7 @@ int main(int argc, char** argv) {
     cli::Lloyd_arguments lloyd;
     cli::Nodt_arguments nodt;
     CLI::App app{"Strategies, CGAL's rebuild and the motion itself on the tool's motions: seconds in all."};
-    app.add_option("--strategies", choice.strategies,
-                   "NAME[:KIND][@K] or cgal[@K]; with @K each Kth timestamp only, which counts K times")
-        ->delimiter(',');
+    app.add_option("--strategies", choice.strategies, "NAME[:KIND][@K] or cgal[@K]; with @K each Kth timestamp only, which counts K times")->delimiter(',');
     app.add_option("--seed", choice.seed);
     app.add_option("--json", choice.json, "file that a line is appended to");
     auto* plane = app.add_subcommand("lloyd", "with the options of `annulus lloyd` that say which");

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/engine/move_report.h>
 #include <annulus/engine/options.h>
+#include <annulus/engine/move_report.h>
 #include <annulus/mesh/audit.h>
 #include <annulus/mesh/measures.h>
 #include <annulus/mesh/mesh_cells.h>

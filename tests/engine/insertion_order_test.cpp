@@ -41,8 +41,7 @@ struct Crowd {
         for (std::size_t k = 1; k < used.size(); ++k) {
             double square = 0.0;
             for (std::size_t i = 0; i < static_cast<std::size_t>(d); ++i) {
-                const double way =
-                    x[static_cast<std::size_t>(used[k])][i] - x[static_cast<std::size_t>(used[k - 1])][i];
+                const double way = x[static_cast<std::size_t>(used[k])][i] - x[static_cast<std::size_t>(used[k - 1])][i];
                 square += way * way;
             }
             sum += std::sqrt(square);
@@ -68,8 +67,7 @@ Crowd<d> crowd(std::size_t n, Random& random) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("Everybody who lives is inserted once, whoever comes and goes, dimension", "[order]",
-                       ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Everybody who lives is inserted once, whoever comes and goes, dimension", "[order]", ((int d), d), 2, 3) {
     for_each_seed(20, [](Random& random) {
         Crowd<d> c = crowd<d>(200 + random() % 200, random);
         for (int use = 0; use < 60; ++use) {  // beyond the uses of one sort
@@ -98,8 +96,7 @@ TEMPLATE_TEST_CASE_SIG("Everybody who lives is inserted once, whoever comes and 
     });
 }
 
-TEMPLATE_TEST_CASE_SIG("An order serves until vertices have gone as far as it is to the next, dimension", "[order]",
-                       ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("An order serves until vertices have gone as far as it is to the next, dimension", "[order]", ((int d), d), 2, 3) {
     Random random(5);
     Crowd<d> c = crowd<d>(2000, random);
     CHECK(c.order.sorts(c.x));
@@ -121,8 +118,7 @@ TEMPLATE_TEST_CASE_SIG("An order serves until vertices have gone as far as it is
     CHECK(uses < 1000);  // a sort from time to time, however little they move
 }
 
-TEMPLATE_TEST_CASE_SIG("Who comes to another place is not inserted where it was, dimension", "[order]", ((int d), d), 2,
-                       3) {
+TEMPLATE_TEST_CASE_SIG("Who comes to another place is not inserted where it was, dimension", "[order]", ((int d), d), 2, 3) {
     Random random(6);
     Crowd<d> c = crowd<d>(4000, random);
     const double stride = c.stride(c.use());

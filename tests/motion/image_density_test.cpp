@@ -158,8 +158,8 @@ TEST_CASE("where an image has no weight a cell has no moments", "[motion][image]
 }
 
 TEST_CASE("images that cannot be and domains that do not fit are refused", "[motion][image]") {
-    const std::vector<std::uint32_t> none(6, 0), six(6, 1), much(6, 1u << 24);
-    CHECK_THROWS_AS(Image_density(2, 3, none), Error);
+    const std::vector<std::uint32_t> white(6, 0), six(6, 1), much(6, 1u << 24);
+    CHECK_THROWS_AS(Image_density(2, 3, white), Error);
     CHECK_THROWS_AS(Image_density(2, 2, six), Error);
     CHECK_THROWS_AS(Image_density(0, 0, {}), Error);
     CHECK_THROWS_AS(Image_density(2, 3, much), Error);
@@ -168,17 +168,19 @@ TEST_CASE("images that cannot be and domains that do not fit are refused", "[mot
     CHECK_THROWS_AS(Lloyd_2(Domain_2::polygon(Points{{0, 0}, {2.1, 0}, {1, 1}}), density), Error);
     CHECK_THROWS_AS(sample(Domain_2::square(1), density, 3, 1), Error);
     CHECK_NOTHROW(Lloyd_2(Domain_2::polygon(Points{{0, 0}, {2, 0}, {2, 3}}), density));
-    CHECK_THROWS_AS(Stippling::of({2, 1, 255, {255, 255}}, false), Error);
-    CHECK_THROWS_AS(Stippling::of({2, 1, 255, {0, 0}}, true), Error);
+    CHECK_THROWS_AS(Stippling({2, 1, 255, {255, 255}}, false), Error);
+    CHECK_THROWS_AS(Stippling({2, 1, 255, {0, 0}}, true), Error);
+    CHECK_THROWS_AS(Stippling({2, 1, 255, {0}}, false), Error);
+    CHECK_THROWS_AS(Stippling({2, 1, 100, {0, 101}}, false), Error);
 }
 
 TEST_CASE("points are drawn from an image in proportion to its density", "[motion][image]") {
     const Pixels pixels{4, 3, {0, 7, 1, 9, 20, 0, 3, 0, 5, 5, 40, 10}};
     const Domain_2 rectangle = Domain_2::polygon(Points{{0, 0}, {4, 0}, {4, 3}, {0, 3}});
     const int n = 200'000, fine = 4;
-    const Points points = sample(rectangle, pixels.density(), static_cast<std::size_t>(n), 3);
+    const Points drawn = sample(rectangle, pixels.density(), static_cast<std::size_t>(n), 3);
     std::vector<double> seen(16 * 12);
-    for (const auto& p : points) {
+    for (const auto& p : drawn) {
         REQUIRE(rectangle.contains(p));
         seen[std::min(static_cast<std::size_t>(p[1] * fine), std::size_t{11}) * 16 +
              std::min(static_cast<std::size_t>(p[0] * fine), std::size_t{15})] += 1;
@@ -201,10 +203,10 @@ TEST_CASE("a stippled gradient has as many points in a band as ink, and keeps th
     Gray_image image{200, 60, 4000, {}};
     for (std::size_t j = 0; j < image.height; ++j)
         for (std::size_t i = 0; i < image.width; ++i) image.value.push_back(static_cast<std::uint16_t>(20 * i));
-    const Stippling stippling = Stippling::of(image, inverted);
+    const Stippling stippling(image, inverted);
     const Domain_2 rectangle = Domain_2::polygon(Points{{0, 0}, {200, 0}, {200, 60}, {0, 60}});
-    Points points = sample(rectangle, stippling.ink, 2000, 5), target(points.size());
-    const Lloyd_2 lloyd(rectangle, stippling.density, 2);
+    Points points = sample(rectangle, stippling.ink(), 2000, 5), target(points.size());
+    const Lloyd_2 lloyd(rectangle, stippling.density(), 2);
     for (int i = 0; i < 150; ++i) {
         CHECK(lloyd.step(neighbours_of(points), points, target).kept == 0);
         points = target;
@@ -226,11 +228,10 @@ TEST_CASE("squares of ink lose nothing of pictures of 8 bits, and little of thos
     Gray_image eight{256, 1, 255, {}}, sixteen{256, 256, 65535, {}};
     for (unsigned i = 0; i < 256; ++i) eight.value.push_back(static_cast<std::uint16_t>(255 - i));
     for (unsigned i = 0; i < 65536; ++i) sixteen.value.push_back(static_cast<std::uint16_t>(65535 - i));
-    const Stippling a = Stippling::of(eight, false), b = Stippling::of(sixteen, false);
-    for (std::int64_t i = 0; i < 256; ++i) REQUIRE(a.density.node(static_cast<std::size_t>(i) + 1, 1).weight == i * i);
+    const Image_density a = Stippling(eight, false).density(), b = Stippling(sixteen, false).density();
+    for (std::int64_t i = 0; i < 256; ++i) REQUIRE(a.node(static_cast<std::size_t>(i) + 1, 1).weight == i * i);
     for (std::int64_t i = 0; i < 65536; ++i) {
-        const auto got =
-            b.density.node(static_cast<std::size_t>(i % 256) + 1, 256 - static_cast<std::size_t>(i / 256)).weight;
+        const auto got = b.node(static_cast<std::size_t>(i % 256) + 1, 256 - static_cast<std::size_t>(i / 256)).weight;
         REQUIRE(got >= std::min<std::int64_t>(i * i / 256, Image_density::most_weight));
         REQUIRE(got <= i * i / 256 + 1);
         REQUIRE((got == 0) == (i == 0));

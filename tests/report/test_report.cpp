@@ -3,8 +3,8 @@
 #include <formats/well_formed.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/formats/markup.h>
 #include <annulus/report/axis_ticks.h>
+#include <annulus/formats/markup.h>
 #include <annulus/report/report.h>
 
 #include <rapidcheck.h>

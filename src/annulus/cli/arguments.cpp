@@ -69,8 +69,7 @@ void add_format(CLI::App& app, std::string& format, std::span<const Format> form
 
 void add_tracking(CLI::App& app, Tracking_arguments& a) {
     app.add_option("--strategy", a.strategy, "How the triangulation is kept right")
-        ->check(CLI::IsMember(
-            {"auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "hybrid"}))
+        ->check(CLI::IsMember({"auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "hybrid"}))
         ->capture_default_str();
     app.add_option("--tolerance", a.tolerance, "Kind of tolerance; only certified ones are proved")
         ->check(CLI::IsMember({"certified", "paper", "floating"}))

@@ -107,16 +107,11 @@ Domain_2 domain_around(const std::vector<Coordinates<2>>& p) {
     return Domain_2::polygon(square);
 }
 
-bool is_sin2(const Density_2& density) {
-    const auto* formula = std::get_if<Density>(&density);
-    return formula != nullptr && *formula == Density::sin2;
-}
-
 /// The moments of sin2 cost time in proportion to the area of the domain where its cells span rings.
-void require_rings_to_be_few(const Density_2& density, const Domain_2& domain) {
+void require_rings_to_be_few(Density density, const Domain_2& domain) {
     const auto& box = domain.bounding_box();
     const double width = std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
-    if (is_sin2(density) && width > 1000)
+    if (density == Density::sin2 && width > 1000)
         throw Error(Error_code::usage, "--density sin2 takes domains up to 1000 wide; its rings are 3.1 apart");
 }
 
@@ -131,9 +126,9 @@ std::optional<Stippling> stippling_from(const Lloyd_arguments& a) {
     if (!a.domain.empty() || a.radius != 0)
         throw Error(Error_code::usage,
                     "with a picture for --density the domain is the picture: no --domain, no --radius");
-    const Gray_image image = read_gray_image(a.density);
+    Gray_image image = read_gray_image(a.density);
     try {
-        return Stippling::of(image, a.invert);
+        return Stippling(std::move(image), a.invert);
     } catch (const Error& e) {
         throw Input_error(Error_code::bad_input, a.density, 0, e.what(), "something to stipple");
     }
@@ -145,17 +140,17 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
     if (a.points == 0 && a.input.empty())
         throw Error(Error_code::usage, "say how many points with --points N, or name a file with --input FILE");
     std::optional<Stippling> stippling = stippling_from(a);
-    const Density_2 density = stippling ? Density_2(stippling->density) : Density_2(parse_density(a.density));
+    const Density formula = stippling ? Density::one : parse_density(a.density);
     const bool named = a.domain == "disc" || a.domain == "square";
     if (a.radius != 0 && !named && !(a.domain.empty() && a.input.empty()))
         throw Error(Error_code::usage, a.domain.empty()
                                            ? "--radius needs --domain disc or square when points come from a file"
                                            : "--radius is for --domain disc or square, not for a polygon");
     if (!std::isfinite(a.radius)) throw Error(Error_code::usage, "--radius must be a finite number");
-    const double radius = a.radius > 0 ? a.radius : is_sin2(density) ? 2 * std::numbers::pi : 1.0;
+    const double radius = a.radius > 0 ? a.radius : formula == Density::sin2 ? 2 * std::numbers::pi : 1.0;
     std::optional<Domain_2> domain;
     if (stippling) {
-        const auto w = static_cast<double>(stippling->ink.width()), h = static_cast<double>(stippling->ink.height());
+        const auto w = static_cast<double>(stippling->width()), h = static_cast<double>(stippling->height());
         domain = Domain_2::polygon(std::vector<Coordinates<2>>{{0, 0}, {w, 0}, {w, h}, {0, h}});
     } else if (a.domain == "disc" || (a.domain.empty() && a.input.empty())) {
         domain = Domain_2::disc(radius);
@@ -164,10 +159,11 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
     } else if (!a.domain.empty()) {
         domain = polygon_from(a.domain);
     }
-    if (domain) require_rings_to_be_few(density, *domain);
+    if (domain) require_rings_to_be_few(formula, *domain);
     if (a.input.empty()) {
         std::vector<Coordinates<2>> points =
-            sample(*domain, stippling ? Density_2(stippling->ink) : density, a.points, seed);
+            sample(*domain, stippling ? Density_2(stippling->ink()) : formula, a.points, seed);
+        const Density_2 density = stippling ? Density_2(stippling->density()) : formula;
         return {*domain, density, std::move(points), 0, {}, std::move(stippling)};
     }
     const Point_file<2> file = read_points<2>(a.input, {.ignore_z = a.ignore_z, .format = a.format});
@@ -183,28 +179,29 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
         } catch (const Error& e) {
             throw file.fault(0, Error_code::out_of_domain, e.what(), "lengths between 1e-100 and 1e100");
         }
-        require_rings_to_be_few(density, *domain);
+        require_rings_to_be_few(formula, *domain);
     }
+    const Density_2 density = stippling ? Density_2(stippling->density()) : formula;
     return {*domain, density, std::move(points), merged, file.notes, std::move(stippling)};
 }
 
 std::string stipples_of(const Lloyd_arguments& a, const Lloyd_scene& scene, const Moving_delaunay_2& dt) {
     const Stippling& picture = *scene.stippling;
     const std::span<const Coordinates<2>> points = dt.positions();
-    const double white = picture.white, area = static_cast<double>(picture.ink.total()) / white;
-    std::vector<double> radii{disc_radius(area, points.size())};
+    std::vector<double> radii{disc_radius(picture.area(), points.size())};
     if (a.dots == "cells") {
         Stars_2 stars;
         read_stars(dt, stars);
         Voronoi_cell_2 cell_of(scene.domain);
+        const Density_2 ink = picture.ink();
         radii.clear();
         for (std::size_t v = 0; v < points.size(); ++v) {
             const Cell_2& cell = cell_of(points[v], stars.of(v), points, stars.cyclic(v));
-            radii.push_back(
-                disc_radius(std::max(moments(Density_2(picture.ink), cell.origin, cell.corners).mass, 0.0) / white, 1));
+            const double mass = moments(ink, cell.origin, cell.corners).mass;
+            radii.push_back(disc_radius(std::max(mass, 0.0) / picture.full(), 1));
         }
     }
-    return svg_stipples(picture.ink.width(), picture.ink.height(), points, radii, a.invert);
+    return svg_stipples(picture.width(), picture.height(), points, radii, a.invert);
 }
 
 void read_stars(const Moving_delaunay_2& dt, Stars_2& stars) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace annulus {
 
@@ -20,7 +21,7 @@ Image_density::Image_density(std::size_t width, std::size_t height, std::span<co
     if (most_ == 0) throw Error(Error_code::usage, "an image of no weight is no density");
     if (most_ > most_weight) throw Error(Error_code::usage, "a weight of an image is 2^24 or more");
     const std::size_t columns = width + 2, rows = height + 2;
-    const std::shared_ptr<Node[]> node(new Node[columns * rows]);
+    std::vector<Node> node(columns * rows);
     for (std::size_t row = 0; row < rows; ++row) {
         // Weights begin with the top row, nodes with the lowest.
         const std::size_t from = height - std::clamp<std::size_t>(row, 1, height);
@@ -34,7 +35,7 @@ Image_density::Image_density(std::size_t width, std::size_t height, std::span<co
             at[i].moment = at[i - 1].moment + 3 * static_cast<std::int64_t>(i - 1) * both + both + at[i].weight;
         }
     }
-    node_ = node;
+    node_ = std::make_shared<const std::vector<Node>>(std::move(node));
 }
 
 double Image_density::at(const Coordinates<2>& p) const {

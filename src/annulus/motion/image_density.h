@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace annulus {
 
@@ -42,14 +43,14 @@ class Image_density {
     /// The node at (column - 1/2, row - 1/2), 0 <= column <= width + 1 and 0 <= row <= height + 1. Those at the ends repeat their
     /// neighbours' weights.
     [[nodiscard]] const Node& node(std::size_t column, std::size_t row) const {
-        return node_[row * (width_ + 2) + column];
+        return (*node_)[row * (width_ + 2) + column];
     }
 
   private:
     std::size_t width_, height_;
     std::uint32_t most_ = 0;
     std::uint64_t total_ = 0;
-    std::shared_ptr<const Node[]> node_;
+    std::shared_ptr<const std::vector<Node>> node_;
 };
 
 }  // namespace annulus

@@ -2,9 +2,9 @@
 #include <annulus/motion/nodt_3.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/mesh/parallel_runs.h>
 #include <annulus/motion/dihedral.h>
 #include <annulus/motion/distinct_targets.h>
+#include <annulus/mesh/parallel_runs.h>
 #include <annulus/motion/surface_stars.h>
 #include <annulus/motion/vectors_3.h>
 
@@ -124,22 +124,22 @@ struct Nodt_3::Sums {
 
 Nodt_step Nodt_3::step(const Cells_3& cells, std::span<const char> inside, std::span<const Coordinates<3>> position,
                        std::span<Coordinates<3>> target) const {
-    if (inside.size() != cells.size()) throw Error(Error_code::wrong_size, "natural ODT needs a flag for every cell");
+    if (inside.size() != cells.size())
+        throw Error(Error_code::wrong_size, "natural ODT needs a flag for every cell");
     std::vector<Cell_moment> moments(cells.size());
     for_each_run(cells.size(), run_length, threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c) {
             const auto& v = cells.vertex[c];
             if (inside[c] != 0)
-                moments[c] =
-                    cell_moment(position[at(v[0])], position[at(v[1])], position[at(v[2])], position[at(v[3])]);
+                moments[c] = cell_moment(position[at(v[0])], position[at(v[1])], position[at(v[2])], position[at(v[3])]);
         }
     });
     Nodt_memory memory;
     return step_of({cells, inside, moments}, position, target, memory);
 }
 
-Nodt_step Nodt_3::step(const Kept_cells_3& cells, std::span<const Coordinates<3>> position,
-                       std::span<Coordinates<3>> target, Nodt_memory& memory) const {
+Nodt_step Nodt_3::step(const Kept_cells_3& cells, std::span<const Coordinates<3>> position, std::span<Coordinates<3>> target,
+                       Nodt_memory& memory) const {
     return step_of({cells.cells(), cells.inside(), cells.moments()}, position, target, memory);
 }
 
@@ -166,16 +166,14 @@ bool Nodt_3::is_good(const std::array<Index, 4>& v, std::span<const Coordinates<
 }
 
 /// Every thread has a range of vertices and looks at all cells, in their order: so sums do not depend on how many there are.
-void Nodt_3::sum_cells(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<const double> mu,
-                       Sums& sums) const {
+void Nodt_3::sum_cells(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<const double> mu, Sums& sums) const {
     const std::size_t n = position.size(), cells = mesh.cells.size();
     std::vector<char> good(lock_cosine_ ? cells : 0, 1);
     for_each_run(good.size(), run_length, threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c)
             if (mesh.inside[c] != 0) good[c] = is_good(mesh.cells.vertex[c], position) ? 1 : 0;
     });
-    const std::size_t range =
-        std::max<std::size_t>(1, (n + static_cast<std::size_t>(threads_) - 1) / static_cast<std::size_t>(threads_));
+    const std::size_t range = std::max<std::size_t>(1, (n + static_cast<std::size_t>(threads_) - 1) / static_cast<std::size_t>(threads_));
     for_each_run(n, range, threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = 0; c < cells; ++c) {
             if (mesh.inside[c] == 0) continue;

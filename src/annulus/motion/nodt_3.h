@@ -84,8 +84,8 @@ class Nodt_3 {
                    std::span<Coordinates<3>> target) const;
     /// The same of cells that were measured at `position` with the same domain, and with a memory: the result is that of a step with none,
     /// bit for bit.
-    Nodt_step step(const Kept_cells_3& cells, std::span<const Coordinates<3>> position,
-                   std::span<Coordinates<3>> target, Nodt_memory& memory) const;
+    Nodt_step step(const Kept_cells_3& cells, std::span<const Coordinates<3>> position, std::span<Coordinates<3>> target,
+                   Nodt_memory& memory) const;
 
   private:
     struct Mesh;
@@ -93,8 +93,7 @@ class Nodt_3 {
     Nodt_step step_of(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<Coordinates<3>> target,
                       Nodt_memory& memory) const;
     void size_up(std::span<const Coordinates<3>> position, Nodt_memory& memory) const;
-    void sum_cells(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<const double> mu,
-                   Sums& sums) const;
+    void sum_cells(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<const double> mu, Sums& sums) const;
     [[nodiscard]] bool is_good(const std::array<Index, 4>& cell, std::span<const Coordinates<3>> position) const;
 
     const Domain_3& domain_;
