@@ -2,18 +2,13 @@
 #include <annulus/motion/ball_3.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/motion/vectors_3.h>
 
 #include <cmath>
 #include <numbers>
 #include <random>
 
 namespace annulus {
-
-namespace {
-
-double dot(const Coordinates<3>& a, const Coordinates<3>& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-}  // namespace
 
 Ball_3::Ball_3(double radius) : radius_(radius) {
     if (!(radius >= 1e-100 && radius <= 1e100))
