@@ -231,6 +231,9 @@ TEST_CASE("a linear axis has ticks at steps of one, two or five") {
     CHECK(labels(10) == "0 2 4 6 8 10 ");
     CHECK(labels(22) == "0 5 10 15 20 25 ");
     CHECK(labels(40) == "0 10 20 30 40 ");
+    const Axis_range none_at_all({"", Scale::linear, 0.}, {0, 0, 0});  // counts
+    CHECK(none_at_all.ticks().front().label == "0");
+    CHECK(none_at_all.ticks().back().label == "1.0");
 }
 
 TEST_CASE("numbers for people do not follow the locale of the host", "[io][report]") {

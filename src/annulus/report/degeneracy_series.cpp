@@ -103,7 +103,9 @@ std::string degeneracy_html(const Degeneracy_series& series) {
                   lengths("The paper's tolerances", &Numbers::paper)},
                  "The least, the one that 1 % are below, and the median, in mean spacings of the frame. What is 0 is "
                  "not drawn.");
-    append_plots(out, "Counts", {counts, zero, unsound}, "Every count is certified. degeneracy.csv has the numbers.");
+    append_plots(out, "Counts", {counts, zero, unsound},
+                 "Every count is certified; where one is 0 the first of these has no line. degeneracy.csv has the "
+                 "numbers.");
     return out + page_foot();
 }
 
