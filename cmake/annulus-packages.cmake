@@ -70,7 +70,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
     "${CMAKE_CURRENT_BINARY_DIR}/packages/shlibs;${CMAKE_CURRENT_BINARY_DIR}/packages/triggers")
 annulus_package(development libannulus-dev libdevel "Delaunay triangulations of moving points, development files"
     "This package has the headers and libraries for programs in C++ and C, and what\nCMake and pkg-config need to find them."
-    "libcgal-dev (>= 5.5), libgmp-dev, libmpfr-dev, libboost-dev, libtbb-dev, zlib1g-dev, nlohmann-json3-dev (>= 3.11)")
+    "libcgal-dev (>= 5.5), libgmp-dev, libmpfr-dev, libboost-dev, libtbb-dev, zlib1g-dev, libpng-dev, nlohmann-json3-dev (>= 3.11)")
 annulus_package(tool annulus science "Delaunay triangulations of moving points, command-line tool"
     "This package has the tool: Lloyd iterations, optimisation of tetrahedral\nmeshes, recorded motions, statistics of degeneracy, exact audits." "")
 if(TARGET annulus-c)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> a file -> a reader. The first byte says which: A to P of the table below, a to p the same packed by gzip. What a reader
+// Bytes -> a file -> a reader. The first byte says which: A to T of the table below, a to t the same packed by gzip. What a reader
 // returns keeps what its header promises; what it throws is an Input_error in one line; memory is decided by bytes that are there.
 #include <annulus/formats/frame_points.h>
+#include <annulus/formats/read_gray_image.h>
 #include <annulus/formats/read_image.h>
 #include <annulus/formats/read_mesh.h>
 #include <annulus/formats/read_motion.h>
@@ -17,6 +18,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -91,21 +93,20 @@ void points(const fs::path& file) {
 
 template <int d>
 void check_frame(const Recorded_motion& motion, const Frame& frame) {
-    const Frame_points<d> merged = points_of<d>(motion, frame, Coincident::merge);
+    const Frame_points<d> merged = points_of<d>(motion.name, frame, Coincident::merge);
     require(distinct(merged.x) && merged.id.size() == merged.x.size(), "distinct points in a frame");
     require(merged.merged + merged.id.size() == frame.id.size(), "every point is kept or merged");
     bool refused = false;
     try {
-        (void)points_of<d>(motion, frame, Coincident::refuse);
+        (void)points_of<d>(motion.name, frame, Coincident::refuse);
     } catch (const Input_error& error) {
         refused = error.code() == Error_code::collision;
     }
     require(refused == (merged.merged > 0), "points at one place are refused, others not");
 }
 
-template <Absent_frames absent>
-void motion(const fs::path& file) {
-    const Recorded_motion m = read_motion(file, absent);
+/// What is read frame by frame is what is read at once, and what is_flat says of it is so.
+void check_motion(const fs::path& file, const Recorded_motion& m, const Motion_options& options) {
     std::size_t all = 0;
     for (const Frame& f : m.frames) {
         all += f.id.size();
@@ -114,13 +115,31 @@ void motion(const fs::path& file) {
         require(std::adjacent_find(f.id.begin(), f.id.end(), std::greater_equal<>()) == f.id.end(), "ids ascend");
     }
     require(all > 0, "a point in some frame");
-    for (std::size_t i = 1; i < m.frames.size(); ++i)
-        require(m.frames[i - 1].number < m.frames[i].number, "numbers of frames ascend");
     for (const Frame& f : m.frames) {
         check_frame<2>(m, f);
         if (m.has_z) check_frame<3>(m, f);
     }
+    std::set<double> z;
+    Motion_reader reader(file, options);
+    Frame frame;
+    for (const Frame& f : m.frames) {
+        require(!reader.at_end() && reader.next(frame) && frame.id == f.id && frame.position == f.position,
+                "the same frames one by one");
+        for (const auto& p : f.position) z.insert(p[2]);
+    }
+    require(reader.at_end() && !reader.next(frame), "an end");
+    require(is_flat(file, options) == (z.size() == 1), "flat where z is the same everywhere");
 }
+
+template <Absent_frames absent>
+void motion(const fs::path& file) {
+    const Recorded_motion m = read_motion(file, {.absent = absent});
+    for (std::size_t i = 1; i < m.frames.size(); ++i)
+        require(m.frames[i - 1].number < m.frames[i].number, "numbers of frames ascend");
+    check_motion(file, m, {.absent = absent});
+}
+
+void dump(const fs::path& file) { check_motion(file, read_motion(file), {}); }
 
 void check_closed(const Triangle_surface& s) {
     require(finite(s.points) && distinct(s.points), "points finite and distinct");
@@ -181,11 +200,18 @@ void image(const fs::path& file) {
     for (const double length : i.spacing) require(length > 0 && std::isfinite(length), "positive lengths");
 }
 
+void picture(const fs::path& file) {
+    const Gray_image i = read_gray_image(file);
+    require(i.value.size() == i.width * i.height && !i.value.empty(), "a value for every pixel");
+    require(std::all_of(i.value.begin(), i.value.end(), [&](std::uint16_t v) { return v <= i.white; }),
+            "no value above white");
+}
+
 struct Kind {
     const char* extension;
     void (*read)(const fs::path&);
 };
-constexpr Kind kinds[16] = {
+constexpr Kind kinds[] = {
     {".xyz", points},                         // A
     {".csv", points},                         // B
     {".off", points},                         // C
@@ -202,7 +228,12 @@ constexpr Kind kinds[16] = {
     {".mesh", mesh},                          // N
     {".inr", image},                          // O
     {".xyz.gz", points},                      // P: the bytes are the packed ones
+    {".lammpstrj", points},                   // Q
+    {".dump", dump},                          // R
+    {".pgm", picture},                        // S
+    {".png", picture},                        // T
 };
+constexpr unsigned packed_bytes = 15;
 
 std::string gzip(std::string_view text) {
     z_stream s{};
@@ -255,8 +286,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     const std::string_view content(reinterpret_cast<const char*>(data) + 1, size - 1);
     const unsigned letter = data[0] - unsigned{'A'};
-    const Kind& kind = kinds[letter % 16];
-    const bool packed = (letter & 32) != 0 && letter % 16 != 15;
+    const auto which = static_cast<unsigned>(letter % 32 % std::size(kinds));
+    const Kind& kind = kinds[which];
+    const bool packed = (letter & 32) != 0 && which != packed_bytes;
     const fs::path file = scratch.file(std::string("a") + kind.extension + (packed ? ".gz" : ""),
                                        packed ? gzip(content) : std::string(content));
     Memory::reset();
@@ -265,8 +297,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const Input_error& error) {
         check_error(error, file, content.size());
     }
-    // gzip packs a thousand bytes into one at the best.
-    const std::size_t most = (std::size_t{1} << 20) + (letter % 16 == 15 ? 100'000 : 200) * size;
+    // Deflate packs a thousand bytes into one at the best, or eight thousand pixels of a bit each.
+    const bool deflated = which == packed_bytes || std::string_view(kind.extension) == ".png";
+    const std::size_t most = (std::size_t{1} << 20) + (deflated ? 100'000 : 200) * size;
     if (Memory::peak > most) {
         std::cerr << "// " << Memory::peak << " bytes of memory for " << size << " bytes of input\n";
         std::abort();

@@ -44,7 +44,7 @@ class MovingDelaunay(Readings):
     second_look : str, optional
         In the plane, a cheap test before a certificate is evaluated: ``off``, ``unequal`` or ``safe-region``.
     report_changes : bool, optional
-        Whether reports list `changed_simplices`.
+        Whether reports list `changed_simplices` and `removed_simplices`.
     seed : int, optional
         Of the sample that ``hybrid`` draws.
 
@@ -118,7 +118,7 @@ class MovingDelaunay(Readings):
         Returns
         -------
         MoveReport
-            What became of the vertices, what was computed, and the simplices that may be new.
+            What became of the vertices, what was computed, and the simplices that came and went.
 
         Raises
         ------

@@ -99,8 +99,8 @@ py::tuple run(const py::object& points, const std::string& density_name, const p
         if (!domain) domain = Domain_2::convex_hull_of(x);
     }
     const auto& box = domain->bounding_box();
-    if (density == Density::sin2 && std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]) > 20000)
-        throw Error(Error_code::usage, "density sin2 takes domains up to 20000 wide; its rings are 3.1 apart");
+    if (density == Density::sin2 && std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]) > 1000)
+        throw Error(Error_code::usage, "density sin2 takes domains up to 1000 wide; its rings are 3.1 apart");
     History history;
     {
         const py::gil_scoped_release without_gil;

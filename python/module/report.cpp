@@ -59,25 +59,37 @@ std::uint64_t value(const Field& field, const Move_report& report) {
     return field.of(const_cast<Move_report&>(report));
 }
 
-}  // namespace
-
-Report::Report(Move_report report, int d, bool lists_changes) : d_(d), lists_changes_(lists_changes) {
-    // Cells at infinity, and those of flat sets, are no simplices.
+/// Cells at infinity, and those of flat sets, are no simplices.
+void keep_simplices(std::vector<Index>& cells, int d) {
     const auto width = static_cast<std::ptrdiff_t>(d + 1);
-    auto kept = report.changed.begin();
-    for (auto cell = report.changed.begin(); cell != report.changed.end(); cell += width)
+    auto kept = cells.begin();
+    for (auto cell = cells.begin(); cell != cells.end(); cell += width)
         if (std::all_of(cell, cell + width, [](Index v) { return v >= 0; })) {
             if (kept != cell) std::copy(cell, cell + width, kept);
             kept += width;
         }
-    report.changed.erase(kept, report.changed.end());
+    cells.erase(kept, cells.end());
+}
+
+std::vector<Index> simplices_of_state(const py::handle& state, int d) {
+    const py::array_t<Index, c_array> cells(py::reinterpret_borrow<py::object>(state));
+    if (cells.ndim() != 2 || cells.shape(1) != d + 1)
+        throw Error(Error_code::bad_input, "this is not the state of a report");
+    return {cells.data(), cells.data() + cells.size()};
+}
+
+}  // namespace
+
+Report::Report(Move_report report, int d, bool lists_changes) : d_(d), lists_changes_(lists_changes) {
+    keep_simplices(report.changed, d);
+    keep_simplices(report.gone, d);
     report_ = std::make_shared<const Move_report>(std::move(report));
 }
 
-py::object Report::changed_simplices() const {
+py::object Report::simplices(const std::vector<Index>& vertices) const {
     if (!lists_changes_) return py::none();
-    const auto m = static_cast<py::ssize_t>(report_->changed.size()) / (d_ + 1);
-    return view<Index>(report_->changed.data(), {m, d_ + 1}, report_);
+    const auto m = static_cast<py::ssize_t>(vertices.size()) / (d_ + 1);
+    return view<Index>(vertices.data(), {m, d_ + 1}, report_);
 }
 
 py::dict Report::as_dict() const {
@@ -98,10 +110,10 @@ py::str Report::repr() const {
     return text + ">";
 }
 
-py::tuple Report::state() const { return py::make_tuple(as_dict(), d_, changed_simplices()); }
+py::tuple Report::state() const { return py::make_tuple(as_dict(), d_, changed_simplices(), removed_simplices()); }
 
 Report Report::of_state(const py::tuple& state) {
-    if (state.size() != 3) throw Error(Error_code::bad_input, "this is not the state of a report");
+    if (state.size() != 4) throw Error(Error_code::bad_input, "this is not the state of a report");
     Move_report r;
     const auto numbers = state[0].cast<py::dict>();
     for (const Field& f : fields) f.of(r) = numbers[f.name].cast<std::uint64_t>();
@@ -110,10 +122,8 @@ Report Report::of_state(const py::tuple& state) {
     if (d != 2 && d != 3) throw Error(Error_code::bad_input, "this is not the state of a report");
     const bool lists_changes = !state[2].is_none();
     if (lists_changes) {
-        const py::array_t<Index, c_array> changed(state[2].cast<py::object>());
-        if (changed.ndim() != 2 || changed.shape(1) != d + 1)
-            throw Error(Error_code::bad_input, "this is not the state of a report");
-        r.changed.assign(changed.data(), changed.data() + changed.size());
+        r.changed = simplices_of_state(state[2], d);
+        r.gone = simplices_of_state(state[3], d);
     }
     return {std::move(r), d, lists_changes};
 }
@@ -121,7 +131,7 @@ Report Report::of_state(const py::tuple& state) {
 void add_report(py::module_& m) {
     py::class_<Report> report(m, "MoveReport", not_by_new(), R"(What a call of `MovingDelaunay.move` or `settle` did.
 
-Counts, and the simplices that may be new. `repr` shows the counts that are not 0, `as_dict` has all of them.)");
+Counts, and the simplices that came and went. `repr` shows the counts that are not 0, `as_dict` has all of them.)");
     for (const Field& f : fields)
         report.def_property_readonly(
             f.name, [&f](const Report& r) { return value(f, r.numbers()); }, f.doc);
@@ -131,10 +141,12 @@ Counts, and the simplices that may be new. `repr` shows the counts that are not 
             "float: what it cost, in simplices looked at, by prices that were measured.")
         .def_property_readonly(
             "changed_simplices", &Report::changed_simplices,
-            R"(ndarray of int32, shape (m, d + 1): simplices that may be new, as rows of vertex indices, positively oriented; read-only.
+            R"(ndarray of int32, shape (m, d + 1): simplices that there were not before, as rows of vertex indices, positively oriented; read-only.
 
-Under ``auto``, ``filter`` and ``filter-each`` those that changed, and all after a rebuild; under other strategies all, whatever changed. Where vertices go one
-after another some may be gone again. None with ``report_changes=False``; points that span no space have no simplices.)")
+None with ``report_changes=False``. Points that span no space have no simplices.)")
+        .def_property_readonly(
+            "removed_simplices", &Report::removed_simplices,
+            R"(ndarray of int32, shape (m, d + 1): simplices that there are no longer, likewise. None is in `changed_simplices` too, but for one that was turned over: its vertices are in both, in another order.)")
         .def("as_dict", &Report::as_dict, "dict: all counts by name.")
         .def("__repr__", &Report::repr)
         .def("__reduce__", [](const Report& r) {

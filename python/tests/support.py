@@ -47,6 +47,17 @@ def as_set(simplices):
     return {tuple(sorted(map(int, s))) for s in simplices}
 
 
+def as_oriented_set(simplices):
+    """Rows that are even permutations of one another are one simplex; odd ones are the one turned over."""
+
+    def one(row):
+        row = list(map(int, row))
+        swaps = sum(a > b for k, b in enumerate(row) for a in row[:k])
+        return swaps % 2, *sorted(row)
+
+    return {one(row) for row in simplices}
+
+
 def check(dt):
     """What holds whatever the points: exact audit, and arrays that say the same of one triangulation."""
     verdict = dt.audit()

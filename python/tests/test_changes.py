@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from support import STRATEGIES, as_set, check, points_of, repeats
+from support import STRATEGIES, as_oriented_set, as_set, check, points_of, repeats
 
 
 @pytest.mark.parametrize("d", [2, 3])
@@ -17,15 +17,15 @@ def test_reports_add_up(strategy, d):
     x = rng.random((120, d))
     dt = annulus.MovingDelaunay(x, strategy)
     for step in (1e-6, 1e-3, 0.03, 0.3):
-        before = as_set(dt.simplices)
+        before = as_oriented_set(dt.simplices)
         x = x + step * rng.standard_normal(x.shape) / 10
         r = dt.move(x)
         assert r.asked == 120
         assert r.within_tolerance + r.kept_in_place + r.flipped + r.reinserted + r.rebuilt == r.asked
-        now = as_set(dt.simplices)
-        changed = as_set(r.changed_simplices)
-        assert now - before <= changed, "what is new is listed"
-        assert changed <= now or strategy in ("filter-each", "in-place"), "and nothing that is gone, but where they go one by one"
+        now = as_oriented_set(dt.simplices)
+        assert as_oriented_set(r.changed_simplices) == now - before
+        assert as_oriented_set(r.removed_simplices) == before - now
+        assert len(r.changed_simplices) == len(now - before) and len(r.removed_simplices) == len(before - now), "each once"
         assert r.changed_simplices.shape[1] == d + 1 and not r.changed_simplices.flags.writeable
         assert r.as_dict()["asked"] == 120 and r.as_dict().keys() >= {"flips", "price", "exact"}
         assert "asked 120" in repr(r)
@@ -59,7 +59,8 @@ def test_simplices_are_those_of_now():
 
 def test_changed_simplices_can_be_left_out():
     dt = annulus.MovingDelaunay(np.random.default_rng(0).random((50, 2)), report_changes=False)
-    assert dt.move(dt.points + 0.1 * np.sin(7 * dt.points[:, ::-1])).changed_simplices is None
+    report = dt.move(dt.points + 0.1 * np.sin(7 * dt.points[:, ::-1]))
+    assert report.changed_simplices is None and report.removed_simplices is None
 
 
 def test_vacant_indices():

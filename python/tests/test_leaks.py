@@ -19,7 +19,7 @@ def resident():
 def everything(dt, x, rng):
     """A call of all there is."""
     report = dt.move(x)
-    _ = report.changed_simplices, report.as_dict(), repr(report), repr(dt)
+    _ = report.changed_simplices, report.removed_simplices, report.as_dict(), repr(report), repr(dt)
     _ = dt.points, dt.simplices, dt.neighbors, dt.convex_hull, dt.vertex_neighbor_vertices, dt.vertex_to_simplex, dt.is_vertex
     _ = dt.tolerances, dt.theta, dt.displacements, dt.find_simplex(x[:5]), dt.flat_simplices, dt.voronoi_volumes()
     _ = dt.move(x[:3].astype(np.float32), indices=[0, 1, 2])

@@ -93,6 +93,7 @@ def test_reports():
     report = dt.move(points_of("uniform", 50, 3, 1))
     other = pickle.loads(pickle.dumps(report))
     assert other.as_dict() == report.as_dict() and np.array_equal(other.changed_simplices, report.changed_simplices)
+    assert np.array_equal(other.removed_simplices, report.removed_simplices)
 
 
 def test_what_is_no_state():

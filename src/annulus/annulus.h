@@ -94,7 +94,8 @@ typedef struct annulus_report {
 // The verdict of an audit; `size` as above.
 typedef struct annulus_audit_result {
     size_t size;
-    int32_t delaunay;  // 1: shown exactly that the cells are a Delaunay triangulation of the vertices where they are now. 0: not
+    int32_t
+        delaunay;  // 1: shown exactly that the cells are a Delaunay triangulation of the vertices where they are now. 0: not
     int32_t reserved;
     uint64_t inverted_cells;
     uint64_t violated_facets;
@@ -193,8 +194,9 @@ ANNULUS_API int annulus_index_of_input(const annulus_mesh* mesh, size_t capacity
 // Errors: WRONG_SIZE, NO_MEMORY.
 ANNULUS_API int annulus_cells(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, int32_t* neighbours,
                               size_t* count);
-// With options.report_changes: cells that the last call that changed the mesh may have made, as vertices, -1 for the one at infinity:
-// all that are new are among them (all finite ones after a rebuild). O(list). Errors: WRONG_SIZE; USAGE without that option.
+// With options.report_changes: the cells that the last call that changed the mesh made, as vertices, -1 for the one at infinity; a call that is several
+// (annulus_insert, annulus_remove) may name one that is gone again. All finite ones where all points are, or were, in a plane or on a line. O(list).
+// Errors: WRONG_SIZE; USAGE without that option.
 ANNULUS_API int annulus_changed(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count);
 
 // The exact verdict, in integers, trusting nothing of the above. Some microseconds a vertex. Errors: USAGE, NO_MEMORY.

@@ -105,24 +105,7 @@ auto Moving_mesh<d>::points() const -> std::span<const Point> {
 
 template <int d>
 Mesh_cells<d> Moving_mesh<d>::cells() const {
-    Mesh_cells<d> out;
-    std::vector<Index> corners;
-    parts_->embedding.list_cells(corners);
-    const std::size_t cells = corners.size() / (d + 1);
-    out.vertices.resize(cells);
-    for (std::size_t c = 0; c < cells; ++c) std::copy_n(&corners[c * (d + 1)], d + 1, out.vertices[c].begin());
-    out.neighbours.resize(cells);
-    for (auto& n : out.neighbours) n.fill(out.outside);
-    if (dimension() != d) return out;
-    const Cell_table<d>& t = parts_->embedding.table();
-    By_cell<Index> number(t.cell_bound().offset(), out.outside);  // as list_cells counts them
-    Index next = 0;
-    for (const Cell_index c : t.finite_cells()) number[c] = next++;
-    for (const Cell_index c : t.finite_cells()) {
-        auto& around = out.neighbours[static_cast<std::size_t>(number[c])];
-        for (int i = 0; i <= d; ++i) around[static_cast<std::size_t>(i)] = number[t.cell_of(t.twin(t.corner(c, i)))];
-    }
-    return out;
+    return parts_->engine.cells();
 }
 
 template <int d>

@@ -20,7 +20,6 @@ TEST_CASE("linear bins are half open but the last") {
     CHECK(std::vector<std::uint64_t>(h.counts().begin(), h.counts().end()) == std::vector<std::uint64_t>{1, 2, 0, 2});
     CHECK(h.underflow() == 2);
     CHECK(h.overflow() == 1);
-    CHECK(h.not_a_number() == 1);
     CHECK(h.total() == 8);
     CHECK(h.min() == -inf);
     CHECK(h.max() == 1.5);
@@ -38,44 +37,35 @@ TEST_CASE("logarithmic bins have equal ratios, and zero is underflow") {
     CHECK(h.counts()[5] == 1);
     CHECK(h.underflow() == 2);
     CHECK(h.overflow() == 1);
-    CHECK(h.mean() == Approx((0 - 5 + 2 + 3 + 1e3 + 1e4) / 6));
 }
 
-TEST_CASE("a histogram without samples has no mean") {
+TEST_CASE("a histogram without samples has no least and no greatest") {
     const Histogram h = Histogram::linear(0, 1, 1);
-    CHECK(std::isnan(h.mean()));
     CHECK(std::isnan(h.min()));
     CHECK(std::isnan(h.max()));
     CHECK(h.share(0) == 0);
 }
 
-TEST_CASE("every sample is counted where the edges say, and histograms add up") {
+TEST_CASE("every sample is counted where the edges say") {
     CHECK(rc::check("counts match the edges", [] {
         const bool logarithmic = *rc::gen::arbitrary<bool>();
         const auto bins = *rc::gen::inRange<std::size_t>(1, 30);
         Histogram a = logarithmic ? Histogram::log10(1e-3, 70, bins) : Histogram::linear(-0.3, 70, bins);
-        Histogram b = a;
-        Histogram both = a;
         std::vector<double> samples = *rc::gen::arbitrary<std::vector<double>>();
         samples.insert(samples.end(), a.edges().begin(), a.edges().end());
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            (i % 3 == 0 ? a : b).add(samples[i]);
-            both.add(samples[i]);
-        }
-        a += b;
+        a.add(samples);
         for (std::size_t i = 0; i < bins; ++i) {
             const bool last = i + 1 == bins;
             const auto expected = std::count_if(samples.begin(), samples.end(), [&](double s) {
                 return s >= a.edges()[i] && (s < a.edges()[i + 1] || (last && s == a.edges()[i + 1]));
             });
             RC_ASSERT(a.counts()[i] == static_cast<std::uint64_t>(expected));
-            RC_ASSERT(both.counts()[i] == a.counts()[i]);
         }
         RC_ASSERT(a.total() == samples.size());
         RC_ASSERT(a.total() == a.underflow() + a.overflow() +
                                    std::accumulate(a.counts().begin(), a.counts().end(), std::uint64_t{0}));
-        RC_ASSERT(a.min() == both.min());
-        RC_ASSERT(a.max() == both.max());
+        RC_ASSERT(a.min() == *std::min_element(samples.begin(), samples.end()));
+        RC_ASSERT(a.max() == *std::max_element(samples.begin(), samples.end()));
     }));
 }
 
@@ -86,8 +76,6 @@ TEST_CASE("histograms that cannot be are refused") {
     CHECK_THROWS_AS(Histogram::linear(0, 1, 0), Error);
     CHECK_THROWS_AS(Histogram::linear(1, std::nextafter(1, 2), 3), Error);
     CHECK_THROWS_AS(Histogram::log10(0, 1, 3), Error);
-    Histogram h = Histogram::linear(0, 1, 3);
-    CHECK_THROWS_AS(h += Histogram::linear(0, 2, 3), Error);
 }
 
 TEST_CASE("quantiles interpolate between order statistics") {
@@ -99,12 +87,12 @@ TEST_CASE("quantiles interpolate between order statistics") {
     CHECK_THROWS_AS(quantiles({1}, std::vector<double>{1.5}), Error);
 }
 
-TEST_CASE("resident memory grows with what is touched") {
-    const Resident_memory before = resident_memory();
-    if (before.current == 0) return;  // a system that does not say
+TEST_CASE("the peak of memory grows with what is touched") {
+    const std::uint64_t before = peak_resident_memory();
+    if (before == 0) return;  // a system that does not say
     std::vector<char> block(64u << 20, 'x');
-    const Resident_memory after = resident_memory();
     CHECK(block[block.size() / 2] == 'x');
-    CHECK(after.current >= before.current + (60u << 20));
-    CHECK(after.peak >= after.current);
+    CHECK(peak_resident_memory() >= (60u << 20));
+    CHECK(peak_resident_memory() >= before);
+    CHECK(before < (std::uint64_t{1} << 40));
 }

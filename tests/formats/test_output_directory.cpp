@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include <csignal>
+#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -266,4 +267,31 @@ TEST_CASE("where the disk ends nothing is left of what was begun", "[io][output]
     std::signal(SIGXFSZ, ignored);
     CHECK(entries(directory.path() / "out") == 1);
     CHECK(directory.entries() == 1);
+}
+
+TEST_CASE("files written bit by bit elsewhere are taken over", "[io][output]") {
+    const Temporary_directory directory;
+    const fs::path at = directory.path() / "out";
+    Output_directory scratch(at, is_result, false);
+    { std::ofstream(scratch.path_of("a")) << "bit by bit"; }
+    scratch.write("b", "at once");
+    CHECK_THROWS_AS((void)scratch.path_of("b"), Error);
+    CHECK_THROWS_AS((void)scratch.path_of("../c"), Error);
+    Output_directory out(at, is_result, false);
+    out.write("c", "own");
+    out.take(scratch);
+    CHECK_THROWS_AS(out.write("a", "again"), Error);
+    CHECK_FALSE(fs::exists(at));
+    out.commit();
+    CHECK(entries(at) == 3);
+    CHECK(content_of(at / "a") == "bit by bit");
+    CHECK(content_of(at / "b") == "at once");
+    // What is taken where something of that name is, is refused, and nothing is lost on either side.
+    Output_directory first(directory.path() / "other", is_result, false),
+        second(directory.path() / "other", is_result, false);
+    first.write("a", "first");
+    second.write("a", "second");
+    CHECK_THROWS_AS(first.take(second), Error);
+    first.commit();
+    CHECK(content_of(directory.path() / "other" / "a") == "first");
 }

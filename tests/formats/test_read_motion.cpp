@@ -25,7 +25,7 @@ using Numbers = std::vector<std::uint64_t>;
 Recorded_motion accept(const std::string& name, std::string_view content,
                        Absent_frames absent = Absent_frames::refuse) {
     const Temporary_directory directory;
-    return read_motion(directory.file(name, content), absent);
+    return read_motion(directory.file(name, content), {.absent = absent});
 }
 
 void refuse(const std::string& name, std::string_view content, std::uint64_t line, const std::string& fault,
@@ -154,7 +154,7 @@ TEST_CASE("frames without points are frames", "[io][motion]") {
         CHECK(motion.frames[i].position.size() == counts[i]);
         CHECK(motion.frames[i].number == i);
     }
-    CHECK(points_of<2>(motion, motion.frames[0], Coincident::refuse).x.empty());
+    CHECK(points_of<2>(motion.name, motion.frames[0], Coincident::refuse).x.empty());
     refuse("a.xyz", "0\n\n0\n\n", 1, "has no points in any frame");
     refuse("a.xyz", "\n# nothing\n", 1, "has no frames");
     refuse("a.csv", "frame,id,x,y\n", 1, "has no frames");
@@ -168,7 +168,7 @@ TEST_CASE("frames that are absent from CSV are refused, empty or skipped", "[io]
     CHECK(accept("a.csv", "frame,id,x,y\n4,1,0,0\n90,1,1,0\n").frames.size() == 2);
     const std::string gap = even + "60,7,3,0\n70,1,3,0\n1000000000000000000,1,3,0\n";
     refuse("a.csv", gap, 6, "frame 60 after frame 30, where others are 10 apart");
-    refuse("a.csv", "frame,id,x,y\n0,1,0,0\n2,1,0,0\n3,1,0,0\n", 3, "frame 2 after frame 0, where others are 1 apart");
+    refuse("a.csv", "frame,id,x,y\n0,1,0,0\n2,1,0,0\n3,1,0,0\n", 4, "frame 3 after frame 2, where others are 2 apart");
     const auto numbers = [](const Recorded_motion& motion) {
         Numbers n;
         for (const Frame& f : motion.frames) n.push_back(f.number);
@@ -186,20 +186,20 @@ TEST_CASE("points of a frame at one place are refused or merged", "[io][motion]"
     const Recorded_motion motion =
         accept("a.csv", "frame,id,x,y,z\n3,8,0,0,1\n3,5,1,1,0\n3,2,-0,0,1\n3,9,0,0,1\n3,1,0,0,2\n");
     const Frame& frame = motion.frames[0];
-    const auto space = points_of<3>(motion, frame, Coincident::merge);
+    const auto space = points_of<3>(motion.name, frame, Coincident::merge);
     CHECK(space.id == Numbers{1, 2, 5});
     CHECK(space.x == Points_3{{0, 0, 2}, {0, 0, 1}, {1, 1, 0}});
     CHECK_FALSE(std::signbit(space.x[1][0]));
     CHECK(space.merged == 2);
-    const auto plane = points_of<2>(motion, frame, Coincident::merge);
+    const auto plane = points_of<2>(motion.name, frame, Coincident::merge);
     CHECK(plane.id == Numbers{1, 5});
     CHECK(plane.merged == 3);
     expect_fault(
         motion.name, 2, "in frame 3 the point of id 8 is where that of id 2 is (line 4)",
-        [&](const auto&) { (void)points_of<3>(motion, frame, Coincident::refuse); }, Error_code::collision);
+        [&](const auto&) { (void)points_of<3>(motion.name, frame, Coincident::refuse); }, Error_code::collision);
     const Recorded_motion far = accept("a.csv", "frame,id,x,y\n3,8,0,0\n3,5,1e200,1\n");
     expect_fault(
-        far.name, 3, "out of domain", [&](const auto&) { (void)points_of<2>(far, far.frames[0], Coincident::merge); },
+        far.name, 3, "out of domain", [&](const auto&) { (void)points_of<2>(far.name, far.frames[0], Coincident::merge); },
         Error_code::out_of_domain);
 }
 

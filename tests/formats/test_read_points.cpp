@@ -109,12 +109,21 @@ TEST_CASE("what gzip packed is read in every format, damaged or cut off it is re
     const auto many = accept<2>("a.xyz.gz", gzip(long_text.substr(0, 100'000)) + gzip(long_text.substr(100'000)));
     REQUIRE(many.points.size() == 40'000);
     CHECK(many.points.back() == Coordinates<2>{39'999, 39'999 * 7919 % 40'000});
+    // What is packed has lines, too: a fault is in the first that is not whole.
     const std::string packed = gzip(long_text);
-    expect_fault(directory.file("a.xyz.gz", packed.substr(0, packed.size() / 2)), 0, "is cut off", read);
-    expect_fault(directory.file("a.xyz.gz", packed.substr(0, packed.size() - 1)), 0, "is cut off", read);
-    expect_fault(directory.file("a.xyz.gz", packed.substr(0, 1)), 0, "is cut off", read);
-    expect_fault(directory.file("a.xyz.gz", packed + "and more"), 0, "damaged", read);
-    expect_fault(directory.file("a.xyz.gz", "1 2\n"), 0, "no gzip file", read);
+    try {
+        read(directory.file("a.xyz.gz", packed.substr(0, packed.size() / 2)));
+        FAIL("was accepted");
+    } catch (const Input_error& error) {
+        CHECK(error.fault() == "is cut off");
+        CHECK(error.line() > 10'000u);
+        CHECK(error.line() < 30'000u);
+    }
+    expect_fault(directory.file("a.xyz.gz", packed.substr(0, packed.size() - 1)), 40'001, "is cut off", read);
+    expect_fault(directory.file("a.xyz.gz", packed.substr(0, 1)), 1, "is cut off", read);
+    expect_fault(directory.file("a.xyz.gz", packed + "and more"), 40'001, "damaged", read);
+    expect_fault(directory.file("a.off.gz", packed.substr(0, packed.size() / 2)), 0, "is cut off", read);
+    expect_fault(directory.file("a.xyz.gz", "1 2\n"), 1, "no gzip file", read);
     expect_fault(directory.file("a.xyz.gz", ""), 1, "is empty", read);
     expect_fault(directory.file("a.xyz.gz", gzip("")), 1, "is empty", read);
     expect_fault(directory.file("a.gz", gzip("1 2\n")), 0, "has no extension", read);
@@ -126,7 +135,15 @@ TEST_CASE("a small file that unpacks without end is refused before it fills the 
     const std::string member = gzip(std::string(1 << 20, '\n'));
     for (int i = 0; i < 100; ++i) bomb += member;
     bomb.back() ^= 1;  // not looked at
-    refuse<2>("a.xyz.gz", bomb, 0, "more than 100 times its size");
+    refuse<2>("a.off.gz", bomb, 0, "more than 100 times its size");
+    const Temporary_directory directory;
+    try {
+        (void)read_points<2>(directory.file("a.xyz.gz", bomb));
+        FAIL("was accepted");
+    } catch (const Input_error& error) {
+        CHECK(error.fault() == "grows to more than 100 times its size");
+        CHECK(error.line() > std::uint64_t{64} << 20);  // these lines are empty
+    }
 }
 
 TEST_CASE("off: comments, counts on the first line, variants with more columns, faces") {

@@ -2,13 +2,17 @@
 #include "well_formed.h"
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/report/summary.h>
 #include <annulus/formats/write_csv.h>
 #include <annulus/formats/write_json.h>
+#include <annulus/formats/write_pvd.h>
 #include <annulus/formats/write_vtu.h>
+#include <annulus/report/summary.h>
+
+#include <zlib.h>
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cstring>
 #include <limits>
 
@@ -33,16 +37,33 @@ std::string decoded_base64(std::string_view text) {
     return out;
 }
 
-/// The values of one DataArray, whose bytes begin with their number.
+/// The values of one DataArray: how many blocks, the size of one, that of the last if it is less, their packed sizes; and the blocks.
 template <class T>
 std::vector<T> array(const std::string& vtu, const std::string& name) {
-    const std::string bytes = decoded_base64(element_content(vtu, "Name=\"" + name + "\""));
-    std::uint64_t size = 0;
-    REQUIRE(bytes.size() >= sizeof size);
-    std::memcpy(&size, bytes.data(), sizeof size);
-    REQUIRE(bytes.size() == sizeof size + size);
-    std::vector<T> values(size / sizeof(T));
-    if (size > 0) std::memcpy(values.data(), bytes.data() + sizeof size, size);
+    const std::string text = element_content(vtu, "Name=\"" + name + "\"");
+    const std::string begin = decoded_base64(text.substr(0, 32));
+    std::array<std::uint64_t, 3> head{};
+    REQUIRE(begin.size() == 24);
+    std::memcpy(head.data(), begin.data(), 24);
+    const std::size_t header = 8 * (3 + head[0]), encoded = (header + 2) / 3 * 4;
+    const std::string lengths = decoded_base64(text.substr(0, encoded));
+    REQUIRE(lengths.size() == header);
+    std::string packed = decoded_base64(text.substr(encoded)), bytes;
+    for (std::uint64_t i = 0; i < head[0]; ++i) {
+        std::uint64_t length = 0;
+        std::memcpy(&length, lengths.data() + 24 + 8 * i, 8);
+        REQUIRE(packed.size() >= length);
+        std::string block(i + 1 == head[0] && head[2] != 0 ? head[2] : head[1], '\0');
+        uLongf size = block.size();
+        REQUIRE(uncompress(reinterpret_cast<Bytef*>(block.data()), &size, reinterpret_cast<const Bytef*>(packed.data()),
+                           length) == Z_OK);
+        REQUIRE(size == block.size());
+        bytes += block;
+        packed.erase(0, length);
+    }
+    REQUIRE(packed.empty());
+    std::vector<T> values(bytes.size() / sizeof(T));
+    if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
     return values;
 }
 
@@ -94,6 +115,14 @@ TEST_CASE("vtu: well formed, with every value bit for bit") {
     CHECK(array<std::uint8_t>(solid, "types") == std::vector<std::uint8_t>{10});
     CHECK(array<double>(solid, "Points").at(11) == 1);
     CHECK(well_formed(write_vtu<3>({}, {})));
+    // More than one block, and blocks that are full to the last byte.
+    for (const std::size_t n : {std::size_t{1} << 15, (std::size_t{1} << 16) + 3}) {
+        std::vector<double> many(n);
+        for (std::size_t i = 0; i < n; ++i) many[i] = 0.1 * static_cast<double>(i);
+        const std::vector<Coordinates<2>> cloud(n);
+        const std::vector<Vtu_field> of_cloud{{"many", many}};
+        CHECK(array<double>(write_vtu<2>(cloud, {}, of_cloud), "many") == many);
+    }
 }
 
 TEST_CASE("vtu: fields of a wrong size and cells that name no point are refused") {
@@ -177,4 +206,12 @@ TEST_CASE("iterations.csv has a row for each step and empty cells for what was n
           "rebuilt,filter,interval,exact,certificates_evaluated,flips\n"
           "1,0.5,0.25,0.5,0.125,2,,,,10,5,4,3,2,1,0,0,0,77,8\n"
           "2,0.5,0.25,0.5,0.125,2,0.1,,1e-09,10,5,4,3,2,1,0,0,0,77,8\n");
+}
+
+TEST_CASE("write_pvd names the files of a series and their times", "[io][write]") {
+    const std::vector<Pvd_entry> series{{"frame-000000.vtu", 0}, {"a & b.vtu", 120}};
+    const std::string pvd = write_pvd(series);
+    CHECK(well_formed(pvd));
+    CHECK(pvd.find("timestep=\"120\" part=\"0\" file=\"a &amp; b.vtu\"") != std::string::npos);
+    CHECK(well_formed(write_pvd({})));
 }

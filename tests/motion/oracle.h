@@ -52,15 +52,17 @@ inline const std::vector<Point>& gauss5() {
 }
 
 /// Adds the moments about c of the triangle c + (p, q, r), cut into quarters until its sides are at most `size`.
-inline void add_triangle(Moments& sum, Density kind, Point c, Point p, Point q, Point r, Real size) {
+/// `density` is a function of x and y.
+template <class At>
+void add_triangle(Moments& sum, const At& density, Point c, Point p, Point q, Point r, Real size) {
     const auto side = [](Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); };
     if (std::max({side(p, q), side(q, r), side(r, p)}) > size) {
         const auto mid = [](Point a, Point b) { return Point{(a.x + b.x) / 2, (a.y + b.y) / 2}; };
         const Point pq = mid(p, q), qr = mid(q, r), rp = mid(r, p);
-        add_triangle(sum, kind, c, p, pq, rp, size);
-        add_triangle(sum, kind, c, q, qr, pq, size);
-        add_triangle(sum, kind, c, r, rp, qr, size);
-        add_triangle(sum, kind, c, pq, qr, rp, size);
+        add_triangle(sum, density, c, p, pq, rp, size);
+        add_triangle(sum, density, c, q, qr, pq, size);
+        add_triangle(sum, density, c, r, rp, qr, size);
+        add_triangle(sum, density, c, pq, qr, rp, size);
         return;
     }
     const Real twice = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
@@ -69,7 +71,7 @@ inline void add_triangle(Moments& sum, Density kind, Point c, Point p, Point q, 
             // p + s (q - p) + s t (r - q), Jacobian s
             const Real x = p.x + s.x * (q.x - p.x) + s.x * t.x * (r.x - q.x);
             const Real y = p.y + s.x * (q.y - p.y) + s.x * t.x * (r.y - q.y);
-            const Real w = twice * s.x * s.y * t.y * density(kind, c.x + x, c.y + y);
+            const Real w = twice * s.x * s.y * t.y * density(c.x + x, c.y + y);
             sum.mass += w, sum.x += w * x, sum.y += w * y, sum.second += w * (x * x + y * y);
         }
 }
@@ -79,7 +81,9 @@ inline Moments polygon(Density kind, Coordinates<2> c, const std::vector<Coordin
     Moments sum;
     const auto point = [](Coordinates<2> p) { return Point{p[0], p[1]}; };
     for (std::size_t i = 1; i + 1 < offset.size(); ++i)
-        add_triangle(sum, kind, point(c), point(offset[0]), point(offset[i]), point(offset[i + 1]), size);
+        add_triangle(
+            sum, [kind](Real x, Real y) { return density(kind, x, y); }, point(c), point(offset[0]), point(offset[i]),
+            point(offset[i + 1]), size);
     return sum;
 }
 

@@ -199,7 +199,7 @@ class Pages(unittest.TestCase):
 
     def slide(self, page, slider):
         """Each end, the middle and a step by the keyboard show another picture, and the same place the same one."""
-        picture = "[...document.querySelectorAll('svg,canvas')].map(e => e.toDataURL ? e.toDataURL() : e.outerHTML).join()"
+        picture = "[...document.querySelectorAll('svg,canvas')].filter(e => e.checkVisibility()).map(e => e.toDataURL ? e.toDataURL() : e.outerHTML).join()"
         low, high = (float(page.evaluate(f"{slider}.{end}")) for end in ("min", "max"))
         self.assertLess(low, high)
 

@@ -231,6 +231,9 @@ TEST_CASE("a linear axis has ticks at steps of one, two or five") {
     CHECK(labels(10) == "0 2 4 6 8 10 ");
     CHECK(labels(22) == "0 5 10 15 20 25 ");
     CHECK(labels(40) == "0 10 20 30 40 ");
+    const Axis_range none_at_all({"", Scale::linear, 0.}, {0, 0, 0});  // counts
+    CHECK(none_at_all.ticks().front().label == "0");
+    CHECK(none_at_all.ticks().back().label == "1.0");
 }
 
 TEST_CASE("numbers for people do not follow the locale of the host", "[io][report]") {
@@ -257,4 +260,53 @@ TEST_CASE("numbers for people do not follow the locale of the host", "[io][repor
     CHECK(word == "0.0125");
     CHECK(large == readable(1.25e9));
     CHECK(ticks == report_html(full_report()));
+}
+
+TEST_CASE("A film never has more than its most pictures, the first and the last among them", "[report]") {
+    for (const std::uint64_t frames : {1, 2, 39, 40, 41, 80, 81, 1000}) {
+        Film film;
+        std::uint64_t asked = 0;
+        for (std::uint64_t i = 0; i < frames; ++i) {
+            if (!film.wants(i)) continue;
+            ++asked;
+            Picture picture = grid(3);
+            picture.caption = "Frame " + std::to_string(i) + " & <so on>";
+            film.add(i, std::move(picture));
+        }
+        Picture last = grid(3);
+        last.caption = "Frame " + std::to_string(frames - 1) + " & <so on>";
+        film.add(frames - 1, std::move(last), true);
+        const std::string html = film.html();
+        INFO(frames << " frames");
+        CHECK(well_formed("<div>" + html.substr(0, html.find("<script>")) + "</div>"));
+        const std::size_t shown = occurrences(html, "<svg");
+        CHECK(shown <= Film::most_pictures);
+        CHECK(shown >= std::min<std::uint64_t>(frames, Film::most_pictures / 2));
+        CHECK(asked <= 1000);
+        CHECK(contains(html, "Frame 0 &amp; &lt;so on>") + contains(html, "Frame 0 &amp; &lt;so on&gt;") == 1);
+        CHECK(contains(html, "Frame " + std::to_string(frames - 1) + " &amp;"));
+        CHECK(contains(html, "max=\"" + std::to_string(shown - 1) + "\""));
+        CHECK(contains(html,
+                       shown == frames ? "All " + grouped(frames) + " frames" : "of " + grouped(frames) + " frames"));
+    }
+}
+
+TEST_CASE("Of many vertices a film has a part", "[report]") {
+    Film film;
+    film.add(0, grid(100));
+    film.add(1, grid(100), true);
+    const std::string html = film.html();
+    CHECK(contains(html, "a window in the middle"));
+    CHECK(contains(html, "10,000 vertices"));
+    CHECK(html.size() < 300'000);
+}
+
+TEST_CASE("A page with a film has a slider, and fetches nothing", "[report]") {
+    Report report = full_report();
+    CHECK_FALSE(contains(report_html(report), "type=\"range\""));
+    report.film.add(0, grid(3));
+    report.film.add(1, grid(4), true);
+    const std::string html = report_html(report);
+    CHECK(contains(html, "type=\"range\""));
+    for (const char* what : {"http:", "https:", "src=", "href=", "import ", "url("}) CHECK_FALSE(contains(html, what));
 }

@@ -29,7 +29,7 @@ TEST_CASE("a flat cell is a sliver", "[statistics][mesh]") {
     const std::vector<Coordinates<3>> x{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}};
     const Mesh_quality q = mesh_quality(linked({{0, 1, 2, 3}}, 4), std::vector<char>{1}, x);
     CHECK(q.slivers == 1);
-    CHECK(q.dihedral.not_a_number() > 0);
+    CHECK(q.dihedral.total() < 6);  // not all angles are numbers
 }
 
 TEST_CASE("a cell is a sliver by one obtuse angle alone", "[statistics][mesh]") {

@@ -9,7 +9,7 @@ import tool
 from tool import STRATEGIES, TRIANGLE, ToolTest
 
 
-SUBCOMMANDS = {"lloyd", "nodt", "replay", "compare", "audit", "degeneracy", "counterexample"}
+SUBCOMMANDS = {"lloyd", "nodt", "replay", "compare", "audit", "degeneracy", "generate", "counterexample"}
 
 
 class Usage(ToolTest):
@@ -44,7 +44,8 @@ class Usage(ToolTest):
         self.succeed("replay", "motion.csv", *common, "replay")
         self.xyz("three.xyz", TRIANGLE)
         self.succeed("degeneracy", "three.xyz", *common, "degeneracy")
-        for name in SUBCOMMANDS - {"audit", "counterexample"}:
+        self.succeed("generate", "grid", "--points", "9", *common, "points.csv")
+        for name in SUBCOMMANDS - {"audit", "generate", "counterexample"}:
             self.assertTrue((self.here / name).is_dir(), name)
         done = self.succeed("audit", "lloyd/final.mesh", *common, "audit")
         self.assertEqual((done.stdout, done.stderr), ("", ""))
@@ -75,6 +76,12 @@ class Usage(ToolTest):
             ["lloyd", "--points", "10", "--input", "three.xyz"],
             ["lloyd", "--points", "10", "--ignore-z"],
             ["lloyd", "--points", "10", "--density", "x3"],
+            ["lloyd", "--points", "10", "--density", "photo.jpg"],
+            ["lloyd", "--points", "10", "--invert"],
+            ["lloyd", "--points", "10", "--dots", "cells"],
+            ["lloyd", "--points", "10", "--density", "a.pgm", "--domain", "disc"],
+            ["lloyd", "--points", "10", "--density", "a.pgm", "--radius", "2"],
+            ["lloyd", "--points", "10", "--density", "a.pgm", "--dots", "round"],
             ["lloyd", "--points", "10", "--strategy", "magic"],
             ["lloyd", "--points", "10", "--tolerance", "magic"],
             ["lloyd", "--points", "10", "--threads", "0"],

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What every test of the built tool shares: running it in a directory of its own, and looking at what comes out."""
 
+import base64
 import json
 import os
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
+import zlib
 from pathlib import Path
 
 OPTIONS = {}  # given on the command line; "tool" always
@@ -23,6 +27,26 @@ SUMMARY_PLAIN = {"command", "dimension", "vertices", "iterations", "strategy", "
 TRIANGLE = [(0, 0), (1, 0), (0, 1)]
 GRID = [(x, y) for x in range(6) for y in range(6)]
 SPREAD = [(0, 0), (1, 0.125), (0.25, 1), (0.75, 0.875), (0.5, 0.375)]
+
+
+def vtu_values(file, name):
+    """The values of a DataArray of a .vtu file: base64 of the header, and of the packed blocks."""
+    root = xml.etree.ElementTree.parse(file).getroot()
+    assert root.get("compressor") == "vtkZLibDataCompressor" and root.get("header_type") == "UInt64"
+    array = next(a for a in root.iter("DataArray") if a.get("Name") == name)
+    text = array.text.strip()
+    blocks, size, last = struct.unpack("<3Q", base64.b64decode(text[:32])[:24])
+    length = (8 * (3 + blocks) + 2) // 3 * 4
+    lengths = struct.unpack(f"<{blocks}Q", base64.b64decode(text[:length])[24:])
+    packed = base64.b64decode(text[length:])
+    out = b""
+    for i, n in enumerate(lengths):
+        block = zlib.decompress(packed[:n])
+        packed = packed[n:]
+        assert len(block) == (last if i == blocks - 1 and last else size)
+        out += block
+    code = {"Float64": "d", "Int64": "q", "UInt8": "B"}[array.get("type")]
+    return struct.unpack(f"<{len(out) // struct.calcsize(code)}{code}", out)
 
 
 class ToolTest(unittest.TestCase):

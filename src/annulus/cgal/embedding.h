@@ -78,6 +78,8 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     void list_cells(std::vector<Index>& vertices) const override {
         for_each_finite_cell([&](const auto& cell) { vertices.insert(vertices.end(), cell.begin(), cell.end()); });
     }
+    void list_all_cells(std::vector<Index>& vertices) const override;
+    [[nodiscard]] Mesh_cells<d> cells(std::size_t bound) const override;
     [[nodiscard]] bool rebuild_sorts(std::span<const Coordinates<d>> x) const override { return order_.sorts(x); }
     [[nodiscard]] Sample sample(std::span<const Coordinates<d>> x, std::size_t count) const override;
     [[nodiscard]] double star_tolerance(std::span<const Coordinates<d>> home, Index v) const override;

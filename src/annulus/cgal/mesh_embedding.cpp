@@ -83,7 +83,7 @@ void Mesh_embedding<d>::rebuild(std::span<const Coordinates<d>> x) {
     if (tr.dimension() == d) Builder::copy(tr, x.size(), table, this->threads_);
     else Builder::list_flat(tr, flat);
     flat_cells_ = std::move(flat);
-    table_ = std::move(table);
+    table_.become(std::move(table));
     dimension_ = tr.dimension();
 }
 

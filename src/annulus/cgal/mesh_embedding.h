@@ -51,6 +51,8 @@ class Mesh_embedding final : public Embedding<d> {
     void show_points(std::span<const Coordinates<d>>) override {}
 
     void list_cells(std::vector<Index>& vertices) const override;
+    void list_all_cells(std::vector<Index>& vertices) const override;
+    [[nodiscard]] Mesh_cells<d> cells(std::size_t bound) const override;
     [[nodiscard]] bool rebuild_sorts(std::span<const Coordinates<d>> x) const override;
     [[nodiscard]] Sample sample(std::span<const Coordinates<d>> x, std::size_t count) const override;
     [[nodiscard]] double star_tolerance(std::span<const Coordinates<d>> home, Index v) const override;

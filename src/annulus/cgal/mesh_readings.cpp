@@ -21,6 +21,20 @@ void Mesh_embedding<d>::list_cells(std::vector<Index>& vertices) const {
 }
 
 template <int d>
+void Mesh_embedding<d>::list_all_cells(std::vector<Index>& vertices) const {
+    if (dimension_ != d) return list_cells(vertices);
+    for (const Cell_index c : table_.cells()) {
+        const auto v = cell_points(table_, c);
+        vertices.insert(vertices.end(), v.begin(), v.end());
+    }
+}
+
+template <int d>
+Mesh_cells<d> Mesh_embedding<d>::cells(std::size_t bound) const {
+    return dimension_ == d ? mesh_cells(table_) : mesh_cells<d>(flat_cells_, bound);
+}
+
+template <int d>
 Sample Mesh_embedding<d>::sample(std::span<const Coordinates<d>> x, std::size_t count) const {
     Sample sample;
     if (dimension_ != d) return sample;
@@ -56,6 +70,8 @@ Measures Mesh_embedding<d>::measure(std::span<const Coordinates<d>> home) const 
 
 #define ANNULUS_READINGS(d)                                                                        \
     template void Mesh_embedding<d>::list_cells(std::vector<Index>&) const;                        \
+    template void Mesh_embedding<d>::list_all_cells(std::vector<Index>&) const;                    \
+    template Mesh_cells<d> Mesh_embedding<d>::cells(std::size_t) const;                            \
     template Sample Mesh_embedding<d>::sample(std::span<const Coordinates<d>>, std::size_t) const; \
     template double Mesh_embedding<d>::star_tolerance(std::span<const Coordinates<d>>, Index) const; \
     template double Mesh_embedding<d>::theta(std::span<const Coordinates<d>>, Index) const;        \

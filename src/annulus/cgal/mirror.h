@@ -26,7 +26,7 @@ void Cgal_embedding<Traits>::mirror() {
 template <class Traits>
 void Cgal_embedding<Traits>::drop_mirror() noexcept {
     mirrored_ = false;
-    table_ = {};
+    table_.become({});
     release(cell_);
 }
 

@@ -148,6 +148,9 @@ class Moving_delaunay {
     /// Fresh tolerances, annulus widths and theta of everything at CGAL's points, whatever the strategy. O(n).
     [[nodiscard]] Measures measure() const { return embedding_->measure(engine_->standing()); }
 
+    /// Every finite cell, by vertex indices. O(n).
+    [[nodiscard]] Mesh_cells<d> cells() const { return engine_->cells(); }
+
     /// Exact verdict at the present positions; see audit.h. O(n).
     [[nodiscard]] Audit_result audit() const { return annulus::audit(audit_input()); }
     /// The finite cells and the present positions, vacant indices squeezed out.

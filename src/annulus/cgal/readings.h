@@ -103,6 +103,23 @@ Measures Cgal_embedding<Traits>::measure(std::span<const Coordinates<d>>) const 
 }
 
 template <class Traits>
+auto Cgal_embedding<Traits>::cells(std::size_t bound) const -> Mesh_cells<d> {
+    if (mirrored_ && tr_.dimension() == d) return mesh_cells(table_);
+    std::vector<Index> corners;
+    list_cells(corners);
+    return mesh_cells<d>(corners, bound);
+}
+
+template <class Traits>
+void Cgal_embedding<Traits>::list_all_cells(std::vector<Index>& vertices) const {
+    if (tr_.dimension() != d) return list_cells(vertices);
+    Traits::for_each_cell(tr_, [&](Cell_handle c) {
+        const Points v = points_of(tr_, c);
+        vertices.insert(vertices.end(), v.begin(), v.end());
+    });
+}
+
+template <class Traits>
 template <class Visit>
 void Cgal_embedding<Traits>::for_each_finite_cell(Visit visit) const {
     Points x{};

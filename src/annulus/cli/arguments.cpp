@@ -62,6 +62,11 @@ void add_common(CLI::App& app, Common_arguments& a, const std::string& files, bo
     app.add_flag("-q,--quiet", a.quiet, "No progress and no summary, only errors and the exit status");
 }
 
+void add_format(CLI::App& app, std::string& format, std::span<const Format> formats) {
+    app.add_option("--format", format, "What the file is, whatever its extension says; standard input has none")
+        ->check(CLI::IsMember(names_of(formats)));
+}
+
 void add_tracking(CLI::App& app, Tracking_arguments& a) {
     app.add_option("--strategy", a.strategy, "How the triangulation is kept right")
         ->check(CLI::IsMember({"auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "hybrid"}))

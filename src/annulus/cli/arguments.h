@@ -2,10 +2,12 @@
 #pragma once
 
 #include <annulus/engine/options.h>
+#include <annulus/formats/format.h>
 
 #include <CLI/CLI.hpp>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,8 @@ struct Tracking_arguments {
 /// `files` is what --output writes. Where there is no motion, --seed and --threads are taken and have no effect, so that
 /// a script may give every subcommand the same options.
 void add_common(CLI::App& app, Common_arguments& arguments, const std::string& files, bool motion = true);
+/// --format: what a file is, whatever its extension says.
+void add_format(CLI::App& app, std::string& format, std::span<const Format> formats);
 void add_tracking(CLI::App& app, Tracking_arguments& arguments);
 
 /// Library options from words. Throws Error(usage).

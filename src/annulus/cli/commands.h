@@ -24,6 +24,7 @@ Run add_replay_command(CLI::App& app, const Invocation& invocation);
 Run add_compare_command(CLI::App& app, const Invocation& invocation);
 Run add_audit_command(CLI::App& app, const Invocation& invocation);
 Run add_degeneracy_command(CLI::App& app, const Invocation& invocation);
+Run add_generate_command(CLI::App& app, const Invocation& invocation);
 Run add_counterexample_command(CLI::App& app, const Invocation& invocation);
 
 }  // namespace annulus::cli

@@ -7,14 +7,16 @@
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker.h>
 #include <annulus/formats/input_error.h>
-#include <annulus/report/summary.h>
 #include <annulus/formats/write_csv.h>
 #include <annulus/formats/write_json.h>
+#include <annulus/report/summary.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <deque>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace annulus::cli {
 
@@ -23,15 +25,6 @@ namespace {
 struct Compare_call {
     Common_arguments common;
     std::vector<std::string> strategies{"rebuild", "relocate", "auto"};
-};
-
-/// Positions of some consecutive timestamps, recorded so that each strategy follows them without the others (and
-/// the motion) using up its caches between two steps.
-template <int d>
-struct Recording {
-    std::vector<Coordinates<d>> positions;
-    std::vector<Way> ways;
-    std::vector<double> seconds;
 };
 
 /// "filter", "filter:floating", "filter:unequal": a strategy, then what differs from the rest of the command.
@@ -110,7 +103,6 @@ template <class Motion>
 int compare(const Compare_call& a, const Invocation& invocation, Motion& motion, std::uint64_t iterations,
             const Tracking_arguments& tracking, const Common_arguments& common, Clock::time_point begin) {
     constexpr int d = Motion::Moving::dimension_of_space;
-    const std::size_t n = motion.points().size();
     const bool files = !a.common.output.empty();
     std::deque<Tracker<typename Motion::Moving>> trackers;
     for (const std::string& name : a.strategies) {
@@ -121,31 +113,37 @@ int compare(const Compare_call& a, const Invocation& invocation, Motion& motion,
     std::optional<Picture> before;
     if (files) before = motion.picture(trackers[0].triangulation(), "Before");
 
+    // Some consecutive timestamps are recorded, so that each strategy follows them without the others (and the motion) using up its
+    // caches between two steps.
     constexpr std::size_t recording_bytes = std::size_t{256} << 20;
-    const std::size_t block = std::max<std::size_t>(1, recording_bytes / (n * sizeof(Coordinates<d>)));
-    Recording<d> rec;
+    std::vector<Timestamp<d>> block;
     std::optional<Interruption_guard> guard;
     if (files) guard.emplace();
-    bool stopped = false;
-    std::optional<Progress> progress(std::in_place, "compare", iterations * trackers.size(), a.common.quiet);
-    for (std::uint64_t done_steps = 0; done_steps < iterations && !stopped;) {
-        const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(block, iterations - done_steps));
-        rec.positions.resize(now * n);
-        rec.ways.resize(now);
-        rec.seconds.resize(now);
-        for (std::size_t k = 0; k < now && !stopped; ++k) {
-            const auto start = Clock::now();
-            rec.ways[k] = motion.next(std::span<Coordinates<d>>(rec.positions.data() + k * n, n));
-            rec.seconds[k] = since(start);
+    bool stopped = false, ended = motion.at_end();
+    if (ended)
+        for (auto& t : trackers) t.ends_after(0);
+    const std::uint64_t strategies = trackers.size();
+    std::optional<Progress> progress(std::in_place, "compare",
+                                     iterations == unknown_iterations ? 0 : iterations * strategies, a.common.quiet);
+    for (std::uint64_t done_steps = 0; done_steps < iterations && !stopped && !ended;) {
+        std::size_t now = 0;
+        for (std::size_t bytes = 0; !stopped && !ended && bytes < recording_bytes && done_steps + now < iterations;) {
+            if (now == block.size()) block.emplace_back();
+            if (!motion.next(block[now])) break;
+            bytes += std::max<std::size_t>(block[now++].bytes(), 1);
+            ended = motion.at_end();
             stopped = Interruption_guard::interrupted();
         }
-        for (std::size_t t = 0; t < trackers.size(); ++t)
+        for (std::size_t t = 0; t < trackers.size(); ++t) {
+            if (ended) trackers[t].ends_after(done_steps + now);
             for (std::size_t k = 0; k < now && !stopped; ++k) {
-                const std::span<const Coordinates<d>> x(rec.positions.data() + k * n, n);
-                trackers[t].step(x, rec.seconds[k], rec.ways[k].mean, rec.ways[k].max);
-                progress->show(done_steps * trackers.size() + t * now + k + 1, a.strategies[t]);
+                const Timestamp<d>& s = block[k];
+                if (s.leave.empty() && s.arrive.empty()) trackers[t].step(s.x, s.seconds, s.way.mean, s.way.max);
+                else (void)trackers[t].follow(s.leave, s.x, s.arrive, s.seconds, s.way.mean, s.way.max);
+                progress->show(done_steps * strategies + t * now + k + 1, a.strategies[t]);
                 stopped = Interruption_guard::interrupted();
             }
+        }
         done_steps += now;
     }
     progress.reset();
@@ -158,7 +156,8 @@ int compare(const Compare_call& a, const Invocation& invocation, Motion& motion,
     if (!comparison.interrupted) compare_ends(trackers, comparison);
     if (files) write_comparison(a.common, motion, trackers, comparison, std::move(before));
     if (comparison.interrupted) {
-        say_interrupted(a.common, comparison.runs.front().iterations, iterations);
+        say_interrupted(a.common, comparison.runs.front().iterations,
+                        iterations == unknown_iterations ? std::nullopt : std::optional(iterations));
         return done;
     }
     if (!a.common.quiet) print(comparison);
@@ -174,11 +173,14 @@ int run(const Compare_call& a, const Invocation& invocation) {
     Tracking_arguments tracking;
     Lloyd_arguments lloyd;
     Nodt_arguments nodt;
+    Replay_arguments replay;
     auto* lloyd_command = inner.add_subcommand("lloyd", "Lloyd iterations in the plane");
     auto* nodt_command = inner.add_subcommand("nodt", "Natural-ODT optimisation of a tetrahedral mesh");
+    auto* replay_command = inner.add_subcommand("replay", "A recorded motion");
     add_lloyd(*lloyd_command, lloyd);
     add_nodt(*nodt_command, nodt);
-    for (auto* command : {lloyd_command, nodt_command}) {
+    add_replay(*replay_command, replay);
+    for (auto* command : {lloyd_command, nodt_command, replay_command}) {
         add_tracking(*command, tracking);
         add_common(*command, common, run_files);
     }
@@ -205,15 +207,28 @@ int run(const Compare_call& a, const Invocation& invocation) {
         Guided_lloyd motion(lloyd, common);
         return compare(a, invocation, motion, lloyd.iterations, tracking, common, begin);
     }
-    Guided_nodt motion(nodt, common);
-    return compare(a, invocation, motion, nodt.iterations, tracking, common, begin);
+    if (&chosen == nodt_command) {
+        Guided_nodt motion(nodt, common);
+        return compare(a, invocation, motion, nodt.iterations, tracking, common, begin);
+    }
+    Opened_motion motion = open_motion(replay);
+    const auto follow = [&]<class Moving>(std::in_place_type_t<Moving>) {
+        Replayed_frames<Moving::dimension_of_space> frames(motion, replay);
+        Guided_replay<Moving> guided(frames);
+        const int status = compare(a, invocation, guided, unknown_iterations, tracking, common, begin);
+        common.say_notes(motion.reader.notes());
+        return status;
+    };
+    return motion.dimension == 2 ? follow(std::in_place_type<Moving_delaunay_2>)
+                                 : follow(std::in_place_type<Moving_delaunay_3>);
 }
 
 }  // namespace
 
 Run add_compare_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand(
-        "compare", "The same motion under several strategies: annulus compare --strategies a,b -- lloyd|nodt ...");
+        "compare",
+        "The same motion under several strategies: annulus compare --strategies a,b -- lloyd|nodt|replay ...");
     const auto a = std::make_shared<Compare_call>();
     sub->add_option("--strategies", a->strategies,
                     "Strategies, separated by commas; NAME:KIND changes the tolerance (filter:floating) or the second "

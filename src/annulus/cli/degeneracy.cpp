@@ -1,17 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
+#include <annulus/cli/print_degeneracy.h>
+#include <annulus/cli/progress.h>
+#include <annulus/cli/replay_scene.h>
 #include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
-#include <annulus/report/degeneracy_report.h>
+#include <annulus/formats/decimal.h>
+#include <annulus/formats/distinct.h>
 #include <annulus/formats/read_points.h>
+#include <annulus/formats/text_output.h>
 #include <annulus/formats/write_json.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
+#include <annulus/report/degeneracy_series.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <limits>
 #include <memory>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <utility>
 
 namespace annulus::cli {
 
@@ -22,106 +36,212 @@ struct Degeneracy_call {
     std::string file;
     int dimension = 0;  // that of the file
     bool ignore_z = false;
+    std::string format;
+    std::optional<std::uint64_t> frame;  // the number of one
+    std::uint64_t every = 0;             // of a motion; 0: the file is a point set, or `frame`
+    std::vector<std::string> thresholds;
+    std::string raw;
+
+    [[nodiscard]] bool of_motion() const { return frame || every > 0; }
 };
 
-template <class Embedding_of_cgal, int d>
-Degeneracy_record study(const Point_file<d>& file) {
+/// Writes one line a certificate, whose points are named by ids.
+template <int d>
+class Raw_file {
+  public:
+    Raw_file(const std::string& file, std::span<const std::uint64_t> id) : out_(file), id_(id) {
+        text_ = "kind";
+        for (int i = 0; i < d + 2; ++i) text_ += ",point_" + std::to_string(i);
+        text_ += ",width_lower,width_upper,tolerance,stage\n";
+    }
+    void operator()(const Raw_certificate<d>& c) {
+        using Kind = typename Raw_certificate<d>::Kind;
+        text_ += c.kind == Kind::bicell ? "bicell" : c.kind == Kind::cell ? "cell" : "ridge";
+        for (const Index v : c.point) {
+            text_ += ',';
+            if (v != none) append_decimal(text_, id_[static_cast<std::size_t>(v)]);
+        }
+        for (const double x : {c.width_lower, c.width_upper, c.tolerance}) {
+            text_ += ',';
+            append_decimal(text_, x);
+        }
+        text_ += ',';
+        text_ += name_of(c.stage);
+        text_ += '\n';
+        if (text_.size() > 1 << 20) flush();
+    }
+    void commit() {
+        flush();
+        out_.commit();
+    }
+
+  private:
+    void flush() {
+        out_.write(text_);
+        text_.clear();
+    }
+    Text_output out_;
+    std::span<const std::uint64_t> id_;
+    std::string text_;
+};
+
+/// "1e-4", as it is written.
+std::vector<std::pair<std::string, double>> thresholds_of(const std::vector<std::string>& words) {
+    std::vector<std::pair<std::string, double>> thresholds;
+    for (const std::string& word : words) {
+        double value = 0;
+        const char* const end = word.data() + word.size();
+        const auto [stop, error] = std::from_chars(word.data(), end, value);
+        if (error != std::errc() || stop != end || !(value > 0) || !std::isfinite(value))
+            throw Error(Error_code::usage, "--thresholds: '" + word + "' is no positive number");
+        for (const auto& [name, other] : thresholds)
+            if (other == value) throw Error(Error_code::usage, "--thresholds: " + word + " is named twice");
+        thresholds.emplace_back(word, value);
+    }
+    if (thresholds.size() > Degeneracy_options<2>::most_thresholds)
+        throw Error(Error_code::usage,
+                    "--thresholds takes " + std::to_string(Degeneracy_options<2>::most_thresholds) + " at most");
+    return thresholds;
+}
+
+/// x are distinct, and named by `id`.
+template <int d>
+Degeneracy_record study_points(const Degeneracy_call& a, std::string file, const std::vector<Coordinates<d>>& x,
+                               std::span<const std::uint64_t> id) {
     Degeneracy_record r;
-    r.file = file.name;
+    r.file = std::move(file);
     r.dimension = d;
-    r.points = file.points.size();
-    const std::vector<Coordinates<d>> x = distinct_points(file, 2);
     r.vertices = x.size();
     const auto begin = Clock::now();
-    Embedding_of_cgal embedding;
+    std::conditional_t<d == 2, Cgal_embedding_2<No_info>, Cgal_embedding_3<No_info>> embedding;
     embedding.build(x);
     r.seconds_triangulation = since(begin);
     const auto built = Clock::now();
     r.affine_dimension = embedding.dimension();
     embedding.for_each_finite_cell([&r](const auto&) { ++r.simplices; });
+    std::optional<Raw_file<d>> raw;
+    if (!a.raw.empty()) raw.emplace(a.raw, id);
     if (r.affine_dimension == d) {
+        Degeneracy_options<d> options;
+        if (!a.thresholds.empty()) options.thresholds = thresholds_of(a.thresholds);
+        if (raw) options.raw = [&raw](const Raw_certificate<d>& c) { (*raw)(c); };
         embedding.mirror();
-        r.measured = degeneracy(embedding.table(), x);
+        r.measured = degeneracy(embedding.table(), x, options);
     }
+    if (raw) raw->commit();
     r.seconds_analysis = since(built);
     return r;
 }
 
-void print_counts(const char* name, std::uint64_t total, std::uint64_t zero, const std::vector<std::uint64_t>& below) {
-    const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
-    std::printf("%-14s %11llu %11llu", name, count(total), count(zero));
-    for (const std::uint64_t n : below) std::printf(" %11llu", count(n));
-    std::printf("\n");
+template <int d>
+Degeneracy_record study(const Degeneracy_call& a, const Point_file<d>& file) {
+    const std::vector<Coordinates<d>> x = distinct_points(file, 2);
+    std::vector<std::uint64_t> place;  // in the file, of each that is kept
+    const auto first = first_at_place<d>(file.points);
+    for (std::size_t i = 0; i < first.size(); ++i)
+        if (first[i] == i) place.push_back(i);
+    Degeneracy_record r = study_points<d>(a, file.name, x, place);
+    r.points = file.points.size();
+    return r;
 }
 
-void print(const Degeneracy& d) {
-    const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
-    const auto percent = [](std::uint64_t part, std::uint64_t all) {
-        return 100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(all, 1));
+template <int d>
+Degeneracy_record study(const Degeneracy_call& a, const Motion_reader& reader, const Frame_points<d>& frame) {
+    Degeneracy_record r = study_points<d>(a, reader.name(), frame.x, frame.id);
+    r.points = frame.x.size() + frame.merged;
+    return r;
+}
+
+bool is_degeneracy(std::string_view name) {
+    return name == "degeneracy.json" || name == "degeneracy.html" || name == "degeneracy.csv";
+}
+
+template <class Content>
+void write(const Degeneracy_call& a, const Content& content, const Csv_table* table) {
+    if (a.common.output.empty()) return;
+    Result_files out(a.common, is_degeneracy);
+    out.write("degeneracy.json", write_json(degeneracy_json(content)));
+    if (table != nullptr) out.write("degeneracy.csv", write_csv(*table));
+    out.write("degeneracy.html", degeneracy_html(content));
+    out.commit();
+}
+
+void finish(const Degeneracy_call& a, Degeneracy_record r, const std::string& command,
+            const std::vector<std::string>& notes) {
+    r.command = command;
+    a.common.say_merged(r.file, r.points - r.vertices);
+    a.common.say_notes(notes);
+    write(a, r, nullptr);
+    if (!a.common.quiet) print_degeneracy(r);
+}
+
+/// How degenerate each N-th frame is: a curve.
+template <int d>
+void study_motion(const Degeneracy_call& a, const std::string& command, Replayed_frames<d>& frames) {
+    Degeneracy_series series{command, frames.reader().name(), d, a.thresholds, {}};
+    if (series.thresholds.empty())
+        for (const auto& threshold : Degeneracy_options<d>().thresholds) series.thresholds.push_back(threshold.first);
+    series.thresholds.emplace_back("ulp");
+    if (!a.common.quiet) print_degeneracy_head(series);
+    Frame_points<d> frame;
+    std::optional<Progress> progress(std::in_place, "degeneracy", 0, a.common.quiet);
+    for (std::uint64_t i = 0; frames.next(frame); ++i) {
+        if (i % a.every != 0) continue;
+        series.rows.push_back(degeneracy_row(frame.number, study<d>(a, frames.reader(), frame)));
+        progress->show(i, "", frames.reader().share_read());
+        if (!a.common.quiet) print_degeneracy(series.rows.back());
+    }
+    progress.reset();
+    a.common.say_notes(frames.reader().notes());
+    const Csv_table table = degeneracy_table(series);
+    write(a, series, &table);
+}
+
+template <int d>
+void study_frame(const Degeneracy_call& a, const std::string& command, Replayed_frames<d>& frames) {
+    Frame_points<d> frame;
+    while (frames.next(frame))
+        if (frame.number == *a.frame) {
+            if (frame.x.size() < 2)
+                throw Input_error(Error_code::too_few, frames.reader().name(), 0,
+                                  "frame " + std::to_string(frame.number) + " has " + counted(frame.x.size(), "point"),
+                                  "two at least");
+            return finish(a, study<d>(a, frames.reader(), frame), command, frames.reader().notes());
+        }
+    throw Input_error(Error_code::bad_input, frames.reader().name(), 0, "has no frame " + std::to_string(*a.frame),
+                      "a number that the file has (in .xyz frames are counted from 0)");
+}
+
+void run_motion(const Degeneracy_call& a, const std::string& command) {
+    Replay_arguments replay{a.file, a.ignore_z ? 2 : a.dimension, "merge", "skip", a.format};
+    Opened_motion motion = open_motion(replay);
+    const auto with = [&]<int d>(std::integral_constant<int, d>) {
+        Replayed_frames<d> frames(motion, replay);
+        if (a.frame) study_frame<d>(a, command, frames);
+        else study_motion<d>(a, command, frames);
     };
-    std::printf("mean spacing   %.6g; ulp of the largest coordinate %.3g, %.3g spacings\n", d.spacing, d.resolution,
-                d.resolution / d.spacing);
-    std::printf("%-14s %11s %11s", "widths", "number", "exactly 0");
-    for (const Threshold& t : d.thresholds) std::printf(" %11s", ("< " + t.name).c_str());
-    std::printf("\n");
-    const auto widths = [](const char* name, const Width_counts& c) { print_counts(name, c.total, c.zero, c.below); };
-    widths("bi-cells", d.bicells.least);
-    if (d.dimension == 3) widths("  paper's", d.standard);
-    widths("cells", d.cells.least);
-    widths("hull ridges", d.ridges.least);
-    print_counts("tolerances", d.vertices.total, d.vertices.zero, d.vertices.below);
-    const auto median = [](const Distribution& q) { return q.quantiles.empty() ? 0.0 : q.quantiles[5]; };
-    std::printf("medians        width of bi-cells %.4g, certified tolerance %.4g, paper's tolerance %.4g, theta %.4g\n",
-                median(d.bicells.least.width), median(d.vertices.certified), median(d.vertices.paper), median(d.theta));
-    std::printf("non-convex     %llu bi-cells (%.4g %%); with %s points %llu\n", count(d.non_convex),
-                percent(d.non_convex, d.bicells.least.total), d.dimension == 2 ? "three collinear" : "four coplanar",
-                count(d.flat));
-    const Vertex_counts& v = d.vertices;
-    std::printf("paper          tolerance unsound at %llu vertices (%.4g %%), above the exact one at %llu (%.4g %%)\n",
-                count(v.paper_unsound), percent(v.paper_unsound, v.total), count(v.paper_above_exact),
-                percent(v.paper_above_exact, v.total));
-    Stage_counts all = d.bicells.arithmetic;
-    all += d.cells.arithmetic;
-    all += d.ridges.arithmetic;
-    std::printf("certificates   %llu decided: filter %llu, interval %llu, exact %llu\n", count(all.total()),
-                count(all.filter), count(all.interval), count(all.exact));
+    if (motion.dimension == 2) with(std::integral_constant<int, 2>());
+    else with(std::integral_constant<int, 3>());
 }
-
-void print(const Degeneracy_record& r) {
-    constexpr std::array simplex{"point", "edge", "triangle", "tetrahedron"};
-    const bool tetrahedra = r.affine_dimension == 3 && r.simplices != 1;
-    std::printf("%s in dimension %d, %s\n", counted(r.vertices, "point").c_str(), r.dimension,
-                tetrahedra ? (std::to_string(r.simplices) + " tetrahedra").c_str()
-                           : counted(r.simplices, simplex[static_cast<std::size_t>(r.affine_dimension)]).c_str());
-    if (r.measured) print(*r.measured);
-    else std::printf("flat           all points lie %s\n", r.affine_dimension == 2 ? "in a plane" : "on a line");
-    std::printf("time           triangulation %.3f s, analysis %.3f s\n", r.seconds_triangulation, r.seconds_analysis);
-}
-
-bool is_degeneracy(std::string_view name) { return name == "degeneracy.json" || name == "degeneracy.html"; }
 
 int run(const Degeneracy_call& a, const std::string& command) {
+    (void)thresholds_of(a.thresholds);
+    std::error_code ignored;
+    if (!a.raw.empty() && !a.common.force && std::filesystem::exists(std::filesystem::symlink_status(a.raw, ignored)))
+        throw Error(Error_code::usage, a.raw + " is there already; --force replaces it");
     if (!a.common.output.empty()) require_writable(a.common, is_degeneracy);
-    std::variant<Point_file<2>, Point_file<3>> file;
-    if (a.dimension == 2) file = read_points<2>(a.file, {.ignore_z = a.ignore_z});
-    else if (a.dimension == 3) file = read_points<3>(a.file);
-    else file = read_points_of_any_dimension(a.file, {.ignore_z = a.ignore_z});
-    const auto* plane = std::get_if<Point_file<2>>(&file);
-    Degeneracy_record r = plane != nullptr ? study<Cgal_embedding_2<No_info>>(*plane)
-                                           : study<Cgal_embedding_3<No_info>>(std::get<Point_file<3>>(file));
-    r.command = command;
-    a.common.say_merged(a.file, r.points - r.vertices);
-    std::visit([&](const auto& points) { a.common.say_notes(points.notes); }, file);
-    if (!a.common.output.empty()) {
-        Result_files out(a.common, is_degeneracy);
-        out.write("degeneracy.json", write_json(degeneracy_json(r)));
-        out.write("degeneracy.html", degeneracy_html(r));
-        out.commit();
+    if (a.of_motion()) {
+        run_motion(a, command);
+    } else {
+        const Read_options options{.ignore_z = a.ignore_z, .format = a.format};
+        std::variant<Point_file<2>, Point_file<3>> file;
+        if (a.dimension == 2) file = read_points<2>(a.file, options);
+        else if (a.dimension == 3) file = read_points<3>(a.file, options);
+        else file = read_points_of_any_dimension(a.file, options);
+        std::visit([&]<int d>(const Point_file<d>& points) { finish(a, study<d>(a, points), command, points.notes); },
+                   file);
     }
-    if (!a.common.quiet) {
-        print(r);
-        if (!a.common.output.empty()) std::printf("written to     %s\n", a.common.output.c_str());
-    }
+    if (!a.common.quiet && !a.common.output.empty()) std::printf("written to     %s\n", a.common.output.c_str());
     return done;
 }
 
@@ -131,11 +251,31 @@ Run add_degeneracy_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand(
         "degeneracy", "How degenerate points are: certified counts and distributions of their Delaunay triangulation");
     const auto a = std::make_shared<Degeneracy_call>();
-    sub->add_option("FILE", a->file, "Points, .xyz, .csv, .off, .ply or .mesh")->required();
+    sub->add_option("FILE", a->file,
+                    "Points, .xyz, .csv, .lammpstrj, .off, .ply or .mesh, or a motion with --frame or --every; - is "
+                    "standard input")
+        ->required();
+    add_format(*sub, a->format, point_formats);
     auto* dimension = sub->add_option("--dim", a->dimension, "2 or 3; default: that of the file")
                           ->type_name("D")
                           ->check(whole_number(2, 3));
     sub->add_flag("--ignore-z", a->ignore_z, "Drop the z coordinate of the file");
+    auto* frame =
+        sub->add_option("--frame", a->frame, "The frame of a motion that the file calls N (.xyz: counted from 0)")
+            ->type_name("N")
+            ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
+    auto* every =
+        sub->add_option("--every", a->every, "Every N-th frame of a motion, from the first: degeneracy.csv, and curves")
+            ->type_name("N")
+            ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()))
+            ->excludes(frame);
+    sub->add_option("--thresholds", a->thresholds,
+                    "Widths to count below, in mean spacings, separated by commas (1e-3,1e-6,1e-9,1e-12)")
+        ->delimiter(',')
+        ->type_name("LIST");
+    sub->add_option("--raw", a->raw, "Write every certificate to this file, a line of CSV each; .gz packs it")
+        ->type_name("FILE")
+        ->excludes(every);
     add_common(*sub, a->common, "degeneracy.json and degeneracy.html", false);
     return [a, dimension, command = command_line(invocation.words)] {
         if (a->ignore_z && dimension->count() > 0 && a->dimension == 3)

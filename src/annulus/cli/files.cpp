@@ -2,32 +2,24 @@
 #include <annulus/cli/files.h>
 #include <annulus/cli/result_files.h>
 
-#include <annulus/report/axis_ticks.h>
 #include <annulus/formats/input_error.h>
-#include <annulus/report/summary.h>
 #include <annulus/formats/write_csv.h>
 #include <annulus/formats/write_json.h>
 #include <annulus/formats/write_mesh.h>
-#include <annulus/formats/write_vtu.h>
 #include <annulus/motion/dihedral.h>
+#include <annulus/report/axis_ticks.h>
+#include <annulus/report/summary.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
 namespace annulus::cli {
 
 namespace {
-
-/// Solid cells only: a mesh of a flat set has none.
-std::vector<std::array<Index, 3>> triangles(const Audit_input<2>& in) {
-    std::vector<std::array<Index, 3>> cells;
-    for (const auto& c : in.cells)
-        if (c[2] != none) cells.push_back(c);
-    return cells;
-}
 
 /// Tolerance and theta of every vertex there is.
 template <class Moving>
@@ -42,6 +34,19 @@ std::pair<std::vector<double>, std::vector<double>> vertex_fields(const Moving& 
     return fields;
 }
 
+/// The least dihedral angle of each cell, in degrees.
+Vtu_field least_angles(const std::vector<Coordinates<3>>& points, const std::vector<std::array<Index, 4>>& cells) {
+    std::vector<double> angles;
+    for (const auto& cell : cells) {
+        double most = -1;  // the largest cosine; a facet without area is an angle of 0
+        const auto x = [&](std::size_t i) { return points[static_cast<std::size_t>(cell[i])]; };
+        for (const double cosine : dihedral_cosines(x(0), x(1), x(2), x(3)))
+            most = std::max(most, std::isnan(cosine) ? 1.0 : std::min(cosine, 1.0));
+        angles.push_back(std::acos(most) * 180 / std::numbers::pi);
+    }
+    return {"dihedral_min", std::move(angles)};
+}
+
 }  // namespace
 
 std::string title_of(const Run_record& run, const std::string& step, const std::string& names) {
@@ -49,89 +54,46 @@ std::string title_of(const Run_record& run, const std::string& step, const std::
            (run.iterations == 1 ? ": " : "s: ") + names;
 }
 
-void write_run(const Common_arguments& arguments, const Tracker_2& tracker, const std::string& step,
-               std::optional<Picture> before, std::vector<std::string> notes) {
+template <class Moving>
+void write_run(const Common_arguments& arguments, const Tracker<Moving>& tracker, Run_page<Moving> page) {
+    constexpr int d = Moving::dimension_of_space;
     const Run_record& run = tracker.record();
-    const Audit_input<2> in = tracker.triangulation().audit_input();
-    const auto cells = triangles(in);
-    const Measures m = tracker.triangulation().measure();
-    auto [tolerance, theta] = vertex_fields(tracker.triangulation(), m);
-    const std::vector<Vtu_field> fields{{"tolerance", std::move(tolerance)}, {"theta", std::move(theta)}};
+    const Moving& dt = tracker.triangulation();
+    const Audit_input<d> in = dt.audit_input();  // the simplices of a flat set, if it is one
+    if (page.cells.empty())
+        std::copy_if(in.cells.begin(), in.cells.end(), std::back_inserter(page.cells),
+                     [](const auto& c) { return c[d] != none; });
+    auto [tolerance, theta] = vertex_fields(dt, dt.measure());
+    std::vector<Vtu_field> point_fields{{"tolerance", std::move(tolerance)}, {"theta", std::move(theta)}}, cell_fields;
+    if constexpr (d == 3) cell_fields.push_back(least_angles(in.points, page.cells));
+    std::move(page.point_fields.begin(), page.point_fields.end(), std::back_inserter(point_fields));
+    std::move(page.cell_fields.begin(), page.cell_fields.end(), std::back_inserter(cell_fields));
 
     Report report;
-    report.title = title_of(run, step, run.strategy);
+    report.title = title_of(run, page.step, run.strategy);
     report.run = run;
-    report.before = std::move(before);
-    report.after = picture_of(tracker.triangulation(), "After " + counted(run.iterations, "iteration"));
+    report.before = std::move(page.before);
+    report.after = std::move(page.after);
+    report.film = std::move(page.film);
+    report.figures = std::move(page.figures);
     report.annulus_widths = tracker.widths();
-    report.notes = std::move(notes);
+    report.notes = std::move(page.notes);
 
     Result_files out(arguments, is_result, run.interrupted);
     out.write("summary.json", write_json(summary_json(run)));
     out.write("iterations.csv", write_csv(iterations_table(run)));
-    out.write("final.mesh", write_mesh<2>(in.points, in.cells));
-    out.write("final.vtu", write_vtu<2>(in.points, cells, fields));
+    for (const auto& [name, content] : page.files) out.write(name, content);
+    out.write("final.mesh", write_mesh<d>(in.points, page.cells.empty() ? in.cells : page.cells));
+    out.write("final.vtu", write_vtu<d>(in.points, page.cells, point_fields, cell_fields));
     out.write("report.html", report_html(report));
+    if (page.frames != nullptr) page.frames->write(out);
     out.commit();
 }
 
-void write_run(const Common_arguments& arguments, const Tracker_3& tracker, const std::string& step, const Mesh_3& mesh,
-               bool domain, std::optional<Picture> before, std::optional<Picture> after,
-               std::vector<std::string> notes) {
-    const Run_record& run = tracker.record();
-    const Moving_delaunay_3& dt = tracker.triangulation();
-    const Audit_input<3> in = dt.audit_input();  // the simplices of a flat set, if it is one
-    const auto& cell = mesh.cells().vertex;
-    std::vector<std::array<Index, 4>> inside;
-    std::vector<std::int64_t> flag;
-    std::vector<double> least_angle;
-    for (std::size_t c = 0; c < cell.size(); ++c) {
-        flag.push_back(mesh.inside()[c] != 0 ? 1 : 0);
-        if (mesh.inside()[c] != 0) inside.push_back(cell[c]);
-        double most = -1;  // the largest cosine; a facet without area is an angle of 0
-        const auto x = [&](std::size_t i) { return in.points[static_cast<std::size_t>(cell[c][i])]; };
-        for (const double cosine : dihedral_cosines(x(0), x(1), x(2), x(3)))
-            most = std::max(most, std::isnan(cosine) ? 1.0 : std::min(cosine, 1.0));
-        least_angle.push_back(std::acos(most) * 180 / std::numbers::pi);
-    }
-    const Measures m = dt.measure();
-    auto [tolerance, theta] = vertex_fields(dt, m);
-    std::vector<Vtu_field> point_fields{{"tolerance", std::move(tolerance)}, {"theta", std::move(theta)}};
-    std::vector<Vtu_field> cell_fields{{"dihedral_min", std::move(least_angle)}};
-    const auto facets = domain ? surface_facets(mesh.cells(), mesh.inside()) : std::vector<std::array<Index, 3>>();
-    if (domain) {
-        std::vector<std::int64_t> boundary(in.points.size(), 0);
-        for (const auto& facet : facets)
-            for (const Index v : facet) boundary[static_cast<std::size_t>(v)] = 1;
-        point_fields.push_back({"boundary", std::move(boundary)});
-        cell_fields.push_back({"domain", std::move(flag)});
-    }
-
-    Report report;
-    report.title = title_of(run, step, run.strategy);
-    report.run = run;
-    report.before = std::move(before);
-    report.after = std::move(after);
-    report.annulus_widths = tracker.widths();
-    report.notes = std::move(notes);
-
-    Result_files out(arguments, is_result, run.interrupted);
-    out.write("summary.json", write_json(summary_json(run)));
-    out.write("iterations.csv", write_csv(iterations_table(run)));
-    if (domain) {
-        out.write("dihedral.csv", write_csv(dihedral_table(run)));
-        out.write("domain.mesh", write_part(in.points, inside, facets));
-    }
-    out.write("final.mesh", write_mesh<3>(in.points, cell.empty() ? in.cells : cell));
-    out.write("final.vtu", write_vtu<3>(in.points, cell, point_fields, cell_fields));
-    out.write("report.html", report_html(report));
-    out.commit();
-}
-
-void say_interrupted(const Common_arguments& a, std::uint64_t done_steps, std::uint64_t steps) {
-    std::fprintf(stderr, "annulus: interrupted after %llu of %llu steps; what was done is in %s\n",
-                 static_cast<unsigned long long>(done_steps), static_cast<unsigned long long>(steps),
-                 partial(a.output).c_str());
+void say_interrupted(const Common_arguments& a, std::uint64_t done_steps, std::optional<std::uint64_t> steps) {
+    const std::string of = steps ? " of " + std::to_string(*steps) : "";
+    std::fprintf(stderr, "annulus: interrupted after %llu%s steps; what was done is in %s\n",
+                 static_cast<unsigned long long>(done_steps), of.c_str(), partial(a.output).c_str());
 }
 
 template <class Moving>
@@ -171,6 +133,8 @@ void print_summary(const Tracker<Moving>& tracker) {
     }
 }
 
+template void write_run(const Common_arguments&, const Tracker_2&, Run_page<Moving_delaunay_2>);
+template void write_run(const Common_arguments&, const Tracker_3&, Run_page<Moving_delaunay_3>);
 template void print_summary(const Tracker_2&);
 template void print_summary(const Tracker_3&);
 

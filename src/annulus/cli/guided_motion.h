@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/cli/frame_change.h>
 #include <annulus/cli/lloyd_scene.h>
 #include <annulus/cli/mesh_3.h>
 #include <annulus/cli/nodt_scene.h>
+#include <annulus/cli/replay_scene.h>
 #include <annulus/cli/tracker.h>
 #include <annulus/motion/lloyd_2.h>
 #include <annulus/motion/nodt_3.h>
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace annulus::cli {
@@ -17,6 +20,17 @@ namespace annulus::cli {
 /// How far the vertices go in a step.
 struct Way {
     double mean = 0, max = 0;
+};
+
+/// One timestamp: who leaves, where the others go, by index, and who arrives then.
+template <int d>
+struct Timestamp {
+    std::vector<Index> leave{};
+    std::vector<Coordinates<d>> x{}, arrive{};
+    Way way{};
+    double seconds = 0;  ///< that the motion took
+
+    [[nodiscard]] std::size_t bytes() const { return (x.size() + arrive.size()) * sizeof(Coordinates<d>); }
 };
 
 /// Lloyd iterations with a triangulation of their own, kept by certified tolerances and timed for nobody, so that what
@@ -29,8 +43,9 @@ class Guided_lloyd {
     Guided_lloyd(const Lloyd_arguments& arguments, const Common_arguments& common);
     [[nodiscard]] const std::vector<Coordinates<2>>& points() const { return scene_.points; }
     [[nodiscard]] double spacing() const { return scene_.spacing(); }
-    /// The positions of the next timestamp.
-    Way next(std::span<Coordinates<2>> target);
+    /// The next timestamp; false where there is none.
+    bool next(Timestamp<2>& t);
+    [[nodiscard]] static bool at_end() { return false; }
     [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const;
 
   private:
@@ -51,7 +66,8 @@ class Guided_nodt {
     Guided_nodt(const Nodt_arguments& arguments, const Common_arguments& common);
     [[nodiscard]] const std::vector<Coordinates<3>>& points() const { return scene_.points; }
     [[nodiscard]] double spacing() const { return scene_.spacing(); }
-    Way next(std::span<Coordinates<3>> target);
+    bool next(Timestamp<3>& t);
+    [[nodiscard]] static bool at_end() { return false; }
     [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const;
 
   private:
@@ -63,5 +79,34 @@ class Guided_nodt {
     Nodt_memory memory_;
     bool cells_changed_ = true;
 };
+
+/// A recorded motion, which needs no triangulation: who inserts gets the index that was vacated last, or a new one.
+template <class Moving_>
+class Guided_replay {
+  public:
+    using Moving = Moving_;
+    static constexpr int d = Moving::dimension_of_space;
+    static constexpr const char* step_name = "step";
+
+    /// The frames outlive it.
+    explicit Guided_replay(Replayed_frames<d>& frames);
+    [[nodiscard]] const std::vector<Coordinates<d>>& points() const { return x_; }
+    [[nodiscard]] double spacing() const { return frames_.spacing(); }
+    bool next(Timestamp<d>& t);
+    [[nodiscard]] bool at_end() { return frames_.at_end(); }
+    [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const {
+        return picture_of(dt, std::move(caption));
+    }
+
+  private:
+    Replayed_frames<d>& frames_;
+    Frame_points<d> frame_;
+    Present present_;
+    std::vector<Coordinates<d>> x_;
+    std::vector<Index> vacant_;
+};
+
+extern template class Guided_replay<Moving_delaunay_2>;
+extern template class Guided_replay<Moving_delaunay_3>;
 
 }  // namespace annulus::cli

@@ -19,19 +19,23 @@ struct Lloyd_call {
     Common_arguments common;
     Tracking_arguments tracking;
     Lloyd_arguments lloyd;
+    Frame_arguments frames;
 };
 
 int run(const Lloyd_call& a, const std::string& command) {
     const auto begin = Clock::now();
-    const Options options = options_of(a.tracking, a.common);
+    Options options = options_of(a.tracking, a.common);
+    prepare(a.frames, a.common, options);
     const Lloyd_scene scene = make_scene(a.lloyd, a.common.seed);
     a.common.say_merged(a.lloyd.input, scene.merged);
     a.common.say_notes(scene.notes);
     if (!a.common.output.empty()) require_writable(a.common);
     Tracker_2 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.lloyd.iterations, a.tracking.audit,
                       !a.common.output.empty());
-    std::optional<Picture> before;
-    if (!a.common.output.empty()) before = picture_of(tracker.triangulation(), "Before");
+    Run_page<Moving_delaunay_2> page{.step = "Lloyd iteration"};
+    if (!a.common.output.empty()) page.before = picture_of(tracker.triangulation(), "Before");
+    Frame_files<Moving_delaunay_2> frames(a.common, a.frames, tracker);
+    if (a.frames.any()) frames.frame(0);
 
     const Lloyd_2 lloyd(scene.domain, scene.density, a.common.threads);
     Stars_2 stars;
@@ -47,6 +51,7 @@ int run(const Lloyd_call& a, const std::string& command) {
             if (tracker.cells_changed()) read_stars(dt, stars);
             const Lloyd_step step = lloyd.step(stars, dt.positions(), target, memory);
             tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
+            if (a.frames.any()) frames.frame(i);
             char news[40];
             std::snprintf(news, sizeof news, "%.2f %% within tolerance", 100 * tracker.share_within());
             progress.show(i, news);
@@ -54,9 +59,13 @@ int run(const Lloyd_call& a, const std::string& command) {
     }
     tracker.finish(command, a.common.seed, since(begin));
     if (!a.common.output.empty()) {
-        std::vector<std::string> notes = scene.notes;
-        if (scene.merged > 0) notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
-        write_run(a.common, tracker, "Lloyd iteration", std::move(before), std::move(notes));
+        page.after = picture_of(tracker.triangulation(), "After " + counted(tracker.record().iterations, "iteration"));
+        page.notes = scene.notes;
+        if (scene.merged > 0) page.notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
+        if (scene.stippling) page.files.emplace_back("stipples.svg", stipples_of(a.lloyd, scene, tracker.triangulation()));
+        page.figures = frame_figures(frames.records(), tracker.record(), false);
+        page.frames = &frames;
+        write_run(a.common, tracker, std::move(page));
     }
     if (tracker.record().interrupted) {
         say_interrupted(a.common, tracker.record().iterations, a.lloyd.iterations);
@@ -76,6 +85,7 @@ Run add_lloyd_command(CLI::App& app, const Invocation& invocation) {
     const auto a = std::make_shared<Lloyd_call>();
     add_lloyd(*sub, a->lloyd);
     add_tracking(*sub, a->tracking);
+    add_frames(*sub, a->frames);
     add_common(*sub, a->common, run_files);
     return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }

@@ -2,8 +2,12 @@
 #include <annulus/cli/lloyd_scene.h>
 
 #include <annulus/certificate/ladder.h>
+#include <annulus/formats/read_gray_image.h>
 #include <annulus/formats/read_points.h>
+#include <annulus/motion/moments_2.h>
 #include <annulus/motion/sampling_2.h>
+#include <annulus/motion/voronoi_cell_2.h>
+#include <annulus/report/svg_stipples.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +20,28 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
     auto* points = app.add_option("-n,--points", a.points, "Sample N points with the density")
                        ->type_name("N")
                        ->check(whole_number(3, 100'000'000));
-    auto* input = app.add_option("--input", a.input, "Start from the points of a .xyz, .csv, .off, .ply or .mesh file")
+    auto* input = app.add_option("--input", a.input, "Start from the points of a .xyz, .csv, .lammpstrj, .off, .ply or .mesh file; - is standard input")
                       ->type_name("FILE");
     points->excludes(input);
+    add_format(app, a.format, point_formats);
     app.add_flag("--ignore-z", a.ignore_z, "Drop the z coordinate of the input")->needs(input);
-    app.add_option("--density", a.density, "Density whose centroids points move to")
-        ->check(CLI::IsMember({"one", "x2+y2", "x2", "sin2"}))
+    app.add_option("--density", a.density,
+                   "Density whose centroids points move to: one, x2+y2, x2, sin2,\n"
+                   "or a picture, .png or .pgm, which is stippled: dense where it is dark")
+        ->type_name("D")
+        ->check([](const std::string& word) {
+            const bool known = std::any_of(std::begin(all_densities), std::end(all_densities),
+                                           [&](Density d) { return name_of(d) == word; });
+            return known || is_gray_image(word)
+                       ? std::string()
+                       : "'" + word + "' is none of one, x2+y2, x2, sin2, and no picture (.png, .pgm)";
+        })
+        ->capture_default_str();
+    app.add_flag("--invert", a.invert, "Of a picture: dense where it is bright");
+    app.add_option("--dots", a.dots,
+                   "Of a picture: discs of one radius in stipples.svg, or each as large as\n"
+                   "what is dark in its Voronoi cell")
+        ->check(CLI::IsMember({"equal", "cells"}))
         ->capture_default_str();
     app.add_option("--domain", a.domain,
                    "disc, square, or a file with the corners of a convex polygon in order\n"
@@ -87,12 +107,31 @@ Domain_2 domain_around(const std::vector<Coordinates<2>>& p) {
     return Domain_2::polygon(square);
 }
 
-/// The moments of sin2 cost time in proportion to the rings that a cell spans.
+/// The moments of sin2 cost time in proportion to the area of the domain where its cells span rings.
 void require_rings_to_be_few(Density density, const Domain_2& domain) {
     const auto& box = domain.bounding_box();
     const double width = std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
-    if (density == Density::sin2 && width > 20000)
-        throw Error(Error_code::usage, "--density sin2 takes domains up to 20000 wide; its rings are 3.1 apart");
+    if (density == Density::sin2 && width > 1000)
+        throw Error(Error_code::usage, "--density sin2 takes domains up to 1000 wide; its rings are 3.1 apart");
+}
+
+/// The picture that --density names, if it is one.
+std::optional<Stippling> stippling_from(const Lloyd_arguments& a) {
+    if (!is_gray_image(a.density)) {
+        if (a.invert) throw Error(Error_code::usage, "--invert is for a picture: --density FILE.png or FILE.pgm");
+        if (a.dots != "equal")
+            throw Error(Error_code::usage, "--dots is for a picture: --density FILE.png or FILE.pgm");
+        return {};
+    }
+    if (!a.domain.empty() || a.radius != 0)
+        throw Error(Error_code::usage,
+                    "with a picture for --density the domain is the picture: no --domain, no --radius");
+    Gray_image image = read_gray_image(a.density);
+    try {
+        return Stippling(std::move(image), a.invert);
+    } catch (const Error& e) {
+        throw Input_error(Error_code::bad_input, a.density, 0, e.what(), "something to stipple");
+    }
 }
 
 }  // namespace
@@ -100,33 +139,39 @@ void require_rings_to_be_few(Density density, const Domain_2& domain) {
 Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
     if (a.points == 0 && a.input.empty())
         throw Error(Error_code::usage, "say how many points with --points N, or name a file with --input FILE");
-    const Density density = parse_density(a.density);
+    std::optional<Stippling> stippling = stippling_from(a);
+    const Density formula = stippling ? Density::one : parse_density(a.density);
     const bool named = a.domain == "disc" || a.domain == "square";
     if (a.radius != 0 && !named && !(a.domain.empty() && a.input.empty()))
         throw Error(Error_code::usage, a.domain.empty()
                                            ? "--radius needs --domain disc or square when points come from a file"
                                            : "--radius is for --domain disc or square, not for a polygon");
     if (!std::isfinite(a.radius)) throw Error(Error_code::usage, "--radius must be a finite number");
-    const double radius = a.radius > 0 ? a.radius : density == Density::sin2 ? 2 * std::numbers::pi : 1.0;
+    const double radius = a.radius > 0 ? a.radius : formula == Density::sin2 ? 2 * std::numbers::pi : 1.0;
     std::optional<Domain_2> domain;
-    if (a.domain == "disc" || (a.domain.empty() && a.input.empty())) {
+    if (stippling) {
+        const auto w = static_cast<double>(stippling->width()), h = static_cast<double>(stippling->height());
+        domain = Domain_2::polygon(std::vector<Coordinates<2>>{{0, 0}, {w, 0}, {w, h}, {0, h}});
+    } else if (a.domain == "disc" || (a.domain.empty() && a.input.empty())) {
         domain = Domain_2::disc(radius);
     } else if (a.domain == "square") {
         domain = Domain_2::square(radius);
     } else if (!a.domain.empty()) {
         domain = polygon_from(a.domain);
     }
-    if (domain) require_rings_to_be_few(density, *domain);
+    if (domain) require_rings_to_be_few(formula, *domain);
     if (a.input.empty()) {
-        std::vector<Coordinates<2>> points = sample(*domain, density, a.points, seed);
-        return {*domain, density, std::move(points), 0};
+        std::vector<Coordinates<2>> points =
+            sample(*domain, stippling ? Density_2(stippling->ink()) : formula, a.points, seed);
+        const Density_2 density = stippling ? Density_2(stippling->density()) : formula;
+        return {*domain, density, std::move(points), 0, {}, std::move(stippling)};
     }
-    const Point_file<2> file = read_points<2>(a.input, {.ignore_z = a.ignore_z});
+    const Point_file<2> file = read_points<2>(a.input, {.ignore_z = a.ignore_z, .format = a.format});
     std::vector<Coordinates<2>> points = distinct_points(file, 3);
     for (std::size_t i = 0; domain && i < file.points.size(); ++i)
         if (!domain->contains(file.points[i]))
             throw file.fault(i, Error_code::out_of_domain, "point outside the domain",
-                             "points in the " + (a.domain.empty() ? std::string("disc") : a.domain));
+                             "points in the " + (stippling ? "picture" : a.domain));
     const std::uint64_t merged = file.points.size() - points.size();
     if (!domain) {
         try {
@@ -134,9 +179,29 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
         } catch (const Error& e) {
             throw file.fault(0, Error_code::out_of_domain, e.what(), "lengths between 1e-100 and 1e100");
         }
-        require_rings_to_be_few(density, *domain);
+        require_rings_to_be_few(formula, *domain);
     }
-    return {*domain, density, std::move(points), merged, file.notes};
+    const Density_2 density = stippling ? Density_2(stippling->density()) : formula;
+    return {*domain, density, std::move(points), merged, file.notes, std::move(stippling)};
+}
+
+std::string stipples_of(const Lloyd_arguments& a, const Lloyd_scene& scene, const Moving_delaunay_2& dt) {
+    const Stippling& picture = *scene.stippling;
+    const std::span<const Coordinates<2>> points = dt.positions();
+    std::vector<double> radii{disc_radius(picture.area(), points.size())};
+    if (a.dots == "cells") {
+        Stars_2 stars;
+        read_stars(dt, stars);
+        Voronoi_cell_2 cell_of(scene.domain);
+        const Density_2 ink = picture.ink();
+        radii.clear();
+        for (std::size_t v = 0; v < points.size(); ++v) {
+            const Cell_2& cell = cell_of(points[v], stars.of(v), points, stars.cyclic(v));
+            const double mass = moments(ink, cell.origin, cell.corners).mass;
+            radii.push_back(disc_radius(std::max(mass, 0.0) / picture.full(), 1));
+        }
+    }
+    return svg_stipples(picture.width(), picture.height(), points, radii, a.invert);
 }
 
 void read_stars(const Moving_delaunay_2& dt, Stars_2& stars) {

@@ -3,6 +3,7 @@
 
 #include <annulus/cli/arguments.h>
 #include <annulus/motion/lloyd_2.h>
+#include <annulus/motion/stippling.h>
 #include <annulus/moving_delaunay_2.h>
 
 #include <optional>
@@ -16,7 +17,10 @@ struct Lloyd_arguments {
     std::uint64_t points = 0;
     std::string input;
     bool ignore_z = false;
+    std::string format;  ///< of the input, where not as its extension says
     std::string density = "one";
+    bool invert = false;
+    std::string dots = "equal";
     std::string domain;
     double radius = 0;
     std::uint64_t iterations = 100;
@@ -27,16 +31,21 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& arguments);
 /// Points, domain and density of Lloyd iterations, checked.
 struct Lloyd_scene {
     Domain_2 domain;
-    Density density;
-    std::vector<Coordinates<2>> points;  ///< distinct, in the domain
-    std::uint64_t merged = 0;            ///< duplicates of the input that were merged
-    std::vector<std::string> notes{};    ///< what the input says and nobody obeys
+    Density_2 density;
+    std::vector<Coordinates<2>> points;    ///< distinct, in the domain
+    std::uint64_t merged = 0;              ///< duplicates of the input that were merged
+    std::vector<std::string> notes{};      ///< what the input says and nobody obeys
+    std::optional<Stippling> stippling{};  ///< where the density is a picture
     /// Mean spacing: the square root of area per point, the unit of length of the paper's figures.
     [[nodiscard]] double spacing() const;
 };
 
 /// Throws Input_error or Error.
 [[nodiscard]] Lloyd_scene make_scene(const Lloyd_arguments& arguments, std::uint64_t seed);
+
+/// The picture's dots, where Lloyd iterations left them, as an SVG document. Throws as `make_scene`.
+[[nodiscard]] std::string stipples_of(const Lloyd_arguments& arguments, const Lloyd_scene& scene,
+                                      const Moving_delaunay_2& dt);
 
 /// The stars of a triangulation: of its mirror where there is one, which costs what has changed, else of CGAL's object. The same lists.
 void read_stars(const Moving_delaunay_2& dt, Stars_2& stars);

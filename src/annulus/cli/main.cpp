@@ -82,6 +82,7 @@ int run(int argc, char** argv) {
     commands["compare"] = add_compare_command(app, invocation);
     commands["audit"] = add_audit_command(app, invocation);
     commands["degeneracy"] = add_degeneracy_command(app, invocation);
+    commands["generate"] = add_generate_command(app, invocation);
     commands["counterexample"] = add_counterexample_command(app, invocation);
     std::reverse(outer.begin(), outer.end());
     try {

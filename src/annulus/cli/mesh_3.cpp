@@ -48,4 +48,10 @@ Picture Mesh_3::cut(std::string caption) const {
     return cut_picture(cells(), inside(), points_, axis, at, std::move(caption) + ", cut across " + "xyz"[axis]);
 }
 
+Picture picture_of(const Moving_delaunay_3& dt, std::string caption) {
+    Mesh_3 mesh;
+    mesh.read(dt);
+    return mesh.cut(std::move(caption));
+}
+
 }  // namespace annulus::cli

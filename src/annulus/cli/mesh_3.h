@@ -14,7 +14,9 @@ namespace annulus::cli {
 /// whatever the history of the triangulation, so that a motion computed from them is the same bit for bit.
 class Mesh_3 {
   public:
-    [[nodiscard]] const std::vector<Coordinates<3>>& points() const { return points_; }  ///< where nobody has left, by vertex index
+    [[nodiscard]] const std::vector<Coordinates<3>>& points() const {
+        return points_;
+    }  ///< where nobody has left, by vertex index
     [[nodiscard]] const Cells_3& cells() const { return kept_.cells(); }
     [[nodiscard]] std::span<const char> inside() const { return domain_ ? kept_.inside() : all_; }
     /// As a motion takes them; after a reading with a domain.
@@ -34,5 +36,8 @@ class Mesh_3 {
     std::vector<char> all_;  // flags where there is no domain
     bool domain_ = false;
 };
+
+/// All cells of the triangulation, cut as above.
+[[nodiscard]] Picture picture_of(const Moving_delaunay_3& dt, std::string caption);
 
 }  // namespace annulus::cli

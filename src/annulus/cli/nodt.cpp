@@ -8,7 +8,10 @@
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker.h>
 #include <annulus/formats/input_error.h>
+#include <annulus/formats/write_csv.h>
+#include <annulus/formats/write_mesh.h>
 #include <annulus/motion/nodt_3.h>
+#include <annulus/report/summary.h>
 #include <annulus/statistics/mesh_quality.h>
 
 #include <cstdio>
@@ -22,6 +25,7 @@ struct Nodt_call {
     Common_arguments common;
     Tracking_arguments tracking;
     Nodt_arguments nodt;
+    Frame_arguments frames;
 };
 
 Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step) {
@@ -47,9 +51,28 @@ std::string filled(const Mesh_3& mesh, const Domain_3& domain) {
     return text;
 }
 
+/// The cells of the domain alone, their dihedral angles, and what is on their surface.
+void add_domain(Run_page<Moving_delaunay_3>& page, const Mesh_3& mesh, const Run_record& run) {
+    page.cells = mesh.cells().vertex;
+    std::vector<std::array<Index, 4>> inside;
+    std::vector<std::int64_t> flag, boundary(mesh.points().size(), 0);
+    for (std::size_t c = 0; c < page.cells.size(); ++c) {
+        flag.push_back(mesh.inside()[c] != 0 ? 1 : 0);
+        if (mesh.inside()[c] != 0) inside.push_back(page.cells[c]);
+    }
+    const auto facets = surface_facets(mesh.cells(), mesh.inside());
+    for (const auto& facet : facets)
+        for (const Index v : facet) boundary[static_cast<std::size_t>(v)] = 1;
+    page.point_fields.push_back({"boundary", std::move(boundary)});
+    page.cell_fields.push_back({"domain", std::move(flag)});
+    page.files.emplace_back("dihedral.csv", write_csv(dihedral_table(run)));
+    page.files.emplace_back("domain.mesh", write_part(mesh.points(), inside, facets));
+}
+
 int run(const Nodt_call& a, const std::string& command) {
     const auto begin = Clock::now();
-    const Options options = options_of(a.tracking, a.common);
+    Options options = options_of(a.tracking, a.common);
+    prepare(a.frames, a.common, options);
     const bool files = !a.common.output.empty();
     if (files) require_writable(a.common);
     Nodt_scene scene = make_scene(a.nodt, a.common.seed);
@@ -61,8 +84,10 @@ int run(const Nodt_call& a, const std::string& command) {
     scene.require_cells(a.nodt, mesh.inside());
     scene.notes.push_back(filled(mesh, domain));
     tracker.mesh_before(measured(mesh, {}));
-    std::optional<Picture> before;
-    if (files) before = mesh.cut("before");
+    Run_page<Moving_delaunay_3> page{.step = "natural ODT iteration"};
+    if (files) page.before = mesh.cut("before");
+    Frame_files<Moving_delaunay_3> frames(a.common, a.frames, tracker);
+    if (a.frames.any()) frames.frame(0);
 
     const Nodt_3 nodt = scene.motion(a.nodt, a.common.threads);
     Nodt_memory memory;
@@ -80,6 +105,7 @@ int run(const Nodt_call& a, const std::string& command) {
             mesh.read(tracker.triangulation(), tracker.cells_changed(), domain, a.common.threads);
             tracker.add_motion(since(start));
             tracker.mesh_after(measured(mesh, step));
+            if (a.frames.any()) frames.frame(i);
             char news[60];
             std::snprintf(news, sizeof news, "%.2f %% within tolerance, %llu slivers", 100 * tracker.share_within(),
                           static_cast<unsigned long long>(tracker.record().steps.back().mesh->slivers));
@@ -87,9 +113,14 @@ int run(const Nodt_call& a, const std::string& command) {
         }
     }
     tracker.finish(command, a.common.seed, since(begin));
-    if (files)
-        write_run(a.common, tracker, "natural ODT iteration", mesh, true, std::move(before),
-                  mesh.cut("after " + counted(tracker.record().iterations, "iteration")), scene.notes);
+    if (files) {
+        add_domain(page, mesh, tracker.record());
+        page.after = mesh.cut("after " + counted(tracker.record().iterations, "iteration"));
+        page.notes = scene.notes;
+        page.figures = frame_figures(frames.records(), tracker.record(), false);
+        page.frames = &frames;
+        write_run(a.common, tracker, std::move(page));
+    }
     if (tracker.record().interrupted) {
         say_interrupted(a.common, tracker.record().iterations, a.nodt.iterations);
         return done;
@@ -108,6 +139,7 @@ Run add_nodt_command(CLI::App& app, const Invocation& invocation) {
     const auto a = std::make_shared<Nodt_call>();
     add_nodt(*sub, a->nodt);
     add_tracking(*sub, a->tracking);
+    add_frames(*sub, a->frames);
     add_common(*sub, a->common,
                "summary.json, iterations.csv, final.mesh, final.vtu, domain.mesh, dihedral.csv and report.html");
     return [a, command = command_line(invocation.words)] { return run(*a, command); };

@@ -2,7 +2,7 @@
 #include <annulus/cli/nodt_scene.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/formats/file_bytes.h>
+#include <annulus/formats/format.h>
 #include <annulus/formats/read_image.h>
 #include <annulus/formats/read_surface.h>
 #include <annulus/formats/read_tetrahedra.h>
@@ -80,7 +80,7 @@ Nodt_3 Nodt_scene::motion(const Nodt_arguments& a, int threads) const {
 
 namespace {
 
-bool is_image(const std::string& file) { return format_extension(file) == ".inr"; }
+bool is_image(const std::string& file) { return has_extension_of(file, Format::inr); }
 
 Triangle_surface surface_from(const Nodt_arguments& a, std::vector<std::string>& notes) {
     if (is_image(a.surface)) {

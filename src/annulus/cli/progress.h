@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace annulus::cli {
@@ -11,11 +12,13 @@ namespace annulus::cli {
 /// terminal.
 class Progress {
   public:
+    /// `steps` is 0 where nobody knows how many there are.
     Progress(std::string label, std::uint64_t steps, bool quiet);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
-    void show(std::uint64_t step, const std::string& news);
+    /// The bar is `share` long where that is given, else as many of the steps as are done.
+    void show(std::uint64_t step, const std::string& news, std::optional<double> share = std::nullopt);
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -2,21 +2,19 @@
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
 #include <annulus/cli/files.h>
+#include <annulus/cli/frame_change.h>
 #include <annulus/cli/mesh_3.h>
 #include <annulus/cli/progress.h>
+#include <annulus/cli/replay_scene.h>
 #include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
 #include <annulus/cli/tracker.h>
-#include <annulus/formats/frame_points.h>
-#include <annulus/formats/read_motion.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <numeric>
 #include <optional>
-#include <span>
+#include <utility>
 
 namespace annulus::cli {
 
@@ -25,100 +23,16 @@ namespace {
 struct Replay_call {
     Common_arguments common;
     Tracking_arguments tracking;
-    std::string file;
-    int dimension = 0;  // 0: what the file has
-    std::string coincident = "refuse";
-    std::string absent = "refuse";
-
-    [[nodiscard]] Coincident on_coincident() const {
-        return coincident == "merge" ? Coincident::merge : Coincident::refuse;
-    }
-    [[nodiscard]] Absent_frames on_absent() const {
-        return absent == "empty"  ? Absent_frames::empty
-               : absent == "skip" ? Absent_frames::skip
-                                  : Absent_frames::refuse;
-    }
+    Replay_arguments replay;
+    Frame_arguments frames;
 };
 
-template <int d>
-using Points = std::vector<Coordinates<d>>;
-
-/// The unit of length: the d-th root of the volume of the points' box for each of them; for flat sets in fewer dimensions.
-template <int d>
-double spacing_of(const Points<d>& points) {
-    if (points.empty()) return 1;
-    double logarithms = 0;  // no overflow
-    int dimension = 0;
-    for (std::size_t k = 0; k < d; ++k) {
-        const auto [low, high] = std::minmax_element(points.begin(), points.end(),
-                                                     [k](const auto& a, const auto& b) { return a[k] < b[k]; });
-        const double side = (*high)[k] - (*low)[k];
-        if (!(side > 0)) continue;
-        logarithms += std::log(side);
-        ++dimension;
-    }
-    if (dimension == 0) return 1;
-    return std::exp((logarithms - std::log(static_cast<double>(points.size()))) / dimension);
-}
-
-/// The points that are there: ids, ascending, and the index of each in the triangulation.
-struct Present {
-    std::vector<std::uint64_t> id;
-    std::vector<Index> index;
-};
-
-/// What leads from the points that are there to a frame.
-template <int d>
-struct Change {
-    std::vector<Index> leave;
-    Points<d> x, arrive;
-    std::vector<Index> index;  ///< of the frame's points; `none` for those that arrive
-    double sum = 0, max = 0;
-    std::size_t moved = 0;
-
-    Change(const Present& present, std::span<const Coordinates<d>> now, const Frame_points<d>& frame)
-        : x(now.begin(), now.end()) {
-        std::size_t p = 0;
-        for (std::size_t f = 0; f < frame.id.size(); ++f) {
-            while (p < present.id.size() && present.id[p] < frame.id[f]) leave.push_back(present.index[p++]);
-            if (p == present.id.size() || present.id[p] != frame.id[f]) {
-                arrive.push_back(frame.x[f]);
-                index.push_back(none);
-                continue;
-            }
-            index.push_back(present.index[p++]);
-            Coordinates<d>& at = x[static_cast<std::size_t>(index.back())];
-            double way = 0;
-            for (std::size_t k = 0; k < d; ++k) way = std::hypot(way, frame.x[f][k] - at[k]);
-            sum += way;
-            max = std::max(max, way);
-            ++moved;
-            at = frame.x[f];
-        }
-        leave.insert(leave.end(), present.index.begin() + static_cast<std::ptrdiff_t>(p), present.index.end());
-    }
-
-    [[nodiscard]] double mean() const { return moved > 0 ? sum / static_cast<double>(moved) : 0; }
-};
-
-std::optional<Picture> picture(const Moving_delaunay_2& dt, const std::string& caption) {
-    return picture_of(dt, caption);
-}
-std::optional<Picture> picture(const Moving_delaunay_3& dt, const std::string& caption) {
+/// The solid cells in one order, whatever the history of the triangulation.
+std::vector<std::array<Index, 3>> ordered_cells(const Moving_delaunay_2&) { return {}; }
+std::vector<std::array<Index, 4>> ordered_cells(const Moving_delaunay_3& dt) {
     Mesh_3 mesh;
     mesh.read(dt);
-    return mesh.cut(caption);
-}
-
-void write(const Common_arguments& arguments, const Tracker_2& tracker, std::optional<Picture> before,
-           std::vector<std::string> notes) {
-    write_run(arguments, tracker, "step", std::move(before), std::move(notes));
-}
-void write(const Common_arguments& arguments, const Tracker_3& tracker, std::optional<Picture> before,
-           std::vector<std::string> notes) {
-    Mesh_3 mesh;
-    mesh.read(tracker.triangulation());
-    write_run(arguments, tracker, "step", mesh, false, std::move(before), mesh.cut("after"), std::move(notes));
+    return mesh.cells().vertex;
 }
 
 /// How many points came and went, and how many others stood for.
@@ -132,52 +46,117 @@ struct Traffic {
     }
 };
 
+/// A triangulation on its way from frame to frame, and what is written of each.
 template <class Moving>
-int replay(const Replay_call& a, const std::string& command, const Recorded_motion& motion, Clock::time_point begin) {
-    constexpr int d = Moving::dimension_of_space;
-    const auto frame_at = [&](std::size_t i) { return points_of<d>(motion, motion.frames[i], a.on_coincident()); };
-    Frame_points<d> frame = frame_at(0);
-    Traffic traffic{.merged = frame.merged};
-    const std::uint64_t iterations = motion.frames.size() - 1;
-    const bool files = !a.common.output.empty();
-    if (files) require_writable(a.common);
-    const auto with_points = std::find_if(motion.frames.begin(), motion.frames.end(),
-                                          [](const Frame& f) { return !f.id.empty(); });  // there is one
-    const double spacing = spacing_of<d>(points_of<d>(motion, *with_points, Coincident::merge).x);
-    Tracker<Moving> tracker(a.tracking.strategy, frame.x, options_of(a.tracking, a.common), spacing, iterations,
-                            a.tracking.audit, files);
-    std::optional<Picture> before;
-    if (files) before = picture(tracker.triangulation(), "before");
+class Replay {
+  public:
+    static constexpr int d = Moving::dimension_of_space;
 
-    Present present{std::move(frame.id), std::vector<Index>(frame.x.size())};
-    std::iota(present.index.begin(), present.index.end(), Index{0});
+    Replay(const Replay_call& a, const Options& options, Replayed_frames<d>& frames)
+        : frames_(frames), films_(!a.common.output.empty()), tracker_(first_frame(a, options)), page_{.step = "step"} {
+        if (!films_) tracker_.forget_steps();
+        else files_.emplace(a.common, a.frames, tracker_);
+        present_ = {std::move(frame_.id), std::vector<Index>(frame_.x.size())};
+        std::iota(present_.index.begin(), present_.index.end(), Index{0});
+        for (std::size_t k = 0; files_ && k < present_.id.size(); ++k) files_->name(present_.index[k], present_.id[k]);
+        note_frame();
+        if (frames_.at_end()) tracker_.ends_after(0);
+    }
+
+    /// One step; false after the last.
+    bool next() {
+        if (!frames_.next(frame_)) return false;
+        if (frames_.at_end()) tracker_.ends_after(tracker_.record().iterations + 1);
+        Frame_change<d> change(present_, tracker_.triangulation().positions(), frame_);
+        if (files_) {
+            std::vector<std::uint64_t> ids;
+            for (std::size_t k = 0; k < change.index.size(); ++k)
+                if (change.index[k] == none) ids.push_back(frame_.id[k]);
+            files_->arriving(ids);
+        }
+        const auto indices = tracker_.follow(change.leave, change.x, change.arrive, 0, change.mean(), change.max);
+        auto arrived = indices.begin();
+        for (Index& index : change.index)
+            if (index == none) index = *arrived++;
+        present_ = {std::move(frame_.id), std::move(change.index)};
+        traffic_.arrived += indices.size();
+        traffic_.left += change.leave.size();
+        traffic_.merged += frame_.merged;
+        note_frame();
+        return true;
+    }
+
+    [[nodiscard]] Tracker<Moving>& tracker() { return tracker_; }
+    [[nodiscard]] const Traffic& traffic() const { return traffic_; }
+
+    void write(const Common_arguments& arguments, std::vector<std::string> notes) {
+        if (films_) page_.film.add(tracker_.record().iterations, picture_of(tracker_.triangulation(), caption_), true);
+        page_.notes = std::move(notes);
+        page_.cells = ordered_cells(tracker_.triangulation());
+        page_.figures = frame_figures(files_->records(), tracker_.record(), true);
+        page_.frames = &*files_;
+        write_run(arguments, tracker_, std::move(page_));
+    }
+
+  private:
+    Tracker<Moving> first_frame(const Replay_call& a, const Options& options) {
+        (void)frames_.next(frame_);
+        traffic_.merged = frame_.merged;
+        if (films_) require_writable(a.common);
+        return {a.tracking.strategy, frame_.x,         options, frames_.spacing(),
+                unknown_iterations,  a.tracking.audit, films_};
+    }
+    void note_frame() {
+        if (!files_) return;
+        files_->frame(frame_.number);
+        caption_ = "Frame " + std::to_string(frame_.number);
+        const std::uint64_t step = tracker_.record().iterations;
+        if (page_.film.wants(step)) page_.film.add(step, picture_of(tracker_.triangulation(), caption_));
+    }
+
+    Replayed_frames<d>& frames_;
+    bool films_;
+    Frame_points<d> frame_;
+    Traffic traffic_;
+    Tracker<Moving> tracker_;
+    Run_page<Moving> page_;
+    std::optional<Frame_files<Moving>> files_;
+    Present present_;
+    std::string caption_;  // of the last frame
+};
+
+template <class Moving>
+int replay(const Replay_call& a, const Options& options, const std::string& command, Opened_motion& motion,
+           Clock::time_point begin) {
+    Replayed_frames<Moving::dimension_of_space> frames(motion, a.replay);
+    Replay<Moving> run(a, options, frames);
+    const Tracker<Moving>& tracker = run.tracker();
+    const bool files = !a.common.output.empty();
     std::optional<Interruption_guard> guard;
     if (files) guard.emplace();
-    {
-        Progress progress("replay", iterations, a.common.quiet);
-        for (std::uint64_t i = 1; i <= iterations && !Interruption_guard::interrupted(); ++i) {
-            frame = frame_at(i);
-            Change<d> change(present, tracker.triangulation().positions(), frame);
-            const auto indices = tracker.follow(change.leave, change.x, change.arrive, change.mean(), change.max);
-            auto arrived = indices.begin();
-            for (Index& index : change.index)
-                if (index == none) index = *arrived++;
-            present = {std::move(frame.id), std::move(change.index)};
-            traffic.arrived += indices.size();
-            traffic.left += change.leave.size();
-            traffic.merged += frame.merged;
+    std::optional<Input_error> fault;
+    try {
+        Progress progress("replay", 0, a.common.quiet);
+        while (!Interruption_guard::interrupted() && run.next()) {
             char news[40];
             std::snprintf(news, sizeof news, "%.2f %% within tolerance", 100 * tracker.share_within());
-            progress.show(i, news);
+            progress.show(tracker.record().iterations, news, motion.reader.share_read());
         }
+    } catch (const Input_error& error) {
+        // Whoever is interrupted on a terminal gets the end of a pipe, too: its other end has had the same signal.
+        if (!files || (tracker.record().iterations == 0 && !Interruption_guard::interrupted())) throw;
+        fault = error;
     }
-    tracker.finish(command, a.common.seed, since(begin));
-    std::vector<std::string> notes = motion.notes;
-    notes.insert(notes.begin(), traffic.in_words());
-    if (files) write(a.common, tracker, std::move(before), notes);
-    a.common.say_notes(motion.notes);
+    run.tracker().finish(command, a.common.seed, since(begin));
+    std::vector<std::string> notes = motion.reader.notes();
+    notes.insert(notes.begin(), run.traffic().in_words());
+    if (files) run.write(a.common, notes);
+    a.common.say_notes(motion.reader.notes());
+    if (fault && !Interruption_guard::interrupted())
+        throw Input_error(fault->code(), fault->file(), fault->line(), fault->fault(),
+                          fault->expected() + "; what was done before is in " + partial(a.common.output));
     if (tracker.record().interrupted) {
-        say_interrupted(a.common, tracker.record().iterations, iterations);
+        say_interrupted(a.common, tracker.record().iterations);
         return done;
     }
     if (!a.common.quiet) {
@@ -188,26 +167,13 @@ int replay(const Replay_call& a, const std::string& command, const Recorded_moti
     return tracker.record().audit.failed == 0 ? done : audit_failed;
 }
 
-/// 3 when there is a z and it is not the same everywhere.
-int dimension_of(const Recorded_motion& motion) {
-    std::optional<double> z;
-    for (const Frame& frame : motion.frames)
-        for (const auto& p : frame.position) {
-            if (motion.has_z && z.value_or(p[2]) != p[2]) return 3;
-            z = p[2];
-        }
-    return 2;
-}
-
 int run(const Replay_call& a, const std::string& command) {
     const auto begin = Clock::now();
-    (void)options_of(a.tracking, a.common);  // wrong usage is told before a long file is read
-    const Recorded_motion motion = read_motion(a.file, a.on_absent());
-    if (a.dimension == 3 && !motion.has_z)
-        throw Input_error(Error_code::bad_input, a.file, 0, "points have no z", "a third coordinate for --dim 3");
-    return (a.dimension != 0 ? a.dimension : dimension_of(motion)) == 2
-               ? replay<Moving_delaunay_2>(a, command, motion, begin)
-               : replay<Moving_delaunay_3>(a, command, motion, begin);
+    Options options = options_of(a.tracking, a.common);  // wrong usage is told before a file is opened
+    prepare(a.frames, a.common, options);
+    Opened_motion motion = open_motion(a.replay);
+    return motion.dimension == 2 ? replay<Moving_delaunay_2>(a, options, command, motion, begin)
+                                 : replay<Moving_delaunay_3>(a, options, command, motion, begin);
 }
 
 }  // namespace
@@ -215,21 +181,8 @@ int run(const Replay_call& a, const std::string& command) {
 Run add_replay_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand("replay", "A recorded motion, the triangulation kept right throughout");
     const auto a = std::make_shared<Replay_call>();
-    sub->add_option("FILE", a->file,
-                    "Frames: .xyz (extended XYZ) or .csv with columns frame, id, x, y [, z]; .gz after it unpacks")
-        ->required();
-    sub->add_option("--dim", a->dimension, "Dimension; 2 drops z. Without it, 3 where z is not the same everywhere")
-        ->check(whole_number(2, 3));
-    sub->add_option("--coincident", a->coincident,
-                    "Points of a frame at one place: refuse them, or merge: the one with the least id stands for all")
-        ->check(CLI::IsMember({"refuse", "merge"}))
-        ->capture_default_str();
-    sub->add_option(
-           "--absent-frames", a->absent,
-           "Gaps in the numbers of a .csv file's frames: refuse them, empty: all points disappear for one step\n"
-           "and appear again, or skip: one step leads over the gap")
-        ->check(CLI::IsMember({"refuse", "empty", "skip"}))
-        ->capture_default_str();
+    add_replay(*sub, a->replay);
+    add_frames(*sub, a->frames);
     add_tracking(*sub, a->tracking);
     add_common(*sub, a->common, run_files);
     return [a, command = command_line(invocation.words)] { return run(*a, command); };

@@ -14,8 +14,15 @@ namespace {
 /// These tell what a directory holds. Each states its command.
 constexpr std::array<std::string_view, 5> heads{"summary.json", "compare.json", "audit.json", "degeneracy.json",
                                                 "counterexample.json"};
-constexpr std::array<std::string_view, 7> others{"iterations.csv", "dihedral.csv", "final.mesh",     "domain.mesh",
-                                                 "final.vtu",      "report.html",  "degeneracy.html"};
+constexpr std::array<std::string_view, 12> others{"iterations.csv", "dihedral.csv", "final.mesh",      "domain.mesh",
+                                                  "final.vtu",      "report.html",  "degeneracy.html", "degeneracy.csv",
+                                                  "frames.pvd",     "voronoi.csv",  "changes.csv",  "stipples.svg"};
+
+/// frame-000012.vtu
+bool is_frame(std::string_view name) {
+    return name.starts_with("frame-") && name.ends_with(".vtu") && name.size() >= 16 &&
+           name.substr(6, name.size() - 10).find_first_not_of("0123456789") == std::string_view::npos;
+}
 
 template <std::size_t n>
 bool is_one_of(const std::array<std::string_view, n>& names, std::string_view name) {
@@ -24,7 +31,8 @@ bool is_one_of(const std::array<std::string_view, n>& names, std::string_view na
 
 /// Has annulus written to this directory? A summary.json of something else does not say so.
 bool holds_results(const std::filesystem::path& directory) {
-    const Directory_lock reading(directory, Directory_lock::Use::reading);  // another run may be putting its files there
+    const Directory_lock reading(directory,
+                                 Directory_lock::Use::reading);  // another run may be putting its files there
     return std::any_of(heads.begin(), heads.end(), [&](std::string_view name) {
         std::error_code ignored;
         if (!std::filesystem::is_regular_file(directory / name, ignored)) return false;  // a pipe would wait for ever
@@ -42,7 +50,7 @@ std::string directory_of(const Common_arguments& a, bool interrupted) {
 }  // namespace
 
 bool is_result(std::string_view name) {
-    return is_one_of(heads, name) || is_one_of(others, name) ||
+    return is_one_of(heads, name) || is_one_of(others, name) || is_frame(name) ||
            (name.starts_with("iterations-") && name.ends_with(".csv"));
 }
 

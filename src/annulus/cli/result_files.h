@@ -20,6 +20,10 @@ class Result_files {
     explicit Result_files(const Common_arguments& arguments, Output_directory::Replaced replaced = is_result,
                           bool interrupted = false);
     void write(std::string_view name, std::string_view content) { out_.write(name, content); }
+    /// Where one is written bit by bit, before the commit.
+    [[nodiscard]] std::filesystem::path path_of(std::string_view name) { return out_.path_of(name); }
+    /// Those of another, which then has none.
+    void take(Result_files& other) { out_.take(other.out_); }
     void commit() { out_.commit(); }
 
   private:

@@ -56,37 +56,51 @@ bool Tracker<Moving>::measured_at(std::uint64_t i) const {
     return mark(i) != mark(i - 1);
 }
 
+/// What changed is for whoever listens, and is not summed up.
+template <class Moving>
+void Tracker<Moving>::hear(Move_report& report, Index arrived) {
+    if (listener_) listener_(report, arrived);
+    report.changed.clear();
+    report.gone.clear();
+}
+
 template <class Moving>
 void Tracker<Moving>::step(std::span<const Coordinates<d>> x, double motion_seconds, double displacement_mean,
                            double displacement_max) {
     const auto start = Clock::now();
-    const Move_report report = dt_.move_all(x);
+    Move_report report = dt_.move_all(x);
     // What a rebuild spends to keep our handles valid is not part of CGAL's rebuild: it would flatter the others.
-    record_step(report, since(start) - report.handle_seconds, motion_seconds, displacement_mean, displacement_max);
+    const double seconds = since(start) - report.handle_seconds;
+    hear(report, none);
+    record_step(report, seconds, motion_seconds, displacement_mean, displacement_max);
 }
 
 template <class Moving>
 std::vector<Index> Tracker<Moving>::follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,
-                                           std::span<const Coordinates<d>> arrive, double displacement_mean,
-                                           double displacement_max) {
-    const auto start = Clock::now();
+                                           std::span<const Coordinates<d>> arrive, double motion_seconds,
+                                           double displacement_mean, double displacement_max) {
     Move_report report;
+    double seconds = 0;
     std::vector<Index> indices;
-    for (const Index i : leave) {
+    const auto call = [&](auto change, bool counts) {
         Move_report one;
-        dt_.remove(dt_.vertex(static_cast<std::size_t>(i)), &one);
-        one.moves = {};  // what happened to the moves asked for is counted, no more
+        const auto start = Clock::now();
+        const Index arrived = change(one);
+        seconds += since(start) - one.handle_seconds;
+        hear(one, arrived);
+        if (!counts) one.moves = {};  // what happened to the moves asked for is counted, no more
         report += one;
-    }
-    report += dt_.move_all(x);
+        return arrived;
+    };
+    for (const Index i : leave)
+        (void)call([&](Move_report& one) { return dt_.remove(dt_.vertex(static_cast<std::size_t>(i)), &one), none; },
+                   false);
+    (void)call([&](Move_report& one) { return one = dt_.move_all(x), none; }, true);
     for (const auto& p : arrive) {
-        Move_report one;
         const auto point = std::apply([](auto... c) { return typename Moving::Point(c...); }, p);
-        indices.push_back(dt_.index(dt_.insert(point, &one)));
-        one.moves = {};
-        report += one;
+        indices.push_back(call([&](Move_report& one) { return dt_.index(dt_.insert(point, &one)); }, false));
     }
-    record_step(report, since(start) - report.handle_seconds, 0, displacement_mean, displacement_max);
+    record_step(report, seconds, motion_seconds, displacement_mean, displacement_max);
     cells_changed_ = cells_changed_ || !leave.empty() || !arrive.empty();
     return indices;
 }
@@ -123,6 +137,7 @@ void Tracker<Moving>::record_step(const Move_report& report, double seconds, dou
             }
         }
     }
+    if (!keeps_steps_) record_.steps.clear();
     record_.steps.push_back(it);
     const bool last = record_.iterations == iterations_;
     if (audit_every_ > 0 && (last || record_.iterations % audit_every_ == 0)) audit();
@@ -147,7 +162,7 @@ void Tracker<Moving>::finish(const std::string& command, std::uint64_t seed, dou
     record_.seconds.total = total_seconds;
     record_.moves = moves_of(totals_.moves);
     record_.arithmetic = totals_.arithmetic;
-    record_.memory_peak_bytes = resident_memory().peak;
+    record_.memory_peak_bytes = peak_resident_memory();
 }
 
 template <class Moving>

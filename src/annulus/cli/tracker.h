@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/report/report.h>
-#include <annulus/report/run_record.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
+#include <annulus/report/report.h>
+#include <annulus/report/run_record.h>
 
+#include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,9 @@ namespace annulus::cli {
 [[nodiscard]] inline bool changes_cells(const Move_report& r) {
     return r.flips + r.moves.reinserted + r.moves.rebuilt + r.moves.flipped > 0;
 }
+
+/// Of a motion whose end is not known when it begins.
+inline constexpr std::uint64_t unknown_iterations = std::numeric_limits<std::uint64_t>::max();
 
 /// One strategy following a motion: its triangulation (a Moving_delaunay), what it did, and what was measured on the way.
 template <class Moving>
@@ -26,13 +31,22 @@ class Tracker {
     Tracker(std::string name, std::span<const Coordinates<d>> points, const Options& options, double spacing,
             std::uint64_t iterations, std::uint64_t audit_every, bool measure);
 
+    /// How many iterations there are, where that was unknown: told before the last one.
+    void ends_after(std::uint64_t iterations) { iterations_ = iterations; }
+    /// From now on only the last step is kept: memory then does not depend on how many there are.
+    void forget_steps() { keeps_steps_ = false; }
+
+    /// Told what each call of the triangulation reports, and which vertex it inserted, or `none`.
+    using Listener = std::function<void(const Move_report& report, Index arrived)>;
+    void listen(Listener listener) { listener_ = std::move(listener); }
+
     /// Follows one timestamp. Motion seconds and displacement are what the motion says of itself.
     void step(std::span<const Coordinates<d>> x, double motion_seconds, double displacement_mean,
               double displacement_max);
     /// Follows one timestamp in which some vertices leave, the others move to x (by index), and then some arrive: removals,
     /// one move_all, insertions. Returns the indices of those that arrived. Throws what the triangulation throws.
     std::vector<Index> follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,
-                              std::span<const Coordinates<d>> arrive, double displacement_mean,
+                              std::span<const Coordinates<d>> arrive, double motion_seconds, double displacement_mean,
                               double displacement_max);
     /// What the mesh was before the first step, and is after the last one.
     void mesh_before(Mesh_step mesh) { record_.mesh_before = std::move(mesh); }
@@ -60,7 +74,10 @@ class Tracker {
     void record_step(const Move_report& report, double seconds, double motion_seconds, double displacement_mean,
                      double displacement_max);
 
+    void hear(Move_report& report, Index arrived);
+
     Moving dt_;
+    Listener listener_;
     Run_record record_;
     Move_report totals_;
     std::vector<Width_distribution> widths_;
@@ -69,6 +86,7 @@ class Tracker {
     std::uint64_t iterations_;
     std::uint64_t audit_every_;
     bool measure_;
+    bool keeps_steps_ = true;
     bool cells_changed_ = true;
 };
 

@@ -4,6 +4,7 @@
 #include <annulus/engine/sample.h>
 #include <annulus/mesh/cell_table.h>
 #include <annulus/mesh/measures.h>
+#include <annulus/mesh/mesh_cells.h>
 
 #include <array>
 #include <span>
@@ -98,6 +99,10 @@ class Embedding {
 
     /// Appends the vertices of every finite cell, or of what is the largest there is of lower dimension (padded with `none`).
     virtual void list_cells(std::vector<Index>& vertices) const = 0;
+    /// The same, and those with infinity, where there are any of dimension d.
+    virtual void list_all_cells(std::vector<Index>& vertices) const = 0;
+    /// The finite cells and who is whose neighbour; vertices are below `bound`. O(n).
+    [[nodiscard]] virtual Mesh_cells<d> cells(std::size_t bound) const = 0;
     /// Whether rebuild(x) would sort the vertices first, which is a good part of its price. O(1).
     [[nodiscard]] virtual bool rebuild_sorts(std::span<const Coordinates<d>> x) const = 0;
     /// Looks at a cell of some `count` vertices, at x. O(count).

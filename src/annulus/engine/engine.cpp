@@ -9,6 +9,7 @@
 #include <annulus/engine/filter.h>
 #include <annulus/engine/paper_queue.h>
 #include <annulus/engine/guarded.h>
+#include <annulus/engine/listing_changes.h>
 #include <annulus/engine/plain.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@ namespace annulus {
 template <int d>
 Engine<d>::Engine(Embedding<d>& embedding, const Options& options)
     : options_(options), strategy_(options.strategy), embedding_(embedding), upkeep_(upkeep_of(strategy_)), random_(options.seed) {
+    if (options.report_changes) journal_ = std::make_unique<Cell_journal<d>>();
     require_sound_environment();
     embedding.set_threads(std::max(1, options.threads));
 }
@@ -28,11 +30,9 @@ Engine<d>::~Engine() = default;
 
 template <int d>
 std::unique_ptr<Upkeep<d>> Engine<d>::upkeep_of(Strategy strategy) const {
-    const bool changes = options_.report_changes;
     using Means = typename Filter<d>::Means;
     const auto filter_by = [&](Means means, Tolerance_kind kind) {
         auto filter = std::make_unique<Filter<d>>(embedding_, kind, options_.second_look, means);
-        filter->report_changes(changes);
         filter->set_threads(std::max(1, options_.threads));
         return filter;
     };
@@ -40,12 +40,8 @@ std::unique_ptr<Upkeep<d>> Engine<d>::upkeep_of(Strategy strategy) const {
     if (strategy == Strategy::filter || (strategy == Strategy::filter_each && certified()))
         return filter_by(Means::tolerances, options_.tolerance);
     if (strategy == Strategy::in_place) return filter_by(Means::signs, Tolerance_kind::certified);
-    if (strategy == Strategy::filter_each) {
-        auto filter = std::make_unique<Paper_queue<d>>(embedding_, options_.tolerance);
-        filter->report_changes(changes);
-        return filter;
-    }
-    return std::make_unique<Plain<d>>(embedding_, strategy, changes);
+    if (strategy == Strategy::filter_each) return std::make_unique<Paper_queue<d>>(embedding_, options_.tolerance);
+    return std::make_unique<Plain<d>>(embedding_, strategy);
 }
 
 template <int d>
@@ -142,8 +138,10 @@ template <int d>
 Move_report Engine<d>::settle() {
     Move_report report;
     guarded([&] {
-        if (certified()) upkeep_->refresh_all(report);
-        else make_trusted(report);
+        listing_changes(report, {}, [&] {
+            if (certified()) upkeep_->refresh_all(report);
+            else make_trusted(report);
+        });
     });
     return report;
 }
@@ -166,22 +164,20 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
         throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::vertices) + " vertices");
     const Index i = vacant_.empty() ? static_cast<Index>(index_bound()) : vacant_.back();
     const Point here = p;  // it may be one of positions(), which are about to grow
-    guarded(
-        [&] {
-            make_trusted(report);
-            std::vector<Cell_index> changed;
-            const int before = embedding_.dimension();
-            const std::size_t bound = index_bound();
-            if (!embedding_.insert(upkeep_->lend(std::max(bound, at(i) + 1)), i, here, changed)) {
-                (void)upkeep_->lend(bound);
-                throw Error(Error_code::collision, "another vertex is at that position");
-            }
-            upkeep_->place(i, here);
-            if (before != d && embedding_.mirrored()) upkeep_->refresh_all(report);
-            else upkeep_->refresh(changed, report);
-            list_changes(report, changed);
-        },
-        i);
+    const auto put = [&] {
+        make_trusted(report);
+        std::vector<Cell_index> changed;
+        const int before = embedding_.dimension();
+        const std::size_t bound = index_bound();
+        if (!embedding_.insert(upkeep_->lend(std::max(bound, at(i) + 1)), i, here, changed)) {
+            (void)upkeep_->lend(bound);
+            throw Error(Error_code::collision, "another vertex is at that position");
+        }
+        upkeep_->place(i, here);
+        if (before != d && embedding_.mirrored()) upkeep_->refresh_all(report);
+        else upkeep_->refresh(changed, report);
+    };
+    guarded([&] { listing_changes(report, {}, put); }, i);
     if (!vacant_.empty()) vacant_.pop_back();
     return i;
 }
@@ -189,7 +185,7 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
 template <int d>
 void Engine<d>::remove(Index i, Move_report& report) {
     vacant_.reserve(vacant_.size() + 1);
-    guarded([&] {
+    const auto take = [&] {
         make_trusted(report);
         std::vector<Cell_index> changed;
         try {
@@ -201,22 +197,13 @@ void Engine<d>::remove(Index i, Move_report& report) {
         vacant_.push_back(i);
         if (!changed.empty()) upkeep_->refresh(changed, report);
         else if (embedding_.mirrored()) upkeep_->refresh_all(report);
-        list_changes(report, changed);
-    });
+    };
+    guarded([&] { listing_changes(report, {}, take); });
 }
 
-/// Where nobody knows better, whatever may have changed: every finite cell.
 template <int d>
-void Engine<d>::list_changes(Move_report& report, std::span<const Cell_index> cells) const {
-    if (!options_.report_changes) return;
-    if (cells.empty()) {
-        report.changed.clear();
-        embedding_.list_cells(report.changed);
-        return;
-    }
-    const Cell_table<d>& t = embedding_.table();
-    for (const Cell_index c : cells)
-        for (int k = 0; k <= d; ++k) report.changed.push_back(t.vertex(t.corner(c, k)));
+Mesh_cells<d> Engine<d>::cells() const {
+    return embedding_.cells(index_bound());
 }
 
 template <int d>

@@ -5,6 +5,8 @@
 #include <annulus/engine/move_report.h>
 #include <annulus/engine/options.h>
 #include <annulus/mesh/audit.h>
+#include <annulus/mesh/cell_journal.h>
+#include <annulus/mesh/mesh_cells.h>
 
 #include <memory>
 #include <random>
@@ -48,6 +50,8 @@ class Engine {
     [[nodiscard]] Point fixed_position(Index i) const;
     [[nodiscard]] double tolerance(Index i) const;
     [[nodiscard]] double displacement(Index i) const;
+    /// Every finite cell. O(n).
+    [[nodiscard]] Mesh_cells<d> cells() const;
     [[nodiscard]] Audit_input<d> audit_input() const;
     [[nodiscard]] const Options& options() const { return options_; }
     [[nodiscard]] Strategy strategy() const { return strategy_; }
@@ -74,7 +78,8 @@ class Engine {
     void order_by_blockers(std::span<const Point> x, std::vector<Index>& waiting) const;
     void make_trusted(Move_report& report);
     void consider_switch(std::span<const Point> x, Move_report& report);
-    void list_changes(Move_report& report, std::span<const Cell_index> cells) const;
+    template <class Call>
+    void listing_changes(Move_report& report, std::span<const Index> movers, Call call);
 
     Options options_;
     Strategy strategy_;
@@ -84,6 +89,7 @@ class Engine {
     std::vector<Index> vacant_;
     std::vector<Index> index_of_input_;
     std::mt19937_64 random_;
+    std::unique_ptr<Cell_journal<d>> journal_;  // where changes are reported
     std::uint64_t steps_ = 0;
     bool whole_ = true;  // false: there are positions but no cells, because memory ran out twice
 };

@@ -6,9 +6,11 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/guarded.h>
+#include <annulus/engine/listing_changes.h>
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 
 namespace annulus {
 
@@ -17,7 +19,8 @@ Move_report Engine<d>::move(Index i, const Point& p) {
     require_vertex(i);
     require_in_domain(p);
     Move_report report;
-    guarded([&] { move_one(i, Point(p), report); });
+    const Point goal = p;  // it may be one of positions(), which change on the way
+    guarded([&] { listing_changes(report, std::span(&i, 1), [&] { move_one(i, goal, report); }); });
     return report;
 }
 
@@ -45,7 +48,7 @@ Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Poin
     for (const Point& p : points) require_in_domain(p);
     Move_report report;
     const std::vector<Point> goals(points.begin(), points.end());  // they may be positions(), which change on the way
-    guarded([&] { move_some(indices, goals, report); });
+    guarded([&] { listing_changes(report, indices, [&] { move_some(indices, goals, report); }); });
     return report;
 }
 
@@ -120,7 +123,12 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
         for (std::size_t i = 0; i < points.size(); ++i)
             if (is_vertex(static_cast<Index>(i))) require_in_domain(points[i]);
     Move_report report;
-    guarded([&] { move_everything(points, report); });
+    std::vector<Index> movers;
+    if (journal_) {
+        movers.resize(points.size());
+        std::iota(movers.begin(), movers.end(), Index{0});
+    }
+    guarded([&] { listing_changes(report, movers, [&] { move_everything(points, report); }); });
     return report;
 }
 
@@ -140,7 +148,6 @@ void Engine<d>::rebuild_all(std::span<const Point> x, Move_report& report) {
     report.handle_seconds += embedding_.handle_seconds();
     report.moves.asked += embedding_.vertices();
     report.moves.rebuilt += embedding_.vertices();
-    list_changes(report, {});
     upkeep_->begin(x, report);
 }
 

@@ -182,10 +182,6 @@ void Filter<d>::finish(Step<d>& step, Move_report& report) {
     report.renewed += step.renewals.size();
     report.tours += step.tours;
     if (!alone) ++(tolerances ? report.tolerance_steps : report.sign_steps);
-    if (report_changes_) {
-        if (step.rebuilt) embedding_.list_cells(report.changed);
-        else repair_.list_changes(report);
-    }
     if (tolerances) tracking_.note_step(step.failed.size(), repair_.report().evaluated);
     outcomes_.count(step, repair_, alone ? 1 : embedding_.vertices(), report.moves);
     if (!step.rebuilt) {

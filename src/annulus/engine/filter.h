@@ -41,8 +41,6 @@ class Filter final : public Upkeep<d> {
         threads_ = threads;
         repair_.set_threads(threads);
     }
-    /// Whether reports list the cells that changed.
-    void report_changes(bool on) { report_changes_ = on; }
 
     /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh. When it
     /// throws (bad_alloc), no position was written. O(n).
@@ -132,7 +130,6 @@ class Filter final : public Upkeep<d> {
 
     Means means_;
     int threads_ = 1;
-    bool report_changes_ = false;
     bool renumbered_ = false;  // cells are, by a call that failed
     Embedding<d>& embedding_;
     const Cell_table<d>& table_;

@@ -202,7 +202,6 @@ template <int d>
 void Filter<d>::rebuild_all(std::span<const Coordinates<d>> x, bool mirrors, Move_report& report) {
     report.price += rebuild_price(x);
     embedding_.rebuild(x);
-    if (report_changes_) embedding_.list_cells(report.changed);
     if (mirrors) {
         require_mirror();
         report.price += Prices<d>::mirror * static_cast<double>(embedding_.vertices());

@@ -46,8 +46,10 @@ struct Move_report {
     std::uint64_t settlings = 0;        ///< filters: times that all tolerances were computed
     double price = 0.0;  ///< filters: what it cost, in cells looked at, by prices that were measured (prices.h)
     double handle_seconds = 0.0;     ///< part of a rebuild spent on keeping vertex handles valid, not CGAL's own
-    std::vector<Index> changed;      ///< on request: vertices of cells that may be new, d + 1 a cell (infinite = -1, padded with `none`):
-                                     ///< those that changed under the filters, every finite cell otherwise
+    /// On request (Options::report_changes): the cells that came and those that went, d + 1 vertices a cell, -1 for the one at infinity.
+    /// No cell is in both (one that was turned over is another one), but where all points are in a plane or on a line, before or after:
+    /// then they are every finite cell there is, and there was (padded with -2, `none`).
+    std::vector<Index> changed, gone;
 
     Move_report& operator+=(const Move_report& o) {
         moves += o.moves;
@@ -65,6 +67,7 @@ struct Move_report {
         price += o.price;
         handle_seconds += o.handle_seconds;
         changed.insert(changed.end(), o.changed.begin(), o.changed.end());
+        gone.insert(gone.end(), o.gone.begin(), o.gone.end());
         return *this;
     }
 };

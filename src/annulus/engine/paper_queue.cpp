@@ -126,8 +126,7 @@ void Paper_queue<d>::process(Index h, Move_report& report, bool first) {
     }
     queued_[at(h)] = 0;
     report += repair_.report();
-    if (report_changes_ && !rebuilt) repair_.list_changes(report);
-    if (rebuilt) rebuild(h, old_fixed, report);  // or a collision, and nothing is counted
+    if (rebuilt) rebuild(h, old_fixed);  // or a collision, and nothing is counted
     if (first) {
         ++report.moves.asked;
         ++(holds                                    ? report.moves.kept_in_place
@@ -151,7 +150,7 @@ void Paper_queue<d>::process(Index h, Move_report& report, bool first) {
 /// At the moving positions, after repair gave up on h. Where two of them coincide CGAL's object stays what it was, and the table becomes
 /// its mirror again.
 template <int d>
-void Paper_queue<d>::rebuild(Index h, const Coordinates<d>& old_fixed, Move_report& report) {
+void Paper_queue<d>::rebuild(Index h, const Coordinates<d>& old_fixed) {
     try {
         embedding_.rebuild(position_);
     } catch (const Error&) {
@@ -159,7 +158,6 @@ void Paper_queue<d>::rebuild(Index h, const Coordinates<d>& old_fixed, Move_repo
         embedding_.revert(fixed_);
         throw;
     }
-    if (report_changes_) embedding_.list_cells(report.changed);
 }
 
 template <int d>

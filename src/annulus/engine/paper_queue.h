@@ -28,7 +28,6 @@ class Paper_queue final : public Upkeep<d> {
     Paper_queue(Embedding<d>& embedding, Tolerance_kind kind) : embedding_(embedding), repair_(embedding, kind, true) {}
 
     /// As in Filter.
-    void report_changes(bool on) { report_changes_ = on; }
     void settle(std::span<const Coordinates<d>> x, Move_report& report);
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override { settle(x, report); }
     void refresh_all(Move_report& report) override { settle(position_, report); }
@@ -66,7 +65,7 @@ class Paper_queue final : public Upkeep<d> {
     void update();
     void lower_points();
     void process(Index h, Move_report& report, bool first);
-    void rebuild(Index h, const Coordinates<d>& old_fixed, Move_report& report);
+    void rebuild(Index h, const Coordinates<d>& old_fixed);
 
     /// The state of every vertex, to be put back with the triangulation it belongs to.
     struct Snapshot {
@@ -77,7 +76,6 @@ class Paper_queue final : public Upkeep<d> {
     Embedding<d>& embedding_;
     Repair<d> repair_;
     Snapshot noted_;
-    bool report_changes_ = false;
     std::vector<Coordinates<d>> position_;
     std::vector<Coordinates<d>> fixed_;
     std::vector<double> epsilon_;

@@ -12,19 +12,10 @@ void Plain<d>::begin(std::span<const Coordinates<d>> x, Move_report&) {
     if (x.data() != position_.data()) position_.assign(x.begin(), x.end());
 }
 
-/// For the strategies that leave the book-keeping to CGAL: whatever may have changed, which is every finite cell.
-template <int d>
-void Plain<d>::list_everything(Move_report& report) const {
-    if (!report_changes_) return;
-    report.changed.clear();
-    embedding_.list_cells(report.changed);
-}
-
 template <int d>
 void Plain<d>::rebuild(std::span<const Coordinates<d>> x, Move_report& report) {
     embedding_.rebuild(x);
     report.handle_seconds += embedding_.handle_seconds();
-    list_everything(report);
 }
 
 template <int d>
@@ -56,8 +47,7 @@ void Plain<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
                 case Relocation::flipped: ++report.moves.flipped; break;
                 case Relocation::reinserted: ++report.moves.reinserted; break;
             }
-            list_everything(report);
-        } catch (...) {
+                } catch (...) {
             position_[at(v)] = home;
             throw;
         }

@@ -14,8 +14,7 @@ namespace annulus {
 template <int d>
 class Plain final : public Upkeep<d> {
   public:
-    Plain(Embedding<d>& embedding, Strategy strategy, bool report_changes)
-        : embedding_(embedding), strategy_(strategy), report_changes_(report_changes) {}
+    Plain(Embedding<d>& embedding, Strategy strategy) : embedding_(embedding), strategy_(strategy) {}
 
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
     void refresh_all(Move_report&) override {}
@@ -44,11 +43,9 @@ class Plain final : public Upkeep<d> {
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     void rebuild(std::span<const Coordinates<d>> x, Move_report& report);
-    void list_everything(Move_report& report) const;
 
     Embedding<d>& embedding_;
     Strategy strategy_;
-    bool report_changes_;
     std::vector<Coordinates<d>> position_;
     std::vector<Coordinates<d>> noted_;
 };

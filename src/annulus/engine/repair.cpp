@@ -147,15 +147,6 @@ void Repair<d>::suspect_cells(std::span<const Cell_index> cells) {
 }
 
 template <int d>
-void Repair<d>::list_changes(Move_report& report) const {
-    const auto& t = embedding_.table();
-    for (const Cell_index c : changed_) {
-        if (!t.is_cell(c)) continue;
-        for (int i = 0; i <= d; ++i) report.changed.push_back(t.vertex(t.corner(c, i)));
-    }
-}
-
-template <int d>
 void Repair<d>::note_disturbed(const Facet_points<d>& points) {
     for (const Index v : points)
         if (v != none) disturbed_.push_back(v);

@@ -105,9 +105,6 @@ class Repair {
     [[nodiscard]] std::span<const Cell_index> changed_cells() const { return changed_; }
     /// Cells whose numbers, and those of their facets, are others than before a collision was found, though they are the same cells.
     [[nodiscard]] std::span<const Cell_index> renumbered() const { return renumbered_; }
-    /// Appends the vertices of the cells that were made or changed, and that there still are, to
-    /// report.changed.
-    void list_changes(Move_report& report) const;
     /// Counters of this examination.
     [[nodiscard]] const Move_report& report() const { return report_; }
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/formats/file_bytes.h>
+#include <annulus/formats/format.h>
 #include <annulus/formats/input_error.h>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <zlib.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <new>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -17,19 +21,10 @@ namespace {
 
 constexpr std::size_t block_size = 1 << 16;
 
-std::string lower_extension(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return extension;
-}
+/// How every member of gzip begins.
+constexpr std::string_view gzip_mark = "\x1f\x8b";
 
 }  // namespace
-
-std::string format_extension(const std::filesystem::path& file) {
-    const std::string extension = lower_extension(file);
-    return extension == ".gz" ? lower_extension(file.stem()) : extension;
-}
 
 struct File_bytes::Inflater {
     z_stream stream{};
@@ -41,19 +36,39 @@ struct File_bytes::Inflater {
     ~Inflater() { inflateEnd(&stream); }
     Inflater(const Inflater&) = delete;
     Inflater& operator=(const Inflater&) = delete;
+
+    /// What is to be inflated next; it has to stay where it is meanwhile.
+    void take(std::string& block) {
+        stream.next_in = reinterpret_cast<Bytef*>(block.data());
+        stream.avail_in = static_cast<uInt>(block.size());
+    }
 };
 
-File_bytes::~File_bytes() = default;
+bool is_standard_input(const std::filesystem::path& file) { return file == "-"; }
 
-File_bytes::File_bytes(const std::filesystem::path& file) : name_(file.string()) {
+File_bytes::~File_bytes() {
+    if (file_ >= 0 && !standard_input_) ::close(file_);
+}
+
+File_bytes::File_bytes(const std::filesystem::path& file)
+    : name_(is_standard_input(file) ? "standard input" : file.string()), standard_input_(is_standard_input(file)) {
+    if (standard_input_) {
+        file_ = STDIN_FILENO;
+        return;
+    }
     std::error_code code;
     const auto status = std::filesystem::status(file, code);
     if (status.type() == std::filesystem::file_type::not_found) fail("does not exist", "a file");
     if (std::filesystem::is_directory(status)) fail("is a directory", "a file");
-    errno = 0;
-    in_.open(file, std::ios::binary);
-    if (!in_) fail(std::string("cannot be opened: ") + std::strerror(errno), "a readable file");
-    if (lower_extension(file) == ".gz") inflater_ = std::make_unique<Inflater>();
+    if (is_packed(file)) inflater_ = std::make_unique<Inflater>();
+    file_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);  // last: who throws here is not destroyed
+    if (file_ < 0) fail(std::string("cannot be opened: ") + std::strerror(errno), "a readable file");
+}
+
+std::optional<std::uint64_t> File_bytes::size() const {
+    struct stat status {};
+    if (::fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return static_cast<std::uint64_t>(status.st_size);
 }
 
 void File_bytes::fail(std::string fault, std::string expected) const {
@@ -63,17 +78,32 @@ void File_bytes::fail(std::string fault, std::string expected) const {
 /// Reads the next block; false at the end. By blocks rather than by size: pipes have none, and a file may grow meanwhile.
 bool File_bytes::fill() {
     block_.resize(block_size);
-    in_.read(block_.data(), static_cast<std::streamsize>(block_.size()));
-    if (in_.bad()) fail(std::string("cannot be read: ") + std::strerror(errno), "a readable file");
-    block_.resize(static_cast<std::size_t>(in_.gcount()));
+    ssize_t got = 0;
+    do got = ::read(file_, block_.data(), block_.size());
+    while (got < 0 && errno == EINTR);
+    if (got < 0) fail(std::string("cannot be read: ") + std::strerror(errno), "a readable file");
+    block_.resize(static_cast<std::size_t>(got));
     taken_ += block_.size();
     return !block_.empty();
 }
 
+/// Standard input tells by its first bytes whether it is packed; a pipe may bring them one by one.
+void File_bytes::look_at_beginning() {
+    begun_ = true;
+    std::string begin;
+    while (begin.size() < gzip_mark.size() && fill()) begin += block_;
+    block_ = std::move(begin);
+    if (!block_.starts_with(gzip_mark)) return;
+    inflater_ = std::make_unique<Inflater>();
+    inflater_->take(block_);
+}
+
 bool File_bytes::more(std::string& content) {
+    if (standard_input_ && !begun_) look_at_beginning();
     if (inflater_) return inflate(content);
-    if (!fill()) return false;
+    if (block_.empty() && !fill()) return false;
     content += block_;
+    block_.clear();
     return true;
 }
 
@@ -86,8 +116,7 @@ bool File_bytes::inflate(std::string& content) {
                 if (inflater_->within && taken_ > 0) fail("is cut off", "a gzip file");
                 return false;
             }
-            stream.next_in = reinterpret_cast<Bytef*>(block_.data());
-            stream.avail_in = static_cast<uInt>(block_.size());
+            inflater_->take(block_);
             if (!inflater_->within) {  // what follows the end of a member is another one
                 if (inflateReset(&stream) != Z_OK) fail("is damaged", "a gzip file");
                 inflater_->within = true;

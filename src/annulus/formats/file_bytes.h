@@ -3,14 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace annulus {
 
-/// The bytes of a file from first to last; where its name ends in .gz (either case), those that gzip packed in it, all
-/// members one after the other.
+/// The bytes of a file from first to last, `-` being standard input; where its name ends in .gz (either case), or standard
+/// input begins as gzip does, those that gzip packed in it, all members one after the other.
 ///
 /// Not zlib's gzread: that takes a damaged second member for the end of the file, and says nothing.
 class File_bytes {
@@ -25,25 +25,32 @@ class File_bytes {
     /// read further, or what is packed in it is damaged or cut off.
     bool more(std::string& content);
 
+    /// "standard input", where it is that.
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    /// Of standard input known once some of it is read.
     [[nodiscard]] bool packed() const noexcept { return inflater_ != nullptr; }
     /// Bytes of the file read so far, packed ones where they are.
     [[nodiscard]] std::uint64_t taken() const noexcept { return taken_; }
+    /// How many there are; none where it is no regular file.
+    [[nodiscard]] std::optional<std::uint64_t> size() const;
 
   private:
     struct Inflater;
     [[noreturn]] void fail(std::string fault, std::string expected) const;
+    void look_at_beginning();
     bool fill();
     bool inflate(std::string& content);
 
     std::string name_;
-    std::ifstream in_;
+    bool standard_input_;
+    bool begun_ = false;
+    int file_ = -1;      ///< descriptor
     std::string block_;  ///< as read from the file, not yet handed out or inflated
     std::unique_ptr<Inflater> inflater_;
     std::uint64_t taken_ = 0;
 };
 
-/// The extension of a file in lower case, that of the packed file where the name ends in .gz: ".xyz" for A.XYZ.gz.
-[[nodiscard]] std::string format_extension(const std::filesystem::path& file);
+/// Is this standard input, `-`? A file of that name is `./-`.
+[[nodiscard]] bool is_standard_input(const std::filesystem::path& file);
 
 }  // namespace annulus

@@ -9,11 +9,11 @@
 namespace annulus {
 
 template <int d>
-Frame_points<d> points_of(const Recorded_motion& motion, const Frame& frame, Coincident coincident) {
+Frame_points<d> points_of(const std::string& name, const Frame& frame, Coincident coincident) {
     const auto fail = [&](Error_code code, std::size_t i, std::string what, std::string expected) {
-        throw Input_error(code, motion.name, frame.line[i], std::move(what), std::move(expected));
+        throw Input_error(code, name, frame.line[i], std::move(what), std::move(expected));
     };
-    Frame_points<d> result;
+    Frame_points<d> result{.number = frame.number};
     result.x.reserve(frame.position.size());
     for (std::size_t i = 0; i < frame.position.size(); ++i) {
         Coordinates<d> p;
@@ -42,7 +42,7 @@ Frame_points<d> points_of(const Recorded_motion& motion, const Frame& frame, Coi
     return result;
 }
 
-template Frame_points<2> points_of<2>(const Recorded_motion&, const Frame&, Coincident);
-template Frame_points<3> points_of<3>(const Recorded_motion&, const Frame&, Coincident);
+template Frame_points<2> points_of<2>(const std::string&, const Frame&, Coincident);
+template Frame_points<3> points_of<3>(const std::string&, const Frame&, Coincident);
 
 }  // namespace annulus

@@ -4,6 +4,7 @@
 #include <annulus/motion/recorded_motion.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace annulus {
@@ -17,16 +18,17 @@ enum class Coincident {
 /// Points of one frame that a triangulation can have: none outside the domain of the library, no two equal, no -0.
 template <int d>
 struct Frame_points {
-    std::vector<std::uint64_t> id;  ///< ascending
-    std::vector<Coordinates<d>> x;
+    std::uint64_t number = 0;         ///< what the file calls the frame
+    std::vector<std::uint64_t> id{};  ///< ascending
+    std::vector<Coordinates<d>> x{};
     std::uint64_t merged = 0;  ///< points that another one stands for
 };
 
-/// In two dimensions without their z. Throws Input_error. O(n log n).
+/// In two dimensions without their z. Throws Input_error, with the name of the file. O(n log n).
 template <int d>
-[[nodiscard]] Frame_points<d> points_of(const Recorded_motion& motion, const Frame& frame, Coincident coincident);
+[[nodiscard]] Frame_points<d> points_of(const std::string& name, const Frame& frame, Coincident coincident);
 
-extern template Frame_points<2> points_of<2>(const Recorded_motion&, const Frame&, Coincident);
-extern template Frame_points<3> points_of<3>(const Recorded_motion&, const Frame&, Coincident);
+extern template Frame_points<2> points_of<2>(const std::string&, const Frame&, Coincident);
+extern template Frame_points<3> points_of<3>(const std::string&, const Frame&, Coincident);
 
 }  // namespace annulus

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/formats/format.h>
 #include <annulus/formats/point_formats.h>
 #include <annulus/formats/xyz_comment.h>
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,44 +22,72 @@ struct Raw_frame {
     std::uint64_t number = 0;       ///< what the file calls the frame, or its place from 0
     std::uint64_t line = 0;         ///< where it begins
     bool ids_are_places = false;    ///< the file has no ids
+
+    /// Makes it empty, and keeps its memory for the next one.
+    void clear();
 };
 
 /// What a reader of frames is asked for: points of one timestamp, or a motion, where points have ids.
 enum class Wanted { points, motion };
 
-/// Frames of XYZ, one after the other: a count, a comment (extended XYZ is obeyed: xyz_comment.h), and that many rows.
-/// Without `Properties` a row is `[element] x y [z] ...`. Where points are wanted a file may also be one frame of rows
-/// `x y [z] ...` alone. The source must outlive the reader.
-class Xyz_frames {
+/// Frames of a file, one after the other, read as they are asked for. The bytes must outlive the reader.
+class Frame_reader {
   public:
-    Xyz_frames(const Source& source, Wanted wanted) : reader_(source), wanted_(wanted) {}
+    virtual ~Frame_reader() = default;
+    Frame_reader(const Frame_reader&) = delete;
+    Frame_reader& operator=(const Frame_reader&) = delete;
 
+    /// Is there no further frame? Goes to where it begins.
+    bool at_end();
     /// False at the end of the file. Frames without points are frames.
     bool next(Raw_frame& frame);
     /// Fails unless the frame just read is the last.
     void require_last(const Raw_frame& frame);
 
+  protected:
+    Frame_reader(File_bytes& bytes, Wanted wanted) : reader_(bytes), wanted_(wanted) {}
+
+    [[nodiscard]] bool wants_ids() const noexcept { return wanted_ == Wanted::motion; }
+    /// Makes room for as many points as the file announces.
+    void make_room(Raw_frame& frame, std::uint64_t count, std::uint64_t bytes_a_point) const;
+
+    Line_reader reader_;
+
   private:
+    /// Goes to the line with which the next frame begins; false at the end.
+    virtual bool seek() = 0;
+    /// Reads the frame that begins here.
+    virtual void read(Raw_frame& frame) = 0;
+    /// What there is and was expected, where there is more than one frame.
+    [[noreturn]] virtual void refuse_more(const Raw_frame& frame) const = 0;
+
+    Wanted wanted_;
+    std::optional<bool> found_;  ///< the beginning of another frame, if it was looked for
+};
+
+/// XYZ: a count, a comment (extended XYZ is obeyed: xyz_comment.h), and that many rows. Without `Properties` a row is
+/// `[element] x y [z] ...`. Where points are wanted a file may also be one frame of rows `x y [z] ...` alone.
+class Xyz_frames : public Frame_reader {
+  public:
+    Xyz_frames(File_bytes& bytes, Wanted wanted) : Frame_reader(bytes, wanted) {}
+
+  private:
+    bool seek() override { return reader_.next_record(); }
+    void read(Raw_frame& frame) override;
+    void refuse_more(const Raw_frame& frame) const override;
     void read_plain(Raw_frame& frame);
     void read_row(const Xyz_columns& columns, Raw_frame& frame);
 
-    Line_reader reader_;
-    Wanted wanted_;
     std::uint64_t next_number_ = 0;
 };
 
-/// Frames of CSV: a header that names the columns frame, id, x, y and perhaps z, in either case and any order, and rows
+/// CSV: a header that names the columns frame, id, x, y and perhaps z, in either case and any order, and rows
 /// whose frame does not decrease. Where points are wanted, frame and id may be missing, and without a header the first
 /// columns are x, y and z. Lines that begin with # are comments before the first row, and rows after it; the header may be
-/// such a comment, as NumPy writes it. The source must outlive the reader.
-class Csv_frames {
+/// such a comment, as NumPy writes it.
+class Csv_frames : public Frame_reader {
   public:
-    Csv_frames(const Source& source, Wanted wanted) : reader_(source), wanted_(wanted) {}
-
-    /// False at the end of the file.
-    bool next(Raw_frame& frame);
-    /// Fails unless the frame just read is the last.
-    void require_last(const Raw_frame& frame);
+    Csv_frames(File_bytes& bytes, Wanted wanted) : Frame_reader(bytes, wanted) {}
 
   private:
     enum Column { frame_column, id_column, x_column, y_column, z_column };
@@ -66,13 +97,14 @@ class Csv_frames {
         char separator = ',';
     };
 
+    bool seek() override;
+    void read(Raw_frame& frame) override;
+    void refuse_more(const Raw_frame& frame) const override;
     void begin();
     void split(std::string_view text);
     bool next_row();
     [[nodiscard]] Header header() const;
 
-    Line_reader reader_;
-    Wanted wanted_;
     std::vector<std::string_view> fields_;  ///< of the row that is due
     bool begun_ = false;
     bool row_is_due_ = false;
@@ -80,5 +112,42 @@ class Csv_frames {
     char separator_ = ',';
     Header columns_;
 };
+
+/// LAMMPS dumps in text: ITEM: TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS and ATOMS with the names of its columns; UNITS and TIME
+/// are stepped over. Positions are x y z, without them xu yu zu, and then xs ys zs or xsu ysu zsu, which are multiplied out
+/// in doubles; without a z a frame is of the plane. A frame's number is its timestep.
+class Lammps_frames : public Frame_reader {
+  public:
+    Lammps_frames(File_bytes& bytes, Wanted wanted) : Frame_reader(bytes, wanted) {}
+
+  private:
+    /// The box: a corner, and for each direction what a unit of it adds.
+    struct Box {
+        std::array<double, 3> corner{};
+        std::array<std::array<double, 3>, 3> edge{};
+        std::string periodic;  ///< the line that says so
+    };
+    struct Columns {
+        std::size_t all = 0;
+        std::array<std::optional<std::size_t>, 3> at;
+        std::optional<std::size_t> id;
+        bool scaled = false;
+    };
+
+    bool seek() override;
+    void read(Raw_frame& frame) override;
+    void refuse_more(const Raw_frame& frame) const override;
+    [[nodiscard]] bool is_item(std::string_view name) const;
+    void require_values(std::size_t columns, std::string_view what);
+    [[nodiscard]] Box read_box();
+    [[nodiscard]] Columns columns() const;
+    void read_atoms(Raw_frame& frame, std::uint64_t count, const std::optional<Box>& box);
+};
+
+/// The reader of one of frame_formats.
+[[nodiscard]] std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Wanted wanted);
+
+/// The points of a file that has one frame; none, where it has none.
+[[nodiscard]] Raw_points read_only_frame(File_bytes& bytes, Format format);
 
 }  // namespace annulus

@@ -149,11 +149,35 @@ void Output_directory::make_room_for_content() {
     if (exists_ && ::stat(target_.c_str(), &old) == 0) fs::permissions(content_, fs::perms(old.st_mode & 07777), code);
 }
 
-void Output_directory::write(std::string_view name, std::string_view content) {
+/// Which is the one of no other file. (That of path_of() may not be there yet, but its owner has it.)
+fs::path Output_directory::new_name(std::string_view name) const {
     const fs::path plain(name);
+    std::error_code code;
     if (name.empty() || plain.filename() != plain || name == "." || name == ".." ||
-        std::find(files_.begin(), files_.end(), plain) != files_.end())
+        fs::exists(fs::symlink_status(content_ / plain, code)))
         refuse(path_ / plain, "is not a plain and new file name");
+    return plain;
+}
+
+fs::path Output_directory::path_of(std::string_view name) {
+    files_.push_back(new_name(name));
+    return content_ / files_.back();
+}
+
+void Output_directory::take(Output_directory& other) {
+    for (const fs::path& name : other.files_) {
+        const fs::path plain = new_name(name.native());
+        std::error_code code;
+        fs::rename(other.content_ / plain, content_ / plain, code);
+        if (code == std::errc::cross_device_link) fs::copy_file(other.content_ / plain, content_ / plain, code);
+        if (code) fail(path_ / plain, "cannot be written", code);
+        files_.push_back(plain);
+    }
+    other.files_.clear();
+}
+
+void Output_directory::write(std::string_view name, std::string_view content) {
+    const fs::path plain = new_name(name);
     try {
         write_all(content_ / plain, content);
     } catch (const std::error_code& why) {
@@ -202,10 +226,11 @@ void Output_directory::replace_one_by_one() {
         if (!fs::remove(file, code) && code) fail(file, "cannot be replaced", code);
     };
     if (!files_.empty()) remove(target_ / files_.front());
-    std::vector<fs::path> stale;
+    std::vector<fs::path> stale, sorted = files_;
+    std::sort(sorted.begin(), sorted.end());
     for (const auto& entry : fs::directory_iterator(target_, code)) {
         const fs::path name = entry.path().filename();
-        const bool is_new = std::find(files_.begin(), files_.end(), name) != files_.end();
+        const bool is_new = std::binary_search(sorted.begin(), sorted.end(), name);
         if (replaced_(name.string()) && !is_new && !entry.is_directory(code)) stale.push_back(entry.path());
     }
     for (const fs::path& file : stale) remove(file);

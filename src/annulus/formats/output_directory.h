@@ -31,12 +31,18 @@ class Output_directory {
     /// Writes one file; `name` is a plain file name that was not written before.
     void write(std::string_view name, std::string_view content);
 
+    /// Where somebody else writes one file, which is to be there before the commit; `name` as above. For what is written bit by bit.
+    [[nodiscard]] std::filesystem::path path_of(std::string_view name);
+    /// Takes over what was written to another one, which has nothing left.
+    void take(Output_directory& other);
+
     /// Puts the directory in its place. A second call has nothing to do. When it throws, older results are as they were, but for those replaced one by one, which may be in part.
     void commit();
 
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
   private:
+    [[nodiscard]] std::filesystem::path new_name(std::string_view name) const;
     void look_at_what_is_there(bool may_hold_files);
     void make_parents();
     void make_room_for_content();

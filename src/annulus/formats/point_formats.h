@@ -20,12 +20,6 @@ struct Raw_points {
     std::vector<std::string> notes{};  ///< what the file says and nobody obeys; each a line with the file's name
 };
 
-/// The only frame of XYZ, or rows `x y [z] ...`; see Xyz_frames.
-[[nodiscard]] Raw_points read_xyz(const Source& source);
-
-/// Values separated by comma, semicolon or tab, of one frame; see Csv_frames.
-[[nodiscard]] Raw_points read_csv(const Source& source);
-
 /// Vertices of an OFF surface, colours, normals and texture coordinates of its variants ignored; its faces when asked.
 [[nodiscard]] Raw_points read_off(const Source& source, Raw_faces* faces = nullptr);
 

@@ -3,7 +3,6 @@
 #include <annulus/formats/frame_readers.h>
 
 #include <array>
-#include <utility>
 
 namespace annulus {
 
@@ -27,7 +26,7 @@ Csv_frames::Header Csv_frames::header() const {
     result.separator = separator_;
     for (std::size_t i = 0; i < fields_.size(); ++i)
         for (std::size_t k = 0; k < names.size(); ++k) {
-            if (!is_named(fields_[i], names[k]) || (k == id_column && wanted_ == Wanted::points)) continue;
+            if (!is_named(fields_[i], names[k]) || (k == id_column && !wants_ids())) continue;
             if (result.at[k]) reader_.fail("names two columns " + std::string(names[k]), "one");
             result.at[k] = i;
         }
@@ -42,7 +41,7 @@ void Csv_frames::split(std::string_view text) {
 /// Finds the columns; the first row is due after that, if there is one.
 void Csv_frames::begin() {
     begun_ = true;
-    const bool motion = wanted_ == Wanted::motion;
+    const bool motion = wants_ids();
     std::optional<Header> commented;
     while (true) {
         if (!next_csv_line(reader_)) return;
@@ -81,13 +80,14 @@ bool Csv_frames::next_row() {
     return row_is_due_;
 }
 
-bool Csv_frames::next(Raw_frame& frame) {
-    frame = {};
+bool Csv_frames::seek() {
     if (!begun_) begin();
+    return row_is_due_;
+}
+
+void Csv_frames::read(Raw_frame& frame) {
     const auto& at = columns_.at;
     frame.points.has_z = at[z_column].has_value();
-    if (!row_is_due_) return false;
-    frame.line = reader_.number();
     do {
         if (fields_.size() != columns_.all)
             reader_.fail("has " + counted(fields_.size(), "column"),
@@ -95,31 +95,22 @@ bool Csv_frames::next(Raw_frame& frame) {
         if (at[frame_column]) {
             const std::uint64_t number = reader_.whole(fields_[*at[frame_column]], "the frame");
             if (!frame.points.points.empty() && number != frame.number) {
-                if (number > frame.number) return true;
+                if (number > frame.number) return;
                 reader_.fail("frame " + std::to_string(number) + " after frame " + std::to_string(frame.number),
                              "frames in order");
             }
             frame.number = number;
         }
-        if (wanted_ == Wanted::motion) frame.id.push_back(reader_.whole(fields_[*at[id_column]], "the id"));
+        if (wants_ids()) frame.id.push_back(reader_.whole(fields_[*at[id_column]], "the id"));
         frame.points.points.push_back({reader_.real(fields_[*at[x_column]], "x"),
                                        reader_.real(fields_[*at[y_column]], "y"),
                                        at[z_column] ? reader_.real(fields_[*at[z_column]], "z") : 0.});
         frame.points.lines.push_back(reader_.number());
     } while (next_row());
-    return true;
 }
 
-void Csv_frames::require_last(const Raw_frame& frame) {
-    if (row_is_due_)
-        reader_.fail("a second frame after frame " + std::to_string(frame.number), "one frame, or no column frame");
-}
-
-Raw_points read_csv(const Source& source) {
-    Csv_frames frames(source, Wanted::points);
-    Raw_frame frame;
-    if (frames.next(frame)) frames.require_last(frame);
-    return std::move(frame.points);
+void Csv_frames::refuse_more(const Raw_frame& frame) const {
+    reader_.fail("a second frame after frame " + std::to_string(frame.number), "one frame, or no column frame");
 }
 
 }  // namespace annulus

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/formats/file_bytes.h>
+#include <annulus/formats/format.h>
 #include <annulus/formats/read_image.h>
 #include <annulus/formats/text_input.h>
 
@@ -44,7 +45,7 @@ Header header_of(const Source& source, Line_reader& reader) {
 }  // namespace
 
 Labelled_image read_image(const std::filesystem::path& file) {
-    if (format_extension(file) != ".inr")
+    if (!has_extension_of(file, Format::inr))
         throw Input_error(Error_code::bad_input, file.string(), 0, "has an unknown extension", ".inr or .inr.gz");
     File_bytes bytes(file);
     Source source{bytes.name(), {}};

@@ -2,6 +2,8 @@
 #include <annulus/arithmetic/domain.h>
 #include <annulus/formats/distinct.h>
 #include <annulus/formats/file_bytes.h>
+#include <annulus/formats/format.h>
+#include <annulus/formats/frame_readers.h>
 #include <annulus/formats/point_formats.h>
 #include <annulus/formats/read_points.h>
 
@@ -11,37 +13,34 @@ namespace annulus {
 
 namespace {
 
-using Reader = Raw_points (*)(const Source&);
-
-Reader reader_of(const std::filesystem::path& file) {
-    const std::string extension = format_extension(file);
-    if (extension == ".xyz") return read_xyz;
-    if (extension == ".csv") return read_csv;
-    if (extension == ".off") return [](const Source& source) { return read_off(source); };
-    if (extension == ".ply") return [](const Source& source) { return read_ply(source); };
-    if (extension == ".mesh") return read_medit_points;
-    throw Input_error(Error_code::bad_input, file.string(), 0,
-                      extension.empty() ? "has no extension" : "has the unknown extension " + shown(extension),
-                      ".xyz, .csv, .off, .ply or .mesh");
+Raw_points read_raw(File_bytes& bytes, Format format) {
+    switch (format) {
+        case Format::off: return read_off(load_file(bytes));
+        case Format::ply: return read_ply(load_file(bytes));
+        case Format::mesh: return read_medit_points(load_file(bytes));
+        default: return read_only_frame(bytes, format);
+    }
 }
 
-Raw_points read_raw(const Source& source, const std::filesystem::path& file) {
-    Raw_points raw = reader_of(file)(source);
-    if (raw.points.empty())
-        throw Input_error(Error_code::bad_input, source.name, 1, "has no points", "at least one point");
+/// The points of a file, at least one.
+Raw_points read_raw(const std::filesystem::path& file, const Read_options& options, std::string& name) {
+    File_bytes bytes(file);
+    name = bytes.name();
+    Raw_points raw = read_raw(bytes, format_of(file, point_formats, options.format));
+    if (raw.points.empty()) throw Input_error(Error_code::bad_input, name, 1, "has no points", "at least one point");
     return raw;
 }
 
 template <int d>
-Point_file<d> points_of(const Source& source, Raw_points raw, const Read_options& options) {
+Point_file<d> points_of(std::string name, Raw_points raw, const Read_options& options) {
     static_assert(d == 2 || d == 3);
     Point_file<d> result;
-    result.name = source.name;
+    result.name = std::move(name);
     if (d == 2 && raw.has_z && !options.ignore_z)
-        throw Input_error(Error_code::bad_input, source.name, raw.lines.front(),
+        throw Input_error(Error_code::bad_input, result.name, raw.lines.front(),
                           "has a z coordinate; pass --ignore-z to drop it", "x and y only");
     if (d == 3 && !raw.has_z)
-        throw Input_error(Error_code::bad_input, source.name, raw.lines.front(), "has no z coordinate", "x, y and z");
+        throw Input_error(Error_code::bad_input, result.name, raw.lines.front(), "has no z coordinate", "x, y and z");
     result.points.reserve(raw.points.size());
     for (const Coordinates<3>& p : raw.points) {
         Coordinates<d> q;
@@ -57,16 +56,17 @@ Point_file<d> points_of(const Source& source, Raw_points raw, const Read_options
 
 template <int d>
 Point_file<d> read_points(const std::filesystem::path& file, const Read_options& options) {
-    const Source source = load_file(file);
-    return points_of<d>(source, read_raw(source, file), options);
+    std::string name;
+    Raw_points raw = read_raw(file, options, name);
+    return points_of<d>(std::move(name), std::move(raw), options);
 }
 
 std::variant<Point_file<2>, Point_file<3>> read_points_of_any_dimension(const std::filesystem::path& file,
                                                                         const Read_options& options) {
-    const Source source = load_file(file);
-    Raw_points raw = read_raw(source, file);
-    if (raw.has_z && !options.ignore_z) return points_of<3>(source, std::move(raw), options);
-    return points_of<2>(source, std::move(raw), options);
+    std::string name;
+    Raw_points raw = read_raw(file, options, name);
+    if (raw.has_z && !options.ignore_z) return points_of<3>(std::move(name), std::move(raw), options);
+    return points_of<2>(std::move(name), std::move(raw), options);
 }
 
 template <int d>

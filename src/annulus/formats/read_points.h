@@ -16,6 +16,8 @@ namespace annulus {
 struct Read_options {
     /// In two dimensions, drop a z coordinate instead of refusing the file.
     bool ignore_z = false;
+    /// "xyz", "csv" ..: what the file is, whatever its extension says; standard input has none.
+    std::string format{};
 };
 
 /// The points of one file, in its order and in its unit of length. All coordinates are finite.
@@ -34,8 +36,8 @@ struct Point_file {
     }
 };
 
-/// Reads points by the extension of the file: .xyz, .csv, .off, .ply, .mesh (either case), and .gz after it; see
-/// point_formats.h. A file of several frames is refused.
+/// Reads points by the extension of the file: .xyz, .csv, .lammpstrj, .off, .ply, .mesh (either case; format.h has more), and
+/// .gz after it; see point_formats.h and frame_readers.h. `-` is standard input. A file of several frames is refused.
 ///
 /// Decimals are rounded correctly. d is 2 or 3. Throws Input_error for everything that is wrong with the file, which
 /// includes having no points, a z coordinate when d is 2 (unless ignored), and none when d is 3. Linear in the size of

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/formats/file_bytes.h>
+#include <annulus/formats/format.h>
 #include <annulus/formats/read_surface.h>
 #include <annulus/formats/surface_formats.h>
 #include <annulus/motion/surface_faults.h>
@@ -12,15 +13,13 @@ namespace annulus {
 
 namespace {
 
-Raw_points read_raw(const std::filesystem::path& file, const Source& source, Raw_faces& faces) {
-    const std::string extension = format_extension(file);
-    if (extension == ".off") return read_off(source, &faces);
-    if (extension == ".obj") return read_obj(source, faces);
-    if (extension == ".ply") return read_ply(source, &faces);
-    if (extension == ".stl") return read_stl(source, faces);
-    throw Input_error(Error_code::bad_input, source.name, 0,
-                      extension.empty() ? "has no extension" : "has the unknown extension " + shown(extension),
-                      ".off, .obj, .ply or .stl");
+Raw_points read_raw(Format format, const Source& source, Raw_faces& faces) {
+    switch (format) {
+        case Format::off: return read_off(source, &faces);
+        case Format::obj: return read_obj(source, faces);
+        case Format::ply: return read_ply(source, &faces);
+        default: return read_stl(source, faces);
+    }
 }
 
 /// Numbers points from 0 in the order in which faces first name them, equal ones alike.
@@ -70,9 +69,11 @@ void require_closed(const std::string& name, const Triangle_surface& surface, co
 }  // namespace
 
 Surface_file read_surface(const std::filesystem::path& file) {
-    const Source source = load_file(file);
+    File_bytes bytes(file);
+    const Format format = format_of(file, surface_formats);
+    const Source source = load_file(bytes);
     Raw_faces faces;
-    const Raw_points raw = read_raw(file, source, faces);
+    const Raw_points raw = read_raw(format, source, faces);
     Surface_file result;
     result.name = source.name;
     Triangle_surface& surface = result.surface;

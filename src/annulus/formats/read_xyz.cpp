@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/formats/frame_readers.h>
 
-#include <utility>
-
 namespace annulus {
 
 namespace {
@@ -36,7 +34,7 @@ void Xyz_frames::read_row(const Xyz_columns& columns, Raw_frame& frame) {
     frame.points.points.push_back(
         {reader_.real(at[0], "x"), reader_.real(at[1], "y"), columns.has_z ? reader_.real(at[2], "z") : 0.});
     frame.points.lines.push_back(reader_.number());
-    if (wanted_ == Wanted::motion)
+    if (wants_ids())
         frame.id.push_back(columns.id ? reader_.whole(fields[*columns.id], "the id") : frame.id.size());
 }
 
@@ -47,22 +45,14 @@ void Xyz_frames::read_plain(Raw_frame& frame) {
     while (reader_.next_record());
 }
 
-bool Xyz_frames::next(Raw_frame& frame) {
-    frame = {};
-    if (!reader_.next_record()) return false;
+void Xyz_frames::read(Raw_frame& frame) {
     frame.number = next_number_++;
-    frame.line = reader_.number();
     if (reader_.fields().size() != 1) {
-        if (wanted_ == Wanted::motion)
-            reader_.fail("has " + counted(reader_.fields().size(), "column"), "a count of points");
-        read_plain(frame);
-        return true;
+        if (wants_ids()) reader_.fail("has " + counted(reader_.fields().size(), "column"), "a count of points");
+        return read_plain(frame);
     }
     const std::uint64_t count = reader_.whole(reader_.fields()[0], "the count of points");
-    const std::size_t room = reader_.room_for(count, 4, "points");
-    frame.points.points.reserve(room);
-    frame.points.lines.reserve(room);
-    if (wanted_ == Wanted::motion) frame.id.reserve(room);
+    make_room(frame, count, 4);
     if (!reader_.next_line()) reader_.fail("the file ends after its count", "a comment line and the points");
     Xyz_comment comment = parse_xyz_comment(reader_);
     if (!comment.periodic.empty())
@@ -77,21 +67,11 @@ bool Xyz_frames::next(Raw_frame& frame) {
         frame.points.has_z = comment.columns->has_z;
         frame.ids_are_places = !comment.columns->id;
     }
-    return true;
 }
 
-void Xyz_frames::require_last(const Raw_frame& frame) {
-    if (reader_.next_record())
-        reader_.fail(
-            "there is more after the " + counted(frame.points.points.size(), "point") + " that the file announces",
-            "the end of the file (one frame)");
-}
-
-Raw_points read_xyz(const Source& source) {
-    Xyz_frames frames(source, Wanted::points);
-    Raw_frame frame;
-    if (frames.next(frame)) frames.require_last(frame);
-    return std::move(frame.points);
+void Xyz_frames::refuse_more(const Raw_frame& frame) const {
+    reader_.fail("there is more after the " + counted(frame.points.points.size(), "point") + " that the file announces",
+                 "the end of the file (one frame)");
 }
 
 }  // namespace annulus

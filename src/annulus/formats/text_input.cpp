@@ -40,22 +40,31 @@ bool is_large(std::string_view text) noexcept {
     return exponent + (negative ? -written : written) >= 0;
 }
 
+/// A text of coordinates packs to a third or a tenth; what grows without end is no text.
+void require_no_bomb(const File_bytes& bytes, std::uint64_t unpacked, std::uint64_t line) {
+    constexpr std::uint64_t free = std::uint64_t{64} << 20, ratio = 100;
+    if (unpacked > free + ratio * bytes.taken())
+        throw Input_error(Error_code::bad_input, bytes.name(), line,
+                          "grows to more than " + std::to_string(ratio) + " times its size",
+                          "text, or the file as it is when unpacked");
+}
+
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+constexpr std::size_t longest_line = std::size_t{64} << 20;
+
 }  // namespace
 
 Source load_file(const std::filesystem::path& file) {
-    // A text of coordinates packs to a third or a tenth; what grows without end is no text.
-    constexpr std::uint64_t free = std::uint64_t{64} << 20, ratio = 100;
     File_bytes bytes(file);
+    return load_file(bytes);
+}
+
+Source load_file(File_bytes& bytes) {
     Source source{bytes.name(), {}};
-    std::error_code code;
-    const auto size = std::filesystem::is_regular_file(file, code) ? std::filesystem::file_size(file, code) : 0;
-    if (!code && size != static_cast<std::uintmax_t>(-1)) source.content.reserve(size);
+    source.content.reserve(static_cast<std::size_t>(bytes.size().value_or(0)));
     while (bytes.more(source.content))
-        if (bytes.packed() && source.content.size() > free + ratio * bytes.taken())
-            throw Input_error(Error_code::bad_input, source.name, 0,
-                              "grows to more than " + std::to_string(ratio) + " times its size",
-                              "text, or the file as it is when unpacked");
-    if (source.content.starts_with("\xef\xbb\xbf")) source.content.erase(0, 3);
+        if (bytes.packed()) require_no_bomb(bytes, source.content.size(), 0);
+    if (source.content.starts_with(byte_order_mark)) source.content.erase(0, byte_order_mark.size());
     if (source.content.empty()) throw Input_error(Error_code::bad_input, source.name, 1, "is empty", "data");
     return source;
 }
@@ -73,11 +82,46 @@ Number_kind parse_double(std::string_view text, double& value) noexcept {
     return std::isinf(value) ? Number_kind::too_large : Number_kind::finite;
 }
 
+Line_reader::Line_reader(File_bytes& bytes) : name_(bytes.name()), bytes_(&bytes) {}
+
+/// Appends the next block to the buffer; false at the end.
+bool Line_reader::more() {
+    if (ended_) return false;
+    const std::size_t before = buffer_.size();
+    try {
+        ended_ = !bytes_->more(buffer_);
+        unpacked_ += buffer_.size() - before;
+        if (bytes_->packed()) require_no_bomb(*bytes_, unpacked_ - piece_, 0);
+    } catch (const Input_error& error) {
+        fail_at(number_ + 1, error.fault(), error.expected(), error.code());
+    }
+    return !ended_;
+}
+
+/// Reads on until a line ends in what is read; the place of its end there.
+std::size_t Line_reader::read_line_end() {
+    buffer_.erase(0, buffer_.size() - rest_.size());
+    if (unpacked_ == 0) {
+        while (buffer_.size() < byte_order_mark.size() && more()) continue;
+        if (buffer_.starts_with(byte_order_mark)) buffer_.erase(0, byte_order_mark.size());
+        if (buffer_.empty() && !more()) fail_at(1, "is empty", "data");
+    }
+    std::size_t searched = 0, end = std::string::npos;
+    while ((end = buffer_.find('\n', searched)) == std::string::npos) {
+        searched = buffer_.size();
+        if (searched > longest_line) fail_at(number_ + 1, "is longer than 64 MiB", "a line of numbers");
+        if (!more()) break;
+    }
+    rest_ = buffer_;
+    return end;
+}
+
 bool Line_reader::next_line() {
     fields_.clear();
     line_ = {};
+    std::size_t end = rest_.find('\n');
+    if (end == std::string_view::npos && bytes_ != nullptr) end = read_line_end();
     if (rest_.empty()) return false;
-    const std::size_t end = rest_.find('\n');
     line_ = rest_.substr(0, end);
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
     if (line_.ends_with('\r')) line_.remove_suffix(1);

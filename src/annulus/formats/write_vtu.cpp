@@ -3,9 +3,11 @@
 #include <annulus/formats/markup.h>
 #include <annulus/formats/write_vtu.h>
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <bit>
-#include <cstring>
+#include <new>
 
 namespace annulus {
 
@@ -32,17 +34,34 @@ constexpr const char* type_name<std::int64_t> = "Int64";
 template <>
 constexpr const char* type_name<std::uint8_t> = "UInt8";
 
-/// One DataArray. Uncompressed data is its length in bytes (UInt64) and the values, encoded as one piece.
+/// As VTK reads it: how many blocks, the length of one and of the last one if it is shorter, their lengths when packed (UInt64), which is
+/// encoded as one piece; and the blocks, as another.
+void append_packed(std::string& out, const char* bytes, std::size_t size) {
+    constexpr std::size_t block = std::size_t{1} << 18;
+    std::vector<std::uint64_t> header{(size + block - 1) / block, block, size % block};
+    std::string packed;
+    for (std::size_t first = 0; first < size; first += block) {
+        const std::size_t now = std::min(block, size - first);
+        uLongf length = ::compressBound(static_cast<uLong>(now));
+        const std::size_t before = packed.size();
+        packed.resize(before + length);
+        if (::compress2(reinterpret_cast<Bytef*>(packed.data() + before), &length,
+                        reinterpret_cast<const Bytef*>(bytes + first), static_cast<uLong>(now), 1) != Z_OK)
+            throw std::bad_alloc();
+        packed.resize(before + length);
+        header.push_back(length);
+    }
+    append_base64(out, {reinterpret_cast<const char*>(header.data()), header.size() * sizeof header[0]});
+    append_base64(out, packed);
+}
+
+/// One DataArray.
 template <class T>
 void append_array(std::string& out, std::string_view name, int components, const std::vector<T>& values) {
-    const std::uint64_t size = values.size() * sizeof(T);
-    std::string bytes(sizeof size + size, '\0');
-    std::memcpy(bytes.data(), &size, sizeof size);
-    if (size > 0) std::memcpy(bytes.data() + sizeof size, values.data(), size);
     out += std::string("        <DataArray type=\"") + type_name<T> + "\" Name=\"" + escaped(name) + '"';
     if (components > 1) out += " NumberOfComponents=\"" + std::to_string(components) + '"';
     out += " format=\"binary\">";
-    append_base64(out, bytes);
+    append_packed(out, reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
     out += "</DataArray>\n";
 }
 
@@ -92,8 +111,10 @@ std::string write_vtu(std::span<const Coordinates<d>> points,
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
         "byte_order=\"";
     out += std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
-    out += "\" header_type=\"UInt64\">\n  <UnstructuredGrid>\n    <Piece NumberOfPoints=\"" +
-           std::to_string(points.size()) + "\" NumberOfCells=\"" + std::to_string(cells.size()) + "\">\n";
+    out +=
+        "\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n    <Piece "
+        "NumberOfPoints=\"" +
+        std::to_string(points.size()) + "\" NumberOfCells=\"" + std::to_string(cells.size()) + "\">\n";
     append_fields(out, "PointData", point_fields, points.size());
     append_fields(out, "CellData", cell_fields, cells.size());
     out += "      <Points>\n";

@@ -4,6 +4,7 @@
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/horizons.h>
+#include <annulus/mesh/cell_journal.h>
 #include <annulus/mesh/grow.h>
 #include <annulus/mesh/index.h>
 #include <annulus/mesh/small_set.h>
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace annulus {
@@ -135,6 +137,7 @@ class Cell_table {
     [[nodiscard]] Cell_index new_cell();
     void free_cell(Cell_index c);
     void set_vertex(Corner_index h, Index v) {
+        touch(cell_of(h));
         vertex_[h] = v;
         note_corner(v, h);
     }
@@ -145,6 +148,14 @@ class Cell_table {
         for (Cell_index c(0); c < cell_bound(); ++c)
             for (int i = 0; i <= d; ++i) note_corner(vertex(corner(c, i)), corner(c, i));
     }
+    /// Takes the place of another one: what is watched stays so.
+    void become(Cell_table&& other) noexcept {
+        if (journal_ != nullptr) journal_->touch_everything(*this);
+        other.journal_ = journal_;
+        *this = std::move(other);
+    }
+    /// Whom it tells what is about to be written to; nullptr: nobody.
+    void tell(Cell_journal<d>* journal) noexcept { journal_ = journal; }
     void set_absent(Index v) { corner_of_vertex_[at(v)] = no_corner; }
     /// Makes h and t the two sides of a facet.
     void glue(Corner_index h, Corner_index t) {
@@ -171,6 +182,9 @@ class Cell_table {
     [[noreturn]] static void throw_too_large() {
         throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::cells) + " cells");
     }
+    void touch(Cell_index c) noexcept {
+        if (journal_ != nullptr) [[unlikely]] journal_->touch(c, &vertex_[corner(c, 0)]);
+    }
     void note_corner(Index v, Corner_index h) { (v == infinite ? corner_of_infinity_ : corner_of_vertex_[at(v)]) = h; }
 
     Corner_index corner_of_infinity_;
@@ -178,10 +192,12 @@ class Cell_table {
     By_corner<Corner_index> twin_;
     std::vector<Corner_index> corner_of_vertex_;  // by vertex
     std::vector<Cell_index> free_cells_;
+    Cell_journal<d>* journal_ = nullptr;
 };
 
 template <int d>
 void Cell_table<d>::clear(std::size_t vertices) {
+    if (journal_ != nullptr) journal_->touch_everything(*this);
     vertex_.clear();
     twin_.clear();
     free_cells_.clear();
@@ -213,6 +229,7 @@ Cell_index Cell_table<d>::new_cell() {
 
 template <int d>
 void Cell_table<d>::free_cell(Cell_index c) {
+    touch(c);
     vertex_[corner(c, 0)] = none;
     free_cells_.push_back(c);
 }
@@ -220,6 +237,8 @@ void Cell_table<d>::free_cell(Cell_index c) {
 template <int d>
 void Cell_table<d>::flip(Corner_index h) requires(d == 2) {
     const Corner_index t = twin(h);
+    touch(cell_of(h));
+    touch(cell_of(t));
     const Index a = vertex(ccw(h));
     const Index b = vertex(cw(h));
     const Corner_index h_side = twin(ccw(h));  // across the edge b p

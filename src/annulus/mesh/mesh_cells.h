@@ -4,9 +4,13 @@
 #include <annulus/arithmetic/coordinates.h>
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace annulus {
+
+template <int d>
+class Cell_table;
 
 /// The finite cells of a triangulation in one numbering, 0, 1, 2 .., and how they lie.
 template <int d>
@@ -18,5 +22,19 @@ struct Mesh_cells {
     /// The cell beyond the facet opposite to each vertex; `outside` beyond the hull, and everywhere where all points are in a plane or on a line.
     std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>> neighbours;
 };
+
+/// The finite cells of a table, in its order. O(n).
+template <int d>
+[[nodiscard]] Mesh_cells<d> mesh_cells(const Cell_table<d>& t);
+
+/// Cells that are listed, d + 1 vertices each, of which there are fewer than `bound`, or padded with `none`. Who is whose neighbour is found by
+/// the facets. O(n).
+template <int d>
+[[nodiscard]] Mesh_cells<d> mesh_cells(std::span<const Index> corners, std::size_t bound);
+
+extern template Mesh_cells<2> mesh_cells<2>(const Cell_table<2>&);
+extern template Mesh_cells<3> mesh_cells<3>(const Cell_table<3>&);
+extern template Mesh_cells<2> mesh_cells<2>(std::span<const Index>, std::size_t);
+extern template Mesh_cells<3> mesh_cells<3>(std::span<const Index>, std::size_t);
 
 }  // namespace annulus

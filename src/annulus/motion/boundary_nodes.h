@@ -4,6 +4,7 @@
 #include <annulus/motion/cell_2.h>
 #include <annulus/motion/gauss_legendre.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -25,15 +26,15 @@ void edge_nodes(const Coordinates<2>& a, const Coordinates<2>& b, const Gauss_ru
         }
 }
 
-/// The same along the arc around (0, 0) from a to b, with 12 nodes on every eighth of a turn.
+/// The same along the arc around (0, 0) from a to b, with `rule` on every `longest` radians, an eighth of a turn at most.
 ///
 /// For a trigonometric polynomial of degree k <= 6 the remainder of the 12-point rule on an angle s <= pi/4 is at most
 /// s^25 (12!)^4 / (25 (24!)^3) k^24 (Abramowitz and Stegun 25.4.30), below 1e-21 times its maximum for s = pi/4.
 template <class Node>
-void arc_nodes(const Coordinates<2>& origin, const Coordinates<2>& a, const Coordinates<2>& b, Node&& node) {
-    const Gauss_rule& rule = gauss_rule(12);
+void arc_nodes(const Coordinates<2>& origin, const Coordinates<2>& a, const Coordinates<2>& b, Node&& node,
+               const Gauss_rule& rule = gauss_rule(12), double longest = std::numbers::pi / 4) {
     const double span = arc_span(origin, a, b);
-    const int pieces = 1 + static_cast<int>(span / (std::numbers::pi / 4));
+    const int pieces = 1 + static_cast<int>(span / std::min(longest, std::numbers::pi / 4));
     const double part = span / pieces;
     const Coordinates<2> p{origin[0] + a[0], origin[1] + a[1]};
     for (int piece = 0; piece < pieces; ++piece)

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/motion/cell_2.h>
 
+#include <annulus/motion/vector_2.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace annulus {
-
-namespace {
-
-double cross(const Coordinates<2>& a, const Coordinates<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
-double dot(const Coordinates<2>& a, const Coordinates<2>& b) { return a[0] * b[0] + a[1] * b[1]; }
-Coordinates<2> minus(const Coordinates<2>& a, const Coordinates<2>& b) { return {a[0] - b[0], a[1] - b[1]}; }
-Coordinates<2> plus(const Coordinates<2>& a, const Coordinates<2>& b) { return {a[0] + b[0], a[1] + b[1]}; }
-
-}  // namespace
 
 double angle_spanned(const Coordinates<2>& p, const Coordinates<2>& d) {
     // cross(p, p + d) = cross(p, d) without the cancellation.

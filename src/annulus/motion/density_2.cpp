@@ -39,6 +39,18 @@ double density_at(Density density, const Coordinates<2>& p) {
     return 0;
 }
 
+double density_at(const Density_2& density, const Coordinates<2>& p) {
+    if (const auto* formula = std::get_if<Density>(&density)) return density_at(*formula, p);
+    if (const auto* smooth = std::get_if<Smooth_density>(&density)) return smooth->at(p);
+    return std::get<Image_density>(density).at(p);
+}
+
+double density_upper_bound(const Density_2& density, const Extent_2& extent) {
+    if (const auto* formula = std::get_if<Density>(&density)) return density_upper_bound(*formula, extent);
+    if (const auto* smooth = std::get_if<Smooth_density>(&density)) return smooth->most;
+    return std::get<Image_density>(density).most();
+}
+
 double density_upper_bound(Density density, const Extent_2& extent) {
     // The factor covers the roundings here and in density_at.
     const double above = 1 + 1e-14;

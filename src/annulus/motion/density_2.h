@@ -2,8 +2,11 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
+#include <annulus/motion/image_density.h>
 
+#include <functional>
 #include <string_view>
+#include <variant>
 
 namespace annulus {
 
@@ -24,8 +27,22 @@ inline constexpr Density all_densities[] = {Density::one, Density::x2_plus_y2, D
 /// The density of that name. Throws Error(usage) naming the choices when there is none.
 [[nodiscard]] Density parse_density(std::string_view name);
 
+/// Any density that is smooth.
+struct Smooth_density {
+    std::function<double(const Coordinates<2>&)>
+        at;           ///< at least 0, finite; may be called from several threads at once
+    double most = 1;  ///< no less than the density anywhere in the domain
+    /// Along a line its k-th derivative is nowhere more than amplitude * rate^k, for k from 3 to 12. `sin2` has 1/2 and 2; a
+    /// sum of waves that are no shorter than a length l has 2 pi / l; exp(-x^2 / 2) has 1 and 2.4.
+    double amplitude = 1, rate = 1;
+};
+
+/// What cells are weighted by.
+using Density_2 = std::variant<Density, Smooth_density, Image_density>;
+
 /// The density at p, at least 0. Error: a few roundings of the value, plus, for sin2, of |p| in the argument.
 [[nodiscard]] double density_at(Density density, const Coordinates<2>& p);
+[[nodiscard]] double density_at(const Density_2& density, const Coordinates<2>& p);
 
 /// How far a region reaches, all that a bound of a density over it needs.
 struct Extent_2 {
@@ -36,5 +53,7 @@ struct Extent_2 {
 
 /// No less than the density anywhere in the region, and attained in it (up to the extent being tight). O(1).
 [[nodiscard]] double density_upper_bound(Density density, const Extent_2& extent);
+/// The same; attained for a formula only.
+[[nodiscard]] double density_upper_bound(const Density_2& density, const Extent_2& extent);
 
 }  // namespace annulus

@@ -3,10 +3,15 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/motion/moments_2.h>
+#include <annulus/motion/vector_2.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/convex_hull_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -16,11 +21,6 @@ namespace annulus {
 namespace {
 
 using Points = std::vector<Coordinates<2>>;
-
-Coordinates<2> minus(const Coordinates<2>& a, const Coordinates<2>& b) { return {a[0] - b[0], a[1] - b[1]}; }
-double cross(const Coordinates<2>& a, const Coordinates<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
-double dot(const Coordinates<2>& a, const Coordinates<2>& b) { return a[0] * b[0] + a[1] * b[1]; }
-double norm(const Coordinates<2>& a) { return std::hypot(a[0], a[1]); }
 
 void require(bool fact, const std::string& what) {
     if (!fact) throw Error(Error_code::bad_input, what);
@@ -126,26 +126,17 @@ Domain_2 Domain_2::polygon(std::span<const Coordinates<2>> given) {
 }
 
 Domain_2 Domain_2::convex_hull_of(std::span<const Coordinates<2>> points) {
-    Points sorted(points.begin(), points.end()), hull;
-    for (const Coordinates<2>& p : sorted)
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+    std::vector<Kernel::Point_2> all, hull;
+    for (const Coordinates<2>& p : points) {
         require(std::isfinite(p[0]) && std::isfinite(p[1]), "a point of a convex hull is not finite");
-    std::sort(sorted.begin(), sorted.end());
-    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-    require(sorted.size() >= 3, "a convex hull needs 3 different points");
-    // Andrew's monotone chain, lower then upper. A corner dropped by mistake is off its edge by a rounding, which the
-    // tolerance of `contains` covers.
-    for (int pass = 0; pass < 2; ++pass) {
-        const std::size_t base = hull.size();
-        for (const Coordinates<2>& p : sorted) {
-            while (hull.size() >= base + 2 &&
-                   cross(minus(hull.back(), hull[hull.size() - 2]), minus(p, hull.back())) <= 0)
-                hull.pop_back();
-            hull.push_back(p);
-        }
-        hull.pop_back();
-        std::reverse(sorted.begin(), sorted.end());
+        all.emplace_back(p[0], p[1]);
     }
-    return polygon(hull);
+    CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
+    require(hull.size() >= 3, "a convex hull needs 3 points that are not on a line");
+    Points corners;
+    for (const auto& p : hull) corners.push_back({p.x(), p.y()});
+    return polygon(corners);
 }
 
 bool Domain_2::deeper_than_edges(const Coordinates<2>& p, double depth) const {
@@ -168,6 +159,16 @@ void Domain_2::clip(Cell_2& cell, std::vector<Corner_2>& scratch) const {
     clipper.start(corners, lines);
     for (const Half_plane_2& edge : edges_) clipper.clip({edge.normal, edge.bound - dot(edge.normal, cell.origin)});
     clipper.write_corners(cell.corners);
+}
+
+void require_density(const Density_2& density, const Domain_2& domain) {
+    const auto* image = std::get_if<Image_density>(&density);
+    if (image == nullptr) return;
+    const auto& box = domain.bounding_box();
+    const auto width = static_cast<double>(image->width()), height = static_cast<double>(image->height());
+    if (domain.kind() != Domain_2::Kind::polygon || box.lower[0] < 0 || box.lower[1] < 0 || box.upper[0] > width ||
+        box.upper[1] > height)
+        throw Error(Error_code::usage, "the density of an image is for a polygon in the image");
 }
 
 Cell_2 Domain_2::whole(const Coordinates<2>& origin) const {

@@ -78,4 +78,7 @@ class Domain_2 {
     Extent_2 extent_;
 };
 
+/// Throws Error(usage) unless the density is one of the domain: an Image_density, that of a polygon in the image's rectangle.
+void require_density(const Density_2& density, const Domain_2& domain);
+
 }  // namespace annulus

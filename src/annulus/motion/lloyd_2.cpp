@@ -2,8 +2,8 @@
 #include <annulus/motion/lloyd_2.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/motion/moments_2.h>
 #include <annulus/mesh/parallel_runs.h>
+#include <annulus/motion/moments_2.h>
 #include <annulus/motion/voronoi_cell_2.h>
 
 #include <algorithm>
@@ -42,8 +42,8 @@ struct Wish {
     double way = 0;
 };
 
-bool wish_of(const Voronoi_cell_2& cell_of, const Cell_2& cell, const Coordinates<2>& from, const Domain_2& domain, Density density,
-             Wish& wish) {
+bool wish_of(const Voronoi_cell_2& cell_of, const Cell_2& cell, const Coordinates<2>& from, const Domain_2& domain,
+             const Density_2& density, Wish& wish) {
     Coordinates<2> offset;
     if (cell_of.plump()) {
         // Nothing can go wrong here, and lengths are those of the domain: no need to look for where the centroid is, nor for hypot.
@@ -71,7 +71,7 @@ bool is_cyclic(const Stars_2& lists, std::size_t v) { return lists.cyclic(v); }
 
 }  // namespace
 
-bool centroid(Density density, const Cell_2& cell, Coordinates<2>& offset) {
+bool centroid(const Density_2& density, const Cell_2& cell, Coordinates<2>& offset) {
     const Moments_2 m = moments(density, cell.origin, cell.corners);
     if (!(m.mass > 0)) return false;
     offset = {m.first[0] / m.mass, m.first[1] / m.mass};
@@ -95,16 +95,17 @@ bool centroid(Density density, const Cell_2& cell, Coordinates<2>& offset) {
     return true;
 }
 
-Lloyd_2::Lloyd_2(Domain_2 domain, Density density, int threads)
-    : domain_(std::move(domain)), density_(density), threads_(threads) {
+Lloyd_2::Lloyd_2(Domain_2 domain, Density_2 density, int threads)
+    : domain_(std::move(domain)), density_(std::move(density)), threads_(threads) {
+    require_density(density_, domain_);
     if (threads < 1) throw Error(Error_code::usage, "Lloyd needs at least 1 thread");
 }
 
 /// `way` is left with how far it is for each vertex, negative for those that stay; remembered(v) means that it is there already, and
 /// the target as well.
 template <class Lists, class Remembered>
-Lloyd_step Lloyd_2::step_over(const Lists& lists, std::span<const Coordinates<2>> position, std::span<Coordinates<2>> target,
-                              std::vector<double>& way, Remembered remembered) const {
+Lloyd_step Lloyd_2::step_over(const Lists& lists, std::span<const Coordinates<2>> position,
+                              std::span<Coordinates<2>> target, std::vector<double>& way, Remembered remembered) const {
     const std::size_t n = lists.size();
     std::vector<Partial> partial((n + run_length - 1) / run_length);
     for_each_run(n, run_length, threads_, [&](std::size_t first, std::size_t last) {
@@ -169,8 +170,8 @@ bool Lloyd_2::find_moved(const Stars_2& stars, std::span<const Coordinates<2>> p
     return known && 4 * std::accumulate(rest.begin(), rest.end(), std::size_t{0}) >= n;
 }
 
-Lloyd_step Lloyd_2::step(const Stars_2& stars, std::span<const Coordinates<2>> position, std::span<Coordinates<2>> target,
-                         Lloyd_memory& memory) const {
+Lloyd_step Lloyd_2::step(const Stars_2& stars, std::span<const Coordinates<2>> position,
+                         std::span<Coordinates<2>> target, Lloyd_memory& memory) const {
     require_sizes(stars.size(), position.size(), target.size());
     const bool asking = find_moved(stars, position, memory);
     const auto moved = [&](Index u) { return memory.moved_[static_cast<std::size_t>(u)] != 0; };

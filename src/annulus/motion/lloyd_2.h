@@ -2,11 +2,11 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
+#include <annulus/mesh/neighbours.h>
 #include <annulus/motion/cell_2.h>
 #include <annulus/motion/density_2.h>
 #include <annulus/motion/domain_2.h>
 #include <annulus/motion/stars_2.h>
-#include <annulus/mesh/neighbours.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -27,17 +27,17 @@ struct Lloyd_step {
 class Lloyd_memory {
     friend class Lloyd_2;
     std::vector<Coordinates<2>> position_, target_;
-    std::vector<double> way_;        ///< how far it was to the target; negative where there was none
-    std::vector<char> moved_;        ///< since the step before
-    std::uint64_t readings_ = 0;     ///< of the stars, up to that step
+    std::vector<double> way_;     ///< how far it was to the target; negative where there was none
+    std::vector<char> moved_;     ///< since the step before
+    std::uint64_t readings_ = 0;  ///< of the stars, up to that step
 };
 
 /// Lloyd's iteration in the plane (section 4.1 of the paper): every site wants to go to the centroid of its Voronoi
 /// cell, cut to a convex domain, under a density. Immutable; `step` may be called from several threads at once.
 class Lloyd_2 {
   public:
-    /// `threads` >= 1, else Error(usage), is how many work on a step, or fewer where the machine has fewer.
-    Lloyd_2(Domain_2 domain, Density density, int threads = 1);
+    /// Throws what `require_density` does. `threads` >= 1, else Error(usage), is how many work on a step, or fewer where the machine has fewer.
+    Lloyd_2(Domain_2 domain, Density_2 density, int threads = 1);
 
     /// Sets target[v] to the centroid of (Voronoi cell of v, cut to the domain) for every v. The vertices with an empty
     /// list in `neighbours`, unless v is the only one, are vacant: they keep their position and are not counted.
@@ -58,22 +58,23 @@ class Lloyd_2 {
                     Lloyd_memory& memory) const;
 
     [[nodiscard]] const Domain_2& domain() const { return domain_; }
-    [[nodiscard]] Density density() const { return density_; }
+    [[nodiscard]] const Density_2& density() const { return density_; }
     [[nodiscard]] int threads() const { return threads_; }
 
   private:
-    [[nodiscard]] bool find_moved(const Stars_2& stars, std::span<const Coordinates<2>> position, Lloyd_memory& memory) const;
+    [[nodiscard]] bool find_moved(const Stars_2& stars, std::span<const Coordinates<2>> position,
+                                  Lloyd_memory& memory) const;
     template <class Lists, class Remembered>
     Lloyd_step step_over(const Lists& lists, std::span<const Coordinates<2>> position, std::span<Coordinates<2>> target,
                          std::vector<double>& way, Remembered remembered) const;
 
     Domain_2 domain_;
-    Density density_;
+    Density_2 density_;
     int threads_;
 };
 
 /// The centroid of a cell under a density, as an offset from the cell's origin; false when the cell has no mass. A
 /// centroid that is out of the cell by more than rounding (a cell thinner than that) becomes the mean of the corners.
-[[nodiscard]] bool centroid(Density density, const Cell_2& cell, Coordinates<2>& offset);
+[[nodiscard]] bool centroid(const Density_2& density, const Cell_2& cell, Coordinates<2>& offset);
 
 }  // namespace annulus

@@ -2,7 +2,9 @@
 #include <annulus/motion/moments_2.h>
 
 #include <annulus/motion/boundary_nodes.h>
+#include <annulus/motion/moments_image.h>
 #include <annulus/motion/moments_sin2.h>
+#include <annulus/motion/moments_smooth.h>
 
 namespace annulus {
 
@@ -91,6 +93,13 @@ Moments_2 moments(Density density, const Coordinates<2>& origin, std::span<const
         case Density::sin2: return sin2_moments(origin, corners);
     }
     return {};
+}
+
+Moments_2 moments(const Density_2& density, const Coordinates<2>& origin, std::span<const Corner_2> corners) {
+    if (const auto* formula = std::get_if<Density>(&density)) return moments(*formula, origin, corners);
+    if (corners.size() < 2) return {};
+    if (const auto* smooth = std::get_if<Smooth_density>(&density)) return smooth_moments(*smooth, origin, corners);
+    return image_moments(std::get<Image_density>(density), origin, corners);
 }
 
 }  // namespace annulus

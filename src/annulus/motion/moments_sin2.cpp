@@ -1,120 +1,199 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/motion/moments_sin2.h>
 
-#include <annulus/motion/boundary_nodes.h>
-#include <annulus/motion/moments_sin2_far.h>
+#include <annulus/motion/gauss_legendre.h>
+#include <annulus/motion/moments_smooth.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace annulus {
 
 namespace {
 
-double norm(const Coordinates<2>& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1]); }
+/// Two doubles that are worked on at once, as many as any x86-64 does. Always two, so that sums have the same bits whatever the machine.
+using Pair [[gnu::vector_size(16)]] = double;
 
-/// For r < 1, from sin^2 t = sum over j >= 1 of -(-4)^j t^(2j) / (2 (2j)!), term by term.
-Radial_means sin2_series(double r) {
-    const double z = r * r;
-    double term = 1, g = 0, h = 0;  // term = -(-4)^j z^j / (2 (2j)!)
-    for (int j = 1; j <= 11; ++j) {
-        term = j == 1 ? z : term * (-4 * z) / (2 * j * (2 * j - 1));
-        g += term / (2 * j + 2);
-        h += term / (2 * j + 3);
-    }
-    return {g, h};
+/// sin^2 r, sin 2r and cos 2r.
+struct Waves {
+    double square, sine, cosine;
+};
+
+/// Errors of a few roundings, for sin^2 relative up to those of r; 0 <= r < 1e5. Both series side by side, without a branch that
+/// depends on r: a sine and a cosine of the library cost twice as much.
+Waves waves(double r) {
+    // Less quarter turns; pi / 2 in three parts of 33 bits, so that their products are exact (Cody and Waite).
+    const int turns = static_cast<int>(r * (2 * std::numbers::inv_pi) + 0.5);
+    const double n = turns;
+    const double y = ((r - n * 0x1.921fb544p+0) - n * 0x1.0b4611a6p-34) - n * 0x1.3198a2ep-69, z = y * y;
+    // Taylor series, |y| < pi / 4 and a rounding: sin y up to y^17, cos y up to y^16, as products of 1 - z / (2k (2k +
+    // 1)) and 1 - z / (2k (2k - 1)) within each other; what is left out is below 3e-18.
+    Pair series{1, 1};
+    for (int k = 8; k >= 2; --k)
+        series = 1 - series * (z * Pair{1.0 / (2 * k * (2 * k + 1)), 1.0 / (2 * k * (2 * k - 1))});
+    const double s = y - y * (z * (1.0 / 6)) * series[0], less = z * 0.5 * series[1], c = 1 - less;
+    const double squares[2] = {s * s, c * c}, sign = 1 - 2 * (turns & 1);
+    return {squares[turns & 1], sign * (2 * s * c), sign * ((c - s) * (c + s))};
 }
 
-}  // namespace
+/// tail<m> v^m bounds what the terms of the density f from f[m] v^m on add to a moment, relative to the area (and to the area times h).
+///
+/// With r^2 = r_^2 + 2 r_ v and |v| <= y, complex, |Im r| <= y: r^2 keeps within the parabola around the real axis that
+/// is the image of |Im r| = y, whose distance from r_^2 is 2 r_ y, or more where y > r_. So |cos 2r| <= cosh 2y there,
+/// |f[m]| <= cosh(2y) / (2 y^m) by Cauchy for every y, and y = m / 2 makes it (2 e / m)^m / 4. Later terms add less
+/// than a fifth of it where 2 v < m / 6. Over a convex region the mean of |v|^m is at most 2 / (m + 2) of its greatest
+/// (a triangle that widens to there), up to v's curvature.
+template <std::size_t m>
+constexpr double tail = [] {
+    double x = 0.6 / (m + 2);
+    for (std::size_t i = 0; i < m; ++i) x *= 2 * std::numbers::e / m;
+    return x;
+}();
 
-Radial_means cos2_means(double r) {
-    if (r < 1) {
-        const Radial_means s = sin2_series(r);  // cos 2t = 1 - 2 sin^2 t
-        return {0.5 - 2 * s.g, 1.0 / 3 - 2 * s.h};
+/// c = (n!)^4 / ((2n + 1) ((2n)!)^3): Gauss's rule with n nodes has on an edge of length l the remainder c l^(2n + 1) times a derivative of
+/// order 2n by arc length.
+///
+/// Growth, c n: what is integrated are psi v and psi u.du, psi' = the density, whose k-th derivative is at most 2^(k - 1), k > 0; so
+/// at most 2n 2^(2n - 3) in first order of h, times the cosine of the edge's angle to the radius to the power 2n - 1. As the edges'
+/// extents along the radius add up to 4 h, the sum over all edges is at most c (2 l)^(2n) n h.
+///
+/// Pole, 2 c (2n)!: 1 / r^2 has poles off the edge at a distance d >= r_ - h, and the terms of the first moments in it are of
+/// degree 2n - 2 in l / d: 2 c (2n)! l^2 (l / d)^(2n - 2) h times the density, with the constant as measured, 5 times too large.
+struct Remainder {
+    double growth, pole;
+};
+template <int n>
+constexpr Remainder remainder = [] {
+    double c = 1.0 / (2 * n + 1), p = c;
+    for (int i = 1; i <= 2 * n; ++i) {
+        const double f = i <= n ? 1.0 * i * i * i * i : 1;
+        c *= f / (1.0 * i * i * i), p *= f / (1.0 * i * i);
     }
-    const double s = std::sin(r), c = std::cos(r), sin2 = 2 * s * c, cos2 = (c - s) * (c + s), q = 1 / r;
-    return {(sin2 / 2 - s * s * q / 2) * q, (sin2 / 2 + (cos2 / 2 - sin2 * q / 4) * q) * q};
-}
+    return Remainder{c * n, 2 * p};
+}();
 
-Radial_means sin2_means(double r) {
-    if (r < 1) return sin2_series(r);
-    const Radial_means c = cos2_means(r);
-    return {0.25 - c.g / 2, 1.0 / 6 - c.h / 2};
-}
+/// What decides, from the size of a cell.
+struct Demand {
+    double v, length4;           ///< greatest |v|; 4 edge^2
+    double edge2, pole2;         ///< edge^2; (edge / distance from (0, 0))^2
+    double density, mass, area;  ///< allowed error of the density and of the mass; 1e-9 of the area
 
-namespace {
-
-Size_2 size_of(const Coordinates<2>& c, std::span<const Corner_2> corners) {
-    double square = 0, edge2 = 0, bulge = 0, twice = 0;
-    bool arcs = false;
-    Coordinates<2> a = corners.back().offset;
-    for (const Corner_2& corner : corners) {
-        const Coordinates<2>& b = corner.offset;
-        const double x = b[0] - a[0], y = b[1] - a[1];
-        square = std::max(square, b[0] * b[0] + b[1] * b[1]);
-        edge2 = std::max(edge2, x * x + y * y);
-        twice += a[0] * b[1] - a[1] * b[0];
-        arcs = arcs || corner.arc;
-        a = b;
-    }
-    for (std::size_t i = 0; arcs && i < corners.size(); ++i) {
-        if (!corners[i].arc) continue;
-        const double span = arc_span(c, corners[i].offset, corners[i + 1 < corners.size() ? i + 1 : 0].offset);
-        const double r = norm({c[0] + corners[i].offset[0], c[1] + corners[i].offset[1]});
-        bulge = std::max(bulge, span < 1 ? r * span * span / 8 : 2 * r);  // sagitta
-    }
-    return {std::sqrt(square) + bulge, edge2, twice / 2, arcs};
-}
-
-/// The fields g(r) p and h(r) (p - c's share) whose divergence is the density and the density times (p - c): the kinds
-/// "near" and "large".
-template <class Means>
-struct From_centre {
-    Coordinates<2> c;
-    Means means;
-    Moments_2 sum{};
-
-    void operator()(const Coordinates<2>& u, const Coordinates<2>& d) {
-        const double x = c[0] + u[0], y = c[1] + u[1], turn = x * d[1] - y * d[0];
-        const Radial_means m = means(norm({x, y}));
-        sum.mass += m.g * turn;
-        // h x - g c_x = h u_x + (h - g) c_x
-        sum.first[0] += (m.h * u[0] + (m.h - m.g) * c[0]) * turn;
-        sum.first[1] += (m.h * u[1] + (m.h - m.g) * c[1]) * turn;
+    Demand(double r, const Size_2& size) {
+        // |sin r| >= 2 off, and changes by h at most; where it is 0 the mean of its square is that of a squared coordinate, which is
+        // h^2 / 8 for a regular triangle, and about h^2 / 64 for cells three times as long as wide. No sine: what is decided here must be
+        // known early, because a wrong guess of the processor costs it as much as two edges.
+        const double h = size.radius, turns = r * std::numbers::inv_pi,
+                     off = std::abs(turns - static_cast<int>(turns + 0.5));
+        const double sine = std::max(2 * off - h, h / 8);
+        density = 1e-9 * (sine * sine);
+        mass = density * size.area;
+        area = 1e-9 * size.area;
+        v = h * (1 + h / (2 * r));
+        edge2 = size.edge * size.edge;
+        length4 = 4 * edge2;
+        pole2 = edge2 / ((r - h) * (r - h));
     }
 };
 
-/// Runs `node` around the boundary; `pieces_of(length)` says into how many pieces of 10 nodes a straight edge is cut.
-template <class Node, class Pieces_of>
-void around(const Coordinates<2>& c, std::span<const Corner_2> corners, Node& node, Pieces_of&& pieces_of) {
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Coordinates<2>& a = corners[i].offset;
-        const Coordinates<2>& b = corners[i + 1 < corners.size() ? i + 1 : 0].offset;
-        if (corners[i].arc) arc_nodes(c, a, b, node);
-        else edge_nodes(a, b, gauss_rule(10), pieces_of(norm({b[0] - a[0], b[1] - a[1]})), node);
+/// Whether all that is left out is below 1e-9 of the mass.
+template <int nodes, std::size_t degree>
+bool suffices(const Demand& demand) {
+    double v = 1, growth = 1, pole = demand.edge2;
+    for (std::size_t k = 0; k <= degree; ++k) v *= demand.v;
+    for (int k = 0; k < nodes; ++k) growth *= demand.length4;
+    for (int k = 1; k < nodes; ++k) pole *= demand.pole2;
+    // One branch and not three.
+    return (int(v * tail<degree + 1> <= demand.density) & int(growth * remainder<nodes>.growth <= demand.mass) &
+            int(pole * remainder<nodes>.pole <= demand.area)) != 0;
+}
+
+/// With v = (r^2 - r_^2) / (2 r_), psi(v) = integral of the density f from 0 to v, p = c + u the position: r_ psi p /
+/// r^2 has the divergence f, and r_ psi times the unit matrix, f p. Where the series of f is cut off, this is exact for
+/// what is left of it. Along the boundary, with k = cross(c, du), kappa = cross(u, du) and g = psi / (r_ + 2 v):
+///
+///     mass = sum of g (k + kappa),
+///     first moment along c = sum of psi k - r_ g (k + kappa) = sum of (2 k v - r_ kappa) g,
+///     first moment across c = sum of -psi c.du = sum of psi u.du, because psi dv sums up to 0 and r_ dv = (c + u).du.
+///
+/// The last two are written so that nothing of the size of r_ cancels. Two edges at once, one in each lane.
+template <int nodes, std::size_t degree>
+Moments_2 around(const Coordinates<2>& c, double r, std::span<const Corner_2> corners) {
+    // potential[k] = f[k] / (k + 1), f[k] the coefficients of the density. y(z) = cos(2 sqrt(z)) has z y'' + y'/2 + y
+    // = 0, which gives (k + 1) (k + 2) y[k + 2] = -(k + 1) (2k + 1) y[k + 1] / r - 4 y[k] in powers of v.
+    std::array<double, degree + 1> potential;
+    const Waves at = waves(r);
+    const double over_r = 1 / r;
+    potential[0] = at.square, potential[1] = at.sine / 2;
+    double before = at.sine, f = at.cosine - at.sine * (over_r / 2);
+#pragma GCC unroll 16
+    for (std::size_t k = 2; k <= degree; ++k) {
+        const auto m = static_cast<double>(k);
+        potential[k] = f * (1 / (m + 1));
+        const double next = ((1 - 2 * m) / (m + 1) * over_r) * f + (-4 / (m * (m + 1))) * before;
+        before = f, f = next;
     }
+
+    const Gauss_rule& rule = gauss_rule(nodes);
+    const std::size_t size = corners.size();
+    const double c0 = c[0], c1 = c[1];
+    Pair mass{}, along{}, across{};
+    for (std::size_t i = 0; i < size; i += 2) {
+        const Coordinates<2>&p = corners[i].offset, &q = corners[i + 1 < size ? i + 1 : 0].offset;
+        const Coordinates<2>& s = i + 1 >= size ? q : corners[i + 2 < size ? i + 2 : 0].offset;
+        const Pair a0{p[0], q[0]}, a1{p[1], q[1]}, b0{q[0], s[0]}, b1{q[1], s[1]};
+        const Pair d0 = b0 - a0, d1 = b1 - a1, m0 = 0.5 * (a0 + b0), m1 = 0.5 * (a1 + b1);
+        const Pair k = c0 * d1 - c1 * d0, kappa = m0 * d1 - m1 * d0, md = m0 * d0 + m1 * d1, dd = d0 * d0 + d1 * d1;
+        const Pair middle = (c0 * m0 + c1 * m1 + 0.5 * (m0 * m0 + m1 * m1)) * over_r;
+        const Pair slope = (c0 * d0 + c1 * d1 + md) * over_r, bend = dd * (0.5 * over_r);
+        Pair v[nodes], psi[nodes];
+        for (std::size_t j = 0; j < nodes / 2; ++j) {
+            const double x = 0.5 - rule.node[j];
+            const Pair even = middle + (x * x) * bend, odd = x * slope;
+            v[j] = even - odd;
+            v[nodes - 1 - j] = even + odd;
+        }
+        for (Pair& value : psi) value = Pair{potential[degree], potential[degree]};
+#pragma GCC unroll 16
+        for (std::size_t m = 1; m <= degree; ++m)
+            for (std::size_t j = 0; j < nodes; ++j) psi[j] = psi[j] * v[j] + potential[degree - m];
+        Pair g_sum{}, gv_sum{}, psi_sum{}, odd_sum{};
+        for (std::size_t j = 0; j < nodes; ++j) {
+            psi[j] *= v[j] * rule.weight[j];
+            const Pair g = psi[j] / (r + (v[j] + v[j]));
+            g_sum += g;
+            gv_sum += g * v[j];
+            psi_sum += psi[j];
+        }
+        for (std::size_t j = 0; j < nodes / 2; ++j) odd_sum += (0.5 - rule.node[j]) * (psi[nodes - 1 - j] - psi[j]);
+        mass += (k + kappa) * g_sum;
+        along += 2 * k * gv_sum - r * (kappa * g_sum);
+        across += md * psi_sum + dd * odd_sum;
+    }
+    const double a = (along[0] + along[1]) * over_r, b = (across[0] + across[1]) * over_r;
+    return {mass[0] + mass[1], {a * c0 - b * c1, a * c1 + b * c0}};
 }
 
 }  // namespace
 
 Moments_2 sin2_moments(const Coordinates<2>& origin, std::span<const Corner_2> corners) {
     if (corners.empty()) return {};
+    const double r = std::sqrt(origin[0] * origin[0] + origin[1] * origin[1]);
     const Size_2 size = size_of(origin, corners);
-    const double r = norm(origin);
-    if (size.radius <= 1.5 && r > 4 * size.radius) return far_sin2_moments(origin, r, corners, size);
-    if (size.radius > 1) {
-        Moments_2 half = moments(Density::one, origin, corners);
-        From_centre<Radial_means (*)(double)> oscillating{origin, cos2_means};
-        // 10 nodes on at most 2 units of length: remainder 8e-19. A million pieces at most: see `moments`.
-        around(origin, corners, oscillating,
-               [](double length) { return 1 + static_cast<int>(std::min(length / 2, 1e6)); });
-        return {(half.mass - oscillating.sum.mass) / 2,
-                {(half.first[0] - oscillating.sum.first[0]) / 2, (half.first[1] - oscillating.sum.first[1]) / 2}};
+    if (!size.arcs && size.radius <= 1.5 && r > 4 * size.radius && r < 1e5) {
+        // Two, because most cells of a motion need no more than the first, and few more than the second.
+        const Demand demand(r, size);
+        if (suffices<4, 7>(demand)) return around<4, 7>(origin, r, corners);
+        if (suffices<8, 13>(demand)) return around<8, 13>(origin, r, corners);
     }
-    From_centre<Radial_means (*)(double)> near{origin, sin2_means};
-    around(origin, corners, near, [](double) { return 1; });
-    return near.sum;
+    const auto at = [](const Coordinates<2>& p) {
+        const double distance = std::sqrt(p[0] * p[0] + p[1] * p[1]);
+        return distance < 1e5 ? waves(distance).square : density_at(Density::sin2, p);
+    };
+    static const Smooth_density sin2{at, 1, 0.5, 2};
+    return smooth_moments(sin2, origin, corners);
 }
 
 }  // namespace annulus

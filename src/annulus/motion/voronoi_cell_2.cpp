@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/motion/voronoi_cell_2.h>
 
+#include <annulus/motion/vector_2.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace annulus {
-
-namespace {
-
-Coordinates<2> minus(const Coordinates<2>& a, const Coordinates<2>& b) { return {a[0] - b[0], a[1] - b[1]}; }
-double cross(const Coordinates<2>& a, const Coordinates<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
-double dot(const Coordinates<2>& a, const Coordinates<2>& b) { return a[0] * b[0] + a[1] * b[1]; }
-
-}  // namespace
 
 const Cell_2& Voronoi_cell_2::operator()(const Coordinates<2>& site, std::span<const Index> neighbours,
                                          std::span<const Coordinates<2>> position, bool cyclic) {

@@ -63,6 +63,10 @@ Axis_range::Axis_range(const Axis& axis, const std::vector<double>& values) : sc
         const double centre = lower_;
         lower_ = logarithmic ? centre / 3 : centre - std::max(std::fabs(centre) / 10, 1e-3);
         upper_ = logarithmic ? centre * 3 : centre + std::max(std::fabs(centre) / 10, 1e-3);
+        if (!logarithmic && axis.lower) {  // as counts that are all 0
+            lower_ = centre;
+            upper_ = centre + std::max(std::fabs(centre) / 10, 1.);
+        }
     }
     if (!logarithmic) {
         make_linear(axis);

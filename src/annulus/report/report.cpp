@@ -128,7 +128,9 @@ std::string report_html(const Report& report) {
                " audits failed: the triangulation was not Delaunay.</p>\n";
     append_numbers(out, run);
     if (report.comparison) append_comparison(out, *report.comparison);
-    append_pictures(out, report);
+    if (report.film.empty()) append_pictures(out, report);
+    else out += "<h2>The triangulation</h2>\n" + report.film.html();
+    for (const Figure& figure : report.figures) append_plots(out, figure.heading, figure.panels, figure.caption);
     append_plots(
         out, "The mesh", mesh_plots(run),
         "All six dihedral angles of every cell of the domain. A sliver has one below 10 or above 170 degrees.");
@@ -136,7 +138,6 @@ std::string report_html(const Report& report) {
                  "Lengths in mean spacings: the square root of the area (cube root of the volume) that one vertex has "
                  "on average.");
     append_plots(out, "What a step costs", cost_plots(run), "");
-    for (const Figure& figure : report.figures) append_plots(out, figure.heading, figure.panels, figure.caption);
     append_notes(out, report.notes);
     return out + page_foot();
 }

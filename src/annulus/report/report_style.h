@@ -16,7 +16,7 @@ inline constexpr const char* report_style = R"css(
 body{margin:0;background:var(--bg);color:var(--ink);font:16px/1.55 system-ui,-apple-system,"Segoe UI",Roboto,
 "Helvetica Neue",Arial,sans-serif;-webkit-text-size-adjust:100%}
 main{max-width:1160px;margin:0 auto;padding:40px 24px 64px}
-h1{font-size:1.7rem;line-height:1.2;font-weight:600;margin:0 0 10px;letter-spacing:-.01em}
+h1{font-size:1.7rem;line-height:1.2;font-weight:600;margin:0 0 10px;letter-spacing:-.01em;overflow-wrap:anywhere}
 h2{font-size:1.12rem;font-weight:600;margin:52px 0 14px;padding-top:14px;border-top:1px solid var(--rule)}
 h3{font-size:.95rem;font-weight:600;margin:0 0 6px}
 p{margin:0 0 10px;max-width:46em}
@@ -46,6 +46,7 @@ figcaption{color:var(--soft);font-size:.88rem;line-height:1.45;margin-top:8px;ma
 svg{display:block;width:100%;height:auto}
 .panels>figure:only-child{max-width:620px}
 .mesh{border:1px solid var(--rule)}
+.film{max-width:760px}.film input{width:100%}.film [hidden]{display:none}
 .edges,.dots,.curve,.lead,.grid,.tick,.axis{fill:none}
 .edges{stroke:var(--edge);stroke-linejoin:round}.dots{stroke:var(--c0);stroke-linecap:round}
 .grid{stroke:var(--grid)}.tick,.axis{stroke:var(--soft)}

@@ -4,9 +4,9 @@
 #include <annulus/certificate/half_width.h>
 #include <annulus/certificate/ladder.h>
 #include <annulus/certificate/theta.h>
+#include <annulus/mesh/certificates.h>
 #include <annulus/statistics/paper_tolerance.h>
 #include <annulus/statistics/spacing.h>
-#include <annulus/mesh/certificates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,13 +55,12 @@ double theta_of(const Tuple<3, 5>& x) { return theta(*x[0], *x[1], *x[2], *x[3],
 template <int d>
 class Survey {
   public:
-    Survey(const Cell_table<d>& t, std::span<const Coordinates<d>> x)
-        : t_(t), x_(x), tolerance_(x.size(), infinity), marks_(x.size(), 0), paper_(t, x.size()) {
+    Survey(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Degeneracy_options<d>& options)
+        : t_(t), x_(x), options_(options), tolerance_(x.size(), infinity), marks_(x.size(), 0), paper_(t, x.size()) {
         r_.dimension = d;
         r_.spacing = mean_spacing(t, x);
         r_.resolution = resolution(x);
-        for (const auto& [name, relative] :
-             {std::pair{"1e-3", 1e-3}, std::pair{"1e-6", 1e-6}, std::pair{"1e-9", 1e-9}, std::pair{"1e-12", 1e-12}})
+        for (const auto& [name, relative] : options.thresholds)
             r_.thresholds.push_back({name, relative * r_.spacing, relative});
         r_.thresholds.push_back({"ulp", r_.resolution, r_.resolution / r_.spacing});
         for (auto* counts : {&r_.standard, &r_.bicells.least, &r_.cells.least, &r_.ridges.least})
@@ -151,6 +150,7 @@ class Survey {
             if (d == 3)
                 count(
                     h.standard, width_samples_[3], r_.standard, {}, [&] { return exactly().standard; }, nullptr);
+            tell(Raw_certificate<d>::Kind::bicell, b.point[i], h.least, i);
             const int convex = convexity(std::span(verdict_).subspan(i * d, d));
             r_.non_convex += convex < 0 ? 1U : 0U;
             r_.flat += convex == 0 ? 1U : 0U;
@@ -161,7 +161,7 @@ class Survey {
     }
 
     void take_ridges(Batch<Corner_index, Simplex>& b) {
-        take_simplices(b, r_.ridges, width_samples_[2],
+        take_simplices(b, Raw_certificate<d>::Kind::ridge, r_.ridges, width_samples_[2],
                        [&](std::size_t i, const Half_width& h) { paper_.note_ridge(b.id[i], h); });
         half_.resize(b.id.size());
         enclose(std::span<const Simplex>(b.tuple), Width::ridge, std::span(half_));
@@ -175,13 +175,14 @@ class Survey {
         b.clear();
     }
     void take_cells(Batch<Cell_index, Simplex>& b) {
-        take_simplices(b, r_.cells, width_samples_[1],
+        take_simplices(b, Raw_certificate<d>::Kind::cell, r_.cells, width_samples_[1],
                        [&](std::size_t i, const Half_width& h) { paper_.note_cell(b.id[i], h); });
         b.clear();
     }
 
     template <class I, class Note>
-    void take_simplices(Batch<I, Simplex>& b, Certificate_counts& counts, std::vector<double>& samples, Note note) {
+    void take_simplices(Batch<I, Simplex>& b, typename Raw_certificate<d>::Kind kind, Certificate_counts& counts,
+                        std::vector<double>& samples, Note note) {
         judge(b, counts);
         half_.resize(b.id.size());
         enclose(std::span<const Simplex>(b.tuple), Width::least, std::span(half_));
@@ -189,8 +190,16 @@ class Survey {
             count(
                 half_[i], samples, counts.least, b.point[i], [&] { return enclose_exactly(b.tuple[i], Width::least); },
                 &counts.decided_exactly);
+            tell(kind, b.point[i], half_[i], i);
             note(i, half_[i]);
         }
+    }
+
+    /// After its width was counted, which may have made it narrower.
+    void tell(typename Raw_certificate<d>::Kind kind, const Facet_points<d>& points, const Half_width& h,
+              std::size_t i) const {
+        if (options_.raw)
+            options_.raw({kind, points, 2 * h.lower, 2 * h.upper, judged_[i].tolerance, judged_[i].stage});
     }
 
     /// The ladder, as a run has it, for stages and tolerances.
@@ -198,6 +207,7 @@ class Survey {
     void judge(const Batch<I, T>& b, Certificate_counts& counts) {
         verdict_.resize(b.id.size());
         counts.arithmetic += evaluate(std::span<const T>(b.tuple), Mode::fast, verdict_);
+        if (options_.raw) judged_ = verdict_;
         for (std::size_t i = 0; i < b.id.size(); ++i)
             for (const Index v : b.point[i])
                 if (v != none) tolerance_[at(v)] = std::min(tolerance_[at(v)], verdict_[i].tolerance);
@@ -256,6 +266,7 @@ class Survey {
 
     const Cell_table<d>& t_;
     std::span<const Coordinates<d>> x_;
+    const Degeneracy_options<d>& options_;
     Degeneracy r_;
     std::array<std::vector<double>, 4> width_samples_;  // bi-cells, cells, ridges, standard annuli
     std::vector<double> theta_samples_;
@@ -264,6 +275,7 @@ class Survey {
     Paper_tolerance<d> paper_;
     // Of a batch.
     std::vector<Verdict> verdict_;
+    std::vector<Verdict> judged_;  // the certificates', where somebody is told
     std::vector<Bicell_half_widths> bicell_;
     std::vector<Half_width> half_;
     std::vector<Simplex> sides_;
@@ -271,7 +283,11 @@ class Survey {
 
 }  // namespace
 
-Degeneracy degeneracy(const Cell_table<2>& t, std::span<const Coordinates<2>> x) { return Survey<2>(t, x).result(); }
-Degeneracy degeneracy(const Cell_table<3>& t, std::span<const Coordinates<3>> x) { return Survey<3>(t, x).result(); }
+Degeneracy degeneracy(const Cell_table<2>& t, std::span<const Coordinates<2>> x, const Degeneracy_options<2>& options) {
+    return Survey<2>(t, x, options).result();
+}
+Degeneracy degeneracy(const Cell_table<3>& t, std::span<const Coordinates<3>> x, const Degeneracy_options<3>& options) {
+    return Survey<3>(t, x, options).result();
+}
 
 }  // namespace annulus

@@ -2,13 +2,15 @@
 #pragma once
 
 #include <annulus/arithmetic/stage.h>
-#include <annulus/statistics/histogram.h>
 #include <annulus/mesh/cell_table.h>
+#include <annulus/statistics/histogram.h>
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace annulus {
@@ -79,9 +81,35 @@ struct Degeneracy {
     Vertex_counts vertices;
 };
 
+/// One certificate as it was found.
+template <int d>
+struct Raw_certificate {
+    enum class Kind { bicell, cell, ridge };
+    Kind kind = Kind::bicell;
+    std::array<Index, static_cast<std::size_t>(d) + 2>
+        point{};  ///< vertices; the last one `none` where there are d + 1
+    double width_lower = 0,
+           width_upper =
+               0;          ///< ends of an enclosure of its width (Certificate_counts::least), in the unit of the points
+    double tolerance = 0;  ///< of each of its points, certified
+    Stage stage = Stage::filter;  ///< that gave sign and tolerance
+};
+
+template <int d>
+struct Degeneracy_options {
+    /// Thresholds in mean spacings, by name; "ulp" comes after them.
+    std::vector<std::pair<std::string, double>> thresholds{
+        {"1e-3", 1e-3}, {"1e-6", 1e-6}, {"1e-9", 1e-9}, {"1e-12", 1e-12}};
+    static constexpr std::size_t most_thresholds = 30;
+    /// Told of every certificate, where there is anybody.
+    std::function<void(const Raw_certificate<d>&)> raw{};
+};
+
 /// Precondition: t is a Delaunay triangulation of the points x, which are in the coordinate domain and span the space. A bi-cell costs a
 /// microsecond, a degenerate one ten or more.
-[[nodiscard]] Degeneracy degeneracy(const Cell_table<2>& t, std::span<const Coordinates<2>> x);
-[[nodiscard]] Degeneracy degeneracy(const Cell_table<3>& t, std::span<const Coordinates<3>> x);
+[[nodiscard]] Degeneracy degeneracy(const Cell_table<2>& t, std::span<const Coordinates<2>> x,
+                                    const Degeneracy_options<2>& options = {});
+[[nodiscard]] Degeneracy degeneracy(const Cell_table<3>& t, std::span<const Coordinates<3>> x,
+                                    const Degeneracy_options<3>& options = {});
 
 }  // namespace annulus

@@ -60,14 +60,10 @@ Histogram Histogram::log10(double lower, double upper, std::size_t bins) {
 }
 
 void Histogram::add(double sample) {
-    if (std::isnan(sample)) {
-        ++not_a_number_;
-        return;
-    }
+    if (std::isnan(sample)) return;
     min_ = total_ == 0 ? sample : std::min(min_, sample);
     max_ = total_ == 0 ? sample : std::max(max_, sample);
     ++total_;
-    sum_ += sample;
     if (sample < edges_.front()) {
         ++underflow_;
     } else if (sample > edges_.back()) {
@@ -83,26 +79,9 @@ void Histogram::add(std::span<const double> samples) {
     for (const double s : samples) add(s);
 }
 
-Histogram& Histogram::operator+=(const Histogram& other) {
-    require(edges_ == other.edges_, "histogram: adding histograms with different edges");
-    for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
-    if (other.total_ > 0) {
-        min_ = total_ == 0 ? other.min_ : std::min(min_, other.min_);
-        max_ = total_ == 0 ? other.max_ : std::max(max_, other.max_);
-    }
-    underflow_ += other.underflow_;
-    overflow_ += other.overflow_;
-    not_a_number_ += other.not_a_number_;
-    total_ += other.total_;
-    sum_ += other.sum_;
-    return *this;
-}
-
 double Histogram::share(std::size_t i) const {
     return total_ == 0 ? 0. : static_cast<double>(counts_.at(i)) / static_cast<double>(total_);
 }
-
-double Histogram::mean() const noexcept { return total_ == 0 ? nan : sum_ / static_cast<double>(total_); }
 
 std::vector<double> quantiles(std::vector<double> samples, std::span<const double> probabilities) {
     if (samples.empty()) throw Error(Error_code::too_few, "quantiles: no samples");

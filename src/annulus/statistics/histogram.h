@@ -8,10 +8,10 @@
 
 namespace annulus {
 
-/// Counts of samples in bins, and their mean, smallest and largest, in the unit of the samples.
+/// Counts of samples in bins, and their smallest and largest, in the unit of the samples.
 ///
-/// Bins are half open, [edge(i), edge(i+1)), but the last one, which is closed. Nothing is dropped in silence: samples
-/// below, above and NaN are counted apart. A bin holds exactly the samples between the doubles that `edges()` shows.
+/// Bins are half open, [edge(i), edge(i+1)), but the last one, which is closed. Samples below and above
+/// are counted apart; NaN is no sample. A bin holds exactly the samples between the doubles that `edges()` shows.
 class Histogram {
   public:
     /// Bins of equal width over [lower, upper]. Throws Error(usage) unless lower < upper, both finite, bins > 0.
@@ -25,22 +25,16 @@ class Histogram {
     void add(double sample);
     void add(std::span<const double> samples);
 
-    /// Adds the counts of another histogram with the same edges; throws Error(usage) when they differ.
-    Histogram& operator+=(const Histogram& other);
-
     [[nodiscard]] std::span<const double> edges() const noexcept { return edges_; }
     [[nodiscard]] std::span<const std::uint64_t> counts() const noexcept { return counts_; }
     [[nodiscard]] bool logarithmic() const noexcept { return logarithmic_; }
     [[nodiscard]] std::uint64_t underflow() const noexcept { return underflow_; }
     [[nodiscard]] std::uint64_t overflow() const noexcept { return overflow_; }
-    [[nodiscard]] std::uint64_t not_a_number() const noexcept { return not_a_number_; }
 
-    /// Number of samples that are numbers, those outside the bins included.
+    /// Number of samples, those outside the bins included.
     [[nodiscard]] std::uint64_t total() const noexcept { return total_; }
     /// Share of `total()` in bin i; 0 when there are no samples.
     [[nodiscard]] double share(std::size_t i) const;
-    /// NaN when there are no samples; infinite samples make it infinite or NaN.
-    [[nodiscard]] double mean() const noexcept;
     /// NaN when there are no samples.
     [[nodiscard]] double min() const noexcept { return min_; }
     [[nodiscard]] double max() const noexcept { return max_; }
@@ -53,9 +47,7 @@ class Histogram {
     bool logarithmic_;
     std::uint64_t underflow_ = 0;
     std::uint64_t overflow_ = 0;
-    std::uint64_t not_a_number_ = 0;
     std::uint64_t total_ = 0;
-    double sum_ = 0;
     double min_;
     double max_;
 };

@@ -5,18 +5,15 @@
 
 namespace annulus {
 
-Resident_memory resident_memory() noexcept {
-    Resident_memory memory;
+std::uint64_t peak_resident_memory() noexcept {
     std::FILE* const status = std::fopen("/proc/self/status", "r");
-    if (status == nullptr) return memory;
+    if (status == nullptr) return 0;
     char line[256];
     unsigned long long kibibytes = 0;
-    while (std::fgets(line, sizeof line, status) != nullptr) {
-        if (std::sscanf(line, "VmHWM: %llu kB", &kibibytes) == 1) memory.peak = kibibytes * 1024;
-        if (std::sscanf(line, "VmRSS: %llu kB", &kibibytes) == 1) memory.current = kibibytes * 1024;
-    }
+    while (std::fgets(line, sizeof line, status) != nullptr && std::sscanf(line, "VmHWM: %llu kB", &kibibytes) != 1)
+        continue;
     std::fclose(status);
-    return memory;
+    return kibibytes * 1024;
 }
 
 }  // namespace annulus

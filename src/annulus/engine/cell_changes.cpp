@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/engine/cell_changes.h>
+
+#include <annulus/mesh/certificates.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace annulus {
+
+namespace {
+
+/// A cell, and before it what cells have in common that are the same: their vertices, in the order of the indices, and their orientation.
+template <class Points>
+struct Keyed {
+    Points vertices;
+    bool odd = false;
+    Points cell;
+
+    explicit Keyed(const Points& x) : vertices(x), cell(x) {
+        for (std::size_t i = 0; i < x.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k) odd = odd != (x[k] > x[i]);
+        std::sort(vertices.begin(), vertices.end());
+    }
+    [[nodiscard]] auto key() const { return std::tie(vertices, odd); }
+};
+
+template <class Points>
+using Sorted = std::vector<Keyed<Points>>;
+
+template <class Points>
+Sorted<Points> sorted(const std::vector<Points>& cells) {
+    Sorted<Points> out(cells.begin(), cells.end());
+    std::sort(out.begin(), out.end(), [](const auto& l, const auto& r) { return l.key() < r.key(); });
+    return out;
+}
+
+/// Those of `cells` that `others` lacks, corner by corner; all of them where `everything` is asked for.
+template <class Points>
+std::vector<Index> without(const Sorted<Points>& cells, const Sorted<Points>& others, bool everything) {
+    std::vector<Index> out;
+    auto other = others.begin();
+    for (const Keyed<Points>& x : cells) {
+        while (other != others.end() && other->key() < x.key()) ++other;
+        if (everything || other == others.end() || other->key() != x.key())
+            out.insert(out.end(), x.cell.begin(), x.cell.end());
+    }
+    return out;
+}
+
+}  // namespace
+
+template <int d>
+Cell_changes<d>::Cell_changes(Embedding<d>& embedding, Cell_journal<d>& journal)
+    : embedding_(embedding),
+      journal_(journal),
+      solid_(embedding.dimension() == d),
+      watched_(solid_ && embedding.mirrored()) {
+    journal.begin();
+    if (watched_) embedding.table().tell(&journal);
+    else before_ = all_cells();
+}
+
+template <int d>
+auto Cell_changes<d>::all_cells() const -> std::vector<Points> {
+    std::vector<Index> corners;
+    embedding_.list_all_cells(corners);
+    std::vector<Points> cells(corners.size() / (d + 1));
+    for (std::size_t c = 0; c < cells.size(); ++c) std::copy_n(&corners[c * (d + 1)], d + 1, cells[c].begin());
+    return cells;
+}
+
+template <int d>
+void Cell_changes<d>::list(Move_report& report) {
+    journal_.check();
+    std::vector<Points> came;
+    if (watched_ && !journal_.replaced()) {
+        const Cell_table<d>& t = embedding_.table();
+        for (const Cell_index c : journal_.places())
+            if (t.is_cell(c)) came.push_back(cell_points(t, c));
+    } else {
+        came = all_cells();
+    }
+    const Sorted<Points> before = sorted(watched_ ? journal_.gone() : before_), after = sorted(came);
+    const bool flat = !solid_ || embedding_.dimension() != d;
+    report.changed = without(after, before, flat);
+    report.gone = without(before, after, flat);
+}
+
+template class Cell_changes<2>;
+template class Cell_changes<3>;
+
+}  // namespace annulus

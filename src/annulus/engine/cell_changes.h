@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/embedding.h>
+#include <annulus/engine/move_report.h>
+#include <annulus/mesh/cell_journal.h>
+
+#include <array>
+#include <vector>
+
+namespace annulus {
+
+/// The cells that come and go while it lives. The mirror writes down what it changes (Cell_journal); without one all cells are listed
+/// before and after, which is what a strategy without a mirror costs anyway.
+template <int d>
+class Cell_changes {
+  public:
+    /// Both outlive it. O(1) with a mirror, else O(n).
+    Cell_changes(Embedding<d>& embedding, Cell_journal<d>& journal);
+    ~Cell_changes() { embedding_.table().tell(nullptr); }
+    Cell_changes(const Cell_changes&) = delete;
+    Cell_changes& operator=(const Cell_changes&) = delete;
+
+    /// Writes report.changed and report.gone, sorted by their vertices. O(k log k) for k cells that were written to, or all n.
+    void list(Move_report& report);
+
+  private:
+    using Points = typename Cell_journal<d>::Points;
+    [[nodiscard]] std::vector<Points> all_cells() const;
+
+    Embedding<d>& embedding_;
+    Cell_journal<d>& journal_;
+    bool solid_;                  ///< there are cells of dimension d
+    bool watched_;                ///< the mirror is
+    std::vector<Points> before_;  ///< all cells, where it is not
+};
+
+extern template class Cell_changes<2>;
+extern template class Cell_changes<3>;
+
+}  // namespace annulus

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/cell_changes.h>
+#include <annulus/engine/engine.h>
+#include <annulus/engine/upkeep.h>
+
+#include <vector>
+
+namespace annulus {
+
+/// Makes a call, and lists the cells that it changed where that is asked for. `movers` are the vertices whose positions the call writes:
+/// where there is no memory for the list they are put back, and the caller builds anew.
+template <int d>
+template <class Call>
+void Engine<d>::listing_changes(Move_report& report, std::span<const Index> movers, Call call) {
+    if (!journal_) return call();
+    std::vector<Point> home;
+    home.reserve(movers.size());
+    for (const Index i : movers) home.push_back(positions()[at(i)]);
+    Cell_changes<d> changes(embedding_, *journal_);
+    call();
+    try {
+        changes.list(report);
+    } catch (...) {
+        for (std::size_t k = 0; k < movers.size(); ++k) upkeep_->put_back(movers[k], home[k]);
+        throw;
+    }
+}
+
+}  // namespace annulus

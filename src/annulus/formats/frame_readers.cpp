@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/formats/frame_readers.h>
+
+#include <utility>
+
+namespace annulus {
+
+void Raw_frame::clear() {
+    points.points.clear();
+    points.lines.clear();
+    points.has_z = false;
+    points.notes.clear();
+    id.clear();
+    number = line = 0;
+    ids_are_places = false;
+}
+
+bool Frame_reader::at_end() {
+    if (!found_) found_ = seek();
+    return !*found_;
+}
+
+bool Frame_reader::next(Raw_frame& frame) {
+    frame.clear();
+    if (at_end()) return false;
+    found_.reset();
+    reader_.begin_piece();
+    frame.line = reader_.number();
+    read(frame);
+    return true;
+}
+
+void Frame_reader::require_last(const Raw_frame& frame) {
+    if (!at_end()) refuse_more(frame);
+}
+
+void Frame_reader::make_room(Raw_frame& frame, std::uint64_t count, std::uint64_t bytes_a_point) const {
+    const std::size_t room = reader_.room_for(count, bytes_a_point, "points");
+    frame.points.points.reserve(room);
+    frame.points.lines.reserve(room);
+    if (wants_ids()) frame.id.reserve(room);
+}
+
+std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Wanted wanted) {
+    switch (format) {
+        case Format::csv: return std::make_unique<Csv_frames>(bytes, wanted);
+        case Format::lammps: return std::make_unique<Lammps_frames>(bytes, wanted);
+        default: return std::make_unique<Xyz_frames>(bytes, wanted);
+    }
+}
+
+Raw_points read_only_frame(File_bytes& bytes, Format format) {
+    const std::unique_ptr<Frame_reader> frames = frames_of(bytes, format, Wanted::points);
+    Raw_frame frame;
+    if (frames->next(frame)) frames->require_last(frame);
+    return std::move(frame.points);
+}
+
+}  // namespace annulus

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/horizons.h>
+#include <annulus/mesh/index.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <vector>
+
+namespace annulus {
+
+/// What a Cell_table had, since begin(), in the places that were written to: the cells that went, however often their places were
+/// written to and whatever is there now. A table tells it before it writes. Room for a mark a cell of the table and for the cells that
+/// went; O(1) a place that is written to.
+template <int d>
+class Cell_journal {
+  public:
+    using Points = std::array<Index, static_cast<std::size_t>(d) + 1>;
+
+    /// Forgets what it knows.
+    void begin() noexcept {
+        if (call_ == Horizons::stamps) {
+            std::fill(marked_.begin(), marked_.end(), 0);
+            call_ = 0;
+        }
+        ++call_;
+        places_.clear();
+        gone_.clear();
+        replaced_ = failed_ = false;
+    }
+
+    /// The place of cell c is about to be written to; `corners` are its d + 1 vertices, the first of which is `none` where there
+    /// is no cell. Never throws, since tables are emptied where nothing may: see check().
+    void touch(Cell_index c, const Index* corners) noexcept {
+        if (replaced_ || failed_ || (marked_.has(c) && marked_[c] == call_)) return;
+        try {
+            if (!marked_.has(c)) marked_.resize(std::max(c.offset() + 1, 2 * marked_.size()), 0);
+            places_.push_back(c);
+            if (*corners != none) std::copy_n(corners, d + 1, gone_.emplace_back().begin());
+            marked_[c] = call_;
+        } catch (const std::bad_alloc&) {
+            failed_ = true;
+        }
+    }
+    /// All cells are about to go, and others to come: from now on the places mean nothing.
+    template <class Table>
+    void touch_everything(const Table& table) noexcept {
+        if (replaced_ || failed_) return;
+        replaced_ = true;
+        try {
+            for (const Cell_index c : table.cells()) {
+                if (marked_.has(c) && marked_[c] == call_) continue;
+                Points& points = gone_.emplace_back();
+                for (int i = 0; i <= d; ++i) points[static_cast<std::size_t>(i)] = table.vertex(table.corner(c, i));
+            }
+        } catch (const std::bad_alloc&) {
+            failed_ = true;
+        }
+    }
+
+    /// Throws bad_alloc where there was no memory to write things down.
+    void check() const {
+        if (failed_) throw std::bad_alloc();
+    }
+    /// Have all cells gone?
+    [[nodiscard]] bool replaced() const noexcept { return replaced_; }
+    /// The cells that went, and the places that were written to, each once.
+    [[nodiscard]] const std::vector<Points>& gone() const noexcept { return gone_; }
+    [[nodiscard]] const std::vector<Cell_index>& places() const noexcept { return places_; }
+
+  private:
+    By_cell<std::uint32_t> marked_;  ///< the call in which the place was written to last
+    std::uint32_t call_ = 0;
+    std::vector<Cell_index> places_;
+    std::vector<Points> gone_;
+    bool replaced_ = false;
+    bool failed_ = false;
+};
+
+}  // namespace annulus

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace annulus {
+
+/// Families of points of the unit square or cube.
+enum class Point_family {
+    uniform,
+    grid,         ///< a regular grid, row by row; its last rows may be absent
+    jittered,     ///< the same, each coordinate moved by at most a quarter of the grid's spacing
+    cospherical,  ///< on one circle or sphere, as well as doubles can
+    clusters,     ///< around a centre for each hundred points, as wide as six decades tell
+};
+
+/// The same numbers for a seed wherever doubles are: nothing but their arithmetic and square roots.
+class Portable_random {
+  public:
+    explicit Portable_random(std::uint64_t seed) : bits_(seed) {}
+
+    /// In [0, 1), a multiple of 2^-53.
+    double unit() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
+    /// Of mean 0 and variance 1, between -3.5 and 3.5: four uniform ones.
+    double bell();
+    std::size_t below(std::size_t n) { return static_cast<std::size_t>(bits_() % n); }
+
+  private:
+    std::mt19937_64 bits_;
+};
+
+/// How many points of a grid along each axis n points need; its reciprocal is their spacing.
+template <int d>
+[[nodiscard]] std::size_t grid_side(std::size_t n);
+
+/// n points of a family.
+template <int d>
+[[nodiscard]] std::vector<Coordinates<d>> generate(Point_family family, std::size_t n, std::uint64_t seed);
+
+extern template std::size_t grid_side<2>(std::size_t);
+extern template std::size_t grid_side<3>(std::size_t);
+extern template std::vector<Coordinates<2>> generate<2>(Point_family, std::size_t, std::uint64_t);
+extern template std::vector<Coordinates<3>> generate<3>(Point_family, std::size_t, std::uint64_t);
+
+}  // namespace annulus

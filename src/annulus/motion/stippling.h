@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/motion/image_density.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// A grey picture, row by row from the top, each from left to right: 0 is black, `white` is white.
+struct Gray_image {
+    std::size_t width = 0, height = 0;
+    std::uint16_t white = 255;
+    std::vector<std::uint16_t> value;
+};
+
+/// A picture as dots: Voronoi stippling (Secord, Weighted Voronoi stippling, 2002). Ink is what is dark, or, inverted, what is bright.
+class Stippling {
+  public:
+    /// Throws Error(bad_input) where there is no ink, and Error(usage) where the picture is none. O(pixels).
+    Stippling(Gray_image image, bool inverted);
+
+    [[nodiscard]] std::size_t width() const { return image_.width; }
+    [[nodiscard]] std::size_t height() const { return image_.height; }
+    /// What the picture's ink covers, in pixels.
+    [[nodiscard]] double area() const { return area_; }
+
+    // Each is made anew: 24 bytes a pixel, O(pixels).
+
+    /// Where points begin, and how large dots are: the ink of each pixel, from 0 to `full()`.
+    [[nodiscard]] Image_density ink() const;
+    [[nodiscard]] double full() const { return image_.white; }
+    /// What Lloyd's iterations go by: the square of the ink. Where they end there are points in proportion to the square root of
+    /// their density (Gersho's conjecture in the plane; Du, Faber and Gunzburger, Centroidal Voronoi tessellations, 1999, 6.4), so in
+    /// proportion to the ink, as where they began.
+    [[nodiscard]] Image_density density() const;
+
+  private:
+    [[nodiscard]] std::vector<std::uint32_t> amounts() const;
+
+    Gray_image image_;
+    bool inverted_;
+    double area_;
+};
+
+/// The radius of equal discs that together have `area`.
+[[nodiscard]] double disc_radius(double area, std::size_t discs);
+
+}  // namespace annulus

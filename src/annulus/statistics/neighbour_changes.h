@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace annulus {
+
+/// Two points that became neighbours, or no longer are.
+struct Neighbour_change {
+    std::uint64_t first = 0, second = 0;  ///< ids, first < second
+    bool made = false;
+
+    friend bool operator==(const Neighbour_change&, const Neighbour_change&) = default;
+};
+
+/// Who became whose neighbour, from the cells that came and went (Move_report::changed and gone): an edge of those that went is an edge
+/// still if and only if one of those that came has it, since where some cells around an edge go and others stay, one that comes
+/// is beside one that stays. So nothing that did not change is looked at. In the plane a flip is one pair broken and one made, a T1 transition.
+///
+/// Between two calls of take() a pair that was made and broken again does not count. Points have ids, which outlive their indices.
+template <int d>
+class Neighbour_changes {
+  public:
+    /// From now on vertex v is the point of this id.
+    void name(Index v, std::uint64_t id);
+    /// A call of the triangulation: d + 1 vertices a cell; those at infinity are to be there, those with `none` may. O(k log k) for k cells.
+    void note(std::span<const Index> came, std::span<const Index> gone);
+    /// What has changed since it was asked last, by ids.
+    [[nodiscard]] std::vector<Neighbour_change> take();
+
+  private:
+    using Edges = std::vector<std::pair<Index, Index>>;
+    static void edges_of(std::span<const Index> cells, Edges& edges);
+    void enter(const Edges& edges, const Edges& others, int sign);
+
+    struct Signed {
+        std::pair<std::uint64_t, std::uint64_t> pair;
+        int sign;
+    };
+    std::vector<std::uint64_t> id_;
+    std::vector<Signed> changes_;
+    Edges came_, gone_;
+};
+
+extern template class Neighbour_changes<2>;
+extern template class Neighbour_changes<3>;
+
+}  // namespace annulus

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_fault.h"
+#include "temporary_directory.h"
+
+#include <annulus/formats/read_motion.h>
+#include <annulus/formats/read_points.h>
+
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+using namespace annulus;
+using annulus_test::expect_fault;
+using annulus_test::Temporary_directory;
+
+namespace {
+
+using Points_3 = std::vector<Coordinates<3>>;
+using Numbers = std::vector<std::uint64_t>;
+
+const std::string upright = "ff ff ff\n0 10\n-5 5\n2 4\n";
+
+/// A frame of two atoms, with the words that follow BOX BOUNDS and its three lines.
+std::string frame(const std::string& timestep, const std::string& box, const std::string& columns,
+                  const std::string& one, const std::string& two) {
+    return "ITEM: TIMESTEP\n" + timestep + "\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS " + box + "ITEM: ATOMS " +
+           columns + "\n" + one + "\n" + two + "\n";
+}
+
+Recorded_motion accept(std::string_view content) {
+    const Temporary_directory directory;
+    return read_motion(directory.file("a.lammpstrj", content));
+}
+
+void refuse(std::string_view content, std::uint64_t line, const std::string& fault,
+            Error_code code = Error_code::bad_input) {
+    const Temporary_directory directory;
+    expect_fault(
+        directory.file("a.dump", content), line, fault, [](const auto& file) { (void)read_motion(file); }, code);
+}
+
+}  // namespace
+
+TEST_CASE("LAMMPS: atoms by id, in any order, with columns in any place", "[io][lammps]") {
+    const Recorded_motion motion =
+        accept("ITEM: UNITS\nlj\nITEM: TIME\n0.5\n" +
+               frame("100", upright, "type y x id z vx", "1 2 1 9 3 0", "1 5 4 7 6 0") +
+               frame("50", upright, "id x y z", "7 4 5 6.5", "9 1 2 3.5"));
+    REQUIRE(motion.frames.size() == 2);
+    CHECK(motion.has_z);
+    CHECK(motion.notes.empty());
+    CHECK(motion.frames[0].number == 100);
+    CHECK(motion.frames[1].number == 50);  // a run that began anew; frames without atoms are there, so no gap is one
+    for (const Frame& f : motion.frames) CHECK(f.id == Numbers{7, 9});
+    CHECK(motion.frames[0].position == Points_3{{4, 5, 6}, {1, 2, 3}});
+    CHECK(motion.frames[0].line == Numbers{15, 14});
+    CHECK(motion.frames[1].position == Points_3{{4, 5, 6.5}, {1, 2, 3.5}});
+    const Recorded_motion places = accept(frame("0", upright, "x y", "1 2", "3 4"));
+    CHECK_FALSE(places.has_z);
+    CHECK(places.frames[0].id == Numbers{0, 1});
+    const Temporary_directory directory;
+    CHECK(read_points<3>(directory.file("a.lammpsdump", frame("0", upright, "id x y z", "7 4 5 6", "7 1 2 3"))).points ==
+          Points_3{{4, 5, 6}, {1, 2, 3}});
+}
+
+TEST_CASE("LAMMPS: of several kinds of positions the plain ones, then unwrapped, then shares of the box",
+          "[io][lammps]") {
+    const auto first = [](const std::string& box, const std::string& columns, const std::string& row) {
+        return accept(frame("0", box, columns, row, row)).frames[0].position[0];
+    };
+    CHECK(first(upright, "xs ys zs xu yu zu x y z", "9 9 9 8 8 8 1 2 3") == Coordinates<3>{1, 2, 3});
+    CHECK(first(upright, "xs ys zs xu yu zu", "9 9 9 1 2 3") == Coordinates<3>{1, 2, 3});
+    CHECK(first(upright, "xs ys zs", "0.5 0 1") == Coordinates<3>{5, -5, 4});
+    CHECK(first(upright, "xsu ysu zsu", "2 0 -1") == Coordinates<3>{20, -5, 0});
+    // x without y is no position.
+    CHECK(first(upright, "x xu yu zu", "9 1 2 3") == Coordinates<3>{1, 2, 3});
+    // Edges (10, 0, 0), (2, 10, 0) and (-3, 1, 10) from the corner (0, 0, 0): the box around it begins at -3.
+    const std::string oblique = "xy xz yz pp pp pp\n-3 12 2\n0 11 -3\n0 10 1\n";
+    CHECK(first(oblique, "xs ys zs", "0 0 0") == Coordinates<3>{0, 0, 0});
+    CHECK(first(oblique, "xs ys zs", "1 0 0") == Coordinates<3>{10, 0, 0});
+    CHECK(first(oblique, "xs ys zs", "0 1 0") == Coordinates<3>{2, 10, 0});
+    CHECK(first(oblique, "xs ys zs", "0 0 1") == Coordinates<3>{-3, 1, 10});
+    const std::string general = "abc origin pp pp pp\n0 10 0 1\n-10 0 0 2\n0 0 10 3\n";
+    CHECK(first(general, "xs ys zs", "0.5 0 0") == Coordinates<3>{1, 7, 3});
+    CHECK(first(general, "xs ys zs", "0 0.5 1") == Coordinates<3>{-4, 2, 13});
+}
+
+TEST_CASE("LAMMPS: a periodic box is announced, not obeyed", "[io][lammps]") {
+    for (const char* sides : {"pp pp pp", "ff ff pf", "xy xz yz sm ff pp"}) {
+        const std::string tilt = sides[0] == 'x' ? " 0" : "";
+        const std::string box = std::string(sides) + "\n0 1" + tilt + "\n0 1" + tilt + "\n0 1" + tilt + "\n";
+        const auto notes = accept(frame("0", box, "x y", "0 0", "1 1")).notes;
+        REQUIRE(notes.size() == 1);
+        CHECK(notes[0].find(":5: BOX BOUNDS ") != std::string::npos);
+        CHECK(notes[0].find("ignored") != std::string::npos);
+    }
+    CHECK(accept(frame("0", "ff ss mm\n0 1\n0 1\n0 1\n", "x y", "0 0", "1 1")).notes.empty());
+}
+
+TEST_CASE("LAMMPS: frames without atoms are frames", "[io][lammps]") {
+    const std::string none =
+        "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n0\nITEM: BOX BOUNDS " + upright + "ITEM: ATOMS id x y z\n";
+    const Recorded_motion motion = accept(none + frame("8", upright, "id x y", "1 0 0", "2 1 1") + none);
+    REQUIRE(motion.frames.size() == 3);
+    CHECK(motion.frames[0].id.empty());
+    CHECK(motion.frames[1].id.size() == 2);
+    CHECK(motion.frames[2].id.empty());
+    refuse(none, 1, "has no points in any frame");
+}
+
+TEST_CASE("LAMMPS: what is no dump is refused at its line", "[io][lammps]") {
+    const std::string good = frame("0", upright, "id x y z", "1 0 0 0", "2 1 1 1");
+    for (const auto& [content, line, fault] : std::vector<std::tuple<std::string, std::uint64_t, std::string>>{
+             {"", 1, "is empty"},
+             {"\n\n", 1, "has no frames"},
+             {"2\n\nH 0 0 0\nH 1 1 1\n", 1, "is '2'"},
+             {"ITEM: ENTRIES index\n", 1, "is 'ITEM: ENTRIES index'"},
+             {"ITEM: TIMESTEPS\n0\n", 1, "is 'ITEM: TIMESTEPS'"},
+             {"ITEM: TIMESTEP", 1, "ends before the timestep"},
+             {"ITEM: TIMESTEP\n-1\n", 2, "not an integer of 0 or more"},
+             {"ITEM: TIMESTEP\n0 1\n", 2, "has 2 columns"},
+             {"ITEM: TIMESTEP\n0\n", 2, "ends within a frame"},
+             {"ITEM: TIMESTEP\n0\nITEM: TIMESTEP\n0\n", 3, "a second TIMESTEP"},
+             {"ITEM: TIMESTEP\n0\nITEM: ATOMS id x y z\n", 3, "without ITEM: NUMBER OF ATOMS"},
+             {"ITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS id x y z\n1 0 0 0\n", 3, "without ITEM: TIMESTEP"},
+             {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n9000000000000000000\n", 4, "says 9000000000000000000 points"},
+             {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2000000000\nITEM: ATOMS x y\n1 2\n", 6, "after 1 of 2000000000"},
+             {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS xs ys\n0 0\n", 5, "a box that is not there"},
+             {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS\n0 0\n", 5, "names no columns of positions"},
+             {frame("0", upright, "id x z", "1 0 0", "2 1 1"), 9, "names no columns of positions"},
+             {frame("0", upright, "id x y x", "1 0 0 0", "2 1 1 1"), 9, "two columns x"},
+             {frame("0", upright, "id id x y", "1 1 0 0", "2 2 1 1"), 9, "two columns id"},
+             {frame("0", upright, "id x y z", "1 0 0 0", "2 1 1"), 11, "has 3 columns"},
+             {frame("0", upright, "id x y z", "1 0 0 0", "2 1 1 one"), 11, "z is not a number"},
+             {frame("0", upright, "id x y z", "1 0 0 0", "1 1 1 1"), 11, "has the id 1 of line 10"},
+             {frame("0", upright, "id x y z", "-1 0 0 0", "1 1 1 1"), 10, "the id is not an integer of 0 or more"},
+             {frame("0", "ff ff ff\n0 1\n0 1 0\n0 1\n", "id x y z", "1 0 0 0", "1 1 1 1"), 7, "has 3 columns"},
+             {frame("0", "ff ff ff\n0 1\n0 up\n0 1\n", "id x y z", "1 0 0 0", "1 1 1 1"), 7, "is not a number"},
+             {good + frame("1", upright, "x y z", "0 0 0", "1 1 1"), 21, "has no id"},
+             {good + frame("1", upright, "id x y", "1 0 0", "2 1 1"), 21, "has no z"},
+             {good + good.substr(0, good.size() - 8), 21, "ends after 1 of 2 atoms"},
+             {good + "3 2 2 2\n", 12, "is '3 2 2 2'"},
+         }) {
+        INFO(content);
+        refuse(content, line, fault);
+    }
+    refuse(frame("0", upright, "id x y z", "1 0 nan 0", "2 1 1 1"), 10, "y is nan", Error_code::not_finite);
+    refuse(frame("0", "ff ff ff\n0 1e300\n0 1\n0 1\n", "id xs ys zs", "1 0 0 0", "2 1e300 1 1"), 11,
+           "x is too large for a double once multiplied", Error_code::not_finite);
+    const Temporary_directory directory;
+    expect_fault(directory.file("a.dump", good + good), 12, "a second frame after that of timestep 0",
+                 [](const auto& file) { (void)read_points<3>(file); });
+}
