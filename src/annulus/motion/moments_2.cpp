@@ -3,7 +3,6 @@
 
 #include <annulus/motion/boundary_nodes.h>
 #include <annulus/motion/moments_image.h>
-#include <annulus/motion/moments_sin2.h>
 #include <annulus/motion/moments_smooth.h>
 
 namespace annulus {

@@ -45,4 +45,7 @@ struct Size_2 {
 [[nodiscard]] Moments_2 smooth_moments(const Smooth_density& density, const Coordinates<2>& origin,
                                        std::span<const Corner_2> corners);
 
+/// The same of the density sin^2 r, r the distance from (0, 0), at several positions at a time: half of what it takes.
+[[nodiscard]] Moments_2 sin2_moments(const Coordinates<2>& origin, std::span<const Corner_2> corners);
+
 }  // namespace annulus
