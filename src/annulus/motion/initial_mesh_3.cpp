@@ -2,6 +2,7 @@
 #include <annulus/motion/initial_mesh_3.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/motion/mesh_domain_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
@@ -18,7 +19,6 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <unordered_set>
 
 namespace annulus {
@@ -27,111 +27,8 @@ namespace {
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// A Domain_3 as Mesh_3 wants it (its concept MeshDomain_3): one subdomain, one surface patch.
-class Mesh_domain {
-  public:
-    using R = K;
-    using FT = K::FT;
-    using Point_3 = K::Point_3;
-    using Segment_3 = K::Segment_3;
-    using Ray_3 = K::Ray_3;
-    using Line_3 = K::Line_3;
-    using Vector_3 = K::Vector_3;
-    using Sphere_3 = K::Sphere_3;
-    using Bbox_3 = CGAL::Bbox_3;
-    using Has_features = CGAL::Tag_false;
-    using Subdomain_index = int;
-    using Surface_patch_index = std::pair<int, int>;  // another type than numbers of curves and corners
-    using Index = boost::variant<Subdomain_index, Surface_patch_index>;
-    using Subdomain = boost::optional<Subdomain_index>;
-    using Surface_patch = boost::optional<Surface_patch_index>;
-    using Intersection = std::tuple<Point_3, Index, int>;
-    static constexpr Subdomain_index solid = 1;
-    static constexpr Surface_patch_index skin{1, 0};
-
-    /// Mesh_3 sees lengths in `unit`, a power of two. Sets `stop` after that many questions.
-    Mesh_domain(const Domain_3& domain, double unit, std::uint64_t seed, std::uint64_t questions,
-                std::atomic<bool>* stop)
-        : domain_(domain), unit_(unit), seed_(seed), left_(questions), stop_(stop) {}
-
-    [[nodiscard]] Coordinates<3> outside(const Point_3& p) const {
-        return {unit_ * p.x(), unit_ * p.y(), unit_ * p.z()};
-    }
-    [[nodiscard]] Point_3 inside(const Coordinates<3>& p) const { return {p[0] / unit_, p[1] / unit_, p[2] / unit_}; }
-
-    [[nodiscard]] Bbox_3 bbox() const {
-        const auto b = domain_.bounding_box();
-        return inside(b.lower).bbox() + inside(b.upper).bbox();
-    }
-
-    struct Construct_initial_points {
-        const Mesh_domain& domain;
-        template <class Out>
-        Out operator()(Out out, int n = 40) const {
-            for (const auto& p : domain.domain_.surface_sample(static_cast<std::size_t>(n), domain.seed_))
-                *out++ = std::pair(domain.inside(p), Index(skin));
-            return out;
-        }
-    };
-    struct Is_in_domain {
-        const Mesh_domain& domain;
-        Subdomain operator()(const Point_3& p) const {
-            domain.count();
-            return domain.domain_.contains(domain.outside(p)) ? Subdomain(solid) : Subdomain();
-        }
-    };
-    struct Construct_intersection {
-        const Mesh_domain& domain;
-        Intersection operator()(const Segment_3& s) const {
-            domain.count();
-            const auto p = domain.domain_.crossing(domain.outside(s.source()), domain.outside(s.target()));
-            return p ? Intersection(domain.inside(*p), Index(skin), 2) : Intersection(CGAL::ORIGIN, Index(), 0);
-        }
-        Intersection operator()(const Ray_3& r) const { return clipped(r); }
-        Intersection operator()(const Line_3& l) const { return clipped(l); }
-
-      private:
-        template <class Query>
-        Intersection clipped(const Query& q) const {
-            const auto part = CGAL::intersection(q, domain.clip());
-            const Segment_3* s = part ? boost::get<Segment_3>(&*part) : nullptr;
-            return s != nullptr ? (*this)(*s) : Intersection(CGAL::ORIGIN, Index(), 0);
-        }
-    };
-    struct Do_intersect_surface {
-        const Mesh_domain& domain;
-        template <class Query>
-        Surface_patch operator()(const Query& q) const {
-            return std::get<2>(domain.construct_intersection_object()(q)) == 2 ? Surface_patch(skin) : Surface_patch();
-        }
-    };
-    [[nodiscard]] Construct_initial_points construct_initial_points_object() const { return {*this}; }
-    [[nodiscard]] Is_in_domain is_in_domain_object() const { return {*this}; }
-    [[nodiscard]] Do_intersect_surface do_intersect_surface_object() const { return {*this}; }
-    [[nodiscard]] Construct_intersection construct_intersection_object() const { return {*this}; }
-
-  private:
-    /// The bounding box and a margin, so that rays end beyond the surface.
-    [[nodiscard]] K::Iso_cuboid_3 clip() const {
-        const Bbox_3 b = bbox();
-        const double m = 0.01 * std::max({b.xmax() - b.xmin(), b.ymax() - b.ymin(), b.zmax() - b.zmin()});
-        return {b.xmin() - m, b.ymin() - m, b.zmin() - m, b.xmax() + m, b.ymax() + m, b.zmax() + m};
-    }
-
-    void count() const {
-        if (left_ == 0) *stop_ = true;
-        else --left_;
-    }
-
-    const Domain_3& domain_;
-    double unit_;
-    std::uint64_t seed_;
-    mutable std::uint64_t left_;
-    std::atomic<bool>* stop_;
-};
-
 /// The same with curves and corners on which there are to be vertices; none unless they are added.
-using Sharp_domain = CGAL::Mesh_domain_with_polyline_features_3<Mesh_domain>;
+using Sharp_domain = CGAL::Mesh_domain_with_polyline_features_3<Mesh_domain_3>;
 
 void add(Sharp_domain& domain, const Feature_curves& sharp) {
     std::vector<K::Point_3> corners;
@@ -150,7 +47,7 @@ struct Field {
     using Point_3 = K::Point_3;
     using Index = Sharp_domain::Index;
     const Sizing_3* sizing;
-    const Mesh_domain* domain;
+    const Mesh_domain_3* domain;
     double size;
     FT operator()(const Point_3& p, int, const Index&) const { return size * sizing->at(domain->outside(p)); }
 };
