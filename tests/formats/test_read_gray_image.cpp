@@ -132,6 +132,14 @@ TEST_CASE("grey PNG keeps its values", "[formats][image]") {
           Values{255, 0, 255, 255, 0, 0, 0, 0, 0, 255, 0});
 }
 
+TEST_CASE("pictures of more rows than libpng takes by itself", "[formats][image]") {
+    const std::uint32_t height = 1000001;
+    const Gray_image image = read("a.png", png_by_hand(1, height, 1, 0, std::string(2 * std::size_t{height}, '\0')));
+    CHECK(image.height == height);
+    CHECK(image.value == Values(height, 0));
+    refuse("a.png", png_by_hand(2000000, 1, 1, 0, "x"), 0, "is 2000000 by 1 pixels");
+}
+
 TEST_CASE("colours become luma, and what is transparent is paper", "[formats][image]") {
     const Gray_image rgb = read(
         "a.png",

@@ -52,6 +52,7 @@ TEST_CASE("extended XYZ: Properties say where the coordinates are, for points an
              "energy=\"1 Properties=pos:R:3\" properties = mass:R:1:species:S:1:pos:R:3:q:I:2",
              "OtherProperties=pos:R:3 Properties='mass:R:1:species:S:1:pos:I:3:q:I:2'",
              "{a b}\tx=[1 2 Properties=3] Properties={mass:r:1:species:S:1:pos:r:3:q:I:2}",
+             "n=\"a \\\"Properties=pos:R:3 \\\\\\\" b\" 'c\\' d' Properties=mass:R:1:species:S:1:pos:R:3:q:I:2",
              "\"a = b\" note=\"no end Properties=mass:R:1:species:S:1:pos:R:3:q:I:2",
          }) {
         INFO(comment);

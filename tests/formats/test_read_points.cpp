@@ -90,6 +90,21 @@ TEST_CASE("csv: lines that begin with # are comments before the first row only, 
     refuse<2>("a.csv", "# y,x,mass\n1,2\n", 2, "has 2 columns");
 }
 
+TEST_CASE("csv: quotes are those of fields that begin with one, and end in their line") {
+    CHECK(accept<2>("a.csv", "name,x,y\n5\",1,2\n \"a \"\"b\"\", c\" ,3,4\n\"\",5,6\n").points ==
+          Points_2{{1, 2}, {3, 4}, {5, 6}});
+    refuse<2>("a.csv", "x,y,name\n1,2,\"a\n3,4,b\"\n5,6,c\n", 2, "a quoted field does not end");
+    refuse<2>("a.csv", "x,y,\"name\n1,2,3\n", 1, "a quoted field does not end");
+    CHECK(accept<2>("a.csv", "# 5 \"x\nx,y\n1,2\n").points == Points_2{{1, 2}});
+}
+
+TEST_CASE("csv: a column of the header may have no name") {
+    CHECK(accept<2>("a.csv", ",x,y\n0,1,2\n1,3,4\n").points == Points_2{{1, 2}, {3, 4}});
+    CHECK(accept<2>("a.csv", "\"\";\"x\";\"y\"\n\"0\";1;2\n").points == Points_2{{1, 2}});
+    refuse<2>("a.csv", ",1,2\n", 1, "x is missing");
+    refuse<2>("a.csv", ",,\n", 1, "x is missing");
+}
+
 TEST_CASE("csv: frames of a motion are not points of one set") {
     CHECK(accept<2>("a.csv", "frame,id,x,y\n7,1,1,2\n7,1,3,4\n").points == Points_2{{1, 2}, {3, 4}});
     refuse<2>("a.csv", "frame,id,x,y\n7,1,1,2\n8,1,3,4\n", 3, "a second frame after frame 7");

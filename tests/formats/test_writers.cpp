@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "temporary_directory.h"
 #include "well_formed.h"
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/formats/text_output.h>
 #include <annulus/formats/write_csv.h>
 #include <annulus/formats/write_json.h>
 #include <annulus/formats/write_pvd.h>
@@ -206,6 +208,26 @@ TEST_CASE("iterations.csv has a row for each step and empty cells for what was n
           "rebuilt,filter,interval,exact,certificates_evaluated,flips\n"
           "1,0.5,0.25,0.5,0.125,2,,,,10,5,4,3,2,1,0,0,0,77,8\n"
           "2,0.5,0.25,0.5,0.125,2,0.1,,1e-09,10,5,4,3,2,1,0,0,0,77,8\n");
+}
+
+TEST_CASE("a file that is written bit by bit is there when it is whole, beside what a process of the same number left",
+          "[io][write]") {
+    const annulus_test::Temporary_directory directory;
+    const std::string stale = "a.csv.partial-" + std::to_string(::getpid());
+    (void)directory.file(stale, "left");
+    {
+        Text_output out(directory.path() / "a.csv");
+        out.write("some");
+        CHECK(directory.entries() == 2);
+        CHECK_FALSE(std::filesystem::exists(directory.path() / "a.csv"));
+    }
+    CHECK(directory.entries() == 1);
+    Text_output out(directory.path() / "a.csv");
+    out.write("some");
+    out.commit();
+    CHECK(annulus_test::content_of(directory.path() / "a.csv") == "some");
+    CHECK(annulus_test::content_of(directory.path() / stale) == "left");
+    CHECK(directory.entries() == 2);
 }
 
 TEST_CASE("write_pvd names the files of a series and their times", "[io][write]") {

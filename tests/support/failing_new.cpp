@@ -17,10 +17,12 @@ constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
 
 thread_local std::uint64_t fails_at = never;
 thread_local std::uint64_t allocations = 0;
+thread_local std::uint64_t asked_for = 0;
 thread_local Memory memory_is = Memory::short_once;
 
-bool is_refused() noexcept {
+bool is_refused(std::size_t size) noexcept {
     if (fails_at == never) return false;
+    asked_for += size;
     const std::uint64_t k = allocations++;
     return k == fails_at || (k > fails_at && memory_is == Memory::short_for_good);
 }
@@ -29,16 +31,17 @@ bool is_refused() noexcept {
 
 Failing_new::Failing_new(std::uint64_t n, Memory memory) noexcept {
     fails_at = n;
-    allocations = 0;
+    allocations = asked_for = 0;
     memory_is = memory;
 }
 Failing_new::~Failing_new() { fails_at = never; }
 bool Failing_new::failed() noexcept { return fails_at != never && allocations > fails_at; }
 std::uint64_t Failing_new::count() noexcept { return allocations; }
+std::uint64_t Failing_new::bytes() noexcept { return asked_for; }
 
 /// Null where memory is short.
 static void* allocate(std::size_t size, std::size_t alignment) noexcept {
-    if (is_refused()) return nullptr;
+    if (is_refused(size)) return nullptr;
     if (size == 0) size = 1;
     if (alignment <= alignof(std::max_align_t)) return std::malloc(size);
     return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);

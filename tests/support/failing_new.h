@@ -27,6 +27,8 @@ class Failing_new {
     [[nodiscard]] static bool failed() noexcept;
     /// Allocations since it began, failed ones included.
     [[nodiscard]] static std::uint64_t count() noexcept;
+    /// What they asked for, in bytes.
+    [[nodiscard]] static std::uint64_t bytes() noexcept;
 };
 
 /// What became of a call whose n-th allocation failed.

@@ -193,6 +193,13 @@ class Frames(tool.ToolTest):
         root = xml.etree.ElementTree.parse(self.here / directory / "frames.pvd").getroot()
         return [(int(e.get("timestep")), e.get("file")) for e in root.iter("DataSet")]
 
+    def test_ids_of_64_bits(self):
+        ids = [3, 2**63, 2**64 - 1]
+        (self.here / "a.xyz").write_text("3\nProperties=id:I:1:pos:R:2\n" + "".join(f"{i} {x} {y}\n" for i, (x, y) in zip(ids, tool.TRIANGLE)))
+        self.succeed("replay", "a.xyz", "--every", "1", "--voronoi", "--output", "out", "--quiet")
+        self.assertEqual([int(r["id"]) for r in self.table("out", "voronoi.csv")], ids)
+        self.assertEqual(list(tool.vtu_values(self.here / "out" / "frame-000000.vtu", "id")), ids)
+
     def test_every_third_frame(self):
         frames = wander(3, 11, 20, 6)
         self.succeed("replay", self.xyz_of(frames), "--every", "3", "--voronoi", "--output", "out", "--quiet")

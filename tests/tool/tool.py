@@ -45,7 +45,7 @@ def vtu_values(file, name):
         packed = packed[n:]
         assert len(block) == (last if i == blocks - 1 and last else size)
         out += block
-    code = {"Float64": "d", "Int64": "q", "UInt8": "B"}[array.get("type")]
+    code = {"Float64": "d", "Int64": "q", "UInt64": "Q", "UInt8": "B"}[array.get("type")]
     return struct.unpack(f"<{len(out) // struct.calcsize(code)}{code}", out)
 
 

@@ -20,9 +20,9 @@ void hand_over(annulus_mesh& m, Move_report& done, annulus_report* report) {
 void add(annulus_mesh& m, const Move_report& one, Move_report& all, annulus_report* report, std::size_t* so_far) {
     if (so_far != nullptr) ++*so_far;
     m.changed.insert(m.changed.end(), one.changed.begin(), one.changed.end());
-    Move_report counts = one;
-    counts.changed.clear();
-    all += counts;
+    all += one;
+    all.changed.clear();  // they are with the mesh
+    all.gone.clear();
     write_report(report, all, m.mesh->dimension(), m.changed.size());
 }
 

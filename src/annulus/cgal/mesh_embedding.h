@@ -38,6 +38,7 @@ class Mesh_embedding final : public Embedding<d> {
     void revert(std::span<const Coordinates<d>> home) override { rebuild(home); }
     void drop_mirror() noexcept override { mirrored_ = false; }
     [[nodiscard]] bool mirrored() const override { return mirrored_; }
+    [[nodiscard]] bool tabulated() const override { return true; }
     void follow(std::span<const Cell_index>) override {}
     void restore_cells(std::span<const Coordinates<d>> home, std::span<const Cell_index> cells, std::vector<Cell_index>& made) override;
 

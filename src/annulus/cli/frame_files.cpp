@@ -159,13 +159,14 @@ template <class Moving>
 void Frame_files<Moving>::write_vtu(std::uint64_t number, const Mesh_cells<d>& cells) {
     std::vector<Index> place(dt_.index_bound(), none);
     std::vector<Coordinates<d>> points;
-    std::vector<std::int64_t> ids, neighbours;
+    std::vector<std::uint64_t> ids;
+    std::vector<std::int64_t> neighbours;
     std::vector<double> volume;
     for (std::size_t i = 0; i < place.size(); ++i) {
         if (!lives(i)) continue;
         place[i] = static_cast<Index>(points.size());
         points.push_back(dt_.positions()[i]);
-        ids.push_back(static_cast<std::int64_t>(id_[i]));
+        ids.push_back(id_[i]);
         if (!frames_.voronoi) continue;
         volume.push_back(volume_[i]);
         neighbours.push_back(neighbours_[i]);

@@ -55,7 +55,7 @@ Cell_changes<d>::Cell_changes(Embedding<d>& embedding, Cell_journal<d>& journal)
     : embedding_(embedding),
       journal_(journal),
       solid_(embedding.dimension() == d),
-      watched_(solid_ && embedding.mirrored()) {
+      watched_(solid_ && embedding.tabulated()) {
     journal.begin();
     if (watched_) embedding.table().tell(&journal);
     else before_ = all_cells();

@@ -10,12 +10,12 @@
 
 namespace annulus {
 
-/// The cells that come and go while it lives. The mirror writes down what it changes (Cell_journal); without one all cells are listed
-/// before and after, which is what a strategy without a mirror costs anyway.
+/// The cells that come and go while it lives. The table writes down what it changes (Cell_journal); where it is not the triangulation all
+/// cells are listed before and after, which is what a timestamp without a mirror costs anyway.
 template <int d>
 class Cell_changes {
   public:
-    /// Both outlive it. O(1) with a mirror, else O(n).
+    /// Both outlive it. O(1) where the embedding is tabulated, else O(n).
     Cell_changes(Embedding<d>& embedding, Cell_journal<d>& journal);
     ~Cell_changes() { embedding_.table().tell(nullptr); }
     Cell_changes(const Cell_changes&) = delete;
@@ -31,7 +31,7 @@ class Cell_changes {
     Embedding<d>& embedding_;
     Cell_journal<d>& journal_;
     bool solid_;                  ///< there are cells of dimension d
-    bool watched_;                ///< the mirror is
+    bool watched_;                ///< the table is
     std::vector<Points> before_;  ///< all cells, where it is not
 };
 

@@ -64,6 +64,8 @@ class Embedding {
     /// Forgets the mirror. Strategies that do not use it work on the triangulation alone, which then costs less.
     virtual void drop_mirror() noexcept = 0;
     [[nodiscard]] virtual bool mirrored() const = 0;
+    /// Whether the table is the triangulation and follows every change of it, be it mirrored for a strategy or not.
+    [[nodiscard]] virtual bool tabulated() const { return mirrored(); }
     /// Brings the triangulation in line with the table, which differs only where it names cells: that are gone, new, or
     /// have other vertices or neighbours than they had.
     virtual void follow(std::span<const Cell_index> cells) = 0;

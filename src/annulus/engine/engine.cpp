@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace annulus {
 
@@ -138,6 +139,7 @@ template <int d>
 Move_report Engine<d>::settle() {
     Move_report report;
     guarded([&] {
+        return_mirror(report);
         listing_changes(report, {}, [&] {
             if (certified()) upkeep_->refresh_all(report);
             else make_trusted(report);
@@ -154,6 +156,22 @@ void Engine<d>::make_trusted(Move_report& report) {
     const std::vector<Point> x(positions().begin(), positions().end());
     embedding_.rebuild(x);
     upkeep_->begin(x, report);
+}
+
+/// What few insertions and removals change is known to a table without looking at all cells, so they have one until vertices move.
+template <int d>
+void Engine<d>::lend_mirror() {
+    if (!journal_ || embedding_.tabulated() || embedding_.dimension() != d) return;
+    mirror_is_lent_ = true;
+    embedding_.mirror();
+}
+
+/// The strategy is as it would be without one.
+template <int d>
+void Engine<d>::return_mirror(Move_report& report) {
+    if (!std::exchange(mirror_is_lent_, false)) return;
+    upkeep_->begin(positions(), report);
+    embedding_.drop_mirror();
 }
 
 template <int d>
@@ -177,7 +195,12 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
         if (before != d && embedding_.mirrored()) upkeep_->refresh_all(report);
         else upkeep_->refresh(changed, report);
     };
-    guarded([&] { listing_changes(report, {}, put); }, i);
+    guarded(
+        [&] {
+            lend_mirror();
+            listing_changes(report, {}, put);
+        },
+        i);
     if (!vacant_.empty()) vacant_.pop_back();
     return i;
 }
@@ -198,7 +221,10 @@ void Engine<d>::remove(Index i, Move_report& report) {
         if (!changed.empty()) upkeep_->refresh(changed, report);
         else if (embedding_.mirrored()) upkeep_->refresh_all(report);
     };
-    guarded([&] { listing_changes(report, {}, take); });
+    guarded([&] {
+        lend_mirror();
+        listing_changes(report, {}, take);
+    });
 }
 
 template <int d>

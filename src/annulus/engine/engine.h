@@ -80,6 +80,8 @@ class Engine {
     void consider_switch(std::span<const Point> x, Move_report& report);
     template <class Call>
     void listing_changes(Move_report& report, std::span<const Index> movers, Call call);
+    void lend_mirror();
+    void return_mirror(Move_report& report);
 
     Options options_;
     Strategy strategy_;
@@ -90,6 +92,7 @@ class Engine {
     std::vector<Index> index_of_input_;
     std::mt19937_64 random_;
     std::unique_ptr<Cell_journal<d>> journal_;  // where changes are reported
+    bool mirror_is_lent_ = false;
     std::uint64_t steps_ = 0;
     bool whole_ = true;  // false: there are positions but no cells, because memory ran out twice
 };

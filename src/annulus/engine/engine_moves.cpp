@@ -20,7 +20,10 @@ Move_report Engine<d>::move(Index i, const Point& p) {
     require_in_domain(p);
     Move_report report;
     const Point goal = p;  // it may be one of positions(), which change on the way
-    guarded([&] { listing_changes(report, std::span(&i, 1), [&] { move_one(i, goal, report); }); });
+    guarded([&] {
+        return_mirror(report);
+        listing_changes(report, std::span(&i, 1), [&] { move_one(i, goal, report); });
+    });
     return report;
 }
 
@@ -48,7 +51,10 @@ Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Poin
     for (const Point& p : points) require_in_domain(p);
     Move_report report;
     const std::vector<Point> goals(points.begin(), points.end());  // they may be positions(), which change on the way
-    guarded([&] { listing_changes(report, indices, [&] { move_some(indices, goals, report); }); });
+    guarded([&] {
+        return_mirror(report);
+        listing_changes(report, indices, [&] { move_some(indices, goals, report); });
+    });
     return report;
 }
 
@@ -128,7 +134,10 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
         movers.resize(points.size());
         std::iota(movers.begin(), movers.end(), Index{0});
     }
-    guarded([&] { listing_changes(report, movers, [&] { move_everything(points, report); }); });
+    guarded([&] {
+        return_mirror(report);
+        listing_changes(report, movers, [&] { move_everything(points, report); });
+    });
     return report;
 }
 

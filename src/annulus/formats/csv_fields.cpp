@@ -23,16 +23,24 @@ std::string_view unquoted(std::string_view text) {
 
 }  // namespace
 
-void split_csv(std::string_view line, char separator, std::vector<std::string_view>& fields) {
+bool split_csv(std::string_view line, char separator, std::vector<std::string_view>& fields) {
     fields.clear();
     std::size_t begin = 0;
-    bool in_quotes = false;
+    bool in_quotes = false, quoted = false, blank = true;  // as far as the field goes
     for (std::size_t i = 0; i <= line.size(); ++i) {
-        if (i < line.size() && line[i] == '"') in_quotes = !in_quotes;
-        if (i < line.size() && (in_quotes || line[i] != separator)) continue;
+        const char c = i < line.size() ? line[i] : separator;
+        if (c == '"') {
+            quoted = quoted || blank;
+            in_quotes = quoted && !in_quotes;
+        }
+        blank = blank && (c == ' ' || c == '\t');
+        if (i < line.size() && (in_quotes || c != separator)) continue;
         fields.push_back(unquoted(line.substr(begin, i - begin)));
         begin = i + 1;
+        quoted = false;
+        blank = true;
     }
+    return !in_quotes;
 }
 
 char csv_separator(std::string_view line) {
@@ -43,10 +51,12 @@ char csv_separator(std::string_view line) {
 
 bool is_csv_header(const std::vector<std::string_view>& fields) {
     double unused = 0;
-    return std::none_of(fields.begin(), fields.end(), [&](std::string_view field) {
-        return field.empty() || std::string_view("+-.0123456789").find(field[0]) != std::string_view::npos ||
-               parse_double(field, unused) != Number_kind::not_a_number;
-    });
+    const auto is_empty = [](std::string_view field) { return field.empty(); };
+    return !std::all_of(fields.begin(), fields.end(), is_empty) &&
+           std::none_of(fields.begin(), fields.end(), [&](std::string_view field) {
+               return !field.empty() && (std::string_view("+-.0123456789").find(field[0]) != std::string_view::npos ||
+                                         parse_double(field, unused) != Number_kind::not_a_number);
+           });
 }
 
 bool next_csv_line(Line_reader& reader) {

@@ -33,9 +33,9 @@ Csv_frames::Header Csv_frames::header() const {
     return result;
 }
 
+/// A field that goes on in the next line is none of ours, and rows that are taken for parts of it, or the other way round, are points lost or found.
 void Csv_frames::split(std::string_view text) {
-    separator_ = csv_separator(text);
-    split_csv(text, separator_, fields_);
+    if (!split_csv(text, separator_, fields_)) reader_.fail("a quoted field does not end", "its end in the same line");
 }
 
 /// Finds the columns; the first row is due after that, if there is one.
@@ -46,8 +46,13 @@ void Csv_frames::begin() {
     while (true) {
         if (!next_csv_line(reader_)) return;
         const std::string_view text = csv_trimmed(reader_.line());
-        split(text.substr(text[0] == '#' ? 1 : 0));
-        if (text[0] != '#') break;
+        const std::string_view row = text.substr(text[0] == '#' ? 1 : 0);
+        separator_ = csv_separator(row);
+        if (text[0] != '#') {
+            split(row);
+            break;
+        }
+        (void)split_csv(row, separator_, fields_);  // it may be prose
         if (!is_csv_header(fields_)) continue;
         const Header found = header();
         if (found.at[x_column] && found.at[y_column]) commented = found;
@@ -59,7 +64,7 @@ void Csv_frames::begin() {
     } else if (commented) {
         columns_ = *commented;
         separator_ = columns_.separator;
-        split_csv(reader_.line(), separator_, fields_);
+        split(reader_.line());
     } else {
         columns_.all = fields_.size();
         if (columns_.all < 2) reader_.fail("has 1 column", "x, y and perhaps z, separated by comma, semicolon or tab");
@@ -76,7 +81,7 @@ void Csv_frames::begin() {
 
 bool Csv_frames::next_row() {
     row_is_due_ = next_csv_line(reader_);
-    if (row_is_due_) split_csv(reader_.line(), separator_, fields_);
+    if (row_is_due_) split(reader_.line());
     return row_is_due_;
 }
 

@@ -80,7 +80,7 @@ Gray_image read_pgm(const Source& source) {
     if (!words.rest().empty()) words.take();  // one white space, and the values begin
     const std::string_view data = words.rest();
     if (data.size() != pixels * bytes)
-        words.fail("has " + std::to_string(data.size()) + " bytes after its header",
+        words.fail("has " + counted(data.size(), "byte") + " after its header",
                    std::to_string(pixels * bytes) + " for one picture");
     image.value.reserve(pixels);
     for (std::uint64_t i = 0; i < pixels; ++i) {

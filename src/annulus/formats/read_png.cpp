@@ -30,6 +30,7 @@ class Png {
     /// Up to the pixels, which come as grey or RGB, with opacity or without, of 8 or 16 bits.
     bool header() {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;
+        png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // set_size has ours
         png_read_info(png_, info_);
         packed_bits = std::uint64_t{png_get_bit_depth(png_, info_)} * png_get_channels(png_, info_);
         png_set_expand(png_);

@@ -171,7 +171,7 @@ std::uint64_t Line_reader::whole(std::string_view text, std::string_view what) c
     std::uint64_t value = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (code == std::errc::result_out_of_range && end == text.data() + text.size())
-        fail(std::string(what) + " is too large: " + shown(text), "a count below 2^31");
+        fail(std::string(what) + " is too large: " + shown(text), "an integer below 2^64");
     if (code != std::errc() || end != text.data() + text.size())
         fail(std::string(what) + " is not an integer of 0 or more: " + shown(text), "an integer of 0 or more");
     return value;

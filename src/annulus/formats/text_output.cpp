@@ -42,10 +42,14 @@ Text_output::Text_output(const std::filesystem::path& file) : file_(file) {
     std::error_code ignored;
     errno = EISDIR;
     if (std::filesystem::is_directory(file, ignored)) fail();  // known at once, not when all is written
-    beside_ = file;
-    beside_ += ".partial-" + std::to_string(::getpid());
-    // Nobody's file and nobody's link is written through.
-    const int descriptor = ::open(beside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    // Nobody's file and nobody's link is written through; one that a killed process left may have our number, as in containers.
+    int descriptor = -1;
+    errno = EEXIST;
+    for (int tries = 0; descriptor < 0 && errno == EEXIST && tries < 1000; ++tries) {
+        beside_ = file;
+        beside_ += ".partial-" + std::to_string(::getpid()) + (tries == 0 ? "" : "-" + std::to_string(tries));
+        descriptor = ::open(beside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    }
     if (descriptor < 0) fail();
     out_ = ::fdopen(descriptor, "wb");
     if (out_ == nullptr) {

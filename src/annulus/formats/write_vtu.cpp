@@ -32,6 +32,8 @@ constexpr const char* type_name<double> = "Float64";
 template <>
 constexpr const char* type_name<std::int64_t> = "Int64";
 template <>
+constexpr const char* type_name<std::uint64_t> = "UInt64";
+template <>
 constexpr const char* type_name<std::uint8_t> = "UInt8";
 
 /// As VTK reads it: how many blocks, the length of one and of the last one if it is shorter, their lengths when packed (UInt64), which is

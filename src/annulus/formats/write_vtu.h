@@ -15,7 +15,7 @@ namespace annulus {
 /// Named values, one for each point or one for each cell.
 struct Vtu_field {
     std::string name;
-    std::variant<std::vector<double>, std::vector<std::int64_t>> values;
+    std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::uint64_t>> values;
 };
 
 /// The text of a VTK XML unstructured grid (.vtu) of triangles or tetrahedra, with data in base64, packed by zlib, in the

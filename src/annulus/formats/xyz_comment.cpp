@@ -39,14 +39,13 @@ class Comment {
   private:
     void skip_blanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t"), rest_.size())); }
 
-    /// Up to one of `ends`, or what stands between quotes or brackets.
+    /// Up to one of `ends`, or what stands between quotes or brackets. What follows a backslash does not close them.
     std::string_view word(std::string_view ends) {
         constexpr std::string_view open = "\"'{[", close = "\"'}]";
         const std::size_t kind = rest_.empty() ? std::string_view::npos : open.find(rest_[0]);
-        if (kind != std::string_view::npos) {
-            const std::size_t end = rest_.find(close[kind], 1);
-            if (end != std::string_view::npos) return take(1, end, end + 1);
-        }
+        if (kind != std::string_view::npos)
+            for (std::size_t end = 1; end < rest_.size(); end += rest_[end] == '\\' ? 2 : 1)
+                if (rest_[end] == close[kind]) return take(1, end, end + 1);
         const std::size_t end = std::min(rest_.find_first_of(ends), rest_.size());
         return take(0, end, end);
     }

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an insertion or a removal changed is listed from what was written to, and all cells are not looked at: counted in bytes asked for.
+#include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_delaunay_3.h>
+#include <annulus/moving_mesh.h>
+
+#include <support/failing_new.h>
+
+#include <catch2/catch.hpp>
+
+#include <random>
+#include <type_traits>
+#include <vector>
+
+using namespace annulus;
+using annulus::testing::Failing_new;
+
+namespace {
+
+template <int d>
+Coordinates<d> anywhere(std::mt19937_64& random) {
+    Coordinates<d> p;
+    for (double& c : p) c = std::uniform_real_distribution<double>()(random);
+    return p;
+}
+
+template <int d>
+using Delaunay_of = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
+
+template <int d>
+void insert(Moving_mesh<d>& mesh, const Coordinates<d>& p, Move_report& report) {
+    (void)mesh.insert(p, &report);
+}
+template <int d>
+void insert(Delaunay_of<d>& dt, const Coordinates<d>& p, Move_report& report) {
+    (void)dt.insert(std::apply([](auto... c) { return typename Delaunay_of<d>::Point(c...); }, p), &report);
+}
+template <int d>
+void remove(Moving_mesh<d>& mesh, Index i, Move_report& report) {
+    mesh.remove(i, &report);
+}
+template <int d>
+void remove(Delaunay_of<d>& dt, Index i, Move_report& report) {
+    dt.remove(dt.vertex(static_cast<std::size_t>(i)), &report);
+}
+
+template <int d>
+auto positions(const Moving_mesh<d>& mesh) {
+    return mesh.points();
+}
+template <int d>
+auto positions(const Delaunay_of<d>& dt) {
+    return dt.positions();
+}
+
+template <int d, class Triangulation>
+void check_few(Strategy strategy) {
+    std::mt19937_64 random(7);
+    CAPTURE(name_of(strategy));
+    std::vector<Coordinates<d>> points(6000);
+    for (auto& p : points) p = anywhere<d>(random);
+    Options options;
+    options.strategy = strategy;
+    options.report_changes = true;
+    Triangulation dt(std::span<const Coordinates<d>>(points), options);
+    // All cells, written down once; room for them in the journal and the like is made by the first call.
+    const std::uint64_t all = dt.cells().vertices.size() * (d + 1) * sizeof(Index);
+    for (int round = 0; round < 2; ++round) {
+        for (int k = 0; k < 8; ++k) {
+            Move_report came, went;
+            const Failing_new counting(std::uint64_t{1} << 60);
+            insert<d>(dt, anywhere<d>(random), came);
+            remove<d>(dt, k, went);
+            CHECK_FALSE(came.changed.empty());
+            CHECK_FALSE(went.gone.empty());
+            if (k > 0) CHECK(Failing_new::bytes() < all / 2);
+        }
+        std::vector<Coordinates<d>> x(positions<d>(dt).begin(), positions<d>(dt).end());
+        for (auto& p : x) p[0] *= 1 + 1e-9;
+        (void)dt.move_all(std::span<const Coordinates<d>>(x));
+        REQUIRE(dt.audit().delaunay());
+    }
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("What few vertices change is listed at their price, dimension", "[engine]", ((int d), d), 2, 3) {
+    for (const Strategy strategy : {Strategy::automatic, Strategy::rebuild, Strategy::relocate, Strategy::filter}) {
+        check_few<d, Moving_mesh<d>>(strategy);
+        check_few<d, Delaunay_of<d>>(strategy);
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("Who asks what changed has the same timestamps, dimension", "[engine]", ((int d), d), 2, 3) {
+    for (const Strategy strategy : {Strategy::automatic, Strategy::rebuild, Strategy::relocate, Strategy::hybrid}) {
+        CAPTURE(name_of(strategy));
+        std::mt19937_64 random(8);
+        std::vector<Coordinates<d>> x(300);
+        for (auto& p : x) p = anywhere<d>(random);
+        Options quiet, telling;
+        quiet.strategy = telling.strategy = strategy;
+        telling.report_changes = true;
+        Delaunay_of<d> one(std::span<const Coordinates<d>>(x), quiet),
+            other(std::span<const Coordinates<d>>(x), telling);
+        for (int round = 0; round < 3; ++round) {
+            const Coordinates<d> p = anywhere<d>(random);
+            for (auto* dt : {&one, &other}) {
+                Move_report unused;
+                insert<d>(*dt, p, unused);
+                remove<d>(*dt, 3 + round, unused);
+            }
+            x.push_back(p);
+            for (auto& q : x)
+                for (double& c : q) c += std::uniform_real_distribution<double>(0, 0.1)(random);
+            x.resize(one.index_bound());
+            const Move_report a = one.move_all(std::span<const Coordinates<d>>(x)),
+                              b = other.move_all(std::span<const Coordinates<d>>(x));
+            CHECK(a.moves == b.moves);
+            CHECK(a.rebuild_steps == b.rebuild_steps);
+            CHECK(a.price == b.price);
+            CHECK_FALSE(b.changed.empty());
+            REQUIRE(other.audit().delaunay());
+        }
+    }
+}
