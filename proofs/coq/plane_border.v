@@ -52,12 +52,7 @@ Theorem crossed_once x l : winds_once m l -> sum (crossing_at x) (ring l) <= 1.
 Proof.
   intro W. destruct (rise_and_fall m l W) as (v & p & P & _ & k1 & t & k2 & E & R & F).
   apply Rle_trans with (sum (passes_at x) (ring l)).
-  - apply Rminus_le. replace (sum (crossing_at x) (ring l) - sum (passes_at x) (ring l))
-      with (sum (fun s => crossing_at x s + -1 * passes_at x s) (ring l)) by (rewrite sum_plus, sum_scale; ring).
-    rewrite <- (Ropp_involutive (sum _ _)). apply Ropp_le_cancel. rewrite Ropp_0, Ropp_involutive.
-    replace (- sum (fun s => crossing_at x s + -1 * passes_at x s) (ring l))
-      with (sum (fun s => -1 * (crossing_at x s + -1 * passes_at x s)) (ring l)) by (rewrite sum_scale; ring).
-    apply sum_nonneg. intros [a b] _. simpl. unfold crossing. generalize (passes_nonneg level x (m b) (m a)). lra.
+  - apply sum_le. intros [a b] _. simpl. unfold crossing. generalize (passes_nonneg level x (m b) (m a)). lra.
   - rewrite (sum_permutation _ _ _ P), E, steps_app, sum_app, (falls_none x (t :: k2) F).
     destruct k1 as [|u k1]; [simpl; lra|]. generalize (climb x (k1 ++ [t]) u R). simpl. lra.
 Qed.

@@ -35,8 +35,7 @@ Lemma plane_corner m f t v : (let '(a, b, c) := t in 0 < turn_at m a b c) -> cor
 Proof.
   destruct t as [[a b] c]. unfold plane_through, turn_at. intros P C. destruct C as [->|[->| ->]].
   - replace (turning (m c) (m a) (m a)) with 0 by (unfold turning, turn; ring). replace (turning (m a) (m b) (m a)) with 0 by (unfold turning, turn; ring).
-    rewrite turning_cycle, <- turning_cycle. rewrite !(turning_cycle (m a)). rewrite <- (turning_cycle (m b)). field. 
-    lra.
+    replace (turning (m b) (m c) (m a)) with (turning (m a) (m b) (m c)) by (unfold turning, turn; ring). field. lra.
   - replace (turning (m b) (m c) (m b)) with 0 by (unfold turning, turn; ring). replace (turning (m a) (m b) (m b)) with 0 by (unfold turning, turn; ring).
     replace (turning (m c) (m a) (m b)) with (turning (m a) (m b) (m c)) by (unfold turning, turn; ring). field. lra.
   - replace (turning (m b) (m c) (m c)) with 0 by (unfold turning, turn; ring). replace (turning (m c) (m a) (m c)) with 0 by (unfold turning, turn; ring).
@@ -107,15 +106,12 @@ Proof.
     [|generalize (small_limit _ _ S); lra].
   apply (small_impl (fun e => e < 1)); [|apply small_below; lra]. intros e E L.
   assert (V : fst (vector (mix e z x) (mix e z y)) <> 0 \/ snd (vector (mix e z x) (mix e z y)) <> 0).
-  { rewrite mix_vector. simpl. destruct D as [D|D]; [left|right]; apply Rmult_integral_contrapositive_currified; lra. }
+  { rewrite mix_vector. destruct D as [D|D]; [left|right]; (apply Rmult_integral_contrapositive_currified; [lra|exact D]). }
   assert (C := planes_change f (mix e z x) (mix e z y) t u V It Iu).
   rewrite !plane_mix in C. specialize (C ltac:(apply mix_inside with T; trivial; lra) ltac:(apply mix_inside with T; trivial; lra)).
   assert (Le : sum (fun k => let '(a, b, p, q) := k in step m (mix e z x) (mix e z y) a b * (turning (m a) (m b) (mix e z y) * bend f a b p q)) (bicells T) <= e * K);
     [|lra].
-  unfold K. rewrite <- sum_scale. apply Rminus_le. apply Ropp_le_cancel. rewrite Ropp_0.
-  match goal with |- 0 <= - (sum ?g _ - sum ?h _) => replace (- (sum g (bicells T) - sum h (bicells T))) with (sum (fun k => h k + -1 * g k) (bicells T))
-    by (rewrite sum_plus, sum_scale; ring) end.
-  apply sum_nonneg. intros [[[a b] p] q] _.
+  unfold K. rewrite <- sum_scale. apply sum_le. intros [[[a b] p] q] _.
   generalize (step_cases m (mix e z x) (mix e z y) a b). unfold kept_or_crossed. rewrite !turning_mix.
   generalize (step m (mix e z x) (mix e z y) a b) (turning (m a) (m b) z) (turning (m a) (m b) x) (turning (m a) (m b) y) (bend f a b p q).
   intros s tz tx ty k H. rewrite Rabs_mult. generalize (Rabs_pos k) (Rle_abs k) (Rle_abs (- k)). rewrite (Rabs_Ropp k). intros A1 A2 A3.

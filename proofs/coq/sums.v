@@ -29,6 +29,12 @@ Proof. induction l as [|i l IH]; simpl; [ring|]. rewrite IH. ring. Qed.
 Lemma sum_permutation f l k : Permutation l k -> sum f l = sum f k.
 Proof. induction 1; simpl; lra. Qed.
 
+Lemma sum_le f g l : (forall i, In i l -> f i <= g i) -> sum f l <= sum g l.
+Proof.
+  induction l as [|i l IH]; simpl; intro H; [lra|]. generalize (H i (or_introl eq_refl)). intro.
+  assert (sum f l <= sum g l) by (apply IH; intros j J; apply H; now right). lra.
+Qed.
+
 Lemma sum_nonneg f l : (forall i, In i l -> 0 <= f i) -> 0 <= sum f l.
 Proof.
   induction l as [|i l IH]; simpl; intro H; [lra|]. generalize (H i (or_introl eq_refl)). intro.
