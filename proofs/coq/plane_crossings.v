@@ -15,8 +15,6 @@ Open Scope R_scope.
 
 (* ---- Points ---- *)
 
-Definition mix (e : R) (x y : point) : point := ((1 - e) * fst x + e * fst y, (1 - e) * snd x + e * snd y).
-
 Lemma turning_mix e u v x y : turning u v (mix e x y) = (1 - e) * turning u v x + e * turning u v y.
 Proof. unfold turning, turn, mix. simpl. ring. Qed.
 
@@ -53,9 +51,6 @@ Proof. unfold passes. destruct (Rle_dec _ _); [|lra]. destruct (Rle_dec _ _); [l
 
 Lemma passes_none d x u v : cross d x < cross d u \/ cross d v <= cross d u -> passes d x u v = 0.
 Proof. intro H. unfold passes. destruct (Rle_dec _ _); [|lra]. destruct (Rle_dec _ _); [lra|]. exfalso. lra. Qed.
-
-Definition strictly_in (x a b c : point) : Prop := 0 < turning a b x /\ 0 < turning b c x /\ 0 < turning c a x.
-Definition within (x a b c : point) : Prop := 0 <= turning a b x /\ 0 <= turning b c x /\ 0 <= turning c a x.
 
 (* a is the only corner on its side of the ray: to the right of it or on it, or to the left of it. *)
 Lemma alone_right A B C a b c : A * a + B * b + C * c = 0 -> 0 < A + B + C -> a <= 0 -> 0 < b -> 0 < c ->

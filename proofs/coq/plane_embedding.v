@@ -42,8 +42,8 @@ Hypothesis gluing : glued T.
 Hypothesis cells_positive : positive m T.
 Hypothesis border_once : winds_once m (border T).
 
-Definition in_cell (x : point) (t : nat * nat * nat) : Prop := let '(a, b, c) := t in within x (m a) (m b) (m c).
-Definition inside_cell (x : point) (t : nat * nat * nat) : Prop := let '(a, b, c) := t in strictly_in x (m a) (m b) (m c).
+Notation in_cell := (in_cell m).
+Notation inside_cell := (inside_cell m).
 Definition middle (t : nat * nat * nat) : point := let '(a, b, c) := t in centre (m a) (m b) (m c).
 
 Lemma middle_inside t : In t (cells T) -> inside_cell (middle t) t.

@@ -3,9 +3,10 @@
 
    A mesh has no positions: vertices are numbers, cells are triples of them. A placement gives each vertex its point.
 
-   - glued       each side of each cell is a side of one bi-cell or of the border, which is one closed path
+   - glued           each side of each cell is a side of one bi-cell or of the border, which is one closed path
    - positive, convex, winds_once, locally_delaunay     the conditions (a) to (d) of 1.2; (b) and (d) accept 0
-   - delaunay    what follows: no vertex is strictly inside the circle through the corners of a cell *)
+   - triangulation   what follows from (a), (b), (c): the cells cover the convex hull of the vertices once, and meet in the hull of common corners
+   - delaunay        what follows with (d): no vertex is strictly inside the circle through the corners of a cell *)
 Require Import Reals List Permutation Bool.
 From Annulus Require Import width_2.
 Import ListNotations.
@@ -73,6 +74,25 @@ Definition enters (m : placement) (r : nat * nat * nat) : bool :=
 Definition winds_once (m : placement) (l : list nat) : Prop := length (filter (enters m) (ridges l)) = 1%nat.
 
 Definition locally_delaunay (m : placement) (T : mesh) : Prop := forall a b p q, In (a, b, p, q) (bicells T) -> 0 <= incircle_at m a b p q.
+
+(* ---- What follows ---- *)
+
+Definition within (x a b c : point) : Prop := 0 <= turning a b x /\ 0 <= turning b c x /\ 0 <= turning c a x.
+Definition strictly_in (x a b c : point) : Prop := 0 < turning a b x /\ 0 < turning b c x /\ 0 < turning c a x.
+Definition in_cell (m : placement) (x : point) (t : nat * nat * nat) : Prop := let '(a, b, c) := t in within x (m a) (m b) (m c).
+Definition inside_cell (m : placement) (x : point) (t : nat * nat * nat) : Prop := let '(a, b, c) := t in strictly_in x (m a) (m b) (m c).
+
+(* The point that divides xy as e to 1 - e. *)
+Definition mix (e : R) (x y : point) : point := ((1 - e) * fst x + e * fst y, (1 - e) * snd x + e * snd y).
+Definition convex_set (C : point -> Prop) : Prop := forall e x y, 0 <= e <= 1 -> C x -> C y -> C (mix e x y).
+Definition in_hull (m : placement) (vertex : nat -> Prop) (x : point) : Prop :=
+  forall C, convex_set C -> (forall v, vertex v -> C (m v)) -> C x.
+
+Record triangulation (m : placement) (T : mesh) : Prop := {
+  disjoint : forall t rest u x, Permutation (cells T) (t :: rest) -> In u rest -> inside_cell m x t -> ~ in_cell m x u;
+  covering : forall x, in_hull m (vertex_of T) x <-> exists t, In t (cells T) /\ in_cell m x t;
+  face_to_face : forall t u x, In t (cells T) -> In u (cells T) -> in_cell m x t -> in_cell m x u -> in_hull m (fun v => corner v t /\ corner v u) x;
+  distinct : forall v w, vertex_of T v -> vertex_of T w -> m v = m w -> v = w }.
 
 Definition delaunay (m : placement) (T : mesh) : Prop := forall a b c, In (a, b, c) (cells T) -> exists o r2,
   dist2 (m a) o = r2 /\ dist2 (m b) o = r2 /\ dist2 (m c) o = r2 /\ forall z, vertex_of T z -> r2 <= dist2 (m z) o.
