@@ -8,7 +8,7 @@ From Annulus Require Import sums width_2 plane_mesh plane_paths plane_crossings.
 Import ListNotations.
 Open Scope R_scope.
 
-Definition level : point := (1, 0).
+Definition level : point_2 := (1, 0).
 
 Lemma cross_level u : cross level u = snd u.
 Proof. unfold cross, level. simpl. ring. Qed.
@@ -59,8 +59,8 @@ Qed.
 
 (* ---- Convex ---- *)
 
-Definition upward (e : point) : Prop := 0 < snd e \/ (snd e = 0 /\ 0 < fst e).
-Definition downward (e : point) : Prop := snd e < 0 \/ (snd e = 0 /\ fst e < 0).
+Definition upward (e : point_2) : Prop := 0 < snd e \/ (snd e = 0 /\ 0 < fst e).
+Definition downward (e : point_2) : Prop := snd e < 0 \/ (snd e = 0 /\ fst e < 0).
 
 Lemma upward_order e f g : upward e -> upward f -> upward g -> 0 <= cross e f -> 0 <= cross f g -> 0 <= cross e g.
 Proof.
@@ -93,7 +93,7 @@ Proof.
   unfold cross in *. simpl. intro L. assert (0 <= - fst e * snd g - - snd e * fst g); [apply L|]; nra.
 Qed.
 
-Definition along (s : nat * nat) : point := let '(u, v) := s in vector (m u) (m v).
+Definition along (s : nat * nat) : point_2 := let '(u, v) := s in vector (m u) (m v).
 Definition in_order (s r : nat * nat) : Prop := 0 <= cross (along s) (along r).
 Definition bends_left (p : list nat) : Prop := forall u v w, In (u, v, w) (bends p) -> convex_at m u v w.
 
@@ -102,7 +102,7 @@ Proof.
   unfold convex_at, in_order, along, turn_at, turning, turn, cross, vector. simpl. intros [H|[H _]]; nra.
 Qed.
 
-Lemma chain_sorted (side : point -> Prop) p : (forall e f g, side e -> side f -> side g -> 0 <= cross e f -> 0 <= cross f g -> 0 <= cross e g) ->
+Lemma chain_sorted (side : point_2 -> Prop) p : (forall e f g, side e -> side f -> side g -> 0 <= cross e f -> 0 <= cross f g -> 0 <= cross e g) ->
   (forall s, In s (steps p) -> side (along s)) -> bends_left p -> ForallOrdPairs in_order (steps p).
 Proof.
   intro Trans. induction p as [|a p IH]; intros S B; [constructor|]. destruct p as [|b p]; [constructor|]. rewrite steps_cons in *.
@@ -173,7 +173,7 @@ Proof.
 Qed.
 
 (* Two chains, one up and one down, from the end of each to the other's beginning. *)
-Lemma chains_left (side other : point -> Prop) p r a b :
+Lemma chains_left (side other : point_2 -> Prop) p r a b :
   (forall e f g, side e -> other f -> other g -> 0 <= cross f g -> cross e f < 0 -> cross e g <= 0) ->
   (forall s, In s (steps p) -> side (along s)) -> (forall s, In s (steps r) -> other (along s)) ->
   ForallOrdPairs in_order (steps p) -> ForallOrdPairs in_order (steps r) ->

@@ -38,10 +38,10 @@ Proof. unfold turning, turn, cross, vector. simpl. ring. Qed.
 (* ---- One triangle ---- *)
 
 (* The side from u to v begins on the right of the ray or on it, ends on its left, and has x on its left. *)
-Definition passes (d x u v : point) : R :=
+Definition passes (d x u v : point_2) : R :=
   if Rle_dec (cross d u) (cross d x) then if Rle_dec (cross d v) (cross d x) then 0 else if Rlt_dec 0 (turning u v x) then 1 else 0 else 0.
-Definition crossing (d x u v : point) : R := passes d x u v - passes d x v u.
-Definition crossings (d x a b c : point) : R := crossing d x a b + crossing d x b c + crossing d x c a.
+Definition crossing (d x u v : point_2) : R := passes d x u v - passes d x v u.
+Definition crossings (d x a b c : point_2) : R := crossing d x a b + crossing d x b c + crossing d x c a.
 
 Lemma crossing_swap d x u v : crossing d x v u = - crossing d x u v.
 Proof. unfold crossing. ring. Qed.
@@ -86,7 +86,7 @@ Proof.
   destruct D as [D|D]; apply D; nra.
 Qed.
 
-Definition one_or_none (d x a b c : point) : Prop :=
+Definition one_or_none (d x a b c : point_2) : Prop :=
   (crossings d x a b c = 0 \/ crossings d x a b c = 1) /\
   ((fst d <> 0 \/ snd d <> 0) -> strictly_in x a b c -> crossings d x a b c = 1) /\
   (crossings d x a b c = 1 -> within x a b c).
@@ -147,7 +147,7 @@ Qed.
 (* ---- Two points of a ray ---- *)
 
 (* From x to y a side is left behind, crossed from the left or from the right, or keeps both on one side. *)
-Definition kept_or_crossed (x y u v : point) (k : R) : Prop :=
+Definition kept_or_crossed (x y u v : point_2) (k : R) : Prop :=
   k = 0 \/ (k = -1 /\ turning u v y <= 0 /\ 0 < turning u v x) \/ (k = 1 /\ 0 <= turning u v y /\ turning u v x < 0).
 
 Lemma passes_step x y u v : let d := vector x y in let k := passes d y u v - passes d x u v in
@@ -184,7 +184,7 @@ Section placed.
 Variables (T : mesh) (m : placement).
 Hypothesis gluing : glued T.
 
-Definition crossings_of (d x : point) (t : nat * nat * nat) : R := let '(a, b, c) := t in crossings d x (m a) (m b) (m c).
+Definition crossings_of (d x : point_2) (t : nat * nat * nat) : R := let '(a, b, c) := t in crossings d x (m a) (m b) (m c).
 
 Theorem covered d x : sum (crossings_of d x) (cells T) = sum (fun s => let '(u, v) := s in crossing d x (m u) (m v)) (ring (border T)).
 Proof.

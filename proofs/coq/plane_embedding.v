@@ -10,7 +10,7 @@ From Annulus Require Import sums small width_2 plane_mesh plane_paths plane_cros
 Import ListNotations.
 Open Scope R_scope.
 
-Definition is_zero (d : point) : Prop := fst d = 0 /\ snd d = 0.
+Definition is_zero (d : point_2) : Prop := fst d = 0 /\ snd d = 0.
 
 Lemma zero_or_not d : is_zero d \/ fst d <> 0 \/ snd d <> 0.
 Proof. unfold is_zero. destruct (Req_EM_T (fst d) 0), (Req_EM_T (snd d) 0); tauto. Qed.
@@ -22,7 +22,7 @@ Proof. unfold turning, turn. ring. Qed.
 Lemma turning_height u v x : turning u v x = cross (vector u v) x - cross (vector u v) u.
 Proof. unfold turning, turn, cross, vector. simpl. ring. Qed.
 
-Definition centre (a b c : point) : point := ((fst a + fst b + fst c) / 3, (snd a + snd b + snd c) / 3).
+Definition centre (a b c : point_2) : point_2 := ((fst a + fst b + fst c) / 3, (snd a + snd b + snd c) / 3).
 
 Lemma centre_strictly a b c : 0 < turning a b c -> strictly_in (centre a b c) a b c.
 Proof.
@@ -44,7 +44,7 @@ Hypothesis border_once : winds_once m (border T).
 
 Notation in_cell := (in_cell m).
 Notation inside_cell := (inside_cell m).
-Definition middle (t : nat * nat * nat) : point := let '(a, b, c) := t in centre (m a) (m b) (m c).
+Definition middle (t : nat * nat * nat) : point_2 := let '(a, b, c) := t in centre (m a) (m b) (m c).
 
 Lemma middle_inside t : In t (cells T) -> inside_cell (middle t) t.
 Proof. destruct t as [[a b] c]. intro H. now apply centre_strictly, cells_positive. Qed.
@@ -157,9 +157,9 @@ Qed.
 
 (* ---- From one point to another ---- *)
 
-Definition left_of_border (x : point) : Prop := forall a b, In (a, b) (ring (border T)) -> 0 < turning (m a) (m b) x.
+Definition left_of_border (x : point_2) : Prop := forall a b, In (a, b) (ring (border T)) -> 0 < turning (m a) (m b) x.
 
-Definition step (x y : point) (a b : nat) : R := crossing (vector x y) y (m a) (m b) - crossing (vector x y) x (m a) (m b).
+Definition step (x y : point_2) (a b : nat) : R := crossing (vector x y) y (m a) (m b) - crossing (vector x y) x (m a) (m b).
 
 Lemma step_swap x y a b : step x y b a = - step x y a b.
 Proof. unfold step. rewrite !(crossing_swap _ _ (m a)). ring. Qed.

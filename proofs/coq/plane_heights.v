@@ -12,7 +12,7 @@ Open Scope R_scope.
 (* ---- Two cells ---- *)
 
 (* The affine function through the heights f a, f b, f c. *)
-Definition plane_through (m : placement) (f : nat -> R) (y : point) (t : nat * nat * nat) : R := let '(a, b, c) := t in
+Definition plane_through (m : placement) (f : nat -> R) (y : point_2) (t : nat * nat * nat) : R := let '(a, b, c) := t in
   (turning (m b) (m c) y * f a + turning (m c) (m a) y * f b + turning (m a) (m b) y * f c) / turn_at m a b c.
 
 (* Positive when p is above the plane of a, b, q, and q above that of b, a, p. *)

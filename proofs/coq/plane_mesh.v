@@ -8,6 +8,7 @@
    - triangulation   what follows from (a), (b), (c): the cells cover the convex hull of the vertices once, and meet in the hull of common corners
    - delaunay        what follows with (d): no vertex is strictly inside the circle through the corners of a cell *)
 Require Import Reals List Permutation Bool.
+From Annulus Require Export points_2.
 From Annulus Require Import width_2.
 Import ListNotations.
 Open Scope R_scope.
@@ -45,19 +46,12 @@ Definition vertex_of (T : mesh) (v : nat) : Prop := exists t, In t (cells T) /\ 
 
 (* ---- Geometry ---- *)
 
-Definition point : Type := R * R.
-Definition placement : Type := nat -> point.
+Definition placement : Type := nat -> point_2.
 
-(* Twice the signed area of u v w: positive when w is on the left of uv. *)
-Definition turning (u v w : point) : R := turn (fst u) (snd u) (fst v) (snd v) (fst w) (snd w).
-Definition turn_at (m : placement) a b c : R := turning (m a) (m b) (m c).
-(* Positive when p is outside the circle of a, b, q and q outside that of b, a, p. *)
-Definition incircle_at (m : placement) a b p q : R :=
-  incircle (fst (m a)) (snd (m a)) (fst (m b)) (snd (m b)) (fst (m p)) (snd (m p)) (fst (m q)) (snd (m q)).
-Definition dist2 (u v : point) : R := d2 (fst u) (snd u) (fst v) (snd v).
-Definition vector (u v : point) : point := (fst v - fst u, snd v - snd u).
-Definition cross (e f : point) : R := fst e * snd f - snd e * fst f.
-Definition dot (e f : point) : R := fst e * fst f + snd e * snd f.
+Definition dist2 (u v : point_2) : R := d2 (fst u) (snd u) (fst v) (snd v).
+Definition vector (u v : point_2) : point_2 := (fst v - fst u, snd v - snd u).
+Definition cross (e f : point_2) : R := fst e * snd f - snd e * fst f.
+Definition dot (e f : point_2) : R := fst e * fst f + snd e * snd f.
 
 Definition positive (m : placement) (T : mesh) : Prop := forall a b c, In (a, b, c) (cells T) -> 0 < turn_at m a b c.
 
@@ -67,7 +61,7 @@ Definition convex_at (m : placement) u v w : Prop :=
 Definition convex (m : placement) (l : list nat) : Prop := forall u v w, In (u, v, w) (ridges l) -> convex_at m u v w.
 
 (* border_winds_once of the code: how often the direction of the border enters the half-plane of what points up, or right when level. *)
-Definition points_up (u v : point) : bool :=
+Definition points_up (u v : point_2) : bool :=
   if Rlt_dec (snd u) (snd v) then true else if Req_EM_T (snd u) (snd v) then if Rlt_dec (fst u) (fst v) then true else false else false.
 Definition enters (m : placement) (r : nat * nat * nat) : bool :=
   let '(u, v, w) := r in negb (points_up (m u) (m v)) && points_up (m v) (m w).
@@ -77,15 +71,15 @@ Definition locally_delaunay (m : placement) (T : mesh) : Prop := forall a b p q,
 
 (* ---- What follows ---- *)
 
-Definition within (x a b c : point) : Prop := 0 <= turning a b x /\ 0 <= turning b c x /\ 0 <= turning c a x.
-Definition strictly_in (x a b c : point) : Prop := 0 < turning a b x /\ 0 < turning b c x /\ 0 < turning c a x.
-Definition in_cell (m : placement) (x : point) (t : nat * nat * nat) : Prop := let '(a, b, c) := t in within x (m a) (m b) (m c).
-Definition inside_cell (m : placement) (x : point) (t : nat * nat * nat) : Prop := let '(a, b, c) := t in strictly_in x (m a) (m b) (m c).
+Definition within (x a b c : point_2) : Prop := 0 <= turning a b x /\ 0 <= turning b c x /\ 0 <= turning c a x.
+Definition strictly_in (x a b c : point_2) : Prop := 0 < turning a b x /\ 0 < turning b c x /\ 0 < turning c a x.
+Definition in_cell (m : placement) (x : point_2) (t : nat * nat * nat) : Prop := let '(a, b, c) := t in within x (m a) (m b) (m c).
+Definition inside_cell (m : placement) (x : point_2) (t : nat * nat * nat) : Prop := let '(a, b, c) := t in strictly_in x (m a) (m b) (m c).
 
 (* The point that divides xy as e to 1 - e. *)
-Definition mix (e : R) (x y : point) : point := ((1 - e) * fst x + e * fst y, (1 - e) * snd x + e * snd y).
-Definition convex_set (C : point -> Prop) : Prop := forall e x y, 0 <= e <= 1 -> C x -> C y -> C (mix e x y).
-Definition in_hull (m : placement) (vertex : nat -> Prop) (x : point) : Prop :=
+Definition mix (e : R) (x y : point_2) : point_2 := ((1 - e) * fst x + e * fst y, (1 - e) * snd x + e * snd y).
+Definition convex_set (C : point_2 -> Prop) : Prop := forall e x y, 0 <= e <= 1 -> C x -> C y -> C (mix e x y).
+Definition in_hull (m : placement) (vertex : nat -> Prop) (x : point_2) : Prop :=
   forall C, convex_set C -> (forall v, vertex v -> C (m v)) -> C x.
 
 Record triangulation (m : placement) (T : mesh) : Prop := {

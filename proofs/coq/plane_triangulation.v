@@ -8,7 +8,7 @@ Import ListNotations.
 Open Scope R_scope.
 
 (* A point of a triangle is in every convex set that has those corners whose weight is not 0. *)
-Lemma weighted_corners (C : point -> Prop) a b c x : convex_set C -> 0 < turning a b c -> within x a b c ->
+Lemma weighted_corners (C : point_2 -> Prop) a b c x : convex_set C -> 0 < turning a b c -> within x a b c ->
   (0 < turning b c x -> C a) -> (0 < turning c a x -> C b) -> (0 < turning a b x -> C c) -> C x.
 Proof.
   intros S D (Hc & Ha & Hb) Ca Cb Cc. assert (E := turning_sum a b c x).

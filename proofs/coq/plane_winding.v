@@ -13,7 +13,7 @@ Open Scope R_scope.
 (* ---- Two half-planes ---- *)
 
 (* On the left of (k, 1), or along it. *)
-Definition leans (k : R) (u v : point) : bool :=
+Definition leans (k : R) (u v : point_2) : bool :=
   if Rlt_dec (fst (vector u v)) (k * snd (vector u v)) then true
   else if Req_EM_T (fst (vector u v)) (k * snd (vector u v)) then if Rlt_dec 0 (snd (vector u v)) then true else false else false.
 Definition enters_left (k : R) (m : placement) (r : nat * nat * nat) : bool :=
@@ -27,7 +27,7 @@ Proof.
 Qed.
 
 (* The quarter between the two directions, which is in the upper half-plane only. *)
-Definition between (k : R) (u v : point) : R := one_if (points_up u v && negb (leans k u v)).
+Definition between (k : R) (u v : point_2) : R := one_if (points_up u v && negb (leans k u v)).
 
 (* The four quarters of the plane between the directions. *)
 Lemma quarters k u v : fst u <> fst v \/ snd u <> snd v ->
