@@ -34,6 +34,17 @@ Proof.
   exfalso. apply N. intros []; lra.
 Qed.
 
+(* Sides of bi-cells and of the border are sides of cells. *)
+Lemma glued_side s : In s (flat_map shared_sides (bicells T) ++ outer T) -> exists t i, In t (cells T) /\ turned (side_of t i) s.
+Proof.
+  destruct gluing as (l & F & P). intro I. rewrite <- P in I. clear P. revert I.
+  assert (K : forall r, In r (flat_map sides (cells T)) -> exists t i, In t (cells T) /\ r = side_of t i).
+  { intros r R. apply in_flat_map in R. destruct R as (t & It & R). destruct (in_sides r t R) as (i & E). now exists t, i. }
+  induction F as [|r q k l H F IH]; [easy|]. intros [<-|I].
+  - destruct (K r (or_introl eq_refl)) as (t & i & It & ->). now exists t, i.
+  - apply IH; [|exact I]. intros r' R. apply K. now right.
+Qed.
+
 Definition centre_3 (t : four) : vec := let '(a, b, c, d) := t in / 4 ⊙ (m a ⊕ m b ⊕ m c ⊕ m d).
 
 Lemma centre_inside t : In t (cells T) -> all_positive (bary m t (centre_3 t)).
@@ -62,6 +73,116 @@ Proof.
   (* the height would be 0 everywhere, also at the fourth corner of its own cell *)
   assert (Zero : forall y, facet_height m s y = 0).
   { intro y. apply (Rmult_eq_reg_l (size m t)); [|lra]. rewrite (affine_bary m _ t y A), !Z. ring. }
-  destruct (outer_cell s S) as (p & r & Ir & i & ->). generalize (centre_inside r Ir i). unfold bary. rewrite Zero. lra.
+  destruct (glued_side s) as (r & i & Ir & R); [apply in_or_app; now right|]. generalize (centre_inside r Ir i) (turned_height m _ _ (centre_3 r) R).
+  unfold bary. rewrite Zero. lra.
+Qed.
+
+(* ---- Close by, in general position ---- *)
+
+Lemma near_inside_3 z g t : (forall i, 0 < bary m t z i \/ (bary m t z i = 0 /\ 0 < bary m t g i)) -> small (fun e => all_positive (bary m t (curve z g e))).
+Proof.
+  intro H. apply (small_impl (fun e => forall i, In i corner_list -> 0 < bary m t (curve z g e) i)).
+  - intros e _ K i. apply K, in_corners.
+  - apply small_all. intros i _. apply (near_positive (fun x => bary m t x i)); [apply bary_affine|apply H].
+Qed.
+
+Lemma near_centre z t : In t (cells T) -> in_cell_3 m z t -> small (fun e => all_positive (bary m t (curve z (centre_3 t) e))).
+Proof.
+  intros I W. apply near_inside_3. intro i. rewrite in_bary in W. destruct (W i) as [L|E]; [now left|right]. split; [now symmetry|now apply centre_inside].
+Qed.
+
+Lemma near_outside_3 z g t i : bary m t z i < 0 -> small (fun e => bary m t (curve z g e) i < 0).
+Proof.
+  intro N. apply (small_impl (fun e => 0 < -1 * bary m t (curve z g e) i + 0 * bary m t (curve z g e) i)); [intros; lra|].
+  apply (near_positive (fun x => -1 * bary m t x i + 0 * bary m t x i)); [apply affine_sum; apply bary_affine|left; lra].
+Qed.
+
+Lemma near_regular z g : small (fun e => forall t, In t (cells T) -> forall i, In i corner_list -> bary m t (curve z g e) i <> 0).
+Proof.
+  apply small_all. intros t It. apply small_all. intros i _. apply (near_nonzero (fun x => bary m t x i)); [apply bary_affine|].
+  exists (m (point_of t i)). rewrite bary_corner. destruct (corner_dec i i) as [_|N]; [|now elim N]. generalize (size_pos T m cells_positive t It). lra.
+Qed.
+
+Lemma near_general x z g : (forall t, In t (cells T) -> forall i, In i corner_list -> bary m t x i <> 0) ->
+  small (fun e => forall t, In t (cells T) -> general_position m t x (curve z g e)).
+Proof.
+  intro X. assert (O : small (fun e => forall t, In t (cells T) -> forall i, In i corner_list -> forall j, In j corner_list -> i <> j ->
+    order (bary m t x) (bary m t (curve z g e)) i j <> 0)).
+  { apply small_all. intros t It. apply small_all. intros i Ii. apply small_all. intros j _. destruct (corner_dec i j) as [->|N]; [exists 1; split; [lra|tauto]|].
+    apply (small_impl (fun e => bary m t x i * bary m t (curve z g e) j + - bary m t x j * bary m t (curve z g e) i <> 0)).
+    - intros e _ H _. unfold order, wedge, pair. cbn [fst snd]. intro E. apply H. lra.
+    - apply (near_nonzero (fun y => bary m t x i * bary m t y j + - bary m t x j * bary m t y i)); [apply affine_sum; apply bary_affine|].
+      exists (m (point_of t j)). rewrite !bary_corner. destruct (corner_dec j j) as [_|D]; [|now elim D]. destruct (corner_dec i j) as [D|_]; [contradiction|].
+      rewrite Rmult_0_r, Rplus_0_r. apply Rmult_integral_contrapositive_currified; [now apply X|]. generalize (size_pos T m cells_positive t It). lra. }
+  apply (small_impl _ _) with (2 := small_and _ _ (near_regular z g) O). intros e _ [R S] t It. split; [|split].
+  - intro i. apply X; [exact It|apply in_corners].
+  - intro i. apply R; [exact It|apply in_corners].
+  - intros i j. apply S; [exact It|apply in_corners|apply in_corners].
+Qed.
+
+(* ---- No point twice ---- *)
+
+Lemma inside_one f : all_positive f -> inside_all f = 1.
+Proof. intro P. unfold inside_all, pos. repeat (destruct (Rlt_dec _ _) as [|N]; [|elim N; apply P]). ring. Qed.
+
+Lemma inside_none f i : f i < 0 -> inside_all f = 0.
+Proof. intro N. unfold inside_all. destruct i; [destruct (pos_cases (f o)) as [[_ K]|[-> _]]|destruct (pos_cases (f u)) as [[_ K]|[-> _]]|
+  destruct (pos_cases (f v)) as [[_ K]|[-> _]]|destruct (pos_cases (f w)) as [[_ K]|[-> _]]]; lra. Qed.
+
+Lemma inside_nonneg f : 0 <= inside_all f.
+Proof. unfold inside_all. assert (P : forall x, 0 <= pos x) by (intro x; unfold pos; destruct (Rlt_dec 0 x); lra). repeat apply Rmult_le_pos; apply P. Qed.
+
+(* A point in general position that is in one cell. *)
+Lemma once_generic : exists x, inner T m x /\ sum (fun t => 1 * inside_all (bary m t x)) (cells T) = 1 /\
+  forall t, In t (cells T) -> forall i, In i corner_list -> bary m t x i <> 0.
+Proof.
+  destruct once as (x & t & rest & P & I & N). assert (It : In t (cells T)) by (rewrite P; now left). apply inside_bary in I.
+  assert (S : small (fun e => forall r, In r rest -> exists i, bary m r (curve x x e) i < 0)).
+  { apply small_all. intros r R. destruct (outside_bary x r (N r R)) as (i & B). apply (small_impl (fun e => bary m r (curve x x e) i < 0)); [intros; now exists i|].
+    now apply near_outside_3. }
+  assert (S' := near_inside_3 x x t (fun i => or_introl (I i))).
+  destruct (small_exists _ (small_and _ _ (small_and _ _ S S') (near_regular x x))) as (e & _ & [O J] & R).
+  exists (curve x x e). split; [now apply inside_inner with t|]. split; [|exact R].
+  rewrite (sum_permutation _ _ _ P), sum_cons, (inside_one _ J), (sum_ext _ (fun _ => 0)), sum_zero; [ring|].
+  intros r Ir. destruct (O r Ir) as (i & B). rewrite (inside_none _ i B). ring.
+Qed.
+
+(* Every point in general position to it that is inside the border is in one cell too. *)
+Lemma counted_3 x y : (forall t, In t (cells T) -> general_position m t x y) -> inner T m x -> inner T m y ->
+  sum (fun t => 1 * inside_all (bary m t y)) (cells T) = sum (fun t => 1 * inside_all (bary m t x)) (cells T).
+Proof.
+  intros G X Y. apply Rminus_diag_uniq.
+  rewrite (change_3 T m gluing cells_positive x y (fun _ => 1) G X Y (fun _ _ _ _ => conj eq_refl eq_refl)).
+  rewrite (sum_ext _ (fun _ => 0)); [apply sum_zero|]. intros [[[[a b] c] p] q] _. ring.
+Qed.
+
+Theorem disjoint_3 x t r rest : Permutation (cells T) (t :: rest) -> In r rest -> inside_3 m x t -> ~ in_cell_3 m x r.
+Proof.
+  intros P Ir Ht Hr. apply inside_bary in Ht. destruct once_generic as (y & Y & C & G).
+  assert (It : In t (cells T)) by (rewrite P; now left). assert (Ir' : In r (cells T)) by (rewrite P; now right).
+  destruct (small_exists _ (small_and _ _ (small_and _ _ (near_inside_3 x (centre_3 r) t (fun i => or_introl (Ht i))) (near_centre x r Ir' Hr))
+    (near_general y x (centre_3 r) G))) as (e & _ & [A B] & D).
+  assert (E := counted_3 y _ D Y (inside_inner _ t It A)). rewrite C in E.
+  rewrite (sum_permutation _ _ _ P), sum_cons, (inside_one _ A) in E.
+  assert (0 < sum (fun t => 1 * inside_all (bary m t (curve x (centre_3 r) e))) rest); [|lra].
+  apply sum_pos with r; [intros s _; generalize (inside_nonneg (bary m s (curve x (centre_3 r) e))); lra|exact Ir|]. rewrite (inside_one _ B). lra.
+Qed.
+
+(* ---- Every point ---- *)
+
+Theorem cover_3 x : inner T m x -> exists t, In t (cells T) /\ in_cell_3 m x t.
+Proof.
+  intro X. destruct once_generic as (y & Y & C & G).
+  assert (S : small (fun e => forall t, In t (cells T) -> all_positive (bary m t (curve x x e)) -> in_cell_3 m x t)).
+  { apply small_all. intros t It. destruct (Classical_Prop.classic (in_cell_3 m x t)) as [I|N]; [exists 1; split; [lra|trivial]|].
+    destruct (outside_bary x t N) as (i & B). apply (small_impl (fun e => bary m t (curve x x e) i < 0)); [|now apply near_outside_3].
+    intros e _ L A. generalize (A i). lra. }
+  assert (S' : small (fun e => forall s, In s (outer T) -> 0 < facet_height m s (curve x x e))).
+  { apply small_all. intros s I. apply near_positive; [apply height_affine|left; now apply X]. }
+  destruct (small_exists _ (small_and _ _ (small_and _ _ S S') (near_general y x x G))) as (e & _ & [A B] & D).
+  assert (E := counted_3 y _ D Y B). rewrite C in E.
+  destruct (sum_negative (fun t => -1 * (1 * inside_all (bary m t (curve x x e)))) (cells T)) as (t & It & N); [rewrite sum_scale; lra|].
+  exists t. split; [exact It|]. apply (A t It). destruct (all_or_not (bary m t (curve x x e))) as [[_ P]|[Z _]]; [|exact P|rewrite Z in N; lra].
+  intro i. destruct (D t It) as (_ & K & _). apply K.
 Qed.
 End placed.
