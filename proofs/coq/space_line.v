@@ -13,7 +13,7 @@ Open Scope R_scope.
 
 Definition corner_list := [o; u; v; w].
 Lemma corner_dec (i j : corner) : {i = j} + {i <> j}.
-Proof. decide equality. Qed.
+Proof. decide equality. Defined.
 Lemma in_corners (i : corner) : In i corner_list.
 Proof. destruct i; simpl; tauto. Qed.
 
