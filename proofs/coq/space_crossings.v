@@ -9,23 +9,23 @@ From Annulus Require Import tetrahedron sums small general_position space_line s
 Import ListNotations.
 Open Scope R_scope.
 
-Lemma one_side_turn p q r : one_side q r p = one_side p q r.
+Lemma one_side_turn q p r : one_side p r q = one_side q p r.
 Proof. unfold one_side. repeat match goal with |- context [Rlt_dec ?x ?y] => destruct (Rlt_dec x y) end; lra. Qed.
-Lemma one_side_swap p q r : one_side q p r = one_side p q r.
+Lemma one_side_swap q p r : one_side p q r = one_side q p r.
 Proof. unfold one_side. repeat match goal with |- context [Rlt_dec ?x ?y] => destruct (Rlt_dec x y) end; lra. Qed.
-Lemma one_side_neg p q r : one_side (- p) (- q) (- r) = one_side p q r.
+Lemma one_side_neg q p r : one_side (- q) (- p) (- r) = one_side q p r.
 Proof. unfold one_side. repeat match goal with |- context [Rlt_dec ?x ?y] => destruct (Rlt_dec x y) end; lra. Qed.
-Lemma one_side_scale k p q r : 0 < k -> one_side (k * p) (k * q) (k * r) = one_side p q r.
+Lemma one_side_scale k q p r : 0 < k -> one_side (k * q) (k * p) (k * r) = one_side q p r.
 Proof.
   intro K. assert (P : forall x, (0 < k * x <-> 0 < x) /\ (k * x < 0 <-> x < 0)) by (intro x; repeat split; intro; nra).
-  unfold one_side. generalize (P p) (P q) (P r). intros.
+  unfold one_side. generalize (P q) (P p) (P r). intros.
   repeat match goal with |- context [Rlt_dec ?x ?y] => destruct (Rlt_dec x y) end; try reflexivity; exfalso; tauto.
 Qed.
-Lemma one_side_cases p q r : one_side p q r = 0 \/ one_side p q r = 1.
+Lemma one_side_cases q p r : one_side q p r = 0 \/ one_side q p r = 1.
 Proof. unfold one_side. repeat match goal with |- context [Rlt_dec ?x ?y] => destruct (Rlt_dec x y) end; lra. Qed.
 
-Lemma one_side_turned p q r : one_side p r q = one_side p q r.
-Proof. rewrite (one_side_turn q p r). apply one_side_swap. Qed.
+Lemma one_side_turned q p r : one_side q r p = one_side q p r.
+Proof. rewrite (one_side_turn p q r). apply one_side_swap. Qed.
 
 (* 1/2, -1/2, or 0. *)
 Definition half (x : R) : R := (pos x - pos (- x)) / 2.
@@ -88,7 +88,7 @@ Qed.
 Lemma line_swap x y a b : line x y b a = - line x y a b.
 Proof. unfold line, orient. vector. Qed.
 
-Lemma step_swap_3 x y a b c p q : step_3 x y (b, a, c, q) = - step_3 x y (a, b, c, p).
+Lemma step_swap_3 x y a b c p q : step_3 x y (b, a, c, p) = - step_3 x y (a, b, c, q).
 Proof.
   unfold step_3, facet_height. rewrite !(orient_swap (m a) (m b)), !half_opp, (line_swap x y a b), (line_swap x y c a), (line_swap x y b c).
   rewrite one_side_neg, one_side_turned. ring.
@@ -101,9 +101,9 @@ Lemma hit_line t x y i : 0 < size t -> let '(a, b, c, _) := side_of t i in
   hit (bary t x) (bary t y) i = one_side (line x y a b) (line x y b c) (line x y c a).
 Proof.
   destruct t as [[[a b] c] d]. intro P. unfold size in P.
-  assert (E : forall p q r p' q' r', p' = - (orient (m a) (m b) (m c) (m d) * p) -> q' = - (orient (m a) (m b) (m c) (m d) * q) ->
-    r' = - (orient (m a) (m b) (m c) (m d) * r) -> one_side p' q' r' = one_side p q r)
-    by (intros p q r p' q' r' -> -> ->; rewrite one_side_neg; now apply one_side_scale).
+  assert (E : forall q p r q' p' r', q' = - (orient (m a) (m b) (m c) (m d) * q) -> p' = - (orient (m a) (m b) (m c) (m d) * p) ->
+    r' = - (orient (m a) (m b) (m c) (m d) * r) -> one_side q' p' r' = one_side q p r)
+    by (intros q p r q' p' r' -> -> ->; rewrite one_side_neg; now apply one_side_scale).
   unfold hit, others, order, wedge, pair, bary, facet_height, line.
   destruct i; cbn [side_of fst snd].
   - symmetry. rewrite <- one_side_swap. symmetry. apply E; unfold orient; generalize (m a) (m b) (m c) (m d); clear; vector.
@@ -139,7 +139,7 @@ Qed.
 
 Theorem change_3 x y (f : four -> R) : (forall t, In t (cells T) -> general_position t x y) -> inner x -> inner y -> same_for_cell f ->
   sum (fun t => f t * inside_all (bary t y)) (cells T) - sum (fun t => f t * inside_all (bary t x)) (cells T)
-  = sum (fun k => let '(a, b, c, p, q) := k in step_3 x y (a, b, c, p) * (f (a, b, c, p) - f (b, a, c, q))) (bicells T).
+  = sum (fun k => let '(a, b, c, p, q) := k in step_3 x y (a, b, c, q) * (f (a, b, c, q) - f (b, a, c, p))) (bicells T).
 Proof.
   intros G X Y S. generalize (by_facets T (step_3 x y) f gluing (step_turned x y) S (step_swap_3 x y)).
   rewrite (sum_ext (fun s => step_3 x y s * f s) (fun _ => 0)), sum_zero, Rplus_0_r; [|intros s I; rewrite outer_step; [ring|now apply X|now apply Y]].

@@ -1,18 +1,41 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* From the certificates of space to Delaunay, under the hypotheses of space_embedding.v: docs/theory.md 1.2, the end of the proof.
 
-   - regular_3       heights of vertices that are convex across each bi-cell are convex: no vertex is below a cell
-   - space_delaunay  empty spheres of all bi-cells, ties included: then no vertex is strictly inside any sphere *)
-Require Import Reals Lra Psatz List Permutation.
-From Annulus Require Import empty_spheres tetrahedron sums small general_position space_line space_mesh space_crossings space_embedding.
+   - regular_3              heights of vertices that are convex across each bi-cell are convex: no vertex is below a cell
+   - space_delaunay         empty spheres of all bi-cells, ties included: then no vertex is strictly inside any sphere
+   - space_delaunay_strict  with strict certificates all others are strictly outside *)
+Require Import Reals Lra Psatz List Permutation Arith.
+From Annulus Require bicell.
+From Annulus Require Import tetrahedron sums small general_position space_line space_mesh space_crossings space_embedding.
 Import ListNotations.
 Open Scope R_scope.
 
-Definition locally_delaunay_3 (m : placement_3) (T : mesh_3) : Prop := forall a b c p q, In (a, b, c, p, q) (bicells T) -> forall z r2,
-  sq (m a ⊖ z) = r2 -> sq (m b ⊖ z) = r2 -> sq (m c ⊖ z) = r2 -> sq (m q ⊖ z) = r2 -> r2 <= sq (m p ⊖ z).
+(* The certificate of a bi-cell as the code computes it: bicell.v. *)
+Definition insphere_at (m : placement_3) a b c p q : R := bicell.det (fun k =>
+  match k with bicell.a => m a | bicell.b => m b | bicell.c => m c | bicell.p => m p | bicell.q => m q end).
+
+Definition locally_delaunay_3 (m : placement_3) (T : mesh_3) : Prop :=
+  forall a b c p q, In (a, b, c, p, q) (bicells T) -> 0 <= insphere_at m a b c p q.
 
 Definition delaunay_3 (m : placement_3) (T : mesh_3) : Prop := forall t, In t (cells T) -> exists z r2,
   (forall i, sq (m (point_of t i) ⊖ z) = r2) /\ forall n, is_vertex T n -> r2 <= sq (m n ⊖ z).
+
+(* A positive cell has a sphere. *)
+Lemma circumsphere x : 0 < volume x -> exists z r2, forall k, sq (x k ⊖ z) = r2.
+Proof.
+  intro H. pose (d k := x k ⊖ x o). pose (h := bicell.twice_centre (d u) (d v) (d w)).
+  exists (x o ⊕ / (2 * volume x) ⊙ h), (sq (/ (2 * volume x) ⊙ h)). intro k.
+  assert (E : 2 * (h · d k) = 2 * volume x * sq (d k)).
+  { unfold h, volume, bicell.twice_centre. fold (d u) (d v) (d w). destruct k.
+    - replace (d o) with zero by (unfold d; vector). generalize (d u) (d v) (d w). vector.
+    - generalize (d u) (d v) (d w). vector.
+    - generalize (d u) (d v) (d w). vector.
+    - generalize (d u) (d v) (d w). vector. }
+  replace (x k ⊖ (x o ⊕ / (2 * volume x) ⊙ h)) with (d k ⊖ / (2 * volume x) ⊙ h) by (unfold d; generalize h (/ (2 * volume x)); vector).
+  replace (sq (d k ⊖ / (2 * volume x) ⊙ h)) with (sq (d k) - / (2 * volume x) * (2 * (h · d k)) + sq (/ (2 * volume x) ⊙ h))
+    by (generalize h (d k) (/ (2 * volume x)); vector).
+  rewrite E. field. lra.
+Qed.
 
 Section heights.
 Variables (m : placement_3) (f : nat -> R).
@@ -42,14 +65,14 @@ Proof.
 Qed.
 
 (* Across a bi-cell planes differ by a multiple of the height above its facet. *)
-Lemma planes_apart a b c p q y : 0 < size m (a, b, c, p) -> 0 < size m (b, a, c, q) ->
-  size m (a, b, c, p) * (plane_3 (a, b, c, p) y - plane_3 (b, a, c, q) y)
-  = facet_height m (a, b, c, p) y * (f p - plane_3 (b, a, c, q) (m p)).
+Lemma planes_apart a b c p q y : 0 < size m (a, b, c, q) -> 0 < size m (b, a, c, p) ->
+  size m (a, b, c, q) * (plane_3 (a, b, c, q) y - plane_3 (b, a, c, p) y)
+  = facet_height m (a, b, c, q) y * (f q - plane_3 (b, a, c, p) (m q)).
 Proof.
-  intros P Q. assert (A : affine (fun y => 1 * plane_3 (a, b, c, p) y + -1 * plane_3 (b, a, c, q) y)) by (apply affine_sum; apply plane_affine).
-  generalize (affine_bary m _ (a, b, c, p) y A).
-  generalize (plane_at_corner (a, b, c, p) o P) (plane_at_corner (a, b, c, p) u P) (plane_at_corner (a, b, c, p) v P) (plane_at_corner (a, b, c, p) w P)
-    (plane_at_corner (b, a, c, q) o Q) (plane_at_corner (b, a, c, q) u Q) (plane_at_corner (b, a, c, q) v Q).
+  intros P Q. assert (A : affine (fun y => 1 * plane_3 (a, b, c, q) y + -1 * plane_3 (b, a, c, p) y)) by (apply affine_sum; apply plane_affine).
+  generalize (affine_bary m _ (a, b, c, q) y A).
+  generalize (plane_at_corner (a, b, c, q) o P) (plane_at_corner (a, b, c, q) u P) (plane_at_corner (a, b, c, q) v P) (plane_at_corner (a, b, c, q) w P)
+    (plane_at_corner (b, a, c, p) o Q) (plane_at_corner (b, a, c, p) u Q) (plane_at_corner (b, a, c, p) v Q).
   cbn [point_of]. intros -> -> -> -> -> -> ->. unfold bary at 4. cbn [side_of]. intro E. lra.
 Qed.
 End heights.
@@ -64,7 +87,7 @@ Hypothesis once : exists x t rest, Permutation (cells T) (t :: rest) /\ inside_3
 Lemma size_turned s r : turned s r -> size m r = size m s.
 Proof. intros []; unfold size, orient; vector. Qed.
 
-Lemma size_bicell a b c p q : In (a, b, c, p, q) (bicells T) -> 0 < size m (a, b, c, p) /\ 0 < size m (b, a, c, q).
+Lemma size_bicell a b c p q : In (a, b, c, p, q) (bicells T) -> 0 < size m (a, b, c, q) /\ 0 < size m (b, a, c, p).
 Proof.
   intro I. assert (K : forall s, In s (flat_map shared_sides (bicells T)) -> 0 < size m s).
   { intros s S. destruct (glued_side T gluing s) as (t & i & It & R); [apply in_or_app; now left|]. rewrite (size_turned _ _ R).
@@ -85,10 +108,10 @@ Qed.
 Lemma step_signs x y s : step_3 m x y s = 0 \/ (step_3 m x y s < 0 /\ facet_height m s y <= 0) \/ (0 < step_3 m x y s /\ 0 <= facet_height m s y).
 Proof.
   destruct s as [[[a b] c] d]. cbn [step_3]. destruct (one_side_cases (line m x y a b) (line m x y b c) (line m x y c a)) as [-> | ->]; [left; ring|].
-  unfold half, pos. repeat match goal with |- context [Rlt_dec ?p ?q] => destruct (Rlt_dec p q) end; lra.
+  unfold half, pos. repeat match goal with |- context [Rlt_dec ?q ?p] => destruct (Rlt_dec q p) end; lra.
 Qed.
 
-Theorem regular_3 f : (forall a b c p q, In (a, b, c, p, q) (bicells T) -> plane_3 m f (b, a, c, q) (m p) <= f p) ->
+Theorem regular_3 f : (forall a b c p q, In (a, b, c, p, q) (bicells T) -> plane_3 m f (b, a, c, p) (m q) <= f q) ->
   forall t n, In t (cells T) -> is_vertex T n -> plane_3 m f t (m n) <= f n.
 Proof.
   intros Convex t n It (r & Ir & C). assert (E : exists i, n = point_of r i).
@@ -109,11 +132,11 @@ Proof.
   rewrite (counted_once_3 y r _ Ir Y), (counted_once_3 x t _ It X) in K.
   assert (N : 0 <= plane_3 m f r y - plane_3 m f t y); [|lra]. rewrite K. apply sum_nonneg. intros [[[[a b] c] p] q] I.
   destruct (size_bicell a b c p q I) as [P Q]. assert (D := planes_apart m f a b c p q y P Q). assert (C' := Convex a b c p q I).
-  assert (S := step_signs x y (a, b, c, p)). revert D C' S P. generalize (step_3 m x y (a, b, c, p)) (facet_height m (a, b, c, p) y) (size m (a, b, c, p))
-    (plane_3 m f (a, b, c, p) y - plane_3 m f (b, a, c, q) y) (plane_3 m f (b, a, c, q) (m p)). intros k h V d g D C' S P.
-  apply (Rmult_le_reg_l V); [exact P|]. rewrite Rmult_0_r. replace (V * (k * d)) with (k * (h * (f p - g))) by (rewrite <- D; ring).
+  assert (S := step_signs x y (a, b, c, q)). revert D C' S P. generalize (step_3 m x y (a, b, c, q)) (facet_height m (a, b, c, q) y) (size m (a, b, c, q))
+    (plane_3 m f (a, b, c, q) y - plane_3 m f (b, a, c, p) y) (plane_3 m f (b, a, c, p) (m q)). intros k h V d g D C' S P.
+  apply (Rmult_le_reg_l V); [exact P|]. rewrite Rmult_0_r. replace (V * (k * d)) with (k * (h * (f q - g))) by (rewrite <- D; ring).
   destruct S as [->|[[S H]|[S H]]]; [lra| |repeat apply Rmult_le_pos; lra].
-  replace (k * (h * (f p - g))) with (- k * (- h * (f p - g))) by ring. repeat apply Rmult_le_pos; lra.
+  replace (k * (h * (f q - g))) with (- k * (- h * (f q - g))) by ring. repeat apply Rmult_le_pos; lra.
 Qed.
 
 (* ---- Spheres ---- *)
@@ -131,14 +154,51 @@ Proof.
   unfold lift_3 in *. lra.
 Qed.
 
+Lemma sphere_of t : 0 < size m t -> exists z r2, forall i, sq (m (point_of t i) ⊖ z) = r2.
+Proof. intro P. apply (circumsphere (fun i => m (point_of t i))). now destruct t as [[[a b] c] d]. Qed.
+
+(* The certificate is the height of q above the plane of b, a, c, p, lifted. *)
+Lemma insphere_height a b c p q : 0 < size m (b, a, c, p) ->
+  size m (b, a, c, p) * (lift_3 q - plane_3 m lift_3 (b, a, c, p) (m q)) = insphere_at m a b c p q.
+Proof.
+  intro P. destruct (sphere_of _ P) as (z & r2 & S). change (lift_3 q) with (sq (m q)). rewrite <- (power_lift_3 _ z r2 (m q) P S).
+  unfold insphere_at. rewrite <- (bicell.empty_sphere _ z r2); [|exact (S u)|exact (S o)|exact (S v)|exact (S w)].
+  f_equal. unfold size, orient, bicell.lambda, bicell.lambda_q, bicell.rel. vector.
+Qed.
+
 Theorem space_delaunay : locally_delaunay_3 m T -> delaunay_3 m T.
 Proof.
-  intros L t It. assert (P := size_pos T m cells_positive t It).
-  assert (Sphere : forall s, 0 < size m s -> exists z r2, forall i, sq (m (point_of s i) ⊖ z) = r2).
-  { intros s S. apply (circumsphere (fun i => m (point_of s i))). now destruct s as [[[a b] c] d]. }
-  destruct (Sphere t P) as (z & r2 & S). exists z, r2. split; [exact S|]. intros n N.
-  assert (E := power_lift_3 t z r2 (m n) P S). assert (H : plane_3 m lift_3 t (m n) <= lift_3 n); [|change (lift_3 n) with (sq (m n)) in H; lra].
-  apply regular_3; trivial. intros a b c p q I. destruct (size_bicell a b c p q I) as [_ Q]. destruct (Sphere _ Q) as (y & r & R).
-  assert (F := power_lift_3 _ y r (m p) Q R). generalize (L a b c p q I y r (R u) (R o) (R v) (R w)). change (lift_3 p) with (sq (m p)). lra.
+  intros L t It. assert (P := size_pos T m cells_positive t It). destruct (sphere_of t P) as (z & r2 & S). exists z, r2. split; [exact S|].
+  intros n N. assert (E := power_lift_3 t z r2 (m n) P S).
+  assert (H : plane_3 m lift_3 t (m n) <= lift_3 n); [|change (lift_3 n) with (sq (m n)) in H; lra].
+  apply regular_3; trivial. intros a b c p q I. destruct (size_bicell a b c p q I) as [_ Q].
+  generalize (insphere_height a b c p q Q) (L a b c p q I). intros <- K. apply Rnot_lt_le. intro N'. nra.
+Qed.
+
+(* A vertex that is lowered a little keeps strict certificates. *)
+Definition lowered_3 (n : nat) (e : R) (k : nat) : R := lift_3 k - e * (if Nat.eq_dec k n then 1 else 0).
+
+Lemma plane_lowered n e t y : plane_3 m (lowered_3 n e) t y = plane_3 m lift_3 t y - e * plane_3 m (fun k => if Nat.eq_dec k n then 1 else 0) t y.
+Proof. unfold plane_3, lowered_3, Rdiv. ring. Qed.
+
+Theorem space_delaunay_strict : (forall a b c p q, In (a, b, c, p, q) (bicells T) -> 0 < insphere_at m a b c p q) ->
+  forall t n z r2, In t (cells T) -> is_vertex T n -> (forall i, n <> point_of t i) -> (forall i, sq (m (point_of t i) ⊖ z) = r2) -> r2 < sq (m n ⊖ z).
+Proof.
+  intros L t n z r2 It Vn N S. assert (E := power_lift_3 t z r2 (m n) (size_pos T m cells_positive t It) S).
+  assert (K : small (fun e => forall k, In k (bicells T) -> let '(a, b, c, p, q) := k in plane_3 m (lowered_3 n e) (b, a, c, p) (m q) <= lowered_3 n e q)).
+  { apply small_all. intros [[[[a b] c] p] q] I. destruct (size_bicell a b c p q I) as [_ Q].
+    assert (A : 0 < lift_3 q - plane_3 m lift_3 (b, a, c, p) (m q)).
+    { generalize (insphere_height a b c p q Q) (L a b c p q I). intros <- K. apply (Rmult_lt_reg_l (size m (b, a, c, p))); [exact Q|]. now rewrite Rmult_0_r. }
+    set (k := (if Nat.eq_dec q n then 1 else 0) - plane_3 m (fun k => if Nat.eq_dec k n then 1 else 0) (b, a, c, p) (m q)).
+    apply (small_impl (fun e => 0 < (1 - e) * (lift_3 q - plane_3 m lift_3 (b, a, c, p) (m q)) + e * (lift_3 q - plane_3 m lift_3 (b, a, c, p) (m q) - k)));
+      [|now apply small_positive].
+    intros e _ H. rewrite plane_lowered. unfold lowered_3. unfold k in H. lra. }
+  destruct (small_exists _ K) as (e & Pos & F).
+  assert (H : plane_3 m (lowered_3 n e) t (m n) <= lowered_3 n e n) by (apply regular_3; trivial; intros a b c p q I; apply (F _ I)).
+  rewrite plane_lowered in H. unfold lowered_3 in H. destruct (Nat.eq_dec n n) as [_|D]; [|now elim D].
+  replace (plane_3 m (fun k => if Nat.eq_dec k n then 1 else 0) t (m n)) with 0 in H; [change (lift_3 n) with (sq (m n)) in H; lra|].
+  unfold plane_3. destruct (Nat.eq_dec (point_of t o) n) as [D|_]; [now elim (N o)|]. destruct (Nat.eq_dec (point_of t u) n) as [D|_]; [now elim (N u)|].
+  destruct (Nat.eq_dec (point_of t v) n) as [D|_]; [now elim (N v)|]. destruct (Nat.eq_dec (point_of t w) n) as [D|_]; [now elim (N w)|].
+  unfold Rdiv. ring.
 Qed.
 End placed.

@@ -40,7 +40,7 @@ Proof.
   destruct gluing as (l & F & P). intro I. rewrite <- P in I. clear P. revert I.
   assert (K : forall r, In r (flat_map sides (cells T)) -> exists t i, In t (cells T) /\ r = side_of t i).
   { intros r R. apply in_flat_map in R. destruct R as (t & It & R). destruct (in_sides r t R) as (i & E). now exists t, i. }
-  induction F as [|r q k l H F IH]; [easy|]. intros [<-|I].
+  induction F as [|r p k l H F IH]; [easy|]. intros [<-|I].
   - destruct (K r (or_introl eq_refl)) as (t & i & It & ->). now exists t, i.
   - apply IH; [|exact I]. intros r' R. apply K. now right.
 Qed.
@@ -50,7 +50,7 @@ Definition centre_3 (t : four) : vec := let '(a, b, c, d) := t in / 4 ⊙ (m a �
 Lemma centre_inside t : In t (cells T) -> all_positive (bary m t (centre_3 t)).
 Proof.
   intros I i. generalize (size_pos T m cells_positive t I). destruct t as [[[a b] c] d]. unfold bary, facet_height, size, centre_3.
-  assert (E : forall p q r, orient p q r (/ 4 ⊙ (m a ⊕ m b ⊕ m c ⊕ m d)) = (orient p q r (m a) + orient p q r (m b) + orient p q r (m c) + orient p q r (m d)) / 4).
+  assert (E : forall q p r, orient q p r (/ 4 ⊙ (m a ⊕ m b ⊕ m c ⊕ m d)) = (orient q p r (m a) + orient q p r (m b) + orient q p r (m c) + orient q p r (m d)) / 4).
   { intros. unfold orient. coordinates. field. }
   destruct i; cbn [side_of]; rewrite E; unfold orient; coordinates; lra.
 Qed.

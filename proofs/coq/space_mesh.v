@@ -13,12 +13,12 @@ Open Scope R_scope.
 Definition four : Type := nat * nat * nat * nat.
 
 (* cells      a, b, c, d with a positive volume
-   bicells    a, b, c, p, q for the cells a b c p and b a c q
+   bicells    a, b, c, p, q for the cells a b c q and b a c p
    outer      sides of cells on the border *)
 Record mesh_3 := Mesh_3 { cells : list four; bicells : list (nat * nat * nat * nat * nat); outer : list four }.
 
 Definition sides (t : four) : list four := let '(a, b, c, d) := t in [(b, d, c, a); (a, c, d, b); (a, d, b, c); (a, b, c, d)].
-Definition shared_sides (k : nat * nat * nat * nat * nat) : list four := let '(a, b, c, p, q) := k in [(a, b, c, p); (b, a, c, q)].
+Definition shared_sides (k : nat * nat * nat * nat * nat) : list four := let '(a, b, c, p, q) := k in [(a, b, c, q); (b, a, c, p)].
 
 Inductive turned : four -> four -> Prop :=
   | turned_0 a b c d : turned (a, b, c, d) (a, b, c, d)
@@ -62,9 +62,9 @@ Proof.
 Qed.
 
 Lemma by_facets T (g : four -> R) (w : four -> R) : glued_3 T -> (forall s r, turned s r -> g r = g s) -> same_for_cell w ->
-  (forall a b c p q, g (b, a, c, q) = - g (a, b, c, p)) ->
+  (forall a b c p q, g (b, a, c, p) = - g (a, b, c, q)) ->
   sum (fun t => w t * sum g (sides t)) (cells T)
-  = sum (fun k => let '(a, b, c, p, q) := k in g (a, b, c, p) * (w (a, b, c, p) - w (b, a, c, q))) (bicells T) + sum (fun s => g s * w s) (outer T).
+  = sum (fun k => let '(a, b, c, p, q) := k in g (a, b, c, q) * (w (a, b, c, q) - w (b, a, c, p))) (bicells T) + sum (fun s => g s * w s) (outer T).
 Proof.
   intros (l & F & P) G W S. transitivity (sum (fun s => g s * w s) (flat_map sides (cells T))).
   - rewrite sum_flat_map. apply sum_ext. intros t _. rewrite <- sum_scale. apply sum_ext. intros s I. rewrite (same_for_sides w t s W I). ring.
