@@ -76,5 +76,6 @@ Qed.
 Lemma near_limit f z g : affine f -> small (fun e => 0 <= f (curve z g e)) -> 0 <= f z.
 Proof.
   intros A S. apply Rnot_lt_le. intro N. assert (A' : affine (fun x => -1 * f x + 0 * f x)) by now apply affine_sum.
-  assert (N' : 0 < -1 * f z + 0 * f z) by lra. assert (P := near_positive _ z g A' (or_introl N')). destruct (small_exists _ (small_and _ _ S P)) as (e & _ & H & K). lra.
+  assert (N' : 0 < -1 * f z + 0 * f z) by lra. assert (P := near_positive _ z g A' (or_introl N')).
+  destruct (small_exists _ (small_and _ _ S P)) as (e & _ & H & K). lra.
 Qed.

@@ -17,6 +17,7 @@ Definition certificates (T : mesh) : list certificate_2 :=
   map (fun r => let '(u, v, w) := r in ridge u v w) (ridges (border T)) ++
   map (fun k => let '(a, b, p, q) := k in circle a b p q) (bicells T).
 
+(* What filter_plane.v asks of ties. *)
 Lemma no_fold_local c m m' : (forall v, In v (points_2 c) -> m v = m' v) -> no_fold c m -> no_fold c m'.
 Proof. intro E. destruct c as [|u v w|]; simpl in *; trivial. rewrite <- !E by tauto. trivial. Qed.
 
@@ -52,7 +53,9 @@ Qed.
 Lemma flat_ridge u v w : turning u v w = 0 ->
   (0 < dot (vector u v) (vector v w) <-> (before u v /\ before v w) \/ (before w v /\ before v u)).
 Proof.
-  intro Z. rewrite (same_side (vector u v) (vector v w)), (before_right u v), (before_right v w), (before_left v w), (before_left u v), (and_comm (to_left (vector v w))); [reflexivity|].
+  intro Z.
+  rewrite (same_side (vector u v) (vector v w)), (before_right u v), (before_right v w), (before_left v w), (before_left u v),
+    (and_comm (to_left (vector v w))); [reflexivity|].
   rewrite <- Z. unfold cross, vector, turning, width_2.turn. cbn [fst snd]. ring.
 Qed.
 

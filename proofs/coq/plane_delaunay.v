@@ -34,8 +34,9 @@ Proof.
   assert (Goal : 0 <= plane_through m f (mix e (m v) y) u - plane_through m f (mix e (m v) y) t); [|rewrite !plane_mix in Goal; lra].
   destruct (zero_or_not (vector x (mix e (m v) y))) as [Z|D].
   - replace u with t; [lra|]. apply (same_cell T m gluing cells_positive border_once x); trivial.
-    apply inside_in. replace x with (mix e (m v) y); [exact Hy|]. unfold is_zero, vector in Z. cbn [fst snd] in Z. destruct x as [x1 x2], (mix e (m v) y) as [y1 y2]. cbn [fst snd] in Z. f_equal; lra.
-  - rewrite (planes_change T m gluing cells_positive border_convex border_once f x _ t u D It Iu Hx Hy). apply sum_nonneg. intros [[[a b] p] q] I. destruct (cells_of_bicell T m gluing cells_positive a b p q I) as [Q P].
+    apply inside_in. rewrite <- (same_place _ _ Z). exact Hy.
+  - rewrite (planes_change T m gluing cells_positive border_convex border_once f x _ t u D It Iu Hx Hy). apply sum_nonneg.
+    intros [[[a b] p] q] I. destruct (cells_of_bicell T m gluing cells_positive a b p q I) as [Q P].
     assert (B : 0 <= bend m f a b p q) by (apply Rmult_le_pos; [now apply Convex|]; apply Rlt_le, Rinv_0_lt_compat; now apply Rmult_lt_0_compat).
     generalize (step_cases m x (mix e (m v) y) a b). unfold kept_or_crossed. intros [->|[(-> & H & _)|(-> & H & _)]]; nra.
 Qed.

@@ -15,6 +15,9 @@ Definition is_zero (d : point_2) : Prop := fst d = 0 /\ snd d = 0.
 Lemma zero_or_not d : is_zero d \/ fst d <> 0 \/ snd d <> 0.
 Proof. unfold is_zero. destruct (Req_EM_T (fst d) 0), (Req_EM_T (snd d) 0); tauto. Qed.
 
+Lemma same_place x y : is_zero (vector x y) -> y = x.
+Proof. destruct x, y. unfold is_zero, vector. cbn [fst snd]. intros [H K]. f_equal; lra. Qed.
+
 Lemma turning_weights a b c u v x : turning b c x * turning u v a + turning c a x * turning u v b + turning a b x * turning u v c
   = turning a b c * turning u v x.
 Proof. unfold turning, turn. ring. Qed.
@@ -204,9 +207,10 @@ Lemma cover_strictly x : left_of_border x -> exists t, In t (cells T) /\ in_cell
 Proof.
   intro X. destruct some_cell as (u & Iu). assert (Hu := middle_inside u Iu). set (y := middle u) in *.
   destruct (zero_or_not (vector x y)) as [Z|D].
-  - exists u. split; [exact Iu|]. replace x with y; [now apply inside_in|]. unfold is_zero, vector in Z. simpl in Z. destruct x, y. simpl in Z. f_equal; lra.
+  - exists u. split; [exact Iu|]. rewrite <- (same_place x y Z). now apply inside_in.
   - assert (S := by_steps x y (fun _ => 1) X (inside_left y u Iu Hu) (fun _ _ _ => eq_refl)).
-    cbv beta in S. rewrite (counted_once _ y u (fun _ => 1) D Iu Hu) in S. rewrite (sum_ext (fun k => let '(a, b, p, q) := k in step x y a b * (1 - 1)) (fun _ => 0)), sum_zero in S
+    cbv beta in S. rewrite (counted_once _ y u (fun _ => 1) D Iu Hu) in S.
+    rewrite (sum_ext (fun k => let '(a, b, p, q) := k in step x y a b * (1 - 1)) (fun _ => 0)), sum_zero in S
       by (intros [[[a b] p] q] _; ring).
     destruct (sum_negative (fun t => -1 * (1 * crossings_of m (vector x y) x t)) (cells T)) as (t & It & N); [rewrite sum_scale; lra|].
     exists t. split; [exact It|]. destruct (crossings_count (vector x y) x t It) as ([O|O] & _ & I); [lra|now apply I].

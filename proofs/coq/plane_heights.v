@@ -95,7 +95,7 @@ Proof.
   intros It Iu Ht Hu. set (x := middle m t). set (y := middle m u).
   destruct (zero_or_not (vector x y)) as [Z|D].
   { replace u with t; [apply Rle_refl|]. apply (same_cell T m gluing cells_positive border_once y); trivial.
-    - replace y with x; [now apply middle_inside with T|]. unfold is_zero, vector in Z. simpl in Z. destruct x, y. simpl in Z. f_equal; lra.
+    - rewrite (same_place x y Z). now apply middle_inside with T.
     - apply inside_in. now apply middle_inside with T. }
   set (K := sum (fun k => let '(a, b, p, q) := k in Rabs ((turning (m a) (m b) y - turning (m a) (m b) x) * bend f a b p q)) (bicells T)).
   assert (S : small (fun e => 0 <= (1 - e) * (plane_through m f z t - plane_through m f z u) + e * (plane_through m f y t - plane_through m f y u + K)));
@@ -105,7 +105,8 @@ Proof.
   { rewrite mix_vector. destruct D as [D|D]; [left|right]; (apply Rmult_integral_contrapositive_currified; [lra|exact D]). }
   assert (C := planes_change f (mix e z x) (mix e z y) t u V It Iu).
   rewrite !plane_mix in C. specialize (C ltac:(apply mix_inside with T; trivial; lra) ltac:(apply mix_inside with T; trivial; lra)).
-  assert (Le : sum (fun k => let '(a, b, p, q) := k in step m (mix e z x) (mix e z y) a b * (turning (m a) (m b) (mix e z y) * bend f a b p q)) (bicells T) <= e * K);
+  assert (Le : sum (fun k => let '(a, b, p, q) := k in
+    step m (mix e z x) (mix e z y) a b * (turning (m a) (m b) (mix e z y) * bend f a b p q)) (bicells T) <= e * K);
     [|lra].
   unfold K. rewrite <- sum_scale. apply sum_le. intros [[[a b] p] q] _.
   generalize (step_cases m (mix e z x) (mix e z y) a b). unfold kept_or_crossed. rewrite !turning_mix.

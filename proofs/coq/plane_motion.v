@@ -54,7 +54,8 @@ Lemma ball_convex t p q x r : 0 <= t <= 1 -> dist2 p x < r -> dist2 q x < r -> d
 Proof.
   intros [T0 T1] P Q. assert (E : dist2 (mix t p q) x = (1 - t) * dist2 p x + t * dist2 q x - t * (1 - t) * dist2 p q)
     by (unfold dist2, d2, mix; cbn [fst snd]; ring).
-  assert (0 <= t * (1 - t) * dist2 p q) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra|apply d2_nonneg]). rewrite E. destruct (Rle_dec (dist2 p x) (dist2 q x)); nra.
+  assert (0 <= t * (1 - t) * dist2 p q) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra|apply d2_nonneg]).
+  rewrite E. destruct (Rle_dec (dist2 p x) (dist2 q x)); nra.
 Qed.
 
 Theorem certified_keep m m' l : (forall u v w, In (u, v, w) (ridges l) -> certified_ridge m m' u v w \/ resting_ridge m m' u v w) ->

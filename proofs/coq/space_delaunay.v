@@ -99,7 +99,8 @@ Qed.
 Lemma counted_once_3 x t (f : four -> R) : In t (cells T) -> all_positive (bary m t x) ->
   sum (fun r => f r * inside_all (bary m r x)) (cells T) = f t.
 Proof.
-  intros I P. apply in_split in I. destruct I as (l1 & l2 & E). assert (Q : Permutation (cells T) (t :: l1 ++ l2)) by (rewrite E; symmetry; apply Permutation_middle).
+  intros I P. apply in_split in I. destruct I as (l1 & l2 & E).
+  assert (Q : Permutation (cells T) (t :: l1 ++ l2)) by (rewrite E; symmetry; apply Permutation_middle).
   rewrite (sum_permutation _ _ _ Q), sum_cons, (inside_one _ P), (sum_ext _ (fun _ => 0)), sum_zero; [ring|]. intros r R.
   assert (N := disjoint_3 T m gluing cells_positive border_convex once x t r (l1 ++ l2) Q R). rewrite inside_bary in N.
   destruct (outside_bary m x r (N P)) as (i & B). rewrite (inside_none _ i B). ring.

@@ -50,7 +50,8 @@ Definition centre_3 (t : four) : vec := let '(a, b, c, d) := t in / 4 ⊙ (m a �
 Lemma centre_inside t : In t (cells T) -> all_positive (bary m t (centre_3 t)).
 Proof.
   intros I i. generalize (size_pos T m cells_positive t I). destruct t as [[[a b] c] d]. unfold bary, facet_height, size, centre_3.
-  assert (E : forall q p r, orient q p r (/ 4 ⊙ (m a ⊕ m b ⊕ m c ⊕ m d)) = (orient q p r (m a) + orient q p r (m b) + orient q p r (m c) + orient q p r (m d)) / 4).
+  assert (E : forall q p r, orient q p r (/ 4 ⊙ (m a ⊕ m b ⊕ m c ⊕ m d)) =
+    (orient q p r (m a) + orient q p r (m b) + orient q p r (m c) + orient q p r (m d)) / 4).
   { intros. unfold orient. coordinates. field. }
   destruct i; cbn [side_of]; rewrite E; unfold orient; coordinates; lra.
 Qed.

@@ -121,9 +121,6 @@ End line.
 Lemma order_reversed b c i j : order c b i j = order b c j i.
 Proof. unfold order, wedge, pair. cbn [fst snd]. ring. Qed.
 
-Lemma source_reversed b c i : source c b i <-> sink b c i.
-Proof. unfold source, sink, order, wedge, pair. cbn [fst snd]. split; intros H j D; generalize (H j D); lra. Qed.
-
 Lemma sink_reversed b c i : sink c b i <-> source b c i.
 Proof. unfold source, sink, order, wedge, pair. cbn [fst snd]. split; intros H j D; generalize (H j D); lra. Qed.
 
