@@ -2,7 +2,7 @@
 (* Lemma 1 of docs/theory.md 1.2 in space. Positive cells, glued along their facets; no vertex beyond a border facet; and some point in one cell only.
 
    - disjoint_3   then a point strictly inside a cell is in no other
-   - cover_3      and what is strictly on the inner side of every border facet is in a cell
+   - cover_3      and the cells cover what is on the inner side of every border facet, nothing else
 
    That signs and the winding of the border's silhouette imply the last two of these hypotheses (lemma 3) is proved in docs/theory.md, and not here. *)
 Require Import Reals Lra Psatz List Permutation.
@@ -171,19 +171,32 @@ Qed.
 
 (* ---- Every point ---- *)
 
-Theorem cover_3 x : inner T m x -> exists t, In t (cells T) /\ in_cell_3 m x t.
+Lemma cell_inner x t s : In t (cells T) -> in_cell_3 m x t -> In s (outer T) -> 0 <= facet_height m s x.
+Proof.
+  intros It W S. rewrite in_bary in W. apply (Rmult_le_reg_l (size m t)); [now apply (size_pos T m cells_positive)|].
+  rewrite Rmult_0_r, (affine_bary m _ t x (height_affine m s)).
+  repeat apply Rplus_le_le_0_compat; (apply Rmult_le_pos; [apply W|apply border_convex; [exact S|now apply corner_vertex]]).
+Qed.
+
+Lemma inner_covered x : (forall s, In s (outer T) -> 0 <= facet_height m s x) -> exists t, In t (cells T) /\ in_cell_3 m x t.
 Proof.
   intro X. destruct once_generic as (y & Y & C & G).
-  assert (S : small (fun e => forall t, In t (cells T) -> all_positive (bary m t (curve x x e)) -> in_cell_3 m x t)).
+  assert (Some : exists r, In r (cells T)) by (destruct once as (_ & r & rest & P & _); exists r; rewrite P; now left).
+  destruct Some as (r & Ir). set (g := centre_3 r).
+  assert (S : small (fun e => forall t, In t (cells T) -> all_positive (bary m t (curve x g e)) -> in_cell_3 m x t)).
   { apply small_all. intros t It. destruct (Classical_Prop.classic (in_cell_3 m x t)) as [I|N]; [exists 1; split; [lra|trivial]|].
-    destruct (outside_bary x t N) as (i & B). apply (small_impl (fun e => bary m t (curve x x e) i < 0)); [|now apply near_outside_3].
+    destruct (outside_bary x t N) as (i & B). apply (small_impl (fun e => bary m t (curve x g e) i < 0)); [|now apply near_outside_3].
     intros e _ L A. generalize (A i). lra. }
-  assert (S' : small (fun e => forall s, In s (outer T) -> 0 < facet_height m s (curve x x e))).
-  { apply small_all. intros s I. apply near_positive; [apply height_affine|left; now apply X]. }
-  destruct (small_exists _ (small_and _ _ (small_and _ _ S S') (near_general y x x G))) as (e & _ & [A B] & D).
+  assert (S' : small (fun e => forall s, In s (outer T) -> 0 < facet_height m s (curve x g e))).
+  { apply small_all. intros s I. apply near_positive; [apply height_affine|]. destruct (X s I) as [L|E]; [now left|right].
+    split; [now symmetry|]. now apply (inside_inner g r Ir (centre_inside r Ir)). }
+  destruct (small_exists _ (small_and _ _ (small_and _ _ S S') (near_general y x g G))) as (e & _ & [A B] & D).
   assert (E := counted_3 y _ D Y B). rewrite C in E.
-  destruct (sum_negative (fun t => -1 * (1 * inside_all (bary m t (curve x x e)))) (cells T)) as (t & It & N); [rewrite sum_scale; lra|].
-  exists t. split; [exact It|]. apply (A t It). destruct (all_or_not (bary m t (curve x x e))) as [[_ P]|[Z _]]; [|exact P|rewrite Z in N; lra].
+  destruct (sum_negative (fun t => -1 * (1 * inside_all (bary m t (curve x g e)))) (cells T)) as (t & It & N); [rewrite sum_scale; lra|].
+  exists t. split; [exact It|]. apply (A t It). destruct (all_or_not (bary m t (curve x g e))) as [[_ P]|[Z _]]; [|exact P|rewrite Z in N; lra].
   intro i. destruct (D t It) as (_ & K & _). apply K.
 Qed.
+
+Theorem cover_3 x : (exists t, In t (cells T) /\ in_cell_3 m x t) <-> forall s, In s (outer T) -> 0 <= facet_height m s x.
+Proof. split; [intros (t & It & W) s S; now apply cell_inner with t | apply inner_covered]. Qed.
 End placed.
