@@ -9,7 +9,7 @@
    Vertices are numbers. A cell is written with its least vertex first, so that the circle of a facet can name its two cells. Where a determinant is 0 the
    certificate may hold by a rule (degenerate.h: the perturbation, a border that does not fold back): `tie`, any statement about the points. *)
 Require Import Reals Lra Psatz ZArith Rgeom List Bool Arith.
-From Annulus Require Import float_model float_displacement float_sums width_2 sign_tolerance_2 high_word filter_doubles.
+From Annulus Require Import points_2 float_model float_displacement float_sums width_2 sign_tolerance_2 high_word filter_doubles.
 From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run.
 Import ListNotations.
 Open Scope R_scope.
@@ -18,9 +18,6 @@ Inductive certificate_2 := cell (a b c : nat) | ridge (a b c : nat) | circle (a 
 
 Definition points_2 (c : certificate_2) : list nat :=
   match c with cell a b c | ridge a b c => [a; b; c] | circle a b p q => [a; b; p; q] end.
-Definition turn_at (m : nat -> point_2) a b c : R := turn (fst (m a)) (snd (m a)) (fst (m b)) (snd (m b)) (fst (m c)) (snd (m c)).
-Definition incircle_at (m : nat -> point_2) a b p q : R :=
-  incircle (fst (m a)) (snd (m a)) (fst (m b)) (snd (m b)) (fst (m p)) (snd (m p)) (fst (m q)) (snd (m q)).
 Definition least_first a b c : certificate_2 :=
   if ((a <=? b) && (a <=? c))%nat then cell a b c else if ((b <=? a) && (b <=? c))%nat then cell b c a else cell c a b.
 Definition counts_on_2 (d c : certificate_2) : Prop :=
@@ -114,7 +111,7 @@ Qed.
 
 Lemma cell_of_circle a b c m : holds_2 (least_first a b c) m -> 0 < turn_at m a b c.
 Proof.
-  unfold least_first. destruct (_ && _)%bool; [trivial|]. destruct (_ && _)%bool; simpl; unfold turn_at, turn; lra.
+  unfold least_first. destruct (_ && _)%bool; [trivial|]. destruct (_ && _)%bool; simpl; unfold turn_at, turning, turn; lra.
 Qed.
 
 (* ---- What the ladder answers ---- *)
