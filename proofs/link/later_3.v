@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Rows of the later stages in space: both are judged by the truth; the interval stage is not replayed. *)
 From Coq Require Import List Floats Bool String.
-From Annulus_link Require Import operations filter_2 filter_3 replay_2 replay_3 truth_3.
+From Annulus Require Import operations filter_2 filter_3.
+From Annulus_link Require Import replay_2 replay_3 truth_3.
 Import ListNotations.
 
 Inductive empty_sphere_3_later :=

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Rows that the compiled C++ prints (vectors.cpp), and what it means that the model has the same bits. *)
 From Coq Require Import List Floats Bool NArith.
-From Annulus_link Require Import operations filter_2.
+From Annulus Require Import operations filter_2.
 Import ListNotations.
 
 (* The same bits; NaNs are one. +0 and -0 differ. *)

@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* As replay_2.v, in space. *)
 From Coq Require Import List Floats Bool.
-From Annulus_link Require Import operations filter_2 filter_3 replay_2.
+From Annulus Require Import operations filter_2 filter_3.
+From Annulus_link Require Import replay_2.
 Import ListNotations.
 
 (* Points; determinant, inner, outer, m, bounds of determinant and norms, twice the root; answers with certified tolerances, without,

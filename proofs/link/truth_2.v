@@ -4,7 +4,8 @@
 From Coq Require Import Reals ZArith List Bool Lra Psatz.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
-From Annulus_link Require Import operations filter_2 truth.
+From Annulus Require Import operations filter_2.
+From Annulus_link Require Import truth.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.

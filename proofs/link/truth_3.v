@@ -5,7 +5,8 @@
 From Coq Require Import Reals ZArith List Bool Lra.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
-From Annulus_link Require Import operations filter_2 filter_3 truth truth_2.
+From Annulus Require Import operations filter_2 filter_3.
+From Annulus_link Require Import truth truth_2.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.

@@ -5,7 +5,7 @@
 From Coq Require Import Reals ZArith Lia Lra.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
-From Annulus_link Require Import operations.
+From Annulus Require Import operations.
 Close Scope float_scope.
 Open Scope R_scope.
 
@@ -79,6 +79,12 @@ Proof.
   unfold stands, finite, value. rewrite sub_equiv. split; [exact F|split; [exact V|]]. apply rnd_bound; [lia|exact B].
 Qed.
 
+Lemma stands_add_same : forall a f g r s, (-1074 <= a + 1 < 1024)%Z -> stands a f r -> stands a g s -> stands (a + 1) (f + g)%float (rnd (r + s)).
+Proof. intros a f g r s H F G. rewrite <- (Z.max_id a) at 1. apply stands_add; rewrite ?Z.max_id; assumption. Qed.
+
+Lemma stands_sub_same : forall a f g r s, (-1074 <= a + 1 < 1024)%Z -> stands a f r -> stands a g s -> stands (a + 1) (f - g)%float (rnd (r - s)).
+Proof. intros a f g r s H F G. rewrite <- (Z.max_id a) at 1. apply stands_sub; rewrite ?Z.max_id; assumption. Qed.
+
 Lemma stands_mul : forall a b f g r s, (-1074 <= a + b < 1024)%Z ->
   stands a f r -> stands b g s -> stands (a + b) (f * g)%float (rnd (r * s)).
 Proof.
@@ -145,6 +151,9 @@ Proof.
   intros a b f g r s F G. simpl. rewrite (stands_ltb _ _ _ _ _ _ F G).
   case Rlt_bool; [apply stands_wider with b|apply stands_wider with a]; trivial; lia.
 Qed.
+
+Lemma stands_max_same : forall a f g r s, stands a f r -> stands a g s -> stands a (greater machine f g) (greater rounded r s).
+Proof. intros a f g r s F G. rewrite <- (Z.max_id a). now apply stands_max. Qed.
 
 Lemma max_ge_l : forall r s, r <= greater rounded r s.
 Proof. intros r s. simpl. case Rlt_bool_spec; lra. Qed.

@@ -2,7 +2,7 @@
 (* The filter stage in space, operation by operation: src/annulus/certificate/width_terms_3.h, decide.h and ladder_3.h, with the names
    there. *)
 From Coq Require Import List Floats Bool.
-From Annulus_link Require Import operations filter_2.
+From Annulus Require Import operations filter_2.
 Import ListNotations.
 
 (* bounds.h. *)

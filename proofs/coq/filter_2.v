@@ -2,7 +2,7 @@
 (* The filter stage in the plane, operation by operation: src/annulus/certificate/width_terms.h, decide.h and ladder_2.h, with the
    names there. Over any number type of operations.v. Where C++ selects without a branch there is one here. *)
 From Coq Require Import List Floats Bool.
-From Annulus_link Require Import operations.
+From Annulus Require Import operations.
 Import ListNotations.
 
 (* bounds.h. *)
