@@ -304,9 +304,6 @@ End powers.
 
 (* ---- Answers ---- *)
 
-Lemma less_of_values : forall f g, finite f = true -> finite g = true -> (f <? g)%float = Rlt_bool (value f) (value g).
-Proof. intros f g F G. rewrite ltb_equiv. now apply Bltb_correct. Qed.
-
 Lemma both_stands : forall needed l r l' r', stands_answer l l' -> stands_answer r r' ->
   stands_answer (both machine needed l r) (both rounded needed l' r').
 Proof.

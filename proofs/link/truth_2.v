@@ -11,9 +11,6 @@ Close Scope float_scope.
 Open Scope R_scope.
 
 (* Exact arithmetic. *)
-Definition reals : operations := {|
-  number := R; add := Rplus; sub := Rminus; mul := Rmult; div := Rdiv; root := R_sqrt.sqrt; square x := x * x;
-  opposite := Ropp; magnitude := Rabs; greater := Rmax; less := Rlt_bool; less_equal := Rle_bool; constant := value |}.
 Definition integers : operations := {|
   number := Z; add := Z.add; sub := Z.sub; mul := Z.mul; square x := (x * x)%Z; greater := Z.max;
   div a _ := a; root a := a; opposite := Z.opp; magnitude := Z.abs; less := Z.ltb; less_equal := Z.leb;
