@@ -76,6 +76,9 @@ Lemma constants_signs_2 :
   float_error.error_below [] E_outside 4 (13 * float_error.one) (13 * float_error.one) (256 * float_filter.half_u) = false.
 Proof. repeat split; vm_compute; reflexivity. Qed.
 
+Local Strategy expand [float_error.fadd float_error.fsub float_error.fmul float_model.rnd].
+Local Strategy opaque [Generic_fmt.round].
+
 Section errors.
 Variable m : R.
 Hypothesis M : power (-120) <= m.
