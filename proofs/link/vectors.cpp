@@ -150,6 +150,7 @@ int run(std::string_view kind, std::size_t count) {
     else if (kind == "named_2") named_rows<Empty_sphere_2>("Named_2", named_2);
     else if (kind == "orientation_3") filter_rows<Orientation_3>("Filter_orientation_3", count);
     else if (kind == "empty_sphere_3") filter_rows<Empty_sphere_3>("Filter_empty_sphere_3", count);
+    else if (kind == "orientation_3_later") later_rows<Orientation_3>("Later_orientation_3", count);
     else if (kind == "empty_sphere_3_later") later_rows<Empty_sphere_3>("Later_empty_sphere_3", count);
     else if (kind == "named_3") named_rows<Empty_sphere_3>("Named_3", named_3);
     else if (kind == "prepared_2") prepared_2(count);
