@@ -178,12 +178,14 @@ Proof. unfold bicell_magnitude. rewrite !greater_Rmax, !largest_3_is. reflexivit
 Lemma sides_are : side _ (ab_cpq _ t) = T.l2 f /\ side _ (ca_bpq _ t) = T.l3 f /\ side _ (bc_apq _ t) = T.minus_l4 f.
 Proof. destruct (rounded_terms_are vb vc vp vq) as (_ & _ & (_ & _ & S2) & (_ & _ & S3) & (_ & _ & S4) & _). auto. Qed.
 
-Lemma backward_of : forall (k : partition rounded) (h : T.bicell R -> R), side rounded k = h f -> backward rounded m k = S.is_backward a b c p q h.
+Lemma backward_of : forall (k : partition rounded) (h : T.bicell R -> R), side rounded k = h f ->
+  backward rounded m k = S.is_backward a b c p q h.
 Proof.
   intros part h E. unfold backward, S.is_backward. rewrite side_error_is, E. change (less rounded) with Rlt_bool. rewrite less_dec.
   fold m f. now destruct (Rlt_dec _ (h f)).
 Qed.
-Lemma certainly_backward_of : forall (k : partition rounded) (h : T.bicell R -> R), side rounded k = h f -> certainly_backward rounded m k = S.certainly_backward a b c p q h.
+Lemma certainly_backward_of : forall (k : partition rounded) (h : T.bicell R -> R), side rounded k = h f ->
+  certainly_backward rounded m k = S.certainly_backward a b c p q h.
 Proof.
   intros part h E. unfold certainly_backward, S.certainly_backward. rewrite side_error_is, E.
   change (less rounded) with Rlt_bool. rewrite less_dec.

@@ -9,7 +9,7 @@ From Coq Require Import Reals ZArith Lia Lra Bool List.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
 From Annulus Require float_model float_error float_filter float_signs width_2.
-From Annulus Require Import operations bridge bridge_decide filter_2 bridge_2 connect connect_2.
+From Annulus Require Import operations bridge bridge_decide filter_2 bridge_2 connect connect_2 returned_2.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.
@@ -127,22 +127,18 @@ End errors.
 
 (* ---- Signs ---- *)
 
-Definition at_pair (v : vector machine) : R * R := (value (x _ v), value (y _ v)).
-Definition coordinates_of (v : vector machine) : Prop := coordinate (x _ v) /\ coordinate (y _ v).
-Definition turn_of (a b c : R * R) : R := width_2.turn (fst a) (snd a) (fst b) (snd b) (fst c) (snd c).
+Definition turn_2 (a b c : R * R) : R := width_2.turn (fst a) (snd a) (fst b) (snd b) (fst c) (snd c).
 (* Positive where p is outside of the circle through a, b, c. *)
-Definition beyond (a b c p : R * R) : R := width_2.incircle (fst a) (snd a) (fst b) (snd b) (fst p) (snd p) (fst c) (snd c).
+Definition beyond_2 (a b c p : R * R) : R := width_2.incircle (fst a) (snd a) (fst b) (snd b) (fst p) (snd p) (fst c) (snd c).
 
 Section circle.
 Variables a b c : vector machine.
-Hypothesis domain : coordinates_of a /\ coordinates_of b /\ coordinates_of c.
+Hypothesis domain : coordinates_2 a /\ coordinates_2 b /\ coordinates_2 c.
 Let k := circumcircle_of machine a b c.
-Let point (v : vector machine) : vector rounded := real (fst (at_pair v)) (snd (at_pair v)).
+Let point (v : vector machine) : vector rounded := real (fst (at_2 v)) (snd (at_2 v)).
 Let k' := circumcircle_of rounded (point a) (point b) (point c).
 
-Lemma point_stands : forall v, coordinates_of v -> in_domain v (point v).
-Proof. intros v [A B]. split; now apply coordinate_stands. Qed.
-Lemma point_format : forall v, float_model.F (fst (at_pair v)) /\ float_model.F (snd (at_pair v)).
+Lemma point_format : forall v, float_model.F (fst (at_2 v)) /\ float_model.F (snd (at_2 v)).
 Proof. intro v. split; apply value_format. Qed.
 
 Lemma largest_format : forall v w, float_model.F (largest rounded (difference rounded (point v) (point w))).
@@ -150,9 +146,10 @@ Proof. intros. unfold largest. rewrite greater_Rmax. apply float_model.F_max; ap
 
 Lemma extent_stands : stands 501 (extent _ k) (extent _ k') /\ float_model.F (extent _ k').
 Proof.
-  destruct domain as (A & B & C). apply point_stands in A, B, C. split.
+  destruct domain as (A & B & C). apply at_domain_2 in A, B, C. split.
   - apply (stands_max_same 501); apply stands_largest; now apply rounded_difference.
-  - change (float_model.F (greater rounded (largest rounded (difference rounded (point b) (point a))) (largest rounded (difference rounded (point c) (point a))))).
+  - change (float_model.F (greater rounded (largest rounded (difference rounded (point b) (point a)))
+      (largest rounded (difference rounded (point c) (point a))))).
     rewrite greater_Rmax. apply float_model.F_max; apply largest_format.
 Qed.
 
@@ -176,11 +173,11 @@ Lemma sides_stand : extent _ k' <= power 120 ->
   stands_vector 120 (difference machine b a) (difference rounded (point b) (point a)) /\
   stands_vector 120 (difference machine c a) (difference rounded (point c) (point a)).
 Proof.
-  intro H. destruct domain as (A & B & C). apply point_stands in A, B, C.
+  intro H. destruct domain as (A & B & C). apply at_domain_2 in A, B, C.
   split; (eapply tighter_vector; [now apply rounded_difference|]); (eapply Rle_trans; [|exact H]); [apply max_ge_l|apply max_ge_r].
 Qed.
 
-Theorem positive_2 : circle_positive machine k = true -> 0 < turn_of (at_pair a) (at_pair b) (at_pair c).
+Theorem positive_2 : circle_positive machine k = true -> 0 < turn_2 (at_2 a) (at_2 b) (at_2 c).
 Proof.
   intro H. destruct (positive_extent H) as [Low High]. apply andb_prop in H. destruct H as [H _].
   destruct (sides_stand High) as [U V]. destruct extent_stands as [E F].
@@ -193,14 +190,14 @@ Proof.
   change (less machine) with PrimFloat.ltb in H. rewrite (stands_ltb _ _ _ _ _ _ Er Ar), orientation_error_is in H.
   revert H. case Rlt_bool_spec; [|easy]. intros H _. revert H.
   apply (float_signs.sign_certain 9 17 (extent _ k') _ 2); try assumption; try lia; [now apply float_filter.power_2_range_6|].
-  exact (area_near _ Low (at_pair a) (at_pair b) (at_pair c) (at_pair b)
+  exact (area_near _ Low (at_2 a) (at_2 b) (at_2 c) (at_2 b)
     ltac:(float_filter.each; apply point_format) (conj (max_ge_l _ _) (conj (max_ge_r _ _) (max_ge_l _ _)))).
 Qed.
 
 (* A point, with a bound of its coordinates and the triangle's. *)
 Section point.
 Variables (p : vector machine) (m : float) (m' : R).
-Hypothesis domain_p : coordinates_of p.
+Hypothesis domain_p : coordinates_2 p.
 Hypothesis M : stands 501 m m'.
 Hypothesis Low : power (-120) <= m'.
 Hypothesis High : m' <= power 120.
@@ -209,33 +206,33 @@ Hypothesis small : extent _ k' <= m' /\ largest rounded (difference rounded (poi
 Lemma beyond_stands : stands 484 (outside_of machine k p) (outside_of rounded k' (point p)).
 Proof.
   destruct small as [Sk Sp]. destruct (sides_stand (Rle_trans _ _ _ Sk High)) as [U V]. apply outside_stands; try assumption.
-  eapply tighter_vector; [apply rounded_difference; apply point_stands; [exact domain_p|apply domain]|].
+  eapply tighter_vector; [apply rounded_difference; apply at_domain_2; [exact domain_p|apply domain]|].
   exact (Rle_trans _ _ _ Sp High).
 Qed.
 
 Lemma beyond_certain :
-  ((circle_error machine m <? outside_of machine k p)%float = true -> 0 < beyond (at_pair a) (at_pair b) (at_pair c) (at_pair p)) /\
-  ((circle_error machine m <? - outside_of machine k p)%float = true -> beyond (at_pair a) (at_pair b) (at_pair c) (at_pair p) < 0).
+  ((circle_error machine m <? outside_of machine k p)%float = true -> 0 < beyond_2 (at_2 a) (at_2 b) (at_2 c) (at_2 p)) /\
+  ((circle_error machine m <? - outside_of machine k p)%float = true -> beyond_2 (at_2 a) (at_2 b) (at_2 c) (at_2 p) < 0).
 Proof.
   assert (O := beyond_stands). assert (E := circle_error_stands m m' M Low High). destruct small as [Sk Sp].
   rewrite (stands_ltb _ _ _ _ _ _ E O), (stands_ltb _ _ _ _ _ _ E (stands_opp _ _ _ O)), circle_error_is.
   destruct (float_signs.sign_certain 129 257 m' (float_filter.power_4 m') 4 (outside_of rounded k' (point p))
-    (beyond (at_pair a) (at_pair b) (at_pair c) (at_pair p))) as [P N]; try assumption; try lia.
+    (beyond_2 (at_2 a) (at_2 b) (at_2 c) (at_2 p))) as [P N]; try assumption; try lia.
   - apply (float_filter.widen m' Low _ _ 4 4); try lra. now apply float_filter.power_4_range.
-  - exact (outside_near m' Low (at_pair a) (at_pair b) (at_pair c) (at_pair p) ltac:(float_filter.each; apply point_format)
+  - exact (outside_near m' Low (at_2 a) (at_2 b) (at_2 c) (at_2 p) ltac:(float_filter.each; apply point_format)
       (conj (Rle_trans _ _ _ (max_ge_l _ _) Sk) (conj (Rle_trans _ _ _ (max_ge_r _ _) Sk) Sp))).
   - split; (case Rlt_bool_spec; [|easy]); auto.
 Qed.
 End point.
 
 (* m of some points: raised one by one. *)
-Lemma raised_stands : forall ps m m', (forall p, In p ps -> coordinates_of p) -> stands 501 m m' ->
+Lemma raised_stands : forall ps m m', (forall p, In p ps -> coordinates_2 p) -> stands 501 m m' ->
   let M := fold_left (raised machine k) ps m in let M' := fold_left (raised rounded k') (map point ps) m' in
   stands 501 M M' /\ m' <= M' /\ forall p, In p ps -> largest rounded (difference rounded (point p) (point a)) <= M'.
 Proof.
   induction ps as [|p ps IH]; intros m m' D H; [split; [exact H|]; split; [apply Rle_refl|easy]|].
   assert (H' : stands 501 (raised machine k m p) (raised rounded k' m' (point p))).
-  { apply (stands_max_same 501); [exact H|]. apply stands_largest, rounded_difference; apply point_stands; [apply D; now left|apply domain]. }
+  { apply (stands_max_same 501); [exact H|]. apply stands_largest, rounded_difference; apply at_domain_2; [apply D; now left|apply domain]. }
   destruct (IH _ _ (fun q I => D q (or_intror I)) H') as (S & L & A). cbn [fold_left map]. split; [exact S|].
   split; [exact (Rle_trans _ _ _ (max_ge_l _ _) L)|]. intros q [<- | I]; [exact (Rle_trans _ _ _ (max_ge_r _ _) L)|now apply A].
 Qed.
@@ -247,9 +244,9 @@ Proof.
   rewrite (stands_leb _ _ _ _ _ _ H C), v_range in L. revert L. now case Rle_bool_spec.
 Qed.
 
-Theorem sides_of_circle_2 : forall p, coordinates_of p -> circle_positive machine k = true ->
-  (excludes machine k p = true -> 0 < beyond (at_pair a) (at_pair b) (at_pair c) (at_pair p)) /\
-  (contains machine k p = true -> beyond (at_pair a) (at_pair b) (at_pair c) (at_pair p) < 0).
+Theorem sides_of_circle_2 : forall p, coordinates_2 p -> circle_positive machine k = true ->
+  (excludes machine k p = true -> 0 < beyond_2 (at_2 a) (at_2 b) (at_2 c) (at_2 p)) /\
+  (contains machine k p = true -> beyond_2 (at_2 a) (at_2 b) (at_2 c) (at_2 p) < 0).
 Proof.
   intros p D P. destruct (positive_extent P) as [Low _]. destruct extent_stands as [E _].
   destruct (raised_stands [p] _ _ ltac:(now intros q [<- | []]) E) as (S & L & A). specialize (A p (or_introl eq_refl)). cbn [fold_left map] in S, L, A.
@@ -257,8 +254,8 @@ Proof.
     destruct (beyond_certain p _ _ D S (Rle_trans _ _ _ Low L) R (conj L A)) as [B C]; [exact (B H)|exact (C H)].
 Qed.
 
-Theorem excludes_all_2 : forall ps, (forall p, In p ps -> coordinates_of p) -> excludes_all machine k ps = true ->
-  0 < turn_of (at_pair a) (at_pair b) (at_pair c) /\ forall p, In p ps -> 0 < beyond (at_pair a) (at_pair b) (at_pair c) (at_pair p).
+Theorem excludes_all_2 : forall ps, (forall p, In p ps -> coordinates_2 p) -> excludes_all machine k ps = true ->
+  0 < turn_2 (at_2 a) (at_2 b) (at_2 c) /\ forall p, In p ps -> 0 < beyond_2 (at_2 a) (at_2 b) (at_2 c) (at_2 p).
 Proof.
   intros ps D H. apply andb_prop in H. destruct H as [H P]. split; [now apply positive_2|].
   destruct (positive_extent P) as [Low _]. destruct extent_stands as [E _]. destruct (raised_stands ps _ _ D E) as (S & L & A).

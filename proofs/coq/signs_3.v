@@ -31,7 +31,10 @@ Hypothesis Hv : stands_vector_3 100 v v'.
 Hypothesis Ht : stands_vector_3 100 t t'.
 
 Lemma volume_stands : stands 303 (six_volume _ (circumsphere_from machine a u v t)) (six_volume _ (circumsphere_from rounded a' u' v' t')).
-Proof. exact (stands_dot 201 100 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) (vector_cross 100 100 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) Hu Hv) Ht). Qed.
+Proof.
+  exact (stands_dot 201 100 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia)
+    (vector_cross 100 100 _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) Hu Hv) Ht).
+Qed.
 
 Lemma normal_stands : stands_vector_3 405 (normal_3 _ (circumsphere_from machine a u v t)) (normal_3 _ (circumsphere_from rounded a' u' v' t')).
 Proof.
@@ -50,7 +53,8 @@ Proof.
 Qed.
 
 Hypothesis Hw : stands_vector_3 100 w w'.
-Lemma outside_stands_3 : stands 508 (outside_from_3 machine (circumsphere_from machine a u v t) w) (outside_from_3 rounded (circumsphere_from rounded a' u' v' t') w').
+Lemma outside_stands_3 : stands 508 (outside_from_3 machine (circumsphere_from machine a u v t) w)
+  (outside_from_3 rounded (circumsphere_from rounded a' u' v' t') w').
 Proof.
   destruct (stands_square_3 100 _ _ ltac:(lia) Hw) as [ww _]. apply (stands_sub_same 507); [lia| |].
   - apply stands_wider with (202 + 303)%Z; [lia|]. apply stands_mul; [lia|exact ww|exact volume_stands].
