@@ -10,7 +10,7 @@ From Coq Require Import Reals ZArith Lra.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
 From Annulus Require float_certifies_3 float_filter float_sphere_3.
-From Annulus Require Import operations bridge bridge_decide filter_2 filter_3 bridge_3 connect connect_3.
+From Annulus Require Import operations bridge bridge_decide filter_2 filter_3 bridge_terms_3 bridge_3 connect connect_3.
 From Annulus Require Import vectors bicell tetrahedron sign_tolerance_3.
 Close Scope float_scope.
 Open Scope R_scope.

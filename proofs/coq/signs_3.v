@@ -8,7 +8,7 @@ From Coq Require Import Reals ZArith Lia Lra Bool List.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
 From Annulus Require float_model float_error float_filter float_signs vectors bicell float_certifies_3.
-From Annulus Require Import operations bridge bridge_decide filter_2 filter_3 bridge_3 connect connect_3 returned_3.
+From Annulus Require Import operations bridge bridge_decide filter_2 filter_3 bridge_terms_3 bridge_3 connect connect_3 returned_3.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.
