@@ -98,14 +98,14 @@ TEST_CASE("LAMMPS: a periodic box is announced, not obeyed", "[io][lammps]") {
 }
 
 TEST_CASE("LAMMPS: frames without atoms are frames", "[io][lammps]") {
-    const std::string none =
+    const std::string empty =
         "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n0\nITEM: BOX BOUNDS " + upright + "ITEM: ATOMS id x y z\n";
-    const Recorded_motion motion = accept(none + frame("8", upright, "id x y", "1 0 0", "2 1 1") + none);
+    const Recorded_motion motion = accept(empty + frame("8", upright, "id x y", "1 0 0", "2 1 1") + empty);
     REQUIRE(motion.frames.size() == 3);
     CHECK(motion.frames[0].id.empty());
     CHECK(motion.frames[1].id.size() == 2);
     CHECK(motion.frames[2].id.empty());
-    refuse(none, 1, "has no points in any frame");
+    refuse(empty, 1, "has no points in any frame");
 }
 
 TEST_CASE("LAMMPS: what is no dump is refused at its line", "[io][lammps]") {

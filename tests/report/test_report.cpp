@@ -263,7 +263,7 @@ TEST_CASE("numbers for people do not follow the locale of the host", "[io][repor
 }
 
 TEST_CASE("A film never has more than its most pictures, the first and the last among them", "[report]") {
-    for (const std::uint64_t frames : {1, 2, 39, 40, 41, 80, 81, 1000}) {
+    for (const std::uint64_t frames : {1u, 2u, 39u, 40u, 41u, 80u, 81u, 1000u}) {
         Film film;
         std::uint64_t asked = 0;
         for (std::uint64_t i = 0; i < frames; ++i) {
