@@ -26,8 +26,15 @@ Definition least_first a b c : certificate_2 :=
 Definition counts_on_2 (d c : certificate_2) : Prop :=
   match c with circle a b p q => d = least_first a b q \/ d = least_first b a p | _ => False end.
 
-Lemma same_point : forall p q : point_2, {p = q} + {p <> q}.
-Proof. intros [a b] [c d]. destruct (Req_EM_T a c) as [->|N]; [destruct (Req_EM_T b d) as [->|N]; [now left|]|]; right; congruence. Qed.
+Definition same_point (p q : point_2) : bool := if Req_EM_T (fst p) (fst q) then if Req_EM_T (snd p) (snd q) then true else false else false.
+Lemma same_point_right p q : same_point p q = true -> p = q.
+Proof.
+  destruct p as [a b], q as [c d]. unfold same_point. simpl. destruct (Req_EM_T a c) as [->|]; [|discriminate].
+  now destruct (Req_EM_T b d) as [->|].
+Qed.
+Definition overdue_real (e : Z) (b : R) : bool := if Rlt_dec (value e) b then true else false.
+Lemma overdue_real_right e b : overdue_real e b = true <-> value e < b.
+Proof. unfold overdue_real. destruct (Rlt_dec _ _); split; easy. Qed.
 
 Lemma counts_on_2_wf : well_founded counts_on_2.
 Proof.
@@ -82,8 +89,9 @@ Qed.
   inside := fun c v => match c with circle a b _ _ => (v =? a)%nat || (v =? b)%nat | _ => false end;
   algorithm_filter.capacity := capacity; algorithm_filter.stamps := stamps; algorithm_filter.worn := worn;
   algorithm_filter.chosen := chosen; around := around_2;
-  valid := valid_2; number := F; reading_of := reading_2; below := below_2; threshold := filter_doubles.threshold;
-  sum_lower := float_sums.sum_lower; less := filter_doubles.less |}.
+  num := R; real := fun b => b; zero := 0; valid := valid_2; number := F; reading_of := reading_2; below := below_2; threshold := filter_doubles.threshold;
+  sum_lower := float_sums.sum_lower; less := filter_doubles.less;
+  half := lower; overdue := overdue_real |}.
 
 #[local] Instance plane_laws : laws.
 Proof.
@@ -96,7 +104,11 @@ Proof.
   - exact stamps_pos.
   - intros m v i c. exact (around_2_all m v i c).
   - exact around_2_ids.
+  - exact same_point_right.
+  - reflexivity.
   - exact F_0.
+  - reflexivity.
+  - exact overdue_real_right.
   - exact reading_above_2.
   - exact threshold_below_2.
   - exact sum_lower_down.
@@ -241,7 +253,7 @@ Proof.
   - assert (W : sound c x (fun _ => 0)).
     { intros m M _. apply (holds_2_local c x); [|exact H]. intros v V.
       destruct (near_moved _ _ _ _ (M v V)) as [K|[K _]]; [generalize (moved_pos m x v); lra|now symmetry]. }
-    split; cbn [of bound]; trivial; [|lra|exact F_0]. destruct c as [| |a b p q]; try discriminate. intros _. now apply tie_wide.
+    split; cbn [of bound]; trivial; [|exact (Rle_refl 0)|exact F_0]. destruct c as [| |a b p q]; try discriminate. intros _. now apply tie_wide.
 Qed.
 
 (* Whatever is found by second looks, repaired, inserted, settled in between. *)
