@@ -299,3 +299,5 @@ Fixpoint histories (fuel : nat) (n : Z) (w : array int) (i : int) : outcome Z :=
   end.
 (* How many decisions were recomputed, or the first that is another one. *)
 Definition replay (w : array int) : outcome Z := histories (Z.to_nat (to_Z (PArray.length w))) 0 w 0%uint63.
+(* What a theorem says of a trace: all of it is as the model decides, and so many decisions are in it at least. *)
+Definition decides (least : Z) (w : array int) : bool := match replay w with Good n _ => least <=? n | Bad _ _ => false end.

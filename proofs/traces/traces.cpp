@@ -57,7 +57,7 @@ struct History {
         constexpr std::array scales{1.0, 1.0, 1.0, 1.0, 0x1p60, 0x1p-90, 0x1p-435};
         scale = scales[below(scales.size())];
         grid = below(4) == 0 ? 0.125 : 0.0;
-        const std::size_t n = d == 2 ? 7 + below(14) : 7 + below(7);
+        const std::size_t n = d == 2 ? 5 + below(12) : 6 + below(5);
         while (points.size() < n) {
             const Point p = somewhere();
             if (std::find(points.begin(), points.end(), p) == points.end()) points.push_back(p);
@@ -74,7 +74,7 @@ struct History {
             return p;
         }();
         const bool blows = below(3) == 0;
-        const std::uint64_t calls = 20 + below(60);
+        const std::uint64_t calls = below(8) == 0 ? 60 : 6 + below(18);
         for (std::uint64_t k = 0; k < calls; ++k) {
             try {
                 call(mesh, pace, blows ? wind : Point{});
