@@ -57,7 +57,8 @@ struct History {
         constexpr std::array scales{1.0, 1.0, 1.0, 1.0, 0x1p60, 0x1p-90, 0x1p-435};
         scale = scales[below(scales.size())];
         grid = below(4) == 0 ? 0.125 : 0.0;
-        const std::size_t n = d == 2 ? 5 + below(12) : 6 + below(5);
+        const bool large = below(5) == 0;
+        const std::size_t n = d == 2 ? 4 + below(large ? 14 : 4) : 5 + below(large ? 6 : 3);
         while (points.size() < n) {
             const Point p = somewhere();
             if (std::find(points.begin(), points.end(), p) == points.end()) points.push_back(p);
@@ -74,7 +75,7 @@ struct History {
             return p;
         }();
         const bool blows = below(3) == 0;
-        const std::uint64_t calls = below(8) == 0 ? 60 : 6 + below(18);
+        const std::uint64_t calls = below(16) == 0 ? 60 : 4 + below(12);
         for (std::uint64_t k = 0; k < calls; ++k) {
             try {
                 call(mesh, pace, blows ? wind : Point{});
