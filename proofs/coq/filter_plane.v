@@ -5,6 +5,7 @@
    - verdict_evaluated      such a verdict promises what the model needs: also a width that two sides share (unequal moves)
    - kept_circle_certifies  a safe region: how far the points are from a circle that is kept
    - plane_filter_is_right  after any calls every triangle is positive, every circle empty, every ridge of the border convex
+   - plane_filter_alone_is_right   the same without second looks, where nothing is left but what Repair promises
 
    Vertices are numbers. A cell is written with its least vertex first, so that the circle of a facet can name its two cells. Where a determinant is 0 the
    certificate may hold by a rule (degenerate.h: the perturbation, a border that does not fold back): `tie`, any statement about the points. *)
@@ -270,4 +271,13 @@ Proof.
   - exact I.
   - exact C.
 Qed.
+
+(* Without second looks, which is how it comes, they promise nothing. *)
+Corollary plane_filter_alone_is_right s x m verdicts z :
+  (nat -> (0 <= epoch s)%Z) -> (forall v, valid_2 (x v)) ->
+  (forall k, In k verdicts -> m (id k) = Some (of k) /\ answered x k) -> (forall i c, m i = Some c -> In i (map id verdicts)) ->
+  (forall i c, m i = Some c -> is_id i) -> (forall i c d, m i = Some c -> counts_on_2 d c -> exists j, m j = Some d) ->
+  calls (fun _ _ _ => None) {| of_filter := settle x s m verdicts; tracks := true |} z ->
+  forall i c, mesh (of_filter z) i = Some c -> holds_2 c (moving (of_filter z)).
+Proof. apply plane_filter_is_right. intros t y i c k _ _ _ E. discriminate E. Qed.
 End plane.
