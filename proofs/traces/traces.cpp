@@ -54,10 +54,10 @@ struct History {
     }
 
     void live() {
-        constexpr std::array scales{1.0, 1.0, 1.0, 1.0, 0x1p60, 0x1p-90, 0x1p-435};
+        constexpr std::array scales{1.0, 1.0, 1.0, 1.0, 0x1p60, 0x1p-90, 0x1p-447};
         scale = scales[below(scales.size())];
         grid = below(4) == 0 ? 0.125 : 0.0;
-        const bool large = below(5) == 0;
+        const bool large = below(8) == 0;
         const std::size_t n = d == 2 ? 4 + below(large ? 14 : 4) : 5 + below(large ? 6 : 3);
         while (points.size() < n) {
             const Point p = somewhere();
@@ -75,10 +75,12 @@ struct History {
             return p;
         }();
         const bool blows = below(3) == 0;
-        const std::uint64_t calls = below(16) == 0 ? 60 : 4 + below(12);
+        const bool hops = below(12) == 0;  // one vertex: its odometer comes a long way
+        const std::uint64_t calls = hops ? 40 : below(16) == 0 ? 60 : 4 + below(12);
         for (std::uint64_t k = 0; k < calls; ++k) {
             try {
-                call(mesh, pace, blows ? wind : Point{});
+                if (hops && below(8) != 0) mesh.move(0, somewhere());
+                else call(mesh, pace, blows ? wind : Point{});
             } catch (const Error&) {
                 ++count["failed calls"];
             }
@@ -166,7 +168,7 @@ int main(int argc, char** argv) {
     std::map<std::string, int> count;
     for (std::uint64_t words = 0; words < most; words += Trace::words.size()) {
         ++count["histories"];
-        if (count["histories"] % 3 == 0) write_history<3>(count);
+        if (count["histories"] % 4 == 0) write_history<3>(count);
         else write_history<2>(count);
     }
     for (const auto& [what, n] : count) std::fprintf(stderr, "%d %s\n", n, what.c_str());
