@@ -45,7 +45,7 @@ struct Trace {
     struct Told {
         std::vector<Coordinates<d>> position;
         std::vector<char> lives;
-        std::map<Certificate_id, std::vector<Index>> points;  // of certificates, sorted
+        std::map<Certificate_id, std::vector<Index>> points;  // of certificates
     };
     template <int d>
     static inline Told<d> told;
@@ -222,11 +222,12 @@ struct Trace {
     static void undone(const Odometers<d>&, const Step<d>&) {
         if (on) word(undo);
     }
-    template <class Points>
-    static std::vector<Index> sorted(const Points& points) {
+    /// In their order where that matters, of a bi-cell: it names sides, and what a second look finds is in that order.
+    template <int d, class Points>
+    static std::vector<Index> listed(const Points& points) {
         std::vector<Index> p(points.begin(), points.end());
         p.erase(std::remove(p.begin(), p.end(), none), p.end());
-        std::sort(p.begin(), p.end());
+        if (p.size() != d + 2) std::sort(p.begin(), p.end());
         return p;
     }
     /// The points of certificate id as the table has it now; none when there is no such certificate.
@@ -235,11 +236,11 @@ struct Trace {
         if (is_of_cell(id)) {
             const Cell_index c = cell_of(id);
             if (!(c < t.cell_bound()) || !t.is_cell(c) || t.is_infinite(c)) return {};
-            return sorted(cell_points(t, c));
+            return listed<d>(cell_points(t, c));
         }
         const Corner_index f = facet_of(id);
         if (!(f < t.facet_bound()) || !t.is_facet(f)) return {};
-        return sorted(facet_certificate(t, f, false).point);
+        return listed<d>(facet_certificate(t, f, false).point);
     }
     template <int d>
     static void committing(const Odometers<d>& o, const Repair<d>&) {
@@ -267,7 +268,7 @@ struct Trace {
     template <int d, class S, class Expiry_of>
     static void written(const Odometers<d>& o, const S& s, Certificate_id id, Expiry_of expiry_of) {
         if (!on) return;
-        told<d>.points[id] = sorted(s.point);
+        told<d>.points[id] = listed<d>(s.point);
         word(write);
         word(id);
         number(s.verdict.tolerance);
