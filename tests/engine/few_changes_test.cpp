@@ -75,6 +75,7 @@ void check_few(Strategy strategy) {
             CHECK_FALSE(went.gone.empty());
             if (k > 0) CHECK(Failing_new::bytes() < all / 2);
         }
+        if (strategy == Strategy::relocate) break;  // which takes long
         std::vector<Coordinates<d>> x(positions<d>(dt).begin(), positions<d>(dt).end());
         for (auto& p : x) p[0] *= 1 + 1e-9;
         (void)dt.move_all(std::span<const Coordinates<d>>(x));
