@@ -26,9 +26,9 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
     add_format(app, a.format, point_formats);
     app.add_flag("--ignore-z", a.ignore_z, "Drop the z coordinate of the input")->needs(input);
     app.add_option("--density", a.density,
-                   "Density whose centroids points move to: one, x2+y2, x2, sin2,\n"
-                   "or a picture, .png or .pgm, which is stippled: dense where it is dark")
-        ->type_name("D")
+                   "Density whose centroids points move to, or a picture, .png or .pgm, which\n"
+                   "is stippled: dense where it is dark")
+        ->type_name("FILE:{one,x2+y2,x2,sin2}")
         ->check([](const std::string& word) {
             const bool known = std::any_of(std::begin(all_densities), std::end(all_densities),
                                            [&](Density d) { return name_of(d) == word; });
