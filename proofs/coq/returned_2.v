@@ -10,8 +10,8 @@ From Coq Require Import Reals ZArith Lra Rgeom List.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
 From Annulus Require float_model float_filter_2 float_circle_2 float_filter float_certifies_2.
+From Annulus Require Import points_2 width_2 sign_tolerance_2 filter_doubles algorithm_filter filter_plane.
 From Annulus Require Import operations bridge bridge_decide filter_2 bridge_2 connect connect_2.
-From Annulus Require Import width_2 sign_tolerance_2 filter_doubles algorithm_filter filter_plane.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.

@@ -135,7 +135,7 @@ Section circle.
 Variables a b c : vector machine.
 Hypothesis domain : coordinates_2 a /\ coordinates_2 b /\ coordinates_2 c.
 Let k := circumcircle_of machine a b c.
-Let point (v : vector machine) : vector rounded := real (fst (at_2 v)) (snd (at_2 v)).
+Let point (v : vector machine) : vector rounded := connect_2.real (fst (at_2 v)) (snd (at_2 v)).
 Let k' := circumcircle_of rounded (point a) (point b) (point c).
 
 Lemma point_format : forall v, float_model.F (fst (at_2 v)) /\ float_model.F (snd (at_2 v)).
