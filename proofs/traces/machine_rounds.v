@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The numbers of the machine (machine.v) are those that the theorems are about: every operation that the replay runs, on finite floats that do not
-   overflow, is the one of filter_doubles.v and filter_plane.v on the reals that they stand for. `stands a f r` (link/bridge.v): f is
+   overflow, is the one of filter_doubles.v and filter_plane.v on the reals that they stand for. `stands a f r` (bridge.v): f is
    finite, stands for r, and |r| <= 2^a.
 
    - half_stands, value_stands      Expiry::lower and Expiry::reading are `lower` and `value` of high_word.v
@@ -17,7 +17,7 @@ From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
 From Annulus Require float_model float_error float_tail float_sums float_displacement.
 From Annulus Require Import algorithm_list high_word filter_doubles.
-From Annulus_link Require Import operations bridge.
+From Annulus Require Import operations bridge.
 From Annulus_traces Require Import machine.
 Import ListNotations.
 Close Scope float_scope.
