@@ -4,7 +4,7 @@
    - certified_keep    each ridge rests, or is certified from some reference before and after by a tolerance that covers both
    - one_vertex_keeps  one vertex moved and the border is convex before and after
    - stays_delaunay    a continuous motion with a convex border all along: at its end certificates without the winding imply Delaunay
-   - steps_delaunay    any number of steps of which each keeps the border and is of one of the two kinds above, or checks the winding *)
+   - steps_wind, steps_delaunay   any number of steps of which each keeps the border and is of one of the two kinds above, or checks the winding *)
 Require Import Reals Lra Psatz List.
 From Annulus Require Import width_2 plane_mesh plane_crossings plane_delaunay plane_winding.
 Import ListNotations.
@@ -125,13 +125,18 @@ Definition border_known (m m' : placement) (T T' : mesh) : Prop :=
   (border T' = border T /\ ((exists z, forall v, v <> z -> m v = m' v) \/
     forall u v w, In (u, v, w) (ridges (border T)) -> certified_ridge m m' u v w \/ resting_ridge m m' u v w)).
 
+Theorem steps_wind (m : nat -> placement) (T : nat -> mesh) : winds_once (m O) (border (T O)) -> (forall i, convex (m i) (border (T i))) ->
+  (forall i, border_known (m i) (m (S i)) (T i) (T (S i))) -> forall i, winds_once (m i) (border (T i)).
+Proof.
+  intros W C K. induction i as [|i IH]; [exact W|]. destruct (K i) as [N|(B & [(z & N)|N])]; [exact N| |]; rewrite B.
+  - apply (one_vertex_keeps (m i) _ z); trivial. rewrite <- B. apply C.
+  - now apply (certified_keep (m i)).
+Qed.
+
 Theorem steps_delaunay (m : nat -> placement) (T : nat -> mesh) : winds_once (m O) (border (T O)) ->
   (forall i, glued (T i) /\ positive (m i) (T i) /\ convex (m i) (border (T i)) /\ locally_delaunay (m i) (T i)) ->
   (forall i, border_known (m i) (m (S i)) (T i) (T (S i))) -> forall i, delaunay (m i) (T i).
 Proof.
-  intros W H K. assert (All : forall i, winds_once (m i) (border (T i))).
-  { induction i as [|i IH]; [exact W|]. destruct (K i) as [N|(B & [(z & N)|N])]; [exact N| |]; rewrite B.
-    - apply (one_vertex_keeps (m i) _ z); trivial; [apply H|]. rewrite <- B. apply H.
-    - now apply (certified_keep (m i)). }
-  intro i. destruct (H i) as (G & P & C & L). now apply plane_delaunay.
+  intros W H K i. assert (All := steps_wind m T W (fun i => proj1 (proj2 (proj2 (H i)))) K).
+  destruct (H i) as (G & P & C & L). now apply plane_delaunay.
 Qed.
