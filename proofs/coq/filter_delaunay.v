@@ -21,12 +21,14 @@ Definition at_doubles (f : doubles) : placement := fun v => at_2 (f v).
 Lemma coordinates_valid p : coordinates_2 p -> valid_2 (at_2 p).
 Proof. intros [[_ X] [_ Y]]. split; (split; [apply value_format|]); assumption. Qed.
 
+(* What the theorems leave open of the program: the length of lists, after how many steps stamps wrap, when an odometer starts again, which second looks. *)
+Class options := Options {
+  list_length : nat; stamps_there_are : Z; worn_out : R -> expiry_list -> bool; looks : second_looks; stamps_positive : (0 < stamps_there_are)%Z }.
+
 Section filter.
-Variables (capacity : nat) (stamps : Z) (worn : R -> expiry_list -> bool) (chosen : second_looks).
-Hypothesis stamps_pos : (0 < stamps)%Z.
-Definition the_plane : world := plane capacity stamps worn chosen no_fold.
-#[local] Existing Instance the_plane.
-Notation answered := (answered capacity stamps worn chosen no_fold).
+Context {o : options}.
+#[global] Instance the_plane : world := plane list_length stamps_there_are worn_out looks no_fold.
+Definition answered_2 := answered list_length stamps_there_are worn_out looks no_fold.
 
 (* ---- Verdicts ---- *)
 
@@ -37,16 +39,16 @@ Definition returned (f : doubles) (k : verdict) : Prop :=
       exists t, empty_sphere_filter machine (f a) (f b) (f p) (f q) true = filter_2.positive t /\ bound k = operations.value t
   end.
 (* By the filter stage, in primitive floats; or by a later stage: a sign and a number that is at most the truth. *)
-Definition told (f : doubles) (k : verdict) : Prop := returned f k \/ answered (at_doubles f) k.
+Definition told (f : doubles) (k : verdict) : Prop := returned f k \/ answered_2 (at_doubles f) k.
 
 Lemma told_answered f k : (forall v, coordinates_2 (f v)) ->
   match of k with circle a b p q => 0 < turn_at (at_doubles f) a b q /\ 0 < turn_at (at_doubles f) b a p | _ => True end ->
-  told f k -> answered (at_doubles f) k.
+  told f k -> answered_2 (at_doubles f) k.
 Proof.
   intros D P [H|H]; [|exact H]. destruct k as [i c t]. unfold returned in H. cbn [of bound] in *. destruct c as [a b c|a b c|a b p q].
-  - destruct H as (r & H & ->). apply (triangle_answered capacity stamps worn chosen no_fold f i r a b c); [now intros|exact H].
-  - destruct H as (r & H & ->). apply (triangle_answered capacity stamps worn chosen no_fold f i r a b c); [now intros|exact H].
-  - destruct H as (N & r & H & ->), P. apply (circle_answered capacity stamps worn chosen no_fold f i r a b p q); trivial; now intros.
+  - destruct H as (r & H & ->). apply (triangle_answered _ _ _ _ no_fold f i r a b c); [now intros|exact H].
+  - destruct H as (r & H & ->). apply (triangle_answered _ _ _ _ no_fold f i r a b c); [now intros|exact H].
+  - destruct H as (N & r & H & ->), P. apply (circle_answered _ _ _ _ no_fold f i r a b p q); trivial; now intros.
 Qed.
 
 Theorem told_evaluated f k : (forall v, coordinates_2 (f v)) ->
@@ -56,7 +58,7 @@ Proof. intros D P H. apply (verdict_evaluated _ _ _ _ no_fold no_fold_local). no
 
 Lemma told_cell f k a b c : (forall v, coordinates_2 (f v)) -> of k = least_first a b c -> told f k -> 0 < turn_at (at_doubles f) a b c.
 Proof.
-  intros D E H. apply (cell_of_circle no_fold). rewrite <- E. assert (A : answered (at_doubles f) k).
+  intros D E H. apply (cell_of_circle no_fold). rewrite <- E. assert (A : answered_2 (at_doubles f) k).
   { apply told_answered; trivial. rewrite E. unfold least_first. destruct (_ && _)%bool; [exact I|]. destruct (_ && _)%bool; exact I. }
   destruct A as [(_ & _ & A & _)|(_ & A & _)]; exact A.
 Qed.
@@ -70,7 +72,7 @@ Record start (f : doubles) (m : Z -> option certificate_2) (verdicts : list verd
   ids : forall i c, m i = Some c -> is_id i;
   with_cells : forall i c d, m i = Some c -> counts_on_2 d c -> exists j, m j = Some d }.
 
-Lemma start_answered f m verdicts k : start f m verdicts -> In k verdicts -> answered (at_doubles f) k.
+Lemma start_answered f m verdicts k : start f m verdicts -> In k verdicts -> answered_2 (at_doubles f) k.
 Proof.
   intros [D R A _ C] I. destruct (R k I) as [M H]. apply told_answered; trivial.
   destruct (of k) as [| |a b p q] eqn:E; trivial.
@@ -93,7 +95,7 @@ Theorem filter_holds f m verdicts s z : start f m verdicts -> (0 <= epoch s)%Z -
   forall i c, algorithm_filter.mesh (of_filter z) i = Some c -> holds_2 no_fold c (places z).
 Proof.
   intros S E. assert (B := start_answered f m verdicts). destruct (S) as [D R A I C].
-  apply (plane_filter_is_right capacity stamps worn chosen stamps_pos no_fold no_fold_local second_look); trivial.
+  apply (plane_filter_is_right _ _ _ _ stamps_positive no_fold no_fold_local second_look); trivial.
   - intro v. apply coordinates_valid, D.
   - intros k K. destruct (R k K). split; [assumption|now apply B].
 Qed.
