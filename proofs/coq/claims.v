@@ -78,20 +78,28 @@ Proof.
 Qed.
 Print Assumptions empty_sphere.
 
-Theorem circle_signs : forall a b c, coordinates_2 a /\ coordinates_2 b /\ coordinates_2 c ->
-  let k := circumcircle_of machine a b c in circle_positive machine k = true ->
-  0 < turn_2 (at_2 a) (at_2 b) (at_2 c) /\ forall p, coordinates_2 p ->
-  (excludes machine k p = true -> 0 < beyond_2 (at_2 a) (at_2 b) (at_2 c) (at_2 p)) /\
-  (contains machine k p = true -> beyond_2 (at_2 a) (at_2 b) (at_2 c) (at_2 p) < 0).
-Proof. intros a b c D k P. split; [now apply signs_2.positive_2|]. intros p Dp. now apply sides_of_circle_2. Qed.
+Theorem circle_signs : forall a b c ps, coordinates_2 a /\ coordinates_2 b /\ coordinates_2 c -> (forall p, In p ps -> coordinates_2 p) ->
+  let k := circumcircle_of machine a b c in
+  (circle_positive machine k = true -> 0 < turn_2 (at_2 a) (at_2 b) (at_2 c) /\ forall p, In p ps ->
+    (excludes machine k p = true -> 0 < beyond_2 (at_2 a) (at_2 b) (at_2 c) (at_2 p)) /\
+    (contains machine k p = true -> beyond_2 (at_2 a) (at_2 b) (at_2 c) (at_2 p) < 0)) /\
+  (excludes_all machine k ps = true -> 0 < turn_2 (at_2 a) (at_2 b) (at_2 c) /\ forall p, In p ps -> 0 < beyond_2 (at_2 a) (at_2 b) (at_2 c) (at_2 p)).
+Proof.
+  intros a b c ps D E k. split; [|now apply excludes_all_2]. intro P. split; [now apply signs_2.positive_2|]. intros p I. now apply sides_of_circle_2; [|apply E|].
+Qed.
 Print Assumptions circle_signs.
 
-Theorem sphere_signs : forall a b c d, coordinates_3 a /\ coordinates_3 b /\ coordinates_3 c /\ coordinates_3 d ->
-  let k := filter_3.circumsphere_of machine a b c d in filter_3.sphere_positive machine k = true ->
-  0 < volume_of (at_3 a) (at_3 b) (at_3 c) (at_3 d) /\ forall p, coordinates_3 p ->
-  (filter_3.excludes_3 machine k p = true -> 0 < beyond_3 (at_3 a) (at_3 b) (at_3 c) (at_3 d) (at_3 p)) /\
-  (filter_3.contains_3 machine k p = true -> beyond_3 (at_3 a) (at_3 b) (at_3 c) (at_3 d) (at_3 p) < 0).
-Proof. intros a b c d D k P. split; [now apply signs_3.positive_3|]. intros p Dp. now apply sides_of_sphere_3. Qed.
+Theorem sphere_signs : forall a b c d ps, coordinates_3 a /\ coordinates_3 b /\ coordinates_3 c /\ coordinates_3 d ->
+  (forall p, In p ps -> coordinates_3 p) -> let k := filter_3.circumsphere_of machine a b c d in
+  (filter_3.sphere_positive machine k = true -> 0 < volume_of (at_3 a) (at_3 b) (at_3 c) (at_3 d) /\ forall p, In p ps ->
+    (filter_3.excludes_3 machine k p = true -> 0 < beyond_3 (at_3 a) (at_3 b) (at_3 c) (at_3 d) (at_3 p)) /\
+    (filter_3.contains_3 machine k p = true -> beyond_3 (at_3 a) (at_3 b) (at_3 c) (at_3 d) (at_3 p) < 0)) /\
+  (filter_3.excludes_all_3 machine k ps = true -> 0 < volume_of (at_3 a) (at_3 b) (at_3 c) (at_3 d) /\
+    forall p, In p ps -> 0 < beyond_3 (at_3 a) (at_3 b) (at_3 c) (at_3 d) (at_3 p)).
+Proof.
+  intros a b c d ps D E k. split; [|now apply excludes_all_3_sound]. intro P. split; [now apply signs_3.positive_3|]. intros p I.
+  now apply sides_of_sphere_3; [|apply E|].
+Qed.
 Print Assumptions sphere_signs.
 
 (* ---- From signs to Delaunay ---- *)

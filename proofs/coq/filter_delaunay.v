@@ -21,7 +21,7 @@ Definition at_doubles (f : doubles) : placement := fun v => at_2 (f v).
 Lemma coordinates_valid p : coordinates_2 p -> valid_2 (at_2 p).
 Proof. intros [[_ X] [_ Y]]. split; (split; [apply value_format|]); assumption. Qed.
 
-(* What the theorems leave open of the program: the length of lists, after how many steps stamps wrap, when an odometer starts again, which second looks. *)
+(* What the theorems leave open: the length of lists, after how many steps stamps wrap, when an odometer starts again, which second looks. *)
 Class options := Options {
   list_length : nat; stamps_there_are : Z; worn_out : R -> expiry_list -> bool; looks : second_looks; stamps_positive : (0 < stamps_there_are)%Z }.
 
