@@ -134,6 +134,13 @@ Theorem verdicts_of_doubles : forall (o : options) f k, (forall v, coordinates_2
 Proof. exact @told_evaluated. Qed.
 Print Assumptions verdicts_of_doubles.
 
+Theorem ridge_left_alone : forall (o : options) (y z : system) i u v w, right y -> right z -> tracks y = true -> tracks z = true ->
+  algorithm_filter.mesh (of_filter y) i = Some (ridge u v w) -> algorithm_filter.mesh (of_filter z) i = Some (ridge u v w) ->
+  reference (record (of_filter z) i) = reference (record (of_filter y) i) -> allowance (record (of_filter z) i) = allowance (record (of_filter y) i) ->
+  certified_ridge (places y) (places z) u v w.
+Proof. exact @same_record_certifies. Qed.
+Print Assumptions ridge_left_alone.
+
 Theorem filter_in_the_plane : forall (o : options) second_look, second_look_right second_look ->
   forall f m verdicts s (y : nat -> system) (T : nat -> plane_mesh.mesh),
   start f m verdicts -> (0 <= epoch s)%Z -> y O = settled f m verdicts s -> (forall i, calls second_look (y i) (y (S i))) ->

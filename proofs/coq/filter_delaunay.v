@@ -3,13 +3,14 @@
 
    - returned, told          of a verdict: it is what the filter stage said of these doubles in primitive floats, or what a later stage has to say
    - told_evaluated          such a verdict promises what the filter asks of one
+   - same_record_certifies   a ridge that was not evaluated anew between two states is certified at both by one tolerance
    - filter_delaunay         after any calls of the filter: if the border winds once, the cells triangulate the hull and are Delaunay
    - filter_steps_delaunay   the same after each of any number of calls, where the winding is counted at the start: it has to be looked at again
                              only where the border changed, or more than one vertex moved and a ridge neither rests nor has one tolerance for both *)
 From Coq Require Import Reals ZArith Lra List.
 From Coq Require Import Floats.
-From Annulus Require Import points_2 operations connect filter_2 filter_doubles returned_2.
-From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run filter_plane.
+From Annulus Require Import points_2 width_2 operations connect filter_2 filter_doubles returned_2.
+From Annulus Require Import algorithm_list algorithm_filter algorithm_keep algorithm_look algorithm_run filter_plane.
 From Annulus Require Import plane_mesh plane_triangulation plane_delaunay plane_certificates plane_motion.
 Import ListNotations.
 Close Scope float_scope.
@@ -63,6 +64,16 @@ Proof.
   destruct A as [(_ & _ & A & _)|(_ & A & _)]; exact A.
 Qed.
 
+Lemma near_squares (m x : placement) (a : nat -> R) n : near m x a n <-> dist2 (m n) (x n) < Rmax 0 (a n) * Rmax 0 (a n) \/ m n = x n.
+Proof.
+  unfold near. change (@dist the_plane (x n) (m n)) with (R_sqrt.sqrt (dist2 (m n) (x n))). assert (N := d2_nonneg (fst (m n)) (snd (m n)) (fst (x n)) (snd (x n))).
+  change (d2 (fst (m n)) (snd (m n)) (fst (x n)) (snd (x n))) with (dist2 (m n) (x n)) in N. assert (S := sqrt_pos (dist2 (m n) (x n))).
+  assert (E := sqrt_sqrt _ N). revert N S E. generalize (R_sqrt.sqrt (dist2 (m n) (x n))).
+  intros r N S E. unfold Rmax. destruct (Rle_dec 0 (a n)) as [A|A]; split; (intros [H|H]; [left|now right]); try lra.
+  - rewrite <- E. now apply Rmult_le_0_lt_compat.
+  - apply Rnot_le_lt. intro L. apply (Rlt_not_le _ _ H). rewrite <- E. now apply Rmult_le_compat.
+Qed.
+
 (* ---- A start: everything evaluated where the doubles are ---- *)
 
 Record start (f : doubles) (m : Z -> option certificate_2) (verdicts : list verdict) : Prop := {
@@ -98,6 +109,22 @@ Proof.
   apply (plane_filter_is_right _ _ _ _ stamps_positive no_fold no_fold_local second_look); trivial.
   - intro v. apply coordinates_valid, D.
   - intros k K. destruct (R k K). split; [assumption|now apply B].
+Qed.
+
+(* A ridge that neither of two states evaluated anew is certified at both: it does not ask for the winding. *)
+Theorem same_record_certifies y z i u v w : right y -> right z -> tracks y = true -> tracks z = true ->
+  algorithm_filter.mesh (of_filter y) i = Some (ridge u v w) -> algorithm_filter.mesh (of_filter z) i = Some (ridge u v w) ->
+  reference (record (of_filter z) i) = reference (record (of_filter y) i) -> allowance (record (of_filter z) i) = allowance (record (of_filter y) i) ->
+  certified_ridge (places y) (places z) u v w.
+Proof.
+  unfold right. intros V V' Y Z M M' Er Ea. rewrite Y in V. rewrite Z in V'. destruct V as [_ _ G _], V' as [_ _ G' _]. destruct (G i _ M) as [S C _ _], (G' i _ M') as [_ C' _ _].
+  set (a := allowance (record (of_filter y) i)) in *. set (x := reference (record (of_filter y) i)) in *.
+  exists x, (fun n => Rmax 0 (a n) * Rmax 0 (a n)).
+  assert (Near : forall m n, near m x a n <-> dist2 (m n) (x n) < Rmax 0 (a n) * Rmax 0 (a n) \/ m n = x n) by (intros; apply near_squares).
+  split; [|split].
+  - intros n N. apply (promise _ _ _ S n); [|now intros]. intros z' I. apply Near. now apply N.
+  - intros n I. apply Near. now apply C.
+  - intros n I. apply Near. destruct (C' n I) as [N _]. rewrite Er, Ea in N. exact N.
 Qed.
 
 Theorem filter_delaunay f m verdicts s z T : start f m verdicts -> (0 <= epoch s)%Z -> calls second_look (settled f m verdicts s) z ->
