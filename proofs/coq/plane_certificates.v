@@ -59,6 +59,13 @@ Proof.
   rewrite <- Z. unfold cross, vector, turning, width_2.turn. cbn [fst snd]. ring.
 Qed.
 
+Lemma certificates_convex T (mesh : Z -> option certificate_2) m :
+  (forall c, In c (certificates T) -> exists i, mesh i = Some c) -> (forall i c, mesh i = Some c -> holds_2 no_fold c m) -> convex m (border T).
+Proof.
+  intros A H u v w I. destruct (A (ridge u v w)) as (i & E); [|exact (H i _ E)].
+  apply in_or_app. right. apply in_or_app. left. apply in_map_iff. now exists (u, v, w).
+Qed.
+
 (* The first hypothesis but one is what plane_filter_is_right says, with the tie no_fold; the last one is checked, or known from plane_motion.v. *)
 Theorem certificates_delaunay T (mesh : Z -> option certificate_2) m : glued T ->
   (forall c, In c (certificates T) -> exists i, mesh i = Some c) -> (forall i c, mesh i = Some c -> holds_2 no_fold c m) ->
@@ -67,8 +74,7 @@ Proof.
   intros G A H W. assert (K : forall c, In c (certificates T) -> holds_2 no_fold c m) by (intros c I; destruct (A c I) as (i & E); now apply (H i)).
   assert (P : positive m T).
   { intros a b c I. apply (cell_of_circle no_fold), K. apply in_or_app. left. apply in_map_iff. now exists (a, b, c). }
-  assert (C : convex m (border T)).
-  { intros u v w I. apply (K (ridge u v w)). apply in_or_app. right. apply in_or_app. left. apply in_map_iff. now exists (u, v, w). }
+  assert (C := certificates_convex T mesh m A H).
   split; [now apply plane_triangulation|]. apply plane_delaunay; trivial. intros a b p q I.
   assert (Q : holds_2 no_fold (circle a b p q) m)
     by (apply K, in_or_app; right; apply in_or_app; right; apply in_map_iff; now exists (a, b, p, q)).

@@ -4,7 +4,7 @@
    - certified_keep    each ridge rests, or is certified from some reference before and after by a tolerance that covers both
    - one_vertex_keeps  one vertex moved and the border is convex before and after
    - stays_delaunay    a continuous motion with a convex border all along: at its end certificates without the winding imply Delaunay
-   - steps_delaunay    any number of steps of which each keeps the border and is of one of the two kinds above, or checks the winding *)
+   - steps_wind, steps_delaunay   any number of steps of which each keeps the border and is of one of the two kinds above, or checks the winding *)
 Require Import Reals Lra Psatz List.
 From Annulus Require Import width_2 plane_mesh plane_crossings plane_delaunay plane_winding.
 Import ListNotations.
@@ -44,9 +44,9 @@ Qed.
 
 (* ---- Tolerances ---- *)
 
-(* Every placement with the vertices of the ridge closer to x than the square roots of s has it convex, and both placements are such. *)
+(* Every placement with each vertex of the ridge closer to x than the square root of s, or at x, has it convex, and both placements are such. *)
 Definition certified_ridge (m m' : placement) (u v w : nat) : Prop := exists (x : placement) (s : nat -> R),
-  let near n := dist2 (n u) (x u) < s u /\ dist2 (n v) (x v) < s v /\ dist2 (n w) (x w) < s w in
+  let near n := forall z, In z [u; v; w] -> dist2 (n z) (x z) < s z \/ n z = x z in
   (forall n, near n -> convex_at n u v w) /\ near m /\ near m'.
 Definition resting_ridge (m m' : placement) (u v w : nat) : Prop := convex_at m u v w /\ m u = m' u /\ m v = m' v /\ m w = m' w.
 
@@ -58,11 +58,18 @@ Proof.
   rewrite E. destruct (Rle_dec (dist2 p x) (dist2 q x)); nra.
 Qed.
 
+Lemma ball_or_centre t p q x r : 0 <= t <= 1 -> dist2 p x < r \/ p = x -> dist2 q x < r \/ q = x -> dist2 (mix t p q) x < r \/ mix t p q = x.
+Proof.
+  intros T P Q. assert (Z : dist2 x x = 0) by (unfold dist2, d2; ring). assert (N : forall y, dist2 y x < r -> dist2 x x < r).
+  { intros y Y. rewrite Z. apply Rle_lt_trans with (2 := Y), d2_nonneg. }
+  destruct P as [P| ->], Q as [Q| ->]; [left; now apply ball_convex|left; apply ball_convex; eauto|left; apply ball_convex; eauto|right; apply mix_same].
+Qed.
+
 Theorem certified_keep m m' l : (forall u v w, In (u, v, w) (ridges l) -> certified_ridge m m' u v w \/ resting_ridge m m' u v w) ->
   winds_once m l -> winds_once m' l.
 Proof.
-  intro K. apply straight_keeps. intros t T u v w I. destruct (K u v w I) as [(x & s & H & (U & V & W) & U' & V' & W')|(C & U & V & W)].
-  - apply H. unfold straight. repeat split; now apply ball_convex.
+  intro K. apply straight_keeps. intros t T u v w I. destruct (K u v w I) as [(x & s & H & N & N')|(C & U & V & W)].
+  - apply H. intros z Z. apply ball_or_centre; [exact T|now apply N|now apply N'].
   - apply (convex_at_local m); trivial; unfold straight; [rewrite U|rewrite V|rewrite W]; now rewrite mix_same.
 Qed.
 
@@ -125,13 +132,18 @@ Definition border_known (m m' : placement) (T T' : mesh) : Prop :=
   (border T' = border T /\ ((exists z, forall v, v <> z -> m v = m' v) \/
     forall u v w, In (u, v, w) (ridges (border T)) -> certified_ridge m m' u v w \/ resting_ridge m m' u v w)).
 
+Theorem steps_wind (m : nat -> placement) (T : nat -> mesh) : winds_once (m O) (border (T O)) -> (forall i, convex (m i) (border (T i))) ->
+  (forall i, border_known (m i) (m (S i)) (T i) (T (S i))) -> forall i, winds_once (m i) (border (T i)).
+Proof.
+  intros W C K. induction i as [|i IH]; [exact W|]. destruct (K i) as [N|(B & [(z & N)|N])]; [exact N| |]; rewrite B.
+  - apply (one_vertex_keeps (m i) _ z); trivial. rewrite <- B. apply C.
+  - now apply (certified_keep (m i)).
+Qed.
+
 Theorem steps_delaunay (m : nat -> placement) (T : nat -> mesh) : winds_once (m O) (border (T O)) ->
   (forall i, glued (T i) /\ positive (m i) (T i) /\ convex (m i) (border (T i)) /\ locally_delaunay (m i) (T i)) ->
   (forall i, border_known (m i) (m (S i)) (T i) (T (S i))) -> forall i, delaunay (m i) (T i).
 Proof.
-  intros W H K. assert (All : forall i, winds_once (m i) (border (T i))).
-  { induction i as [|i IH]; [exact W|]. destruct (K i) as [N|(B & [(z & N)|N])]; [exact N| |]; rewrite B.
-    - apply (one_vertex_keeps (m i) _ z); trivial; [apply H|]. rewrite <- B. apply H.
-    - now apply (certified_keep (m i)). }
-  intro i. destruct (H i) as (G & P & C & L). now apply plane_delaunay.
+  intros W H K i. assert (All := steps_wind m T W (fun i => proj1 (proj2 (proj2 (H i)))) K).
+  destruct (H i) as (G & P & C & L). now apply plane_delaunay.
 Qed.
