@@ -37,28 +37,28 @@ Proof.
 Qed.
 
 Section renewing.
-Variables (x : placement) (i : Z) (new : vertex -> R).
+Variables (x : placement) (i : Z) (new : vertex -> num).
 Hypothesis I : is_id i.
 
 Definition renewed_at (s : state) (w : vertex) : Prop :=
-  kept (listing (at_ s w)) i (lower (new w)) /\ (touched s w \/ protects (at_ s w) (lower (new w))).
+  kept (listing (at_ s w)) i (half (new w)) /\ (touched s w \/ protects (at_ s w) (half (new w))).
 
 Lemma renew_point_advance s v : (forall w, fine s w) -> advance x (eq i) s (renew_point i new s v).
 Proof.
-  intro F. unfold renew_point. assert (A := put_at_advance x i (lower (new v)) v s F I (lower_range (new v))).
+  intro F. unfold renew_point. assert (A := put_at_advance x i (half (new v)) v s F I (half_range (new v))).
   destruct (_ =? _)%Z; [exact A|]. apply advance_trans with (1 := A). apply set_room_advance, A.
 Qed.
 
 Lemma renew_point_done s v : (forall w, fine s w) -> renewed_at (renew_point i new s v) v.
 Proof.
-  intro F. assert (K := put_at_kept i (lower (new v)) v s _ I (Z.le_refl _)). unfold renew_point.
-  set (t := put_at i (lower (new v)) v s) in *.
-  assert (G : fine t v) by apply (put_at_advance (fun w => fixed (at_ s w)) i _ v s F I (lower_range (new v))).
+  intro F. assert (K := put_at_kept i (half (new v)) v s _ I (Z.le_refl _)). unfold renew_point.
+  set (t := put_at i (half (new v)) v s) in *.
+  assert (G : fine t v) by apply (put_at_advance (fun w => fixed (at_ s w)) i _ v s F I (half_range (new v))).
   destruct (stamp (at_ t v) =? epoch t)%Z eqn:E; split; trivial.
   - left. now apply Z.eqb_eq.
   - simpl. now rewrite set_same.
-  - right. change (protects (set same_vertex (at_ t) v (set_room (at_ t v)) v) (lower (new v))). rewrite set_same.
-    apply set_room_protects with i; [exact G|apply lower_range|exact K].
+  - right. change (protects (set same_vertex (at_ t) v (set_room (at_ t v)) v) (half (new v))). rewrite set_same.
+    apply set_room_protects with i; [exact G|apply half_range|exact K].
 Qed.
 
 Lemma renew_point_stays s v w : (forall w, fine s w) -> renewed_at s w -> renewed_at (renew_point i new s v) w.
@@ -83,19 +83,20 @@ End renewing.
 (* What a second look found out, as long as it is not written down. *)
 Definition promised (s : state) (x : placement) (n : Z * certificate * renewal) : Prop :=
   let '(i, c, k) := n in
+  two_sided c = true /\
   match k with
   | unequal new allowed => sound c (reference (record s i)) allowed /\ forall v, In v (points c) ->
-      value (lower (new v)) <= origin (record s i) v + allowed v /\
+      value (half (new v)) <= origin (record s i) v + allowed v /\
       dist (reference (record s i) v) (fixed (at_ s v)) <= base (at_ s v) - origin (record s i) v /\
       near x (reference (record s i)) allowed v /\ near (fixed_of s) (reference (record s i)) allowed v
-  | safe far => chosen <> unequal_moves /\ sound c x far /\ forall v, In v (points c) -> 0 <= far v /\ number (far v)
+  | safe far => chosen <> unequal_moves /\ sound c x (fun v => far v) /\ forall v, In v (points c) -> 0 <= far v /\ number (far v)
   end.
 
 Lemma promised_carried x ids s t i c k : advance x ids s t ->
   match k with unequal _ _ => reference (record t i) = reference (record s i) /\ origin (record t i) = origin (record s i) | safe _ => True end ->
   promised s x (i, c, k) -> promised t x (i, c, k).
 Proof.
-  intros A E. destruct k as [new allowed|far]; [|trivial]. destruct E as [E1 E2]. simpl. rewrite E1, E2. intros [S P]. split; [exact S|].
+  intros A E [Two P]. split; [exact Two|revert P]. destruct k as [new allowed|far]; [|trivial]. destruct E as [E1 E2]. rewrite E1, E2. intros [S P]. split; [exact S|].
   intros v H. destruct (P v H) as (P1 & P2 & P3 & P4). repeat split; trivial.
   - now apply (path_carried x ids s t A).
   - now apply (near_fixed_carried x ids s t A).
@@ -104,30 +105,32 @@ Qed.
 Lemma commit_renewal_advance s x i c k : (forall w, fine s w) -> Valid x -> is_id i -> promised s x (i, c, k) \/ mesh s i = None \/ True ->
   advance x (eq i) s (commit_renewal x s (i, c, k)).
 Proof.
-  intros F X I _. simpl. destruct (mesh s i) as [c'|]; [|now apply advance_refl]. destruct k as [new allowed|far].
-  - destruct (renew_points x i new I (points c) s F) as [A _]. apply advance_trans with (1 := A). apply set_record_advance, A.
-  - unfold write_at. destruct (write_points x i far X I (points c) s F) as [A _]. apply advance_trans with (1 := A). apply set_record_advance, A.
+  intros F X I _. simpl. destruct (mesh s i) as [c'|]; [|now apply advance_refl]. destruct (two_sided c'); [|now apply advance_refl].
+  destruct k as [new allowed|far].
+  - destruct (renew_points x i new I (points c') s F) as [A _]. apply advance_trans with (1 := A). apply set_record_advance, A.
+  - unfold write_at. destruct (write_points x i far X I (points c') s F) as [A _]. apply advance_trans with (1 := A). apply set_record_advance, A.
 Qed.
 
 Lemma commit_renewal_good s x i c k : (forall w, fine s w) -> at_x s x -> Valid x -> is_id i -> mesh s i = Some c ->
   promised s x (i, c, k) ->
   let t := commit_renewal x s (i, c, k) in good t x (touched t) i c /\ promised t x (i, c, k).
 Proof.
-  intros F A X I M P. assert (V := commit_renewal_advance s x i c k F X I (or_introl P)). simpl in *. rewrite M in *. destruct k as [new allowed|far].
+  intros F A X I M P. assert (V := commit_renewal_advance s x i c k F X I (or_introl P)). destruct (P) as [Two _].
+  cbn [commit_renewal] in V |- *. rewrite M, Two in V |- *. destruct k as [new allowed|far].
   - destruct (renew_points x i new I (points c) s F) as [B R]. set (t := fold_left _ _ _) in *. set (r := {| expiry := _ |}) in *.
     assert (E : record (set_record t i r) i = r) by (simpl; apply set_same).
     assert (Q : promised (set_record t i r) x (i, c, unequal new allowed)).
     { apply promised_carried with (eq i) s; [exact V|rewrite E; now split|exact P]. }
-    split; [|exact Q]. unfold promised in Q. rewrite E in Q. destruct Q as [S Q].
+    split; [|exact Q]. unfold promised in Q. rewrite E in Q. destruct Q as (_ & S & Q).
     split; [split|..]; rewrite ?E; trivial; simpl.
-    + intros _ _ H. lra.
-    + intros v _. apply lower_range.
+    + intros _ _ H. rewrite real_zero in H. lra.
+    + intros v _. apply half_range.
     + intros v H. apply (Q v H).
     + intros v H. left. apply (Q v H).
     + intros v H. rewrite E. simpl. split; apply (Q v H).
     + intros v H. rewrite E. apply (R v (or_introl H)).
     + intros v H. rewrite E. apply (R v (or_introl H)).
-  - destruct P as (N & S & P). split; [|now split]. apply write_at_good; trivial. split; [exact S|split; [exact P|]].
+  - destruct P as (_ & N & S & P). split; [|now split]. apply write_at_good; trivial. split; [exact S|split; [exact P|]].
     intro E. contradiction.
 Qed.
 
@@ -190,11 +193,14 @@ Lemma shifted_below e b : in_use e -> number b -> 0 <= b ->
   (value e <= b -> shifted e b = 0%Z) /\ (b <= value e -> value (shifted e b) <= value e - b).
 Proof.
   intros U N B. destruct (less_below e b U N B) as [C D]. unfold shifted. split; intro H.
-  - apply lower_clips. now apply C.
+  - apply half_clips. now apply C.
   - specialize (D H). destruct (Rlt_le_dec 0 (less e b)) as [P|P].
-    + apply Rle_trans with (2 := D), lower_below. lra.
-    + rewrite lower_clips, value_0; lra.
+    + apply Rle_trans with (2 := D), half_below. lra.
+    + rewrite half_clips, value_0; lra.
 Qed.
+
+Lemma not_overdue e b : overdue e b = false -> b <= value e.
+Proof. intro H. destruct (Rlt_le_dec (value e) b) as [Lt|]; [|assumption]. apply overdue_right in Lt. congruence. Qed.
 
 Section rebasing.
 Variables (s : state) (v : vertex).
@@ -205,7 +211,7 @@ Let relist l i := if has s i v then put i (shifted (expiry (record s i) v) b) l 
 Lemma relist_proper ids : forall l, (forall i, In i ids -> is_id i) -> proper capacity l -> proper capacity (fold_left relist ids l).
 Proof.
   induction ids as [|i ids IH]; intros l I P; simpl; [exact P|]. apply IH; [intros j J; apply I; now right|]. unfold relist.
-  destruct (has s i v); [|exact P]. apply put_proper; [apply I; now left|apply lower_range|exact P].
+  destruct (has s i v); [|exact P]. apply put_proper; [apply I; now left|apply half_range|exact P].
 Qed.
 
 Lemma relist_kept i ids : has s i v = true -> (forall j, In j ids -> is_id j) -> forall l,
@@ -222,7 +228,7 @@ Lemma rebase_fine w : fine (rebase s v) w.
 Proof.
   destruct (F w) as [B P X Q S]. unfold rebase. split; simpl; unfold set; destruct (same_vertex v w) as [<-|_]; simpl; trivial.
   - apply number_zero.
-  - lra.
+  - rewrite real_zero. lra.
   - apply relist_proper; [intros i H; exact (around_ids _ _ _ H)|apply cleared_proper].
 Qed.
 
@@ -232,19 +238,19 @@ Proof.
   assert (Fixed : forall w, fixed (at_ (rebase s v) w) = fixed (at_ s w)).
   { intro w. unfold rebase. simpl. unfold set. destruct (same_vertex v w) as [<-|_]; reflexivity. }
   assert (Far : forall w, w <> v -> at_ (rebase s v) w = at_ s w) by (intros w N; unfold rebase; simpl; now apply set_other).
-  assert (Near : base (at_ (rebase s v) v) = 0) by (unfold rebase; simpl; now rewrite set_same).
+  assert (Near : real (base (at_ (rebase s v) v)) = 0) by (unfold rebase; simpl; rewrite set_same; exact real_zero).
   destruct (has s i v) eqn:D.
   - (* v is a point of it *)
     assert (V : In v (points c)) by now apply H.
     assert (Record : record (rebase s v) i = {| expiry := set same_vertex (expiry (record s i)) v (shifted (expiry (record s i) v) b);
-      tolerance := if Rlt_dec (value (expiry (record s i) v)) b then 0 else tolerance (record s i);
+      tolerance := if overdue (expiry (record s i) v) b then zero else tolerance (record s i);
       reference := reference (record s i); origin := set same_vertex (origin (record s i)) v (origin (record s i) v - b);
       allowance := allowance (record s i) |}) by (unfold rebase; simpl; now rewrite D).
     destruct (shifted_below (expiry (record s i) v) b (E v V) Nb Pb) as [Cut Left].
     split; [split|..]; rewrite ?Record; cbn [expiry tolerance reference origin allowance]; trivial.
-    + intros Mode Two Pos. destruct (Rlt_dec _ b) as [Lt|Lt]; [lra|]. destruct (U Mode Two Pos) as [U1 U2]. split; [exact U1|].
+    + intros Mode Two Pos. destruct (overdue _ b) eqn:Lt; [rewrite real_zero in Pos; lra|]. assert (Ge := not_overdue _ _ Lt). destruct (U Mode Two Pos) as [U1 U2]. split; [exact U1|].
       intros w Q. unfold set. destruct (same_vertex v w) as [<-|N]; [|now apply U2]. generalize (U2 v V) (Left ltac:(lra)). lra.
-    + intros w Q. unfold set. destruct (same_vertex v w) as [<-|N]; [apply lower_range|now apply E].
+    + intros w Q. unfold set. destruct (same_vertex v w) as [<-|N]; [apply half_range|now apply E].
     + intros w Q. rewrite Fixed. unfold set. destruct (same_vertex v w) as [<-|N].
       * rewrite Near. generalize (P v Q). fold b. lra.
       * rewrite Far by congruence. now apply P.

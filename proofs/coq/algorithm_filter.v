@@ -20,7 +20,7 @@ Class world := {
   vertex : Type;
   certificate : Type;
   same_vertex : forall v w : vertex, {v = w} + {v <> w};
-  same_position : forall p q : position, {p = q} + {p <> q};
+  same_position : position -> position -> bool;
   dist : position -> position -> R;
   points : certificate -> list vertex;
   holds : certificate -> (vertex -> position) -> Prop;
@@ -29,17 +29,23 @@ Class world := {
   inside : certificate -> vertex -> bool;            (* which of its points belong inside *)
   capacity : nat;                                    (* of lists *)
   stamps : Z;                                        (* that tell steps apart: Horizons *)
-  worn : R -> expiry_list -> bool;                   (* whether an odometer is to start again: commit() *)
   chosen : second_looks;
   around : (Z -> option certificate) -> vertex -> list Z;   (* for_each_certificate *)
   (* arithmetic *)
+  num : Type;                                        (* what the program computes with *)
+  real : num -> R;                                   (* and what that means *)
+  zero : num;
   valid : position -> Prop;                          (* in the coordinate domain *)
-  number : R -> Prop;                                (* a double *)
-  reading_of : R -> position -> position -> R;       (* base, fixed, moving *)
-  below : position -> position -> R -> bool;         (* the comparison of squares with a threshold *)
-  threshold : Z -> R -> R;                           (* earliest, base *)
-  sum_lower : R -> R -> R;
-  less : Z -> R -> R }.                              (* what is left of an expiry, rounded down *)
+  number : num -> Prop;                              (* a double *)
+  reading_of : num -> position -> position -> num;   (* base, fixed, moving *)
+  below : position -> position -> num -> bool;       (* the comparison of squares with a threshold *)
+  threshold : Z -> num -> num;                       (* earliest, base *)
+  sum_lower : num -> num -> num;
+  less : Z -> num -> num;                            (* what is left of an expiry, rounded down *)
+  half : num -> Z;                                   (* Expiry::lower *)
+  overdue : Z -> num -> bool;                        (* an expiry below a base *)
+  worn : num -> expiry_list -> bool }.               (* whether an odometer is to start again: commit() *)
+Coercion real : num >-> R.
 
 Section program.
 Context {W : world}.
@@ -54,7 +60,11 @@ Class laws := {
   stamps_pos : (0 < stamps)%Z;
   around_all : forall mesh v i c, (forall j d, mesh j = Some d -> is_id j) -> mesh i = Some c -> In v (points c) -> In i (around mesh v);
   around_ids : forall mesh v i, In i (around mesh v) -> is_id i;
-  number_zero : number 0;
+  same_position_right : forall p q, same_position p q = true -> p = q;
+  real_zero : real zero = 0;
+  number_zero : number zero;
+  half_lower : forall b : num, half b = lower b;
+  overdue_right : forall e (b : num), overdue e b = true <-> value e < b;
   reading_above : forall b f p, number b -> 0 <= b -> valid f -> valid p ->
     number (reading_of b f p) /\ b + dist f p <= reading_of b f p;
   threshold_below : forall e b f p, (0 <= e <= never)%Z -> number b -> 0 <= b -> valid f -> valid p ->
@@ -80,13 +90,13 @@ Definition wide (c : certificate) (reference : placement) (t : R) : Prop :=
 
 Record odometer := {
   fixed : position;
-  base : R;                   (* length of the path of fixed positions since it was 0, or more *)
-  room : R;                   (* threshold of the step test *)
+  base : num;                 (* length of the path of fixed positions since it was 0, or more *)
+  room : num;                 (* threshold of the step test *)
   listing : expiry_list;
   stamp : Z }.
 Record written := {
   expiry : vertex -> Z;
-  tolerance : R;              (* for second looks *)
+  tolerance : num;            (* for second looks *)
   reference : placement;
   origin : vertex -> R;       (* base of the point right after the record was made *)
   allowance : vertex -> R }.
@@ -111,14 +121,14 @@ Definition set_stamp (o : odometer) e : odometer :=
 Definition set_room (o : odometer) : odometer :=   (* set_threshold *)
   {| fixed := fixed o; base := base o; room := threshold (earliest (listing o)) (base o); listing := listing o; stamp := stamp o |}.
 
-Definition reading (s : state) (v : vertex) (p : position) : R := reading_of (base (at_ s v)) (fixed (at_ s v)) p.
+Definition reading (s : state) (v : vertex) (p : position) : num := reading_of (base (at_ s v)) (fixed (at_ s v)) p.
 Definition has (s : state) (i : Z) (v : vertex) : bool :=
   match mesh s i with Some c => if in_dec same_vertex v (points c) then true else false | None => false end.
 
 (* ---- A step to x ---- *)
 
 Definition passes (s : state) (x : placement) (v : vertex) : bool :=
-  below (fixed (at_ s v)) (x v) (room (at_ s v)) || (if same_position (x v) (fixed (at_ s v)) then true else false).
+  below (fixed (at_ s v)) (x v) (room (at_ s v)) || same_position (x v) (fixed (at_ s v)).
 Definition find_failed (s : state) (x : placement) (movers : list vertex) : list vertex := filter (fun v => negb (passes s x v)) movers.
 
 Definition begin_anchoring (s : state) : state :=
@@ -135,12 +145,12 @@ Definition anchor (x : placement) (s : state) (v : vertex) : state :=
     {| moving := moving t; at_ := at_ t; mesh := mesh t; record := record t; epoch := epoch t; anchored := v :: anchored t |}.
 
 (* A second look that succeeded. Unequal: new expiries for the old reference, and what they allow; safe: how far from x. *)
-Inductive renewal := unequal (new allowed : vertex -> R) | safe (far : vertex -> R).
-Definition renewed_expiry (k : renewal) (b : R) (v : vertex) : Z :=
-  match k with unequal new _ => lower (new v) | safe far => lower (sum_lower b (far v)) end.
+Inductive renewal := unequal (new : vertex -> num) (allowed : vertex -> R) | safe (far : vertex -> num).
+Definition renewed_expiry (k : renewal) (b : num) (v : vertex) : Z :=
+  match k with unequal new _ => half (new v) | safe far => half (sum_lower b (far v)) end.
 Variable second_look : state -> placement -> Z -> option renewal.
 
-Definition is_expired (s : state) (i : Z) (v : vertex) : bool := has s i v && (expiry (record s i) v <=? lower (base (at_ s v)))%Z.
+Definition is_expired (s : state) (i : Z) (v : vertex) : bool := has s i v && (expiry (record s i) v <=? half (base (at_ s v)))%Z.
 Definition renewals := list (Z * certificate * renewal).
 (* The list so far, suspects, renewals. *)
 Definition look_at s x v (found : expiry_list * list Z * renewals) (i : Z) : expiry_list * list Z * renewals :=
@@ -162,7 +172,7 @@ Definition tour s x v (found : expiry_list * list Z * renewals) : expiry_list * 
   let '(l, suspects, renewed) := fold_left (look_at s x v) expired (cleared capacity, suspects, renewed) in
   (put_many capacity (map (fun i => (own s v i, i)) others) l, suspects, renewed).
 Definition examine (s : state) (x : placement) (v : vertex) : expiry_list * list Z * renewals :=
-  let now := lower (base (at_ s v)) in
+  let now := half (base (at_ s v)) in
   if (rest (listing (at_ s v)) <=? now)%Z then tour s x v (listing (at_ s v), [], []) else
   let (visited, l) := take now (listing (at_ s v)) in
   let found := fold_left (look_at s x v) visited (l, [], []) in
@@ -173,7 +183,7 @@ Definition find_expired (s : state) (x : placement) (failed : list vertex) : sta
   let t := fold_left (anchor x) failed (begin_anchoring s) in
   ({| moving := moving t; mesh := mesh t; record := record t; epoch := epoch t; anchored := anchored t;
       at_ := fun v => if in_dec same_vertex v failed then set_listing (at_ t v) (fst (fst (examine t x v))) else at_ t v |},
-   flat_map (fun v => snd (fst (examine t x v))) failed, flat_map (fun v => snd (examine t x v)) failed).
+   flat_map (fun v => rev (snd (fst (examine t x v)))) failed, flat_map (fun v => rev (snd (examine t x v))) failed).
 
 (* After a failure: what was kept of those that failed. *)
 Definition undo_anchoring (before t : state) (failed : list vertex) : state :=
@@ -182,17 +192,17 @@ Definition undo_anchoring (before t : state) (failed : list vertex) : state :=
 
 (* ---- Repair: what it promises ---- *)
 
-Record verdict := { id : Z; of : certificate; bound : R }.
+Record verdict := { id : Z; of : certificate; bound : num }.
 Record evaluated (x : placement) (k : verdict) : Prop := {
   bound_sound : sound (of k) x (fun _ => bound k);
   bound_wide : two_sided (of k) = true -> wide (of k) x (bound k);
   bound_pos : 0 <= bound k;
   bound_number : number (bound k) }.
-(* From mesh to mesh': what is neither evaluated nor changed was no suspect; vertices put back have all their certificates evaluated. *)
-Record repaired (x : placement) (old new : Z -> option certificate) (suspects : list Z) (verdicts : list verdict) (reinserted : list vertex) : Prop := {
+(* From mesh to mesh': what is neither evaluated nor changed was no suspect. *)
+Record repaired (x : placement) (old new : Z -> option certificate) (suspects : list Z) (verdicts : list verdict) : Prop := {
   verdicts_right : forall k, In k verdicts -> new (id k) = Some (of k) /\ evaluated x k;
   others_untouched : forall i c, new i = Some c -> In i (map id verdicts) \/
-    (old i = Some c /\ ~ In i suspects /\ forall v, In v (points c) -> ~ In v reinserted);
+    (old i = Some c /\ ~ In i suspects);
   all_ids : forall i c, new i = Some c -> is_id i;
   all_counted_on : forall i c d, new i = Some c -> counts_on d c -> exists j, new j = Some d }.
 
@@ -201,70 +211,74 @@ Record repaired (x : placement) (old new : Z -> option certificate) (suspects : 
 Definition put_at (i e : Z) (v : vertex) (s : state) : state := set_at s v (set_listing (at_ s v) (put i e (listing (at_ s v)))).
 
 (* A certificate at x, and how far each point may go from there: commit_points, and commit_renewals with a safe region. *)
-Definition write_point x i (far : vertex -> R) (s : state) (v : vertex) : state :=
-  let s := anchor x s v in put_at i (lower (sum_lower (base (at_ s v)) (far v))) v s.
-Definition write_at x i c (far : vertex -> R) (t : R) (s : state) : state :=
+Definition write_point x i (far : vertex -> num) (s : state) (v : vertex) : state :=
+  let s := anchor x s v in put_at i (half (sum_lower (base (at_ s v)) (far v))) v s.
+Definition write_at x i c (far : vertex -> num) (t : num) (s : state) : state :=
   let s := fold_left (write_point x i far) (points c) s in
-  set_record s i {| expiry := fun v => lower (sum_lower (base (at_ s v)) (far v)); tolerance := t;
-                    reference := x; origin := fun v => base (at_ s v); allowance := far |}.
+  set_record s i {| expiry := fun v => half (sum_lower (base (at_ s v)) (far v)); tolerance := t;
+                    reference := x; origin := fun v => base (at_ s v); allowance := fun v => far v |}.
 Definition commit_evaluated x (s : state) (k : verdict) : state := write_at x (id k) (of k) (fun _ => bound k) (bound k) s.
 
-Definition renew_point i (new : vertex -> R) (s : state) (v : vertex) : state :=
-  let t := put_at i (lower (new v)) v s in
+Definition renew_point i (new : vertex -> num) (s : state) (v : vertex) : state :=
+  let t := put_at i (half (new v)) v s in
   if (stamp (at_ t v) =? epoch t)%Z then t else set_at t v (set_room (at_ t v)).
 Definition commit_renewal x (s : state) (n : Z * certificate * renewal) : state :=
-  let '(i, c, k) := n in
-  match mesh s i, k with
-  | None, _ => s
-  | _, unequal new allowed =>
-      let t := fold_left (renew_point i new) (points c) s in
-      set_record t i {| expiry := fun v => lower (new v); tolerance := 0;
-                        reference := reference (record s i); origin := origin (record s i); allowance := allowed |}
-  | _, safe far => write_at x i c far (tolerance (record s i)) s
+  let '(i, _, k) := n in
+  match mesh s i with
+  | None => s
+  | Some c =>      (* be it another one by now, which has been evaluated *)
+      if two_sided c then
+        match k with
+        | unequal new allowed =>
+            let t := fold_left (renew_point i new) (points c) s in
+            set_record t i {| expiry := fun v => half (new v); tolerance := zero;
+                              reference := reference (record s i); origin := origin (record s i); allowance := allowed |}
+        | safe far => write_at x i c far (tolerance (record s i)) s
+        end
+      else s
   end.
 
-Definition shifted (e : Z) (b : R) : Z := lower (less e b).
+Definition shifted (e : Z) (b : num) : Z := half (less e b).
 Definition rebase (s : state) (v : vertex) : state :=
   let o := at_ s v in
   let b := base o in
   let shift i := let r := record s i in
     if has s i v then
       {| expiry := set same_vertex (expiry r) v (shifted (expiry r v) b);
-         tolerance := if Rlt_dec (value (expiry r v)) b then 0 else tolerance r;
+         tolerance := if overdue (expiry r v) b then zero else tolerance r;
          reference := reference r; origin := set same_vertex (origin r) v (origin r v - b); allowance := allowance r |}
     else r in
   let relist l i := if has s i v then put i (shifted (expiry (record s i) v) b) l else l in
   {| moving := moving s; mesh := mesh s; epoch := epoch s; anchored := anchored s; record := shift;
-     at_ := set same_vertex (at_ s) v {| fixed := fixed o; base := 0; room := room o; stamp := stamp o;
+     at_ := set same_vertex (at_ s) v {| fixed := fixed o; base := zero; room := room o; stamp := stamp o;
                                          listing := fold_left relist (around (mesh s) v) (cleared capacity) |} |}.
 Definition finish (s : state) (v : vertex) : state :=
   let s := if worn (base (at_ s v)) (listing (at_ s v)) then rebase s v else s in set_at s v (set_room (at_ s v)).
 
-Definition with_mesh (s : state) (m : Z -> option certificate) (reinserted : list vertex) : state :=
-  {| moving := moving s; mesh := m; record := record s; epoch := epoch s; anchored := anchored s;
-     at_ := fun v => if in_dec same_vertex v reinserted then set_listing (at_ s v) (cleared capacity) else at_ s v |}.
+Definition with_mesh (s : state) (m : Z -> option certificate) : state :=
+  {| moving := moving s; at_ := at_ s; mesh := m; record := record s; epoch := epoch s; anchored := anchored s |}.
 Definition move_to (x : placement) (s : state) : state :=
   {| moving := x; at_ := at_ s; mesh := mesh s; record := record s; epoch := epoch s; anchored := anchored s |}.
-Definition commit x (s : state) (renewed : renewals) (m : Z -> option certificate) (verdicts : list verdict) (reinserted : list vertex) : state :=
-  let s := fold_left (commit_renewal x) renewed (with_mesh s m reinserted) in
+Definition commit x (s : state) (renewed : renewals) (m : Z -> option certificate) (verdicts : list verdict) : state :=
+  let s := fold_left (commit_renewal x) renewed (with_mesh s m) in
   let s := fold_left (commit_evaluated x) verdicts s in
   move_to x (fold_left finish (anchored s) s).
 
 (* ---- Everything anew, insertion ---- *)
 
-Definition fresh_point (i : Z) (t : R) (s : state) (v : vertex) : state :=
-  set_at s v (set_listing (at_ s v) (put_new i (lower (sum_lower (base (at_ s v)) t)) (listing (at_ s v)))).
+Definition fresh_point (i : Z) (t : num) (s : state) (v : vertex) : state :=
+  set_at s v (set_listing (at_ s v) (put_new i (half (sum_lower (base (at_ s v)) t)) (listing (at_ s v)))).
 Definition write_fresh x (s : state) (k : verdict) : state :=
   let s := fold_left (fresh_point (id k) (bound k)) (points (of k)) s in
-  set_record s (id k) {| expiry := fun v => lower (sum_lower (base (at_ s v)) (bound k)); tolerance := bound k;
+  set_record s (id k) {| expiry := fun v => half (sum_lower (base (at_ s v)) (bound k)); tolerance := bound k;
                          reference := x; origin := fun v => base (at_ s v); allowance := fun _ => bound k |}.
 Definition settle (x : placement) (s : state) (m : Z -> option certificate) (verdicts : list verdict) : state :=
   let t := fold_left (write_fresh x) verdicts
     {| moving := x; mesh := m; record := record s; epoch := epoch s; anchored := [];
-       at_ := fun v => {| fixed := x v; base := 0; room := 0; listing := cleared capacity; stamp := 0 |} |} in
+       at_ := fun v => {| fixed := x v; base := zero; room := zero; listing := cleared capacity; stamp := 0 |} |} in
   {| moving := x; mesh := mesh t; record := record t; epoch := epoch t; anchored := []; at_ := fun v => set_room (at_ t v) |}.
 Definition place (s : state) (n : vertex * position) : state :=
   let (v, p) := n in
   move_to (set same_vertex (moving s) v p)
-    (set_at s v {| fixed := p; base := base (at_ s v); room := 0; listing := cleared capacity; stamp := stamp (at_ s v) |}).
+    (set_at s v {| fixed := p; base := base (at_ s v); room := zero; listing := cleared capacity; stamp := stamp (at_ s v) |}).
 End program.

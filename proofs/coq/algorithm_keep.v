@@ -16,6 +16,12 @@ Section keep.
 Context {W : world} {L : laws}.
 Notation Valid x := (forall v, valid (x v)).
 
+(* Expiry::lower, with the names of high_word.v. *)
+Lemma half_range (b : num) : (0 <= half b <= never)%Z. Proof. rewrite half_lower. apply lower_range. Qed.
+Lemma half_below (b : num) : 0 <= b -> value (half b) <= b. Proof. rewrite half_lower. apply lower_below. Qed.
+Lemma half_clips (b : num) : b <= 0 -> half b = 0%Z. Proof. rewrite half_lower. apply lower_clips. Qed.
+Lemma half_not_reached (b : num) e : 0 <= b -> (e <= never)%Z -> (half b < e)%Z -> b < value e. Proof. rewrite half_lower. apply not_reached. Qed.
+
 Definition fixed_of (s : state) : placement := fun v => fixed (at_ s v).
 Definition touched (s : state) (v : vertex) : Prop := stamp (at_ s v) = epoch s.
 Definition protects (o : odometer) (own : Z) : Prop :=
@@ -170,16 +176,16 @@ Proof.
   assert (Q := dist_nonneg (fixed (at_ s v)) (x v)).
   split; trivial; simpl.
   - intro w. unfold set. destruct (same_vertex v w) as [<-|_]; [|apply follow_refl].
-    destruct (same_position _ _) as [D|D]; (split; simpl; [|easy|]).
+    destruct (same_position _ _); (split; simpl; [|easy|]).
     + left. easy.
     + intros j own _ _ K. split; [exact K|now left].
     + right. split; [reflexivity|exact R'].
     + intros j own _ _ K. split; [exact K|now left].
   - intro w. destruct (F w) as [B1 P1 X1 P1' S1].
-    split; simpl; unfold set; destruct (same_vertex v w) as [<-|_]; trivial; destruct (same_position _ _) as [D|D]; simpl; trivial;
+    split; simpl; unfold set; destruct (same_vertex v w) as [<-|_]; trivial; destruct (same_position _ _); simpl; trivial;
       unfold reading; try lra; try lia.
   - intros A w. unfold touched. simpl. unfold set. destruct (same_vertex v w) as [<-|_].
-    + intros _. destruct (same_position _ _) as [D|D]; simpl; (split; [easy|now left]).
+    + intros _. destruct (same_position _ _) eqn:D; simpl; (split; [|now left]); [symmetry; now apply same_position_right|reflexivity].
     + intro T. destruct (A w T). now split; [|right].
 Qed.
 
@@ -188,15 +194,15 @@ Proof. intros A T. unfold touched. rewrite (same_epoch _ _ _ _ A). now apply (st
 
 (* ---- Writing a certificate at x ---- *)
 
-Lemma lower_of_sum b t : number b -> number t -> 0 <= b -> 0 <= t -> value (lower (sum_lower b t)) <= b + t.
+Lemma half_of_sum b t : number b -> number t -> 0 <= b -> 0 <= t -> value (half (sum_lower b t)) <= b + t.
 Proof.
   intros B T B0 T0. generalize (sum_lower_below b t B T B0 T0). intro S. destruct (Rlt_le_dec 0 (sum_lower b t)) as [P|P].
-  - apply Rle_trans with (2 := S), lower_below. lra.
-  - rewrite lower_clips, value_0; lra.
+  - apply Rle_trans with (2 := S), half_below. lra.
+  - rewrite half_clips, value_0; lra.
 Qed.
 
 Section writing.
-Variables (x : placement) (i : Z) (far : vertex -> R).
+Variables (x : placement) (i : Z) (far : vertex -> num).
 Hypothesis X : Valid x.
 Hypothesis I : is_id i.
 
@@ -204,7 +210,7 @@ Lemma write_point_advance s v : (forall w, fine s w) -> advance x (eq i) s (writ
 Proof.
   intro F. unfold write_point. assert (A := anchor_advance x s v F X).
   apply advance_trans with (anchor x s v); [now apply advance_more with (2 := A)|].
-  apply put_at_advance; [exact (all_fine _ _ _ _ A)|exact I|apply lower_range].
+  apply put_at_advance; [exact (all_fine _ _ _ _ A)|exact I|apply half_range].
 Qed.
 
 (* A vertex that is anchored keeps its base. *)
@@ -216,7 +222,7 @@ Proof.
 Qed.
 
 Lemma write_point_done s v : let t := write_point x i far s v in
-  touched t v /\ kept (listing (at_ t v)) i (lower (sum_lower (base (at_ t v)) (far v))).
+  touched t v /\ kept (listing (at_ t v)) i (half (sum_lower (base (at_ t v)) (far v))).
 Proof.
   unfold write_point. simpl. split.
   - unfold touched. simpl. rewrite set_same. simpl. apply anchor_touched.
@@ -224,8 +230,8 @@ Proof.
 Qed.
 
 (* Of another vertex, or of the same again, it stays done. *)
-Lemma write_point_stays s v w : touched s w -> kept (listing (at_ s w)) i (lower (sum_lower (base (at_ s w)) (far w))) ->
-  let t := write_point x i far s v in touched t w /\ kept (listing (at_ t w)) i (lower (sum_lower (base (at_ t w)) (far w))).
+Lemma write_point_stays s v w : touched s w -> kept (listing (at_ s w)) i (half (sum_lower (base (at_ s w)) (far w))) ->
+  let t := write_point x i far s v in touched t w /\ kept (listing (at_ t w)) i (half (sum_lower (base (at_ t w)) (far w))).
 Proof.
   intros T K. destruct (same_vertex v w) as [<-|N]; [apply write_point_done|]. cbv zeta.
   assert (E : at_ (write_point x i far s v) w = at_ s w).
@@ -235,8 +241,8 @@ Qed.
 
 Lemma write_points l : forall s, (forall w, fine s w) -> let t := fold_left (write_point x i far) l s in
   advance x (eq i) s t /\
-  forall w, In w l \/ (touched s w /\ kept (listing (at_ s w)) i (lower (sum_lower (base (at_ s w)) (far w)))) ->
-    touched t w /\ kept (listing (at_ t w)) i (lower (sum_lower (base (at_ t w)) (far w))).
+  forall w, In w l \/ (touched s w /\ kept (listing (at_ s w)) i (half (sum_lower (base (at_ s w)) (far w)))) ->
+    touched t w /\ kept (listing (at_ t w)) i (half (sum_lower (base (at_ t w)) (far w))).
 Proof.
   induction l as [|v l IH]; intros s F; simpl.
   - split; [now apply advance_refl|]. intros w [[]|H]. exact H.
@@ -244,9 +250,9 @@ Proof.
     intros w H. apply C. destruct H as [[<-|H]|[T K]]; [right; apply write_point_done|now left|right; now apply write_point_stays].
 Qed.
 
-Definition given (c : certificate) (t : R) : Prop :=
-  sound c x far /\ (forall v, In v (points c) -> 0 <= far v /\ number (far v)) /\
-  (chosen = unequal_moves -> two_sided c = true -> wide c x t /\ forall v, far v = t).
+Definition given (c : certificate) (t : num) : Prop :=
+  sound c x (fun v => far v) /\ (forall v, In v (points c) -> 0 <= far v /\ number (far v)) /\
+  (chosen = unequal_moves -> two_sided c = true -> wide c x t /\ forall v, real (far v) = t).
 
 Lemma set_record_advance s r : (forall w, fine s w) -> advance x (eq i) s (set_record s i r).
 Proof.
@@ -261,17 +267,17 @@ Theorem write_at_good s c t : (forall w, fine s w) -> at_x s x -> given c t ->
 Proof.
   intros F A (S & P & U). unfold write_at. destruct (write_points (points c) s F) as [B D].
   set (u := fold_left (write_point x i far) (points c) s) in *.
-  set (r := {| expiry := _; tolerance := t; reference := x; origin := _; allowance := far |}).
+  set (r := {| expiry := _; tolerance := t; reference := x; origin := _; allowance := fun v => far v |}).
   assert (C := set_record_advance u r (all_fine _ _ _ _ B)). split; [now apply advance_trans with (1 := B)|].
   assert (E : record (set_record u i r) i = r) by (simpl; apply set_same).
   assert (at_u := stays_at_x _ _ _ _ B A).
   assert (G : forall v, In v (points c) -> fixed (at_ u v) = x v).
   { intros v H. destruct (D v (or_introl H)) as [T _]. apply (at_u v T). }
   assert (V : forall v, In v (points c) -> value (expiry r v) <= base (at_ u v) + far v).
-  { intros v H. simpl. destruct (all_fine _ _ _ _ B v). destruct (P v H). now apply lower_of_sum. }
+  { intros v H. simpl. destruct (all_fine _ _ _ _ B v). destruct (P v H). now apply half_of_sum. }
   split; [split|..]; rewrite ?E; trivial.
   - intros M Q _. destruct (U M Q) as [K Y]. split; [exact K|]. intros v H. generalize (V v H). rewrite (Y v). simpl. lra.
-  - intros v _. apply lower_range.
+  - intros v _. apply half_range.
   - intros v H. simpl. rewrite (G v H), dist_zero. lra.
   - intros v H. left. exact (V v H).
   - intros v H. rewrite E. split; right; [reflexivity|]. exact (G v H).

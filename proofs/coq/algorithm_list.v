@@ -21,8 +21,8 @@ Open Scope Z_scope.
 Definition never : Z := 2047 * 2 ^ 20.   (* the upper half of infinity *)
 Definition none : Z := 2 ^ 32 - 1.       (* no id *)
 Definition entry (expiry id : Z) : Z := expiry * 2 ^ 32 + id.
-Definition expiry_of (e : Z) : Z := e / 2 ^ 32.
-Definition id_of (e : Z) : Z := e mod 2 ^ 32.
+Definition expiry_of (e : Z) : Z := Z.shiftr e 32.
+Definition id_of (e : Z) : Z := Z.land e none.
 Definition vacant : Z := entry never none.
 Definition is_id (i : Z) : Prop := 0 <= i < none.
 
@@ -93,20 +93,24 @@ Record tidy (l : expiry_list) : Prop := { full : length (entries l) = capacity; 
 Definition kept (l : expiry_list) (id own : Z) : Prop :=
   (exists e, In e (entries l) /\ id_of e = id /\ expiry_of e <= own) \/ rest l <= own.
 
+Lemma upper_half e : expiry_of e = e / 2 ^ 32.
+Proof. unfold expiry_of. now rewrite Z.shiftr_div_pow2. Qed.
+Lemma lower_half e : id_of e = e mod 2 ^ 32.
+Proof. unfold id_of. now rewrite <- Z.land_ones. Qed.
 Lemma entry_expiry expiry id : is_id id -> expiry_of (entry expiry id) = expiry.
 Proof.
-  intros [A B]. unfold expiry_of, entry, none in *. rewrite Z.div_add_l by lia. rewrite Z.div_small by lia. lia.
+  intros [A B]. rewrite upper_half. unfold entry, none in *. rewrite Z.div_add_l by lia. rewrite Z.div_small by lia. lia.
 Qed.
 Lemma entry_id expiry id : is_id id -> id_of (entry expiry id) = id.
 Proof.
-  intros [A B]. unfold id_of, entry, none in *. rewrite Z.add_comm, Z.mod_add by lia. apply Z.mod_small. lia.
+  intros [A B]. rewrite lower_half. unfold entry, none in *. rewrite Z.add_comm, Z.mod_add by lia. apply Z.mod_small. lia.
 Qed.
 Lemma expiry_le e f : e <= f -> expiry_of e <= expiry_of f.
-Proof. intro H. apply Z.div_le_mono; lia. Qed.
+Proof. intro H. rewrite !upper_half. apply Z.div_le_mono; lia. Qed.
 Lemma entry_parts e : e = entry (expiry_of e) (id_of e).
-Proof. unfold entry, expiry_of, id_of. generalize (Z.div_mod e (2 ^ 32) ltac:(lia)). lia. Qed.
+Proof. unfold entry. rewrite upper_half, lower_half. generalize (Z.div_mod e (2 ^ 32) ltac:(lia)). lia. Qed.
 Lemma id_bounds e : 0 <= id_of e < 2 ^ 32.
-Proof. apply Z.mod_pos_bound. lia. Qed.
+Proof. rewrite lower_half. apply Z.mod_pos_bound. lia. Qed.
 
 (* Nothing is lost on the way through the array. *)
 Lemma exchange_in l : forall moving m out, exchange moving l = (m, out) -> forall x, In x (moving :: l) <-> In x m \/ x = out.
@@ -191,7 +195,7 @@ Proof.
   assert (C : forall e, In e m \/ e = out -> 0 <= e <= vacant).
   { intros e H. destruct (exchange_in _ _ _ _ E e) as [_ K]. destruct (K H) as [<-|K']; [now apply entry_range|now apply B]. }
   split; simpl.
-  - apply Z.min_glb; [exact A|]. apply Z.div_pos; [now apply C; right|lia].
+  - apply Z.min_glb; [exact A|]. rewrite upper_half. apply Z.div_pos; [now apply C; right|lia].
   - intros e H. apply C. now left.
 Qed.
 
@@ -324,7 +328,7 @@ Qed.
 
 Theorem earliest_range l : proper l -> 0 <= earliest l.
 Proof.
-  intros [_ [A B]]. unfold earliest. apply Z.min_glb; [exact A|]. apply Z.div_pos; [|lia].
+  intros [_ [A B]]. unfold earliest. apply Z.min_glb; [exact A|]. rewrite upper_half. apply Z.div_pos; [|lia].
   destruct (entries l) as [|e m]; simpl; [unfold vacant, entry, never, none; lia|]. apply B. now left.
 Qed.
 

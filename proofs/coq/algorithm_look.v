@@ -35,20 +35,20 @@ Qed.
 
 (* A point whose reading has not reached its expiry: clipped and overdue expiries are reached by any reading. *)
 Theorem unreached_near s x i c v : fine s v -> valid (x v) -> sane s i c -> In v (points c) ->
-  (lower (reading s v (x v)) < expiry (record s i) v)%Z -> near x (reference (record s i)) (allowance (record s i)) v.
+  (half (reading s v (x v)) < expiry (record s i) v)%Z -> near x (reference (record s i)) (allowance (record s i)) v.
 Proof.
   intros [B P X Q _] Y S H R. destruct (reading_above _ _ _ B P X Y) as [_ A]. fold (reading s v (x v)) in A.
   assert (D := dist_nonneg (fixed (at_ s v)) (x v)). assert (U := used _ _ _ S v H).
-  assert (E := not_reached (reading s v (x v)) _ ltac:(lra) (proj2 U) R).
+  assert (E := half_not_reached (reading s v (x v)) _ ltac:(lra) (proj2 U) R).
   left. destruct (expires _ _ _ S v H) as [T|T]; [|lra].
   generalize (path _ _ _ S v H) (dist_triangle (reference (record s i) v) (fixed (at_ s v)) (x v)). lra.
 Qed.
 
 (* The same after anchoring, where the base is the reading. *)
 Lemma unreached_here s x i c v : fine s v -> sane s i c -> In v (points c) -> fixed (at_ s v) = x v ->
-  (lower (base (at_ s v)) < expiry (record s i) v)%Z -> near x (reference (record s i)) (allowance (record s i)) v.
+  (half (base (at_ s v)) < expiry (record s i) v)%Z -> near x (reference (record s i)) (allowance (record s i)) v.
 Proof.
-  intros [B P X Q _] S H E R. assert (U := used _ _ _ S v H). assert (D := not_reached _ _ P (proj2 U) R).
+  intros [B P X Q _] S H E R. assert (U := used _ _ _ S v H). assert (D := half_not_reached _ _ P (proj2 U) R).
   left. destruct (expires _ _ _ S v H) as [T|T]; [|lra]. rewrite <- E. generalize (path _ _ _ S v H). lra.
 Qed.
 
@@ -61,7 +61,7 @@ Proof.
     + destruct (T v H) as [[]|K]. specialize (K (x v) X P). left.
       assert (D := dist_nonneg (fixed (at_ s v)) (x v)). destruct (expires _ _ _ S v H) as [E|E]; [|lra].
       generalize (path _ _ _ S v H) (dist_triangle (reference (record s i) v) (fixed (at_ s v)) (x v)). lra.
-    + destruct (same_position (x v) (fixed (at_ s v))) as [E|]; [|discriminate]. unfold near. rewrite E. exact (proj2 (C v H)).
+    + apply same_position_right in P. unfold near. rewrite P. exact (proj2 (C v H)).
   - unfold near. rewrite P. exact (proj1 (C v H)).
 Qed.
 
@@ -104,22 +104,23 @@ Qed.
 
 Variable second_look : state -> placement -> Z -> option renewal.
 Definition second_look_right : Prop := forall s x i c k, (forall v, fine s v) -> Valid x -> mesh s i = Some c -> second_look s x i = Some k ->
+  two_sided c = true /\
   match k with
-  | unequal new allowed => chosen = unequal_moves /\ two_sided c = true /\ 0 < tolerance (record s i) /\
-      (forall v, In v (points c) -> reading s v (x v) < value (lower (new v)) /\
+  | unequal new allowed => chosen = unequal_moves /\ 0 < tolerance (record s i) /\
+      (forall v, In v (points c) -> reading s v (x v) < value (half (new v)) /\
          new v <= value (expiry (record s i) v) - tolerance (record s i) + allowed v) /\
       (forall v w, In v (points c) -> In w (points c) -> inside c v = true -> inside c w = false ->
          allowed v + allowed w <= 2 * tolerance (record s i))
-  | safe far => chosen = safe_region /\ sound c x far /\ forall v, In v (points c) -> 0 <= far v /\ number (far v)
+  | safe far => chosen = safe_region /\ sound c x (fun v => far v) /\ forall v, In v (points c) -> 0 <= far v /\ number (far v)
   end.
 (* Unequal moves (docs/theory.md 5.3): the sides have come `inner` and `outer` from where the expiries say the points were, and share what is left
    of the width. That new expiries are not reached is asked of each point, so soundness does not hang on how these two were computed. *)
 Definition shares (c : certificate) (t inner outer : R) (v : vertex) : R :=
   (if inside c v then inner else outer) + (2 * t - (inner + outer)) / 2.
-Theorem unequal_moves_right s x i c t new inner outer : t = tolerance (record s i) ->
-  (forall v, In v (points c) -> reading s v (x v) < value (lower (new v))) ->
+Theorem unequal_moves_right s x i c t new inner outer : t = real (tolerance (record s i)) ->
+  (forall v, In v (points c) -> reading s v (x v) < value (half (new v))) ->
   (forall v, In v (points c) -> new v <= value (expiry (record s i) v) - t + shares c t inner outer v) ->
-  (forall v, In v (points c) -> reading s v (x v) < value (lower (new v)) /\
+  (forall v, In v (points c) -> reading s v (x v) < value (half (new v)) /\
     new v <= value (expiry (record s i) v) - tolerance (record s i) + shares c t inner outer v) /\
   (forall v w, In v (points c) -> In w (points c) -> inside c v = true -> inside c w = false ->
     shares c t inner outer v + shares c t inner outer w <= 2 * tolerance (record s i)).
@@ -132,14 +133,14 @@ Hypothesis second_look_sound : second_look_right.
 Lemma second_look_promised s x i c k : (forall v, fine s v) -> Valid x -> mesh s i = Some c -> sane s i c -> second_look s x i = Some k ->
   promised s x (i, c, k).
 Proof.
-  intros F X M S K. assert (H := second_look_sound s x i c k F X M K). destruct k as [new allowed|far].
-  - destruct H as (Mode & Two & T & P & Q). destruct (shared _ _ _ S Mode Two T) as [Wide Infer].
-    assert (N : forall v, In v (points c) -> value (lower (new v)) <= origin (record s i) v + allowed v /\
+  intros F X M S K. assert (H := second_look_sound s x i c k F X M K). destruct H as [Two H]. split; [exact Two|]. destruct k as [new allowed|far].
+  - destruct H as (Mode & T & P & Q). destruct (shared _ _ _ S Mode Two T) as [Wide Infer].
+    assert (N : forall v, In v (points c) -> value (half (new v)) <= origin (record s i) v + allowed v /\
       dist (reference (record s i) v) (x v) < allowed v /\ dist (reference (record s i) v) (fixed (at_ s v)) < allowed v).
     { intros v V. destruct (P v V) as [P1 P2]. destruct (F v) as [B B0 Y _ _]. destruct (reading_above _ _ _ B B0 Y (X v)) as [_ A].
       fold (reading s v (x v)) in A. assert (D := dist_nonneg (fixed (at_ s v)) (x v)).
-      assert (Z : value (lower (new v)) <= new v).
-      { destruct (Rlt_le_dec 0 (new v)) as [Pos|Neg]; [apply lower_below; lra|]. rewrite lower_clips, value_0 in P1 by exact Neg. lra. }
+      assert (Z : value (half (new v)) <= new v).
+      { destruct (Rlt_le_dec 0 (new v)) as [Pos|Neg]; [apply half_below; lra|]. rewrite half_clips, value_0 in P1 by exact Neg. lra. }
       generalize (Infer v V) (path _ _ _ S v V) (dist_triangle (reference (record s i) v) (fixed (at_ s v)) (x v)). lra. }
     split.
     + apply Wide; [|exact Q]. intros v V. destruct (N v V) as (_ & N1 & _). generalize (dist_nonneg (reference (record s i) v) (x v)). lra.
@@ -150,7 +151,7 @@ Qed.
 Section looking.
 Variables (t : state) (x : placement) (v : vertex).
 Hypothesis T : forall i c, mesh t i = Some c -> is_id i /\ forall w, In w (points c) -> in_use (expiry (record t i) w).
-Let now := lower (base (at_ t v)).
+Let now := half (base (at_ t v)).
 
 Definition settled (found : expiry_list * list Z * renewals) (i : Z) (c : certificate) : Prop :=
   In i (snd (fst found)) \/ (exists k, In (i, c, k) (snd found)) \/
@@ -168,7 +169,7 @@ Proof.
   destruct (T i c M) as [I U]. assert (V : In v (points c)) by (now apply (has_spec t i c v M)).
   destruct (is_expired t i v); simpl.
   - destruct (second_look t x i) as [k|] eqn:K; [|split; [now split|simpl; lia]]. split; [split|apply Rest]; simpl.
-    + apply put_proper; [exact I| |exact P]. destruct k; apply lower_range.
+    + apply put_proper; [exact I| |exact P]. destruct k; apply half_range.
     + intros j d h [E|E]; [|now apply Q]. inversion E; subst. now split.
   - split; [split; [|exact Q]|apply Rest]. simpl. apply put_proper; [exact I|now apply U|exact P].
 Qed.

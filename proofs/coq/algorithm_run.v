@@ -101,7 +101,7 @@ Lemma fresh_points i t l : is_id i -> forall s, (forall v, proper capacity (list
   forall v, fixed (at_ u v) = fixed (at_ s v) /\ base (at_ u v) = base (at_ s v) /\ stamp (at_ u v) = stamp (at_ s v) /\
     proper capacity (listing (at_ u v)) /\
     (forall j own, kept (listing (at_ s v)) j own -> kept (listing (at_ u v)) j own) /\
-    (In v l -> kept (listing (at_ u v)) i (lower (sum_lower (base (at_ s v)) t))).
+    (In v l -> kept (listing (at_ u v)) i (half (sum_lower (base (at_ s v)) t))).
 Proof.
   intro I. induction l as [|w l IH]; intros s P; cbn [fold_left].
   - split; [reflexivity|split; [reflexivity|split; [reflexivity|split; [reflexivity|]]]]. intro v.
@@ -109,10 +109,10 @@ Proof.
   - assert (One : forall v, let o := at_ (fresh_point i t s w) v in
       fixed o = fixed (at_ s v) /\ base o = base (at_ s v) /\ stamp o = stamp (at_ s v) /\ proper capacity (listing o) /\
       (forall j own, kept (listing (at_ s v)) j own -> kept (listing o) j own) /\
-      (w = v -> kept (listing o) i (lower (sum_lower (base (at_ s v)) t)))).
+      (w = v -> kept (listing o) i (half (sum_lower (base (at_ s v)) t)))).
     { intro v. simpl. unfold set. destruct (same_vertex w v) as [<-|D]; simpl.
       - split; [reflexivity|split; [reflexivity|split; [reflexivity|split; [|split]]]].
-        + apply put_new_proper; [exact I|apply lower_range|apply P].
+        + apply put_new_proper; [exact I|apply half_range|apply P].
         + intros j own K. apply put_new_kept; [exact I|now left].
         + intros _. apply put_new_kept; [exact I|right]. split; [reflexivity|lia].
       - split; [reflexivity|split; [reflexivity|split; [reflexivity|split; [apply P|split; [trivial|contradiction]]]]]. }
@@ -140,10 +140,10 @@ Proof.
   - intro v. destruct (P v) as (P1 & P2 & P3 & P4 & _), (F v) as [F1 F2 F3 F4 F5].
     split; simpl; rewrite ?P1, ?P2, ?P3, ?E4; trivial.
   - assert (V : forall v, value (expiry r v) <= base (at_ u v) + bound k).
-    { intro v. simpl. destruct (P v) as (_ & -> & _), (F v). now apply lower_of_sum. }
+    { intro v. simpl. destruct (P v) as (_ & -> & _), (F v). now apply half_of_sum. }
     split; [split|..]; rewrite ?Rec; trivial.
     + intros _ T _. split; [now apply B2|]. intros v _. generalize (V v). simpl. lra.
-    + intros v _. apply lower_range.
+    + intros v _. apply half_range.
     + intros v _. simpl. destruct (P v) as (-> & _). rewrite X, dist_zero. lra.
     + intros v _. left. exact (V v).
     + intros v _. rewrite Rec. split; right; [reflexivity|]. unfold fixed_of. simpl. destruct (P v) as (-> & _). now rewrite X.
@@ -176,7 +176,7 @@ Proof.
 Qed.
 
 Definition settled_by (x : placement) (m : Z -> option certificate) (verdicts : list verdict) : Prop :=
-  repaired x (fun _ => None) m [] verdicts [].
+  repaired x (fun _ => None) m [] verdicts.
 
 Theorem settle_keeps x s m verdicts : (forall v : vertex, (0 <= epoch s)%Z) -> Valid x -> settled_by x m verdicts ->
   invariant (settle x s m verdicts) /\ mesh (settle x s m verdicts) = m.
@@ -184,7 +184,7 @@ Proof.
   intros E X [Right Rest Ids Counted]. unfold settle.
   set (s0 := {| moving := x; mesh := m; record := record s; epoch := epoch s; anchored := []; at_ := _ |}).
   destruct (write_all x verdicts s0) as (M & E' & F & G).
-  - intro v. split; simpl; [apply number_zero|lra|apply X|apply cleared_proper|]. generalize (E v). lia.
+  - intro v. split; simpl; [apply number_zero|rewrite real_zero; lra|apply X|apply cleared_proper|]. generalize (E v). lia.
   - reflexivity.
   - intros k H. destruct (Right k H) as [R1 R2]. split; [exact (Ids _ _ R1)|now split].
   - intros i c H. left. destruct (Rest i c H) as [Q|(Q & _)]; [exact Q|discriminate].
@@ -207,18 +207,18 @@ Definition untracked_right (s : state) : Prop :=
 Definition right (y : system) : Prop := if tracks y then invariant (of_filter y) else untracked_right (of_filter y).
 
 Definition covered (s : state) (x : placement) (movers : list vertex) : Prop := forall v, In v movers \/ x v = moving s v.
-Definition stepped s x failed m verdicts reinserted : state :=
-  let '(u, suspects, renewed) := find_expired second_look s x failed in commit x u renewed m verdicts reinserted.
+Definition stepped s x failed m verdicts : state :=
+  let '(u, suspects, renewed) := find_expired second_look s x failed in commit x u renewed m verdicts.
 
 Inductive call : system -> system -> Prop :=
   (* move_all, move: everybody passes; somebody fails; Repair fails *)
   | passed s x movers : Valid x -> covered s x movers -> find_failed s x movers = [] ->
       call {| of_filter := s; tracks := true |} {| of_filter := move_to x s; tracks := true |}
-  | processed s x movers m verdicts reinserted : Valid x -> covered s x movers ->
+  | processed s x movers m verdicts : Valid x -> covered s x movers ->
       (let failed := find_failed s x movers in let '(u, suspects, _) := find_expired second_look s x failed in
-       repaired x (mesh u) m suspects verdicts reinserted) ->
+       repaired x (mesh u) m suspects verdicts) ->
       call {| of_filter := s; tracks := true |}
-        {| of_filter := stepped s x (find_failed s x movers) m verdicts reinserted; tracks := true |}
+        {| of_filter := stepped s x (find_failed s x movers) m verdicts; tracks := true |}
   | failing s x movers : Valid x -> covered s x movers ->
       call {| of_filter := s; tracks := true |}
         {| of_filter := undo_anchoring (begin_anchoring s) (fst (fst (find_expired second_look s x (find_failed s x movers)))) (find_failed s x movers);
@@ -226,27 +226,27 @@ Inductive call : system -> system -> Prop :=
   (* place, refresh: vertices come or go, or cells came back under other numbers; evaluated where everybody is *)
   | refreshed s placed m verdicts : (forall n, In n placed -> valid (snd n)) ->
       (forall n i c, In n placed -> mesh s i = Some c -> ~ In (fst n) (points c)) ->
-      (let t := fold_left place placed s in repaired (moving t) (mesh t) m [] verdicts []) ->
+      (let t := fold_left place placed s in repaired (moving t) (mesh t) m [] verdicts) ->
       call {| of_filter := s; tracks := true |}
-        {| of_filter := (let t := fold_left place placed s in stepped t (moving t) [] m verdicts []); tracks := true |}
+        {| of_filter := (let t := fold_left place placed s in stepped t (moving t) [] m verdicts); tracks := true |}
   | settles s b x m verdicts : Valid x -> settled_by x m verdicts ->
       call {| of_filter := s; tracks := b |} {| of_filter := settle x s m verdicts; tracks := true |}
   (* Without tolerances: all certificates are evaluated, or those of the one vertex that moves *)
   | everything s b x m : Valid x -> (forall i c, m i = Some c -> holds c x) ->
       (forall i c d, m i = Some c -> counts_on d c -> exists j, m j = Some d) ->
       call {| of_filter := s; tracks := b |}
-        {| of_filter := move_to x (with_mesh s m []); tracks := false |}
+        {| of_filter := move_to x (with_mesh s m); tracks := false |}
   | star s x v m : Valid x -> (forall w, w = v \/ x w = moving s w) ->
       (forall i c, m i = Some c -> holds c x \/ (mesh s i = Some c /\ ~ In v (points c))) ->
       (forall i c d, m i = Some c -> counts_on d c -> exists j, m j = Some d) ->
-      call {| of_filter := s; tracks := false |} {| of_filter := move_to x (with_mesh s m []); tracks := false |}
+      call {| of_filter := s; tracks := false |} {| of_filter := move_to x (with_mesh s m); tracks := false |}
   | stops s : call {| of_filter := s; tracks := true |} {| of_filter := s; tracks := false |}.
 
-Lemma stepped_right s x failed m verdicts reinserted : invariant s -> Valid x ->
+Lemma stepped_right s x failed m verdicts : invariant s -> Valid x ->
   (forall v, In v failed \/ passes s x v = true \/ x v = moving s v) ->
-  (let '(u, suspects, _) := find_expired second_look s x failed in repaired x (mesh u) m suspects verdicts reinserted) ->
-  invariant (stepped s x failed m verdicts reinserted).
-Proof. intros V X O R. exact (proj1 (committed second_look second_look_sound s x failed V X O m verdicts reinserted R)). Qed.
+  (let '(u, suspects, _) := find_expired second_look s x failed in repaired x (mesh u) m suspects verdicts) ->
+  invariant (stepped s x failed m verdicts).
+Proof. intros V X O R. exact (proj1 (committed second_look second_look_sound s x failed V X O m verdicts R)). Qed.
 
 Theorem call_keeps y z : right y -> call y z -> right z.
 Proof.

@@ -59,7 +59,7 @@ Proof. rewrite t_mesh. intro M. destruct (t_sane i c M). now split. Qed.
 
 Lemma in_renewed i c k : In (i, c, k) renewed -> mesh s i = Some c /\ second_look t x i = Some k.
 Proof.
-  intro H. apply in_flat_map in H. destruct H as (v & _ & H). rewrite <- t_mesh.
+  intro H. apply in_flat_map in H. destruct H as (v & _ & H). apply in_rev in H. rewrite <- t_mesh.
   exact (proj2 (proj1 (examine_settles second_look t x v t_ids (list_proper _ _ (t_fine v)))) i c k H).
 Qed.
 
@@ -82,7 +82,7 @@ Proof.
 Qed.
 
 (* After anchoring a point is near, unless it failed and has found the certificate expired. *)
-Lemma point_near i c v : mesh s i = Some c -> In v (points c) -> (In v failed -> (lower (base (at_ t v)) < expiry (record s i) v)%Z) ->
+Lemma point_near i c v : mesh s i = Some c -> In v (points c) -> (In v failed -> (half (base (at_ t v)) < expiry (record s i) v)%Z) ->
   near x (reference (record s i)) (allowance (record s i)) v /\ near (fixed_of t) (reference (record s i)) (allowance (record s i)) v.
 Proof.
   intros M H N. destruct (in_dec same_vertex v failed) as [Y|Y].
@@ -102,16 +102,16 @@ Proof.
   change (mesh u) with (mesh t). rewrite t_mesh. intro M.
   (* at every point that failed it was a suspect, renewed or not reached *)
   assert (D : In i suspects \/ (exists k, In (i, c, k) renewed) \/ forall v, In v failed -> In v (points c) ->
-    (lower (base (at_ t v)) < expiry (record t i) v)%Z /\ kept (fst (fst (examine second_look t x v))) i (expiry (record t i) v)).
+    (half (base (at_ t v)) < expiry (record t i) v)%Z /\ kept (fst (fst (examine second_look t x v))) i (expiry (record t i) v)).
   { assert (E : forall l, (forall v, In v l -> In v failed) -> In i suspects \/ (exists k, In (i, c, k) renewed) \/ forall v, In v l -> In v (points c) ->
-      (lower (base (at_ t v)) < expiry (record t i) v)%Z /\ kept (fst (fst (examine second_look t x v))) i (expiry (record t i) v)).
+      (half (base (at_ t v)) < expiry (record t i) v)%Z /\ kept (fst (fst (examine second_look t x v))) i (expiry (record t i) v)).
     { induction l as [|v l IH]; intro Inc; [right; right; intros v []|]. assert (Fv := Inc v (or_introl eq_refl)).
       destruct (IH (fun w H => Inc w (or_intror H))) as [Q|[Q|Q]]; [now left|right; now left|].
       destruct (in_dec same_vertex v (points c)) as [Y|Y].
       - assert (Mt : mesh t i = Some c) by now rewrite t_mesh.
         destruct (proj2 (examine_settles second_look t x v t_ids (list_proper _ _ (t_fine v))) i c Mt Y (t_listed i c M v Y)) as [H|[(k & H)|H]].
-        + left. apply in_flat_map. exists v. split; [exact Fv|exact H].
-        + right. left. exists k. apply in_flat_map. exists v. split; [exact Fv|exact H].
+        + left. apply in_flat_map. exists v. split; [exact Fv|now apply in_rev in H].
+        + right. left. exists k. apply in_flat_map. exists v. split; [exact Fv|now apply in_rev in H].
         + right. right. intros w [<-|Hw] Hp; [exact H|now apply Q].
       - right. right. intros w [<-|Hw] Hp; [contradiction|now apply Q]. }
     apply E. trivial. }
@@ -134,7 +134,7 @@ Theorem no_suspect_holds i c : mesh u i = Some c -> ~ In i suspects -> (forall d
 Proof.
   intros M N K. destruct (examined i c M) as [Q|[(k & Q)|Q]]; [contradiction| |].
   - destruct (in_renewed i c k Q) as [Ms Sl]. assert (Mt : mesh t i = Some c) by now rewrite t_mesh.
-    assert (P := second_look_promised second_look second_look_sound t x i c k t_fine X Mt (t_sane i c Ms) Sl). destruct k as [new allowed|far].
+    assert (P := second_look_promised second_look second_look_sound t x i c k t_fine X Mt (t_sane i c Ms) Sl). destruct P as [_ P]. destruct k as [new allowed|far].
     + destruct P as [S P]. apply S; [|exact K]. intros v H. apply (P v H).
     + destruct P as (_ & S & _). apply S; [|exact K]. intros v H. now right.
   - apply (promise _ _ _ (is_sane _ _ _ _ _ Q)); [|exact K]. intros v H. apply (is_close _ _ _ _ _ Q v H).
@@ -154,55 +154,34 @@ Qed.
 
 (* ---- commit ---- *)
 
-Variables (m : Z -> option certificate) (verdicts : list verdict) (reinserted : list vertex).
-Hypothesis Mended : repaired x (mesh u) m suspects verdicts reinserted.
-Let w0 := with_mesh u m reinserted.
-
-Lemma w0_at v : at_ w0 v = if in_dec same_vertex v reinserted then set_listing (at_ u v) (cleared capacity) else at_ u v.
-Proof. reflexivity. Qed.
+Variables (m : Z -> option certificate) (verdicts : list verdict).
+Hypothesis Mended : repaired x (mesh u) m suspects verdicts.
+Let w0 := with_mesh u m.
 
 Lemma w0_fine v : fine w0 v.
-Proof. destruct (u_fine v) as [B P Y Q S]. split; rewrite w0_at; destruct (in_dec same_vertex v reinserted); trivial. apply cleared_proper. Qed.
+Proof. destruct (u_fine v). now split. Qed.
 
-Lemma w0_at_x : at_x w0 x.
+Lemma w0_good i c : good u x (touched u) i c -> good w0 x (touched w0) i c.
+Proof. intros [[I S U E P Ex] C K T]. split; trivial. now split. Qed.
+
+Lemma w0_promised i c k : promised t x (i, c, k) -> promised w0 x (i, c, k).
 Proof.
-  intros v H. assert (E : stamp (at_ w0 v) = stamp (at_ u v) /\ fixed (at_ w0 v) = fixed (at_ u v)).
-  { rewrite w0_at. now destruct (in_dec same_vertex v reinserted). }
-  destruct E as [E1 E2]. unfold touched in H. rewrite E1 in H. rewrite E2. exact (u_at_x v H).
-Qed.
-
-Lemma w0_same c : (forall v, In v (points c) -> ~ In v reinserted) -> forall v, In v (points c) -> at_ w0 v = at_ u v.
-Proof. intros R v H. rewrite w0_at. destruct (in_dec same_vertex v reinserted) as [Y|]; [destruct (R v H Y)|reflexivity]. Qed.
-
-Lemma w0_good i c : (forall v, In v (points c) -> ~ In v reinserted) -> good u x (touched u) i c -> good w0 x (touched w0) i c.
-Proof.
-  intros R [[I S U E P Ex] C K T]. assert (A := w0_same c R). assert (Rec : record w0 i = record u i) by reflexivity.
-  split; [split|..]; rewrite ?Rec; trivial; intros v H; rewrite ?Rec.
-  - rewrite (A v H). now apply P.
-  - rewrite (A v H). now apply Ex.
-  - unfold near, fixed_of. rewrite (A v H). now apply C.
-  - rewrite (A v H). now apply K.
-  - unfold touched. rewrite (A v H). now apply T.
-Qed.
-
-Lemma w0_promised i c k : (forall v, In v (points c) -> ~ In v reinserted) -> promised t x (i, c, k) -> promised w0 x (i, c, k).
-Proof.
-  intro R. assert (A := w0_same c R). destruct k as [new allowed|far]; [|trivial]. change (record w0 i) with (record t i).
+  intros [Two P]. split; [exact Two|revert P]. destruct k as [new allowed|far]; [|trivial]. change (record w0 i) with (record t i).
   intros [S P]. split; [exact S|]. intros v H. destruct (P v H) as (P1 & P2 & P3 & P4). unfold near, fixed_of.
-  change (record w0 i) with (record t i). rewrite (A v H). destruct (u_same v) as (-> & -> & _). now repeat split.
+  change (record w0 i) with (record t i). change (at_ w0 v) with (at_ u v). destruct (u_same v) as (-> & -> & _). now repeat split.
 Qed.
 
-Theorem committed : let r := commit x u renewed m verdicts reinserted in invariant r /\ mesh r = m /\ moving r = x.
+Theorem committed : let r := commit x u renewed m verdicts in invariant r /\ mesh r = m /\ moving r = x.
 Proof.
   destruct Mended as [Right Rest Ids Counted].
-  destruct (renewals_committed x (fun i => In i (map id verdicts)) renewed X w0 w0_fine w0_at_x) as (F1 & A1 & M1 & P1 & G1).
+  destruct (renewals_committed x (fun i => In i (map id verdicts)) renewed X w0 w0_fine u_at_x) as (F1 & A1 & M1 & P1 & G1).
   - intros [[i c] k] [[j d] h] H H' E. unfold id_of_renewal in E. simpl in E. subst j.
     destruct (in_renewed _ _ _ H), (in_renewed _ _ _ H'). congruence.
   - intros i c k H. destruct (in_renewed i c k H) as [Ms Sl]. assert (S := t_sane i c Ms). split; [apply S|]. change (mesh w0 i) with (m i).
-    destruct (m i) as [d|] eqn:Mi; [|right; now left]. destruct (Rest i d Mi) as [Q|(Q1 & Q2 & Q3)]; [now left|]. right. right.
+    destruct (m i) as [d|] eqn:Mi; [|right; now left]. destruct (Rest i d Mi) as [Q|[Q1 Q2]]; [now left|]. right. right.
     assert (d = c) by (change (mesh u i) with (mesh t i) in Q1; rewrite t_mesh in Q1; congruence). subst d. split; [reflexivity|].
-    apply w0_promised; [exact Q3|]. exact (second_look_promised second_look second_look_sound t x i c k t_fine X (eq_trans (f_equal (fun f => f i) t_mesh) Ms) S Sl).
-  - intros i c H. change (mesh w0 i) with (m i) in H. destruct (Rest i c H) as [Q|(Q1 & Q2 & Q3)]; [now left|]. right.
+    apply w0_promised. exact (second_look_promised second_look second_look_sound t x i c k t_fine X (eq_trans (f_equal (fun f => f i) t_mesh) Ms) S Sl).
+  - intros i c H. change (mesh w0 i) with (m i) in H. destruct (Rest i c H) as [Q|[Q1 Q2]]; [now left|]. right.
     destruct (examined i c Q1) as [Q|[Q|Q]]; [contradiction|now right|left]. now apply w0_good.
   - set (w1 := fold_left (commit_renewal x) renewed w0) in *.
     destruct (verdicts_committed x verdicts X w1 F1 A1) as (F2 & A2 & M2 & P2 & G2).
@@ -211,7 +190,7 @@ Proof.
     set (w2 := fold_left (commit_evaluated x) verdicts w1) in *.
     destruct (finished x (anchored w2) w2 F2) as (F3 & M3 & P3 & G3).
     { intros i c H. destruct (G2 i c H) as [S C K T]. split; trivial. intros v Hv. destruct (T v Hv) as [H1|H1]; [left; now apply A2|now right]. }
-    assert (E : mesh (commit x u renewed m verdicts reinserted) = m).
+    assert (E : mesh (commit x u renewed m verdicts) = m).
     { unfold commit. fold w0. fold w1. fold w2. simpl. rewrite M3, M2, M1. reflexivity. }
     split; [|now split]. split.
     + intro v. destruct (F3 v). now split.

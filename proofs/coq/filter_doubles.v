@@ -10,7 +10,7 @@
    Numbers as in float_model.v: IEEE 754 without overflow; an infinite expiry is 2^1024 (high_word.v). *)
 Require Import Reals Lra Psatz ZArith Rgeom.
 From Flocq Require Import Core.
-From Annulus Require Import float_model float_error float_tail float_sums float_displacement vectors algorithm_list high_word.
+From Annulus Require Import points_2 float_model float_error float_tail float_sums float_displacement vectors algorithm_list high_word.
 Open Scope R_scope.
 
 Lemma F_value e : (0 <= e)%Z -> F (value e).
@@ -46,7 +46,6 @@ Proof. unfold distance_upper. destruct (Rlt_dec _ _); apply F_rnd. Qed.
 
 (* ---- Plane ---- *)
 
-Definition point_2 : Type := R * R.
 Definition valid_2 (p : point_2) : Prop := in_domain (fst p) /\ in_domain (snd p).
 Definition dist_2 (f p : point_2) : R := distance_2 (fst p) (snd p) (fst f) (snd f).
 Definition reading_2 (b : R) (f p : point_2) : R := sum_upper b (distance_upper_2 (fst p) (snd p) (fst f) (snd f)).

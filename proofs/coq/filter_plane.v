@@ -5,11 +5,12 @@
    - verdict_evaluated      such a verdict promises what the model needs: also a width that two sides share (unequal moves)
    - kept_circle_certifies  a safe region: how far the points are from a circle that is kept
    - plane_filter_is_right  after any calls every triangle is positive, every circle empty, every ridge of the border convex
+   - plane_filter_alone_is_right   the same without second looks, where nothing is left but what Repair promises
 
    Vertices are numbers. A cell is written with its least vertex first, so that the circle of a facet can name its two cells. Where a determinant is 0 the
    certificate may hold by a rule (degenerate.h: the perturbation, a border that does not fold back): `tie`, any statement about the points. *)
 Require Import Reals Lra Psatz ZArith Rgeom List Bool Arith.
-From Annulus Require Import float_model float_displacement float_sums width_2 sign_tolerance_2 high_word filter_doubles.
+From Annulus Require Import points_2 float_model float_displacement float_sums width_2 sign_tolerance_2 high_word filter_doubles.
 From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run.
 Import ListNotations.
 Open Scope R_scope.
@@ -18,16 +19,20 @@ Inductive certificate_2 := cell (a b c : nat) | ridge (a b c : nat) | circle (a 
 
 Definition points_2 (c : certificate_2) : list nat :=
   match c with cell a b c | ridge a b c => [a; b; c] | circle a b p q => [a; b; p; q] end.
-Definition turn_at (m : nat -> point_2) a b c : R := turn (fst (m a)) (snd (m a)) (fst (m b)) (snd (m b)) (fst (m c)) (snd (m c)).
-Definition incircle_at (m : nat -> point_2) a b p q : R :=
-  incircle (fst (m a)) (snd (m a)) (fst (m b)) (snd (m b)) (fst (m p)) (snd (m p)) (fst (m q)) (snd (m q)).
 Definition least_first a b c : certificate_2 :=
   if ((a <=? b) && (a <=? c))%nat then cell a b c else if ((b <=? a) && (b <=? c))%nat then cell b c a else cell c a b.
 Definition counts_on_2 (d c : certificate_2) : Prop :=
   match c with circle a b p q => d = least_first a b q \/ d = least_first b a p | _ => False end.
 
-Lemma same_point : forall p q : point_2, {p = q} + {p <> q}.
-Proof. intros [a b] [c d]. destruct (Req_EM_T a c) as [->|N]; [destruct (Req_EM_T b d) as [->|N]; [now left|]|]; right; congruence. Qed.
+Definition same_point (p q : point_2) : bool := if Req_EM_T (fst p) (fst q) then if Req_EM_T (snd p) (snd q) then true else false else false.
+Lemma same_point_right p q : same_point p q = true -> p = q.
+Proof.
+  destruct p as [a b], q as [c d]. unfold same_point. simpl. destruct (Req_EM_T a c) as [->|]; [|discriminate].
+  now destruct (Req_EM_T b d) as [->|].
+Qed.
+Definition overdue_real (e : Z) (b : R) : bool := if Rlt_dec (value e) b then true else false.
+Lemma overdue_real_right e b : overdue_real e b = true <-> value e < b.
+Proof. unfold overdue_real. destruct (Rlt_dec _ _); split; easy. Qed.
 
 Lemma counts_on_2_wf : well_founded counts_on_2.
 Proof.
@@ -82,8 +87,9 @@ Qed.
   inside := fun c v => match c with circle a b _ _ => (v =? a)%nat || (v =? b)%nat | _ => false end;
   algorithm_filter.capacity := capacity; algorithm_filter.stamps := stamps; algorithm_filter.worn := worn;
   algorithm_filter.chosen := chosen; around := around_2;
-  valid := valid_2; number := F; reading_of := reading_2; below := below_2; threshold := filter_doubles.threshold;
-  sum_lower := float_sums.sum_lower; less := filter_doubles.less |}.
+  num := R; real := fun b => b; zero := 0; valid := valid_2; number := F; reading_of := reading_2; below := below_2; threshold := filter_doubles.threshold;
+  sum_lower := float_sums.sum_lower; less := filter_doubles.less;
+  half := lower; overdue := overdue_real |}.
 
 #[local] Instance plane_laws : laws.
 Proof.
@@ -96,7 +102,11 @@ Proof.
   - exact stamps_pos.
   - intros m v i c. exact (around_2_all m v i c).
   - exact around_2_ids.
+  - exact same_point_right.
+  - reflexivity.
   - exact F_0.
+  - reflexivity.
+  - exact overdue_real_right.
   - exact reading_above_2.
   - exact threshold_below_2.
   - exact sum_lower_down.
@@ -114,7 +124,7 @@ Qed.
 
 Lemma cell_of_circle a b c m : holds_2 (least_first a b c) m -> 0 < turn_at m a b c.
 Proof.
-  unfold least_first. destruct (_ && _)%bool; [trivial|]. destruct (_ && _)%bool; simpl; unfold turn_at, turn; lra.
+  unfold least_first. destruct (_ && _)%bool; [trivial|]. destruct (_ && _)%bool; simpl; unfold turn_at, turning, turn; lra.
 Qed.
 
 (* ---- What the ladder answers ---- *)
@@ -241,7 +251,7 @@ Proof.
   - assert (W : sound c x (fun _ => 0)).
     { intros m M _. apply (holds_2_local c x); [|exact H]. intros v V.
       destruct (near_moved _ _ _ _ (M v V)) as [K|[K _]]; [generalize (moved_pos m x v); lra|now symmetry]. }
-    split; cbn [of bound]; trivial; [|lra|exact F_0]. destruct c as [| |a b p q]; try discriminate. intros _. now apply tie_wide.
+    split; cbn [of bound]; trivial; [|exact (Rle_refl 0)|exact F_0]. destruct c as [| |a b p q]; try discriminate. intros _. now apply tie_wide.
 Qed.
 
 (* Whatever is found by second looks, repaired, inserted, settled in between. *)
@@ -258,4 +268,13 @@ Proof.
   - exact I.
   - exact C.
 Qed.
+
+(* Without second looks, which is how it comes, they promise nothing. *)
+Corollary plane_filter_alone_is_right s x m verdicts z :
+  (nat -> (0 <= epoch s)%Z) -> (forall v, valid_2 (x v)) ->
+  (forall k, In k verdicts -> m (id k) = Some (of k) /\ answered x k) -> (forall i c, m i = Some c -> In i (map id verdicts)) ->
+  (forall i c, m i = Some c -> is_id i) -> (forall i c d, m i = Some c -> counts_on_2 d c -> exists j, m j = Some d) ->
+  calls (fun _ _ _ => None) {| of_filter := settle x s m verdicts; tracks := true |} z ->
+  forall i c, mesh (of_filter z) i = Some c -> holds_2 c (moving (of_filter z)).
+Proof. apply plane_filter_is_right. intros t y i c k _ _ _ E. discriminate E. Qed.
 End plane.

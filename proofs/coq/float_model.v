@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Binary64 as the filter stage uses it: real numbers of the format, rounded to nearest even after every operation, with
-   gradual underflow (Flocq's FLT_exp (-1074) 53). Overflow is not in this model: float_ieee.v excludes it.
+   gradual underflow (Flocq's FLT_exp (-1074) 53). Overflow is not in this model: bridge_2.v and bridge_3.v exclude it.
 
    Every lemma is about one operation; the error analyses use nothing else of the arithmetic. *)
 Require Import Reals Lra Psatz ZArith.

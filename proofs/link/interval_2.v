@@ -4,7 +4,7 @@
 From Coq Require Import ZArith List Bool.
 From Flocq Require Import IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
-From Annulus_link Require Import operations filter_2.
+From Annulus Require Import operations filter_2.
 Import ListNotations.
 Close Scope float_scope.
 

@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Rows of the interval and the exact stage: the interval stage is replayed, both are judged by the truth. *)
 From Coq Require Import List Floats Bool String.
-From Annulus_link Require Import operations filter_2 replay_2 interval_2 truth_2.
+From Annulus Require Import operations filter_2.
+From Annulus_link Require Import replay_2 interval_2 truth_2.
 Import ListNotations.
 
 (* A row is judged by two tests; the second one says what it is worth. Tests are variables here: a conversion that tried to

@@ -31,6 +31,7 @@ class Row {
         for (const Point& p : x)
             for (const double c : p) number(c);
     }
+    void truth(bool b) { std::printf(b ? " true" : " false"); }
     void text(const char* w) { std::printf(" \"%s\"%%string", w); }
     void answer(bool answered, const Verdict& v) {
         if (!answered) {

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Rows that the compiled C++ prints (vectors.cpp), and what it means that the model has the same bits. *)
 From Coq Require Import List Floats Bool NArith.
-From Annulus_link Require Import operations filter_2.
+From Annulus Require Import operations filter_2.
 Import ListNotations.
 
 (* The same bits; NaNs are one. +0 and -0 differ. *)
@@ -49,6 +49,20 @@ Definition agrees_empty_sphere_2 (r : empty_sphere_2_row) :=
        same (annulus_det_error machine m') det_error; same (annulus_norm_error machine m') norm_error;
        same_answer (empty_sphere_filter machine a b p q true) certified; same_answer certified batch;
        same_answer (empty_sphere_filter machine a b p q false) plain].
+
+(* A prepared circle: its corners, the points p and r; normal, area, m; of each point the determinant and what m is raised to; positive, whether
+   p is excluded, contained, and both excluded. *)
+Inductive prepared_2_row := Prepared_2 (ax ay bx by' cx cy px py rx ry nx ny area m out_p m_p out_r m_r : float) (pos excluded contained both : bool).
+
+Definition agrees_prepared_2 (row : prepared_2_row) :=
+  let (ax, ay, bx, by', cx, cy, px, py, rx, ry, nx, ny, area, m, out_p, m_p, out_r, m_r, pos, excluded, contained, both) := row in
+  let k := circumcircle_of machine (point ax ay) (point bx by') (point cx cy) in
+  let p := point px py in let r := point rx ry in
+  all [same (x machine (normal machine k)) nx; same (y machine (normal machine k)) ny; same (twice_area machine k) area;
+       same (extent machine k) m; same (outside_of machine k p) out_p; same (raised machine k (extent machine k) p) m_p;
+       same (outside_of machine k r) out_r; same (raised machine k (extent machine k) r) m_r;
+       eqb (circle_positive machine k) pos; eqb (excludes machine k p) excluded; eqb (contains machine k p) contained;
+       eqb (excludes_all machine k [p; r]) both].
 
 (* Numbers of the rows that differ: what a theorem says is empty. *)
 Fixpoint differing {A} (agrees : A -> bool) (i : N) (rows : list A) : list N :=

@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* As replay_2.v, in space. *)
 From Coq Require Import List Floats Bool.
-From Annulus_link Require Import operations filter_2 filter_3 replay_2.
+From Annulus Require Import operations filter_2 filter_3.
+From Annulus_link Require Import replay_2.
 Import ListNotations.
 
 (* Points; determinant, inner, outer, m, bounds of determinant and norms, twice the root; answers with certified tolerances, without,
@@ -47,3 +48,19 @@ Definition agrees_empty_sphere_3 (r : empty_sphere_3_row) :=
        same_partition (ca_bpq machine t) i3 o3 s3; same_partition (bc_apq machine t) i4 o4 s4;
        same_answer (filter true where_needed) certified; same_answer certified batch; same_answer (filter false where_needed) plain;
        same_answer (filter true always) always'; same_answer (filter true never) never'].
+
+(* A prepared sphere, as in the plane. *)
+Inductive prepared_3_row := Prepared_3 (ax ay az bx by' bz cx cy cz dx dy dz px py pz rx ry rz nx ny nz volume m out_p m_p out_r m_r : float)
+  (pos excluded contained both : bool).
+
+Definition agrees_prepared_3 (row : prepared_3_row) :=
+  let (ax, ay, az, bx, by', bz, cx, cy, cz, dx, dy, dz, px, py, pz, rx, ry, rz, nx, ny, nz, volume, m, out_p, m_p, out_r, m_r,
+       pos, excluded, contained, both) := row in
+  let k := circumsphere_of machine (point_3 ax ay az) (point_3 bx by' bz) (point_3 cx cy cz) (point_3 dx dy dz) in
+  let p := point_3 px py pz in let r := point_3 rx ry rz in
+  let n := normal_3 machine k in
+  all [same (x3 machine n) nx; same (y3 machine n) ny; same (z3 machine n) nz; same (six_volume machine k) volume;
+       same (extent_3 machine k) m; same (outside_of_3 machine k p) out_p; same (raised_3 machine k (extent_3 machine k) p) m_p;
+       same (outside_of_3 machine k r) out_r; same (raised_3 machine k (extent_3 machine k) r) m_r;
+       eqb (sphere_positive machine k) pos; eqb (excludes_3 machine k p) excluded; eqb (contains_3 machine k p) contained;
+       eqb (excludes_all_3 machine k [p; r]) both].

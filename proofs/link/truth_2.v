@@ -4,15 +4,13 @@
 From Coq Require Import Reals ZArith List Bool Lra Psatz.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
-From Annulus_link Require Import operations filter_2 truth.
+From Annulus Require Import operations filter_2.
+From Annulus_link Require Import truth.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.
 
 (* Exact arithmetic. *)
-Definition reals : operations := {|
-  number := R; add := Rplus; sub := Rminus; mul := Rmult; div := Rdiv; root := R_sqrt.sqrt; square x := x * x;
-  opposite := Ropp; magnitude := Rabs; greater := Rmax; less := Rlt_bool; less_equal := Rle_bool; constant := value |}.
 Definition integers : operations := {|
   number := Z; add := Z.add; sub := Z.sub; mul := Z.mul; square x := (x * x)%Z; greater := Z.max;
   div a _ := a; root a := a; opposite := Z.opp; magnitude := Z.abs; less := Z.ltb; less_equal := Z.leb;

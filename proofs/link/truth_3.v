@@ -5,7 +5,8 @@
 From Coq Require Import Reals ZArith List Bool Lra.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
-From Annulus_link Require Import operations filter_2 filter_3 truth truth_2.
+From Annulus Require Import operations filter_2 filter_3.
+From Annulus_link Require Import truth truth_2.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.
@@ -336,4 +337,37 @@ Proof.
   pose proof (v_difference k 1 _ _ _ _ B A) as B'. pose proof (v_difference k 1 _ _ _ _ C A) as C'.
   pose proof (v_difference k 1 _ _ _ _ P A) as P'. pose proof (v_difference k 1 _ _ _ _ Q A) as Q'.
   split; [exact (sound_3_spec k _ _ _ _ _ _ _ _ B' C' P' Q' i I)|exact (sharp_3_spec k _ _ _ _ _ _ _ _ B' C' P' Q' e E)].
+Qed.
+
+(* Of a tetrahedron: one half width. *)
+Lemma tetrahedron_degrees : forall k u v w u' v' w', degrees k 1 u u' -> degrees k 1 v v' -> degrees k 1 w w' ->
+  degree_terms k 3 4 (orientation_terms_3 integers u v w) (orientation_terms_3 reals u' v' w').
+Proof.
+  intros k u v w u' v' w' U V W.
+  pose proof (v_cross k 1 1 _ _ _ _ U V) as uv. pose proof (v_cross k 1 1 _ _ _ _ V W) as vw. pose proof (v_cross k 1 1 _ _ _ _ W U) as wu.
+  pose proof (d_slab k 2 _ _ _ _ _ _ uv vw wu) as slab. split; [exact (d_dot k 2 1 _ _ _ _ uv W)|split; exact slab].
+Qed.
+
+Definition judge_tetrahedron (ax ay az bx by' bz cx cy cz dx dy dz : float) (i e : answer float) : bool :=
+  let k := common ([ax; ay; az; bx; by'; bz; cx; cy; cz; dx; dy; dz] ++ numbers_of i ++ numbers_of e) in
+  let t := tetrahedron_of integers (integer_point_3 k ax ay az) (integer_point_3 k bx by' bz) (integer_point_3 k cx cy cz)
+             (integer_point_3 k dx dy dz) in
+  sound t k i && sharp t k e.
+Definition true_tetrahedron (ax ay az bx by' bz cx cy cz dx dy dz : float) (i e : answer float) : Prop :=
+  let t := tetrahedron_of reals (real_point_3 ax ay az) (real_point_3 bx by' bz) (real_point_3 cx cy cz) (real_point_3 dx dy dz) in
+  soundly t i /\ sharply t e.
+
+Theorem judge_tetrahedron_spec : forall ax ay az bx by' bz cx cy cz dx dy dz i e,
+  judge_tetrahedron ax ay az bx by' bz cx cy cz dx dy dz i e = true -> true_tetrahedron ax ay az bx by' bz cx cy cz dx dy dz i e.
+Proof.
+  intros ax ay az bx by' bz cx cy cz dx dy dz i e J. unfold judge_tetrahedron in J. cbv zeta in J.
+  apply andb_prop in J. destruct J as [I E]. unfold true_tetrahedron. cbv zeta.
+  set (k := common _) in *.
+  assert (A : degrees k 1 (integer_point_3 k ax ay az) (real_point_3 ax ay az)) by (apply degrees_point; member).
+  assert (B : degrees k 1 (integer_point_3 k bx by' bz) (real_point_3 bx by' bz)) by (apply degrees_point; member).
+  assert (C : degrees k 1 (integer_point_3 k cx cy cz) (real_point_3 cx cy cz)) by (apply degrees_point; member).
+  assert (D : degrees k 1 (integer_point_3 k dx dy dz) (real_point_3 dx dy dz)) by (apply degrees_point; member).
+  pose proof (degree_scaled k 2 _ _ (tetrahedron_degrees k _ _ _ _ _ _ (v_difference k 1 _ _ _ _ B A) (v_difference k 1 _ _ _ _ C A)
+    (v_difference k 1 _ _ _ _ D A))) as T.
+  split; [exact (sound_spec k _ _ _ (power_positive k 2) T i I)|exact (sharp_spec k _ _ _ (power_positive k 2) T e E)].
 Qed.

@@ -4,6 +4,7 @@
 #include "certificates_2.h"
 #include "certificates_3.h"
 #include "named.h"
+#include "prepared.h"
 #include "print.h"
 #include "recording.h"
 
@@ -131,13 +132,13 @@ void programs_3() {
 void constants_3() {
     Row row("constants_3");
     row.numbers({bounds::orientation_3, bounds::orientation_3_norms, bounds::annulus_3_insphere,
-                 bounds::annulus_3_norms, bounds::annulus_3_side, bounds::filter_range_3});
+                 bounds::annulus_3_norms, bounds::annulus_3_side, bounds::filter_range_3, bounds::circumsphere_3});
 }
 
 void constants_2() {
     Row row("constants_2");
     row.numbers({bounds::u, bounds::orientation_2, bounds::annulus_2_incircle, bounds::annulus_2_norms, bounds::tail,
-                 bounds::filter_slack, bounds::filter_range, bounds::interval_slack});
+                 bounds::filter_slack, bounds::filter_range, bounds::circumcircle_2, bounds::interval_slack});
 }
 
 int run(std::string_view kind, std::size_t count) {
@@ -149,8 +150,11 @@ int run(std::string_view kind, std::size_t count) {
     else if (kind == "named_2") named_rows<Empty_sphere_2>("Named_2", named_2);
     else if (kind == "orientation_3") filter_rows<Orientation_3>("Filter_orientation_3", count);
     else if (kind == "empty_sphere_3") filter_rows<Empty_sphere_3>("Filter_empty_sphere_3", count);
+    else if (kind == "orientation_3_later") later_rows<Orientation_3>("Later_orientation_3", count);
     else if (kind == "empty_sphere_3_later") later_rows<Empty_sphere_3>("Later_empty_sphere_3", count);
     else if (kind == "named_3") named_rows<Empty_sphere_3>("Named_3", named_3);
+    else if (kind == "prepared_2") prepared_2(count);
+    else if (kind == "prepared_3") prepared_3(count);
     else if (kind == "programs_2") programs_2();
     else if (kind == "programs_3") programs_3();
     else if (kind == "constants_2") constants_2();

@@ -106,6 +106,7 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
     std::uint32_t stamp = 0;
 
   private:
+    friend struct Trace;           // trace.h
     using Entry = std::uint64_t;  // expiry and id: the order is that of expiries
     static constexpr Entry vacant = (Entry{Expiry::never().bits()} << 32) | 0xFFFFFFFFU;  // no certificate has that number
 

@@ -4,6 +4,7 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/error.h>
+#include <annulus/engine/trace.h>
 #include <annulus/mesh/parallel_runs.h>
 
 #include <algorithm>
@@ -74,6 +75,7 @@ void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) 
     if (odometers_.kept() ? odometers_.passes(v, p) : p == position_[at(v)]) {
         position_[at(v)] = p;
         embedding_.show_point(v, p);
+        ANNULUS_TRACED(passed(odometers_, v, p));
         ++report.moves.asked;
         ++report.moves.within_tolerance;
         return;
@@ -84,6 +86,7 @@ void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) 
         Step<d> step = new_step(position_, v, odometers_.kept() ? Scope::expired : Scope::star);
         step.home = old;
         step.failed.push_back(v);
+        ANNULUS_TRACED(tested(odometers_, step));
         step.most = Chooser<d>::most_generous_repair(embedding_.vertices(), true);
         process(step, [&] { return repair_.mend_one(position_, v, old, step.most); }, report);
     } catch (const Error& e) {
@@ -105,6 +108,7 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
     }
     Step<d> step = new_step(x, none, Scope::expired);
     if (!find_failed(step)) require_domain(x);
+    ANNULUS_TRACED(tested(odometers_, step));
     if (!step.failed.empty()) step.most = most_repair(x);
     if (!odometers_.kept() || too_many_failed(step)) step.scope = Scope::everything;
     note_displacements(x);

@@ -3,6 +3,7 @@
 #include <annulus/engine/odometers.h>
 
 #include <annulus/arithmetic/domain.h>
+#include <annulus/engine/trace.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,7 @@ void Odometers<d>::begin(std::span<const Coordinates<d>> x) {
     resize();
     for (std::size_t v = 0; v < x.size(); ++v) vertex_[v] = {x[v], {}};
     std::fill(list_.begin(), list_.end(), List{});
+    ANNULUS_TRACED(begun(*this, x));
 }
 
 template <int d>
@@ -40,12 +42,14 @@ void Odometers<d>::finish_beginning() {
     for (Index v = 0; v < table_.vertex_bound(); ++v)
         if (table_.corner_of(v) != no_corner) set_threshold(v);
     kept_ = true;
+    ANNULUS_TRACED(settled(*this));
 }
 
 template <int d>
 void Odometers<d>::place(Index v, const Coordinates<d>& p) {
     vertex_[at(v)] = {p, {}};
     list_[at(v)].clear();
+    ANNULUS_TRACED(placed(*this, v));
 }
 
 /// The one pass over all vertices, of which this is a run.

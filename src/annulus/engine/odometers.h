@@ -74,6 +74,7 @@ class Odometers {
     void begin_anchoring(Step<d>& step);
 
   private:
+    friend struct Trace;  // trace.h
     using List = Vertex_expiries<d>;
 
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }

@@ -2,6 +2,8 @@
 // Odometers: what is written down of certificates that were evaluated.
 #include <annulus/engine/odometers.h>
 
+#include <annulus/engine/trace.h>
+
 #include <algorithm>
 
 namespace annulus {
@@ -27,6 +29,7 @@ void Odometers<d>::commit_points(const S& s, Certificate_id id, Expiry_of expiry
             list.put(id, expiry);
         }
     }
+    ANNULUS_TRACED(written(*this, s, id, expiry_of));
 }
 
 template <int d>
@@ -48,6 +51,7 @@ void Odometers<d>::commit_renewals(Step<d>& step) {
             list_[at(v)].put(id_of_facet(renewal.facet), Expiry::lower(expiry));
             if (list_[at(v)].stamp != stamp_) set_threshold(v);
         }
+        ANNULUS_TRACED(renewed(*this, renewal));
     }
 }
 
@@ -129,18 +133,22 @@ void Odometers<d>::rebase(Index v) {
                 shift(e, id_of_facet(f));
             }
         });
+    ANNULUS_TRACED(rebased(*this, v));
 }
 
 template <int d>
 void Odometers<d>::commit(Step<d>& step, const Repair<d>& repair) {
     resize();
+    ANNULUS_TRACED(committing(*this, repair));
     commit_renewals(step);
     commit_evaluated<false>(repair, step.x, &step);
     for (const Index v : step.anchored) {
         const List& list = list_[at(v)];
         if (list.base > Horizons::odometer * (list.latest().reading() - list.base)) rebase(v);
         set_threshold(v);
+        ANNULUS_TRACED(finished(*this, v));
     }
+    ANNULUS_TRACED(committed(*this));
 }
 
 template <int d>

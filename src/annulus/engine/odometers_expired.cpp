@@ -2,6 +2,8 @@
 // Odometers: which certificates of the vertices that failed have expired.
 #include <annulus/engine/odometers.h>
 
+#include <annulus/engine/trace.h>
+
 #include <algorithm>
 
 namespace annulus {
@@ -36,6 +38,7 @@ void Odometers<d>::look_at(Certificate_id id, Index v, Step<d>& step, Repair<d>&
         const Expiry expiry = expiries_.of_cell(table_.corner(c, slot));
         if (expiry.reached(list.base)) {
             repair.suspect_cell(c);
+            ANNULUS_TRACED(suspected(id));
         } else {
             list.put(id, expiry);
         }
@@ -55,6 +58,7 @@ void Odometers<d>::look_at(Certificate_id id, Index v, Step<d>& step, Repair<d>&
         list.put(id, Expiry::lower(looks_.gives_room() ? sum_lower(list.base, until) : until));
     } else {
         repair.suspect_facet(f);
+        ANNULUS_TRACED(suspected(id));
     }
 }
 
@@ -95,6 +99,7 @@ void Odometers<d>::tour(Index v, Step<d>& step, Repair<d>& repair) {
         }
     }
     list.put_new(listed_, listed_id_);
+    ANNULUS_TRACED(toured(*this, v));
 }
 
 template <int d>
@@ -106,6 +111,7 @@ void Odometers<d>::begin_anchoring(Step<d>& step) {
     ++stamp_;
     step.anchored.clear();
     step.before.clear();
+    ANNULUS_TRACED(anchoring(*this, step));
 }
 
 template <int d>
@@ -125,11 +131,13 @@ void Odometers<d>::find_expired(Step<d>& step, Repair<d>& repair) {
     begin_anchoring(step);
     for (const Index v : step.failed) step.before.push_back({vertex_[at(v)], list_[at(v)]});
     for (const Index v : step.failed) anchor(v, step);
+    ANNULUS_TRACED(anchored(*this, step));
     for (const Index v : step.failed) {
         List& list = list_[at(v)];
         if (!list.rest().reached(list.base))  // else the tour looks at these as well
             list.take_reached(list.base, [&](Certificate_id id) { look_at(id, v, step, repair); });
         if (list.rest().reached(list.base)) tour(v, step, repair);
+        ANNULUS_TRACED(examined(*this, v, step));
     }
 }
 
@@ -139,6 +147,7 @@ void Odometers<d>::undo(const Step<d>& step) {
         vertex_[at(step.failed[i])] = step.before[i].record;
         list_[at(step.failed[i])] = step.before[i].list;
     }
+    ANNULUS_TRACED(undone(*this, step));
 }
 
 template class Odometers<2>;

@@ -47,6 +47,7 @@ class Second_looks {
                               std::span<const Coordinates<d>> x, Renewal<d>& renewal) const;
 
   private:
+    friend struct Trace;  // trace.h
     [[nodiscard]] bool unequal_moves(double tolerance, const Facet_numbers& expiry, const Facet_numbers& reading,
                                      Facet_numbers& renewed) const;
     [[nodiscard]] bool safe_region(Corner_index f, const Facet_points<d>& point, const Facet_numbers& reading,

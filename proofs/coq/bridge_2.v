@@ -7,45 +7,12 @@
 From Coq Require Import Reals ZArith Lia Lra Bool.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
-From Annulus_link Require Import operations bridge filter_2.
+From Annulus Require Import operations bridge bridge_decide filter_2.
 Close Scope float_scope.
 Open Scope R_scope.
 
-(* A constant: read off its mantissa and exponent. *)
-Lemma stands_constant : forall a f m e, Prim2SF f = S754_finite false m e -> (e <= a)%Z -> (Z.pos m <= 2 ^ (a - e))%Z ->
-  stands a f (value f).
-Proof.
-  intros a f m e H E M. unfold stands, finite, value, Prim2B.
-  rewrite is_finite_SF2B, B2R_SF2B, H. repeat split. simpl.
-  rewrite Rabs_pos_eq by (apply F2R_ge_0; easy).
-  unfold F2R. simpl. replace (power a) with (power (a - e) * power e) by (rewrite <- bpow_plus; f_equal; lia).
-  apply Rmult_le_compat_r; [apply bpow_ge_0|].
-  rewrite <- IZR_Zpower by lia. apply IZR_le, M.
-Qed.
-
-Lemma stands_zero : forall a, stands a 0%float (value 0%float).
-Proof.
-  intro a. unfold stands, finite, value, Prim2B. rewrite is_finite_SF2B, B2R_SF2B. simpl.
-  repeat split. rewrite Rabs_R0. apply bpow_ge_0.
-Qed.
-
-Lemma value_power : forall f e, Prim2SF f = S754_finite false 4503599627370496 e -> value f = power (52 + e).
-Proof.
-  intros f e H. unfold value, Prim2B. rewrite B2R_SF2B, H. rewrite bpow_plus. reflexivity.
-Qed.
-
-Lemma value_zero : value 0%float = 0.
-Proof. unfold value, Prim2B. rewrite B2R_SF2B. reflexivity. Qed.
-
 Definition stands_vector (a : Z) (v : vector machine) (w : vector rounded) :=
   stands a (x _ v) (x _ w) /\ stands a (y _ v) (y _ w).
-
-Definition stands_answer (a : answer float) (b : answer R) :=
-  match a, b with
-  | refused, refused => True
-  | negative s, negative t | zero s, zero t | positive s, positive t => finite s = true /\ value s = t
-  | _, _ => False
-  end.
 
 Lemma stands_difference : forall a v w v' w', (-1074 <= a + 1 < 1024)%Z -> stands_vector a v v' -> stands_vector a w w' ->
   stands_vector (a + 1) (difference machine v w) (difference rounded v' w').
@@ -70,11 +37,7 @@ Qed.
 
 Lemma stands_range : forall m r, stands 501 m r -> in_range machine m = in_range rounded r.
 Proof.
-  intros m r H. unfold in_range. simpl.
-  assert (C : stands 120 filter_range (value filter_range)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
-  assert (O : stands 0 1%float (value 1%float)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
-  rewrite (stands_leb _ _ _ _ _ _ H C).
-  now rewrite (stands_leb _ _ _ _ _ _ O (stands_mul 501 120 _ _ _ _ ltac:(lia) H C)).
+  intros m r H. apply (stands_in_range filter_range 120); [eapply stands_constant; [reflexivity| |]; vm_compute; easy|lia|exact H].
 Qed.
 
 Lemma range_bound : forall r, in_range rounded r = true -> r <= power 120.
@@ -83,77 +46,15 @@ Proof.
   revert H. case Rle_bool_spec; [|easy]. now rewrite (value_power filter_range 68 eq_refl).
 Qed.
 
-(* Signs and least positive numbers. *)
-Lemma rnd_nonneg : forall r, 0 <= r -> 0 <= rnd r.
-Proof. intros r H. rewrite <- (round_0 radix2 (FLT_exp (-1074) 53) ZnearestE). apply round_le; auto with typeclass_instances. Qed.
-
-Lemma rnd_positive : forall r, 0 < rnd r -> 0 < r.
+(* In the plane roots are 0 or at least the root of the least positive number. *)
+Lemma roots_below : forall r n, 0 <= n -> (0 < r -> power (-537) <= r) -> n < rnd (r * value filter_slack) -> power (-537) <= r + n.
 Proof.
-  intros r H. apply Rnot_le_lt. intro N. apply (Rlt_not_le _ _ H).
-  rewrite <- (round_0 radix2 (FLT_exp (-1074) 53) ZnearestE). apply round_le; auto with typeclass_instances.
-Qed.
-
-Lemma rnd_at_least : forall a r, (-1074 <= a)%Z -> power a <= r -> power a <= rnd r.
-Proof. intros a r H L. rewrite <- (rnd_power a H). apply round_le; auto with typeclass_instances. Qed.
-
-Lemma root_at_least : forall a f r, stands a f r -> 0 < r -> power (-537) <= rnd (R_sqrt.sqrt r).
-Proof.
-  intros a f r (_ & V & _) P. apply rnd_at_least; [lia|].
-  replace (power (-537)) with (R_sqrt.sqrt (power (-1074))).
-  - apply sqrt_le_1_alt. apply generic_format_ge_bpow with (FLT_exp (-1074) 53); trivial.
-    + intro e. unfold FLT_exp. lia.
-    + rewrite <- V. apply (generic_format_B2R prec emax).
-  - change (-1074)%Z with (-537 + -537)%Z. rewrite bpow_plus. apply sqrt_square, bpow_ge_0.
-Qed.
-
-Section decide.
-Variables (d r e n : float) (d' r' e' n' : R).
-Hypothesis Hd : stands 484 d d'.
-Hypothesis Hr : stands 367 r r'.
-Hypothesis He : stands 440 e e'.
-Hypothesis Hn : stands 320 n n'.
-Hypothesis Pr : 0 < r' -> power (-537) <= r'.
-Hypothesis Pn : 0 <= n'.
-
-Lemma decide_stands : stands_answer (decide machine d r e n true) (decide rounded d' r' e' n' true).
-Proof.
-  assert (slack : stands (-10) filter_slack (value filter_slack)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
-  assert (tail : stands 0 one_less_tail (value one_less_tail)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
-  unfold decide. change (less machine) with PrimFloat.ltb. change (less rounded) with Rlt_bool.
-  change (opposite machine e) with (- e)%float. change (opposite rounded e') with (- e').
-  rewrite (stands_ltb _ _ _ _ _ _ Hd (stands_opp _ _ _ He)).
-  case Rlt_bool. { split; reflexivity. }
-  assert (dm : stands 474 (mul machine d (constant machine filter_slack)) (mul rounded d' (constant rounded filter_slack)))
-    by exact (stands_mul 484 (-10) _ _ _ _ ltac:(lia) Hd slack).
-  rewrite (stands_ltb _ _ _ _ _ _ He dm).
-  case Rlt_bool; [|exact I]. cbv iota beta delta [negb].
-  assert (rm : stands 357 (mul machine r (constant machine filter_slack)) (mul rounded r' (constant rounded filter_slack)))
-    by exact (stands_mul 367 (-10) _ _ _ _ ltac:(lia) Hr slack).
-  rewrite (stands_ltb _ _ _ _ _ _ Hn rm).
-  case Rlt_bool_spec; [|intros; exact I]. intro K. cbv iota beta delta [negb].
-  assert (P : 0 < r').
+  intros r n Pn Pr K. assert (P : 0 < r).
   { apply Rmult_lt_reg_r with (value filter_slack).
     - rewrite (value_power filter_slack (-62) eq_refl). apply bpow_gt_0.
     - rewrite Rmult_0_l. apply rnd_positive. apply Rle_lt_trans with (1 := Pn). exact K. }
-  assert (L := Pr P).
-  assert (num : stands 485 (sub machine d e) (sub rounded d' e'))
-    by exact (stands_sub 484 440 _ _ _ _ ltac:(lia) Hd He).
-  assert (den : stands 368 (add machine r n) (add rounded r' n'))
-    by exact (stands_add 367 320 _ _ _ _ ltac:(lia) Hr Hn).
-  assert (D : power (-537) <= add rounded r' n').
-  { apply rnd_at_least; [lia|]. lra. }
-  assert (quo : stands 1022 (div machine (sub machine d e) (add machine r n)) (div rounded (sub rounded d' e') (add rounded r' n'))).
-  { apply (stands_div 485 368 1022 _ _ _ _ ltac:(lia) num den).
-    - generalize (bpow_gt_0 radix2 (-537)). lra.
-    - destruct num as (_ & _ & B). unfold Rdiv. rewrite Rabs_mult.
-      change 1022%Z with (485 + 537)%Z. rewrite bpow_plus.
-      apply Rmult_le_compat; [apply Rabs_pos|apply Rabs_pos|exact B|].
-      rewrite Rabs_inv, Rabs_pos_eq by (generalize (bpow_gt_0 radix2 (-537)); lra).
-      change 537%Z with (- (-537))%Z. rewrite bpow_opp.
-      apply Rinv_le; [apply bpow_gt_0|exact D]. }
-  destruct (stands_mul 1022 0 _ _ _ _ ltac:(lia) quo tail) as (F & V & _). split; [exact F|exact V].
+  specialize (Pr P). lra.
 Qed.
-End decide.
 
 (* Sums of roots of two squared norms, and twice one root. *)
 Lemma stands_roots : forall f g r s, stands 732 f r -> stands 732 g s -> 0 <= r -> 0 <= s ->
@@ -320,12 +221,13 @@ Proof.
   assert (K : stands (-49) orientation_2_u (value orientation_2_u)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
   apply (stands_wider _ 732) in I; [|lia].
   destruct (stands_twice_root _ _ I Pi) as [Rt Pt].
-  apply decide_stands; try assumption.
+  apply (decide_stands 484 367 (-537)); try assumption.
+  - lia.
   - apply stands_wider with (2 := D). lia.
   - apply stands_wider with (-49 + 240)%Z; [lia|].
     exact (stands_mul (-49) 240 _ _ _ _ ltac:(lia) K (stands_mul 120 120 _ _ _ _ ltac:(lia) M' M')).
   - apply stands_zero.
-  - change (0 <= value 0%float). rewrite value_zero. apply Rle_refl.
+  - apply roots_below; [|exact Pt]. change (0 <= value 0%float). rewrite value_zero. apply Rle_refl.
 Qed.
 
 Theorem empty_sphere_filter_stands : forall a b p q a' b' p' q',
@@ -364,12 +266,13 @@ Proof.
     by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
   apply (stands_wider _ 732) in I; [|lia]. apply (stands_wider _ 732) in O; [|lia].
   destruct (stands_roots _ _ _ _ I O Pi Po) as [Rt Pt].
-  apply decide_stands; try assumption.
+  apply (decide_stands 484 367 (-537)); try assumption.
+  - lia.
   - apply stands_wider with (-45 + 480)%Z; [lia|].
     exact (stands_mul (-45) 480 _ _ _ _ ltac:(lia) Ki (stands_mul 240 240 _ _ _ _ ltac:(lia) M2 M2)).
   - apply stands_wider with (-44 + 360)%Z; [lia|].
     exact (stands_mul (-44) 360 _ _ _ _ ltac:(lia) Kn (stands_mul 240 120 _ _ _ _ ltac:(lia) M2 M')).
-  - assert (0 <= m') by (eapply Rle_trans; [|apply max_ge_l]; eapply Rle_trans; [|apply max_ge_l];
+  - apply roots_below; [|exact Pt]. assert (0 <= m') by (eapply Rle_trans; [|apply max_ge_l]; eapply Rle_trans; [|apply max_ge_l];
                           eapply Rle_trans; [|apply max_ge_l]; apply Rabs_pos).
     apply rnd_nonneg, Rmult_le_pos.
     + change (0 <= value annulus_2_norms_u). unfold value, Prim2B. rewrite B2R_SF2B. apply F2R_ge_0. easy.

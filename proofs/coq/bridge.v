@@ -5,7 +5,7 @@
 From Coq Require Import Reals ZArith Lia Lra.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
-From Annulus_link Require Import operations.
+From Annulus Require Import operations.
 Close Scope float_scope.
 Open Scope R_scope.
 
@@ -79,6 +79,12 @@ Proof.
   unfold stands, finite, value. rewrite sub_equiv. split; [exact F|split; [exact V|]]. apply rnd_bound; [lia|exact B].
 Qed.
 
+Lemma stands_add_same : forall a f g r s, (-1074 <= a + 1 < 1024)%Z -> stands a f r -> stands a g s -> stands (a + 1) (f + g)%float (rnd (r + s)).
+Proof. intros a f g r s H F G. rewrite <- (Z.max_id a) at 1. apply stands_add; rewrite ?Z.max_id; assumption. Qed.
+
+Lemma stands_sub_same : forall a f g r s, (-1074 <= a + 1 < 1024)%Z -> stands a f r -> stands a g s -> stands (a + 1) (f - g)%float (rnd (r - s)).
+Proof. intros a f g r s H F G. rewrite <- (Z.max_id a) at 1. apply stands_sub; rewrite ?Z.max_id; assumption. Qed.
+
 Lemma stands_mul : forall a b f g r s, (-1074 <= a + b < 1024)%Z ->
   stands a f r -> stands b g s -> stands (a + b) (f * g)%float (rnd (r * s)).
 Proof.
@@ -146,7 +152,37 @@ Proof.
   case Rlt_bool; [apply stands_wider with b|apply stands_wider with a]; trivial; lia.
 Qed.
 
+Lemma stands_max_same : forall a f g r s, stands a f r -> stands a g s -> stands a (greater machine f g) (greater rounded r s).
+Proof. intros a f g r s F G. rewrite <- (Z.max_id a). now apply stands_max. Qed.
+
 Lemma max_ge_l : forall r s, r <= greater rounded r s.
 Proof. intros r s. simpl. case Rlt_bool_spec; lra. Qed.
 Lemma max_ge_r : forall r s, s <= greater rounded r s.
 Proof. intros r s. simpl. case Rlt_bool_spec; lra. Qed.
+
+Lemma less_of_values : forall f g, finite f = true -> finite g = true -> (f <? g)%float = Rlt_bool (value f) (value g).
+Proof. intros f g F G. rewrite ltb_equiv. now apply Bltb_correct. Qed.
+
+(* The least of some numbers as std::min keeps it, from infinity on: what is less than it is less than each. *)
+Lemma less_infinity : forall f, finite f = true -> (f <? infinity)%float = true.
+Proof.
+  intros f. rewrite ltb_equiv, infinity_equiv, Prim2B_B2Prim. unfold finite.
+  destruct (Prim2B f) as [s|s| |s m e H]; try discriminate; now destruct s.
+Qed.
+
+Lemma less_than_least : forall A (out : A -> float) ps e l, finite e = true -> (forall p, List.In p ps -> finite (out p) = true) ->
+  (l = infinity \/ finite l = true) -> (e <? List.fold_left (fun l p => if (out p <? l)%float then out p else l) ps l)%float = true ->
+  (e <? l)%float = true /\ forall p, List.In p ps -> (e <? out p)%float = true.
+Proof.
+  intros A out ps e l E. revert l. induction ps as [|p ps IH]; intros l Fin L H; [split; [exact H|easy]|].
+  assert (Fp : finite (out p) = true) by (apply Fin; now left). cbn [List.fold_left] in H.
+  assert (Fps : forall q, List.In q ps -> finite (out q) = true) by (intros; apply Fin; now right).
+  assert (K : (e <? l)%float = true /\ (e <? out p)%float = true /\ forall q, List.In q ps -> (e <? out q)%float = true).
+  { destruct L as [-> | L].
+    - rewrite less_infinity in H by exact Fp. destruct (IH _ Fps (or_intror Fp) H) as [Ep Eq]. split; [now apply less_infinity|now split].
+    - destruct (out p <? l)%float eqn:C; [destruct (IH _ Fps (or_intror Fp) H) as [Ep Eq]|destruct (IH _ Fps (or_intror L) H) as [El Eq]];
+        rewrite !less_of_values in * by assumption.
+      + split; [|now split]. apply Rlt_bool_true. revert C Ep. case Rlt_bool_spec; [|easy]. case Rlt_bool_spec; [|easy]. lra.
+      + split; [exact El|]. split; [|exact Eq]. apply Rlt_bool_true. revert C El. case Rlt_bool_spec; [easy|]. case Rlt_bool_spec; [|easy]. lra. }
+  destruct K as (El & Ep & Eq). split; [exact El|]. intros q [<- | I]; [exact Ep|now apply Eq].
+Qed.

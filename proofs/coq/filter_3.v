@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The filter stage in space, operation by operation: src/annulus/certificate/width_terms_3.h, decide.h and ladder_3.h, with the names
-   there. *)
+(* The filter stage in space, operation by operation: src/annulus/certificate/width_terms_3.h, decide.h, ladder_3.h and circumsphere_3.h,
+   with the names there. *)
 From Coq Require Import List Floats Bool.
-From Annulus_link Require Import operations filter_2.
+From Annulus Require Import operations filter_2.
 Import ListNotations.
 
 (* bounds.h. *)
@@ -12,12 +12,14 @@ Definition annulus_3_insphere := 1105%float.
 Definition annulus_3_norms := 3246%float.
 Definition annulus_3_side := 169%float.
 Definition filter_range_3 := (0x1p100)%float.
-Definition constants_3 := [orientation_3; orientation_3_norms; annulus_3_insphere; annulus_3_norms; annulus_3_side; filter_range_3].
+Definition circumsphere_3 := 1123%float.
+Definition constants_3 := [orientation_3; orientation_3_norms; annulus_3_insphere; annulus_3_norms; annulus_3_side; filter_range_3; circumsphere_3].
 
 Definition orientation_3_u := Eval vm_compute in (orientation_3 * u)%float.
 Definition orientation_3_norms_u := Eval vm_compute in (orientation_3_norms * u)%float.
 Definition annulus_3_insphere_u := Eval vm_compute in (annulus_3_insphere * u)%float.
 Definition annulus_3_norms_u := Eval vm_compute in (annulus_3_norms * u)%float.
+Definition circumsphere_3_u := Eval vm_compute in (circumsphere_3 * u)%float.
 Definition annulus_3_side_u := Eval vm_compute in (annulus_3_side * u)%float.
 
 (* Whether the widths of the cells enter. *)
@@ -162,6 +164,31 @@ Definition bicell_filter (a b c p q : vector_3) (certified : bool) (cells : cell
     unless doubt annuli
       (both needed (both needed annuli (decide_width (cell_p t) (cell_p_slab t) m certified))
                    (decide_width (cell_q t) (cell_q_slab t) m certified)).
+
+(* circumsphere_3.h, signs and nothing else. *)
+Record circumsphere := { origin_3 : vector_3; normal_3 : vector_3; six_volume : T; extent_3 : T }.
+Definition circumsphere_from (a u v t : vector_3) : circumsphere :=
+  let uv := cross u v in let vt := cross v t in let tu := cross t u in
+  let uu := square_3 u in let vv := square_3 v in let tt := square_3 t in
+  {| origin_3 := a;
+     normal_3 := {| x3 := (uu * x3 vt + vv * x3 tu) + tt * x3 uv; y3 := (uu * y3 vt + vv * y3 tu) + tt * y3 uv;
+                    z3 := (uu * z3 vt + vv * z3 tu) + tt * z3 uv |};
+     six_volume := dot uv t; extent_3 := greater o (largest_3 u) (greater o (largest_3 v) (largest_3 t)) |}.
+Definition circumsphere_of (a b c d : vector_3) := circumsphere_from a (difference_3 b a) (difference_3 c a) (difference_3 d a).
+
+Definition outside_from_3 (k : circumsphere) (w : vector_3) : T := square_3 w * six_volume k - dot w (normal_3 k).
+Definition outside_of_3 (k : circumsphere) (p : vector_3) : T := outside_from_3 k (difference_3 p (origin_3 k)).
+Definition raised_3 (k : circumsphere) (m : T) (p : vector_3) : T := greater o m (largest_3 (difference_3 p (origin_3 k))).
+
+Definition cell_error (m : T) := constant o orientation_3_u * (m * m * m).
+Definition sphere_positive (k : circumsphere) : bool := less o (cell_error (extent_3 k)) (six_volume k) && in_range_3 (extent_3 k).
+Definition sphere_error (m : T) := let m2 := m * m in constant o circumsphere_3_u * (m2 * m2 * m).
+Definition clear_3 (determinant m : T) : bool := less o (sphere_error m) determinant && less_equal o m (constant o filter_range_3).
+Definition excludes_3 (k : circumsphere) (p : vector_3) : bool := clear_3 (outside_of_3 k p) (raised_3 k (extent_3 k) p).
+Definition contains_3 (k : circumsphere) (p : vector_3) : bool := clear_3 (opposite o (outside_of_3 k p)) (raised_3 k (extent_3 k) p).
+Definition excludes_all_3 (k : circumsphere) (ps : list vector_3) : bool :=
+  let least l p := if less o (outside_of_3 k p) l then outside_of_3 k p else l in
+  clear_3 (fold_left least ps (constant o infinity)) (fold_left (raised_3 k) ps (extent_3 k)) && sphere_positive k.
 End over.
 
 (* The expressions, to be compared with those the C++ templates record. *)

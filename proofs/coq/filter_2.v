@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The filter stage in the plane, operation by operation: src/annulus/certificate/width_terms.h, decide.h and ladder_2.h, with the
-   names there. Over any number type of operations.v. Where C++ selects without a branch there is one here. *)
+(* The filter stage in the plane, operation by operation: src/annulus/certificate/width_terms.h, decide.h, ladder_2.h and circumcircle_2.h, with
+   the names there. Over any number type of operations.v. Where C++ selects without a branch there is one here. *)
 From Coq Require Import List Floats Bool.
-From Annulus_link Require Import operations.
+From Annulus Require Import operations.
 Import ListNotations.
 
 (* bounds.h. *)
@@ -13,12 +13,14 @@ Definition annulus_2_norms := 273%float.
 Definition tail := 16%float.
 Definition filter_slack := (0x1p-10)%float.
 Definition filter_range := (0x1p120)%float.
-Definition constants := [u; orientation_2; annulus_2_incircle; annulus_2_norms; tail; filter_slack; filter_range].
+Definition circumcircle_2 := 129%float.
+Definition constants := [u; orientation_2; annulus_2_incircle; annulus_2_norms; tail; filter_slack; filter_range; circumcircle_2].
 
 (* Folded by the compiler, and exact: small integers times powers of two. *)
 Definition orientation_2_u := Eval vm_compute in (orientation_2 * u)%float.
 Definition annulus_2_incircle_u := Eval vm_compute in (annulus_2_incircle * u)%float.
 Definition annulus_2_norms_u := Eval vm_compute in (annulus_2_norms * u)%float.
+Definition circumcircle_2_u := Eval vm_compute in (circumcircle_2 * u)%float.
 Definition one_less_tail := Eval vm_compute in (1 - tail * u)%float.
 
 (* What a stage says: it passes the question on, or a sign with a tolerance. *)
@@ -108,6 +110,32 @@ Definition empty_sphere_filter (a b p q : vector) (certified : bool) : answer T 
   if negb (in_range m) then refused
   else let t := annulus_terms b' p' q' e in
        decide (determinant t) (annulus_roots t) (annulus_det_error m) (annulus_norm_error m) certified.
+
+(* circumcircle_2.h, signs and nothing else: the circle through the corners of a triangle, from the differences of two of them to the third. *)
+Record circumcircle := { origin : vector; normal : vector; twice_area : T; extent : T }.
+Definition circumcircle_from (a u v : vector) : circumcircle :=
+  let uu := x u * x u + y u * y u in
+  let vv := x v * x v + y v * y v in
+  {| origin := a; normal := {| x := y u * vv - y v * uu; y := x v * uu - x u * vv |};
+     twice_area := x u * y v - y u * x v; extent := greater o (largest u) (largest v) |}.
+Definition circumcircle_of (a b c : vector) := circumcircle_from a (difference b a) (difference c a).
+
+(* outside_of, from the difference w of the point to the third corner; and what m is raised to. *)
+Definition outside_from (k : circumcircle) (w : vector) : T :=
+  let ww := x w * x w + y w * y w in (x w * x (normal k) + y w * y (normal k)) + ww * twice_area k.
+Definition outside_of (k : circumcircle) (p : vector) : T := outside_from k (difference p (origin k)).
+Definition raised (k : circumcircle) (m : T) (p : vector) : T := greater o m (largest (difference p (origin k))).
+
+Definition circle_positive (k : circumcircle) : bool :=
+  less o (orientation_error (extent k)) (twice_area k) && in_range (extent k).
+Definition circle_error (m : T) := let m2 := m * m in constant o circumcircle_2_u * (m2 * m2).
+Definition clear (determinant m : T) : bool := less o (circle_error m) determinant && less_equal o m (constant o filter_range).
+Definition excludes (k : circumcircle) (p : vector) : bool := clear (outside_of k p) (raised k (extent k) p).
+Definition contains (k : circumcircle) (p : vector) : bool := clear (opposite o (outside_of k p)) (raised k (extent k) p).
+(* std::min(a, b) is b if b < a, else a. *)
+Definition excludes_all (k : circumcircle) (ps : list vector) : bool :=
+  let least l p := if less o (outside_of k p) l then outside_of k p else l in
+  clear (fold_left least ps (constant o infinity)) (fold_left (raised k) ps (extent k)) && circle_positive k.
 End over.
 
 (* The expressions of the terms, to be compared with those the C++ templates record. *)

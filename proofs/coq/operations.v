@@ -48,6 +48,11 @@ Definition rounded : operations := {|
   less := Rlt_bool; less_equal := Rle_bool;
   constant := value |}.
 
+(* Without rounding. *)
+Definition reals : operations := {|
+  number := R; add := Rplus; sub := Rminus; mul := Rmult; div := Rdiv; root := R_sqrt.sqrt; square x := x * x;
+  opposite := Ropp; magnitude := Rabs; greater := Rmax; less := Rlt_bool; less_equal := Rle_bool; constant := value |}.
+
 (* What a recording number type of C++ writes down (recording.h). *)
 Inductive expression :=
   | Input (i : nat)

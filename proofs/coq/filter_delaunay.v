@@ -1,0 +1,152 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* The chain in the plane put together: from the doubles that come in, over what the filter writes down and looks at, to a Delaunay triangulation.
+
+   - returned, told          of a verdict: it is what the filter stage said of these doubles in primitive floats, or what a later stage has to say
+   - told_evaluated          such a verdict promises what the filter asks of one
+   - same_record_certifies   a ridge that was not evaluated anew between two states is certified at both by one tolerance
+   - filter_delaunay         after any calls of the filter: if the border winds once, the cells triangulate the hull and are Delaunay
+   - filter_steps_delaunay   the same after each of any number of calls, where the winding is counted at the start: it has to be looked at again
+                             only where the border changed, or more than one vertex moved and a ridge neither rests nor has one tolerance for both *)
+From Coq Require Import Reals ZArith Lra List.
+From Coq Require Import Floats.
+From Annulus Require Import points_2 width_2 operations connect filter_2 filter_doubles returned_2.
+From Annulus Require Import algorithm_list algorithm_filter algorithm_keep algorithm_look algorithm_run filter_plane.
+From Annulus Require Import plane_mesh plane_triangulation plane_delaunay plane_certificates plane_motion.
+Import ListNotations.
+Close Scope float_scope.
+Open Scope R_scope.
+
+Definition doubles : Type := nat -> filter_2.vector machine.
+Definition at_doubles (f : doubles) : placement := fun v => at_2 (f v).
+
+Lemma coordinates_valid p : coordinates_2 p -> valid_2 (at_2 p).
+Proof. intros [[_ X] [_ Y]]. split; (split; [apply value_format|]); assumption. Qed.
+
+(* What the theorems leave open: the length of lists, after how many steps stamps wrap, when an odometer starts again, which second looks. *)
+Class options := Options {
+  list_length : nat; stamps_there_are : Z; worn_out : R -> expiry_list -> bool; looks : second_looks; stamps_positive : (0 < stamps_there_are)%Z }.
+
+Section filter.
+Context {o : options}.
+#[global] Instance the_plane : world := plane list_length stamps_there_are worn_out looks no_fold.
+Definition answered_2 := answered list_length stamps_there_are worn_out looks no_fold.
+
+(* ---- Verdicts ---- *)
+
+Definition returned (f : doubles) (k : verdict) : Prop :=
+  match of k with
+  | cell a b c | ridge a b c => exists t, orientation_filter machine (f a) (f b) (f c) true = filter_2.positive t /\ bound k = operations.value t
+  | circle a b p q => NoDup [a; b; p; q] /\
+      exists t, empty_sphere_filter machine (f a) (f b) (f p) (f q) true = filter_2.positive t /\ bound k = operations.value t
+  end.
+(* By the filter stage, in primitive floats; or by a later stage: a sign and a number that is at most the truth. *)
+Definition told (f : doubles) (k : verdict) : Prop := returned f k \/ answered_2 (at_doubles f) k.
+
+Lemma told_answered f k : (forall v, coordinates_2 (f v)) ->
+  match of k with circle a b p q => 0 < turn_at (at_doubles f) a b q /\ 0 < turn_at (at_doubles f) b a p | _ => True end ->
+  told f k -> answered_2 (at_doubles f) k.
+Proof.
+  intros D P [H|H]; [|exact H]. destruct k as [i c t]. unfold returned in H. cbn [of bound] in *. destruct c as [a b c|a b c|a b p q].
+  - destruct H as (r & H & ->). apply (triangle_answered _ _ _ _ no_fold f i r a b c); [now intros|exact H].
+  - destruct H as (r & H & ->). apply (triangle_answered _ _ _ _ no_fold f i r a b c); [now intros|exact H].
+  - destruct H as (N & r & H & ->), P. apply (circle_answered _ _ _ _ no_fold f i r a b p q); trivial; now intros.
+Qed.
+
+Theorem told_evaluated f k : (forall v, coordinates_2 (f v)) ->
+  match of k with circle a b p q => 0 < turn_at (at_doubles f) a b q /\ 0 < turn_at (at_doubles f) b a p | _ => True end ->
+  told f k -> evaluated (at_doubles f) k.
+Proof. intros D P H. apply (verdict_evaluated _ _ _ _ no_fold no_fold_local). now apply told_answered. Qed.
+
+Lemma told_cell f k a b c : (forall v, coordinates_2 (f v)) -> of k = least_first a b c -> told f k -> 0 < turn_at (at_doubles f) a b c.
+Proof.
+  intros D E H. apply (cell_of_circle no_fold). rewrite <- E. assert (A : answered_2 (at_doubles f) k).
+  { apply told_answered; trivial. rewrite E. unfold least_first. destruct (_ && _)%bool; [exact I|]. destruct (_ && _)%bool; exact I. }
+  destruct A as [(_ & _ & A & _)|(_ & A & _)]; exact A.
+Qed.
+
+Lemma near_squares (m x : placement) (a : nat -> R) n : near m x a n <-> dist2 (m n) (x n) < Rmax 0 (a n) * Rmax 0 (a n) \/ m n = x n.
+Proof.
+  unfold near. change (@dist the_plane (x n) (m n)) with (R_sqrt.sqrt (dist2 (m n) (x n))). assert (N := d2_nonneg (fst (m n)) (snd (m n)) (fst (x n)) (snd (x n))).
+  change (d2 (fst (m n)) (snd (m n)) (fst (x n)) (snd (x n))) with (dist2 (m n) (x n)) in N. assert (S := sqrt_pos (dist2 (m n) (x n))).
+  assert (E := sqrt_sqrt _ N). revert N S E. generalize (R_sqrt.sqrt (dist2 (m n) (x n))).
+  intros r N S E. unfold Rmax. destruct (Rle_dec 0 (a n)) as [A|A]; split; (intros [H|H]; [left|now right]); try lra.
+  - rewrite <- E. now apply Rmult_le_0_lt_compat.
+  - apply Rnot_le_lt. intro L. apply (Rlt_not_le _ _ H). rewrite <- E. now apply Rmult_le_compat.
+Qed.
+
+(* ---- A start: everything evaluated where the doubles are ---- *)
+
+Record start (f : doubles) (m : Z -> option certificate_2) (verdicts : list verdict) : Prop := {
+  in_domain : forall v, coordinates_2 (f v);
+  told_right : forall k, In k verdicts -> m (id k) = Some (of k) /\ told f k;
+  all_told : forall i c, m i = Some c -> In i (map id verdicts);
+  ids : forall i c, m i = Some c -> is_id i;
+  with_cells : forall i c d, m i = Some c -> counts_on_2 d c -> exists j, m j = Some d }.
+
+Lemma start_answered f m verdicts k : start f m verdicts -> In k verdicts -> answered_2 (at_doubles f) k.
+Proof.
+  intros [D R A _ C] I. destruct (R k I) as [M H]. apply told_answered; trivial.
+  destruct (of k) as [| |a b p q] eqn:E; trivial.
+  assert (P : forall u v w, counts_on_2 (least_first u v w) (circle a b p q) -> 0 < turn_at (at_doubles f) u v w).
+  { intros u v w Q. destruct (C _ _ _ M Q) as (j & J). assert (V := A j _ J). apply in_map_iff in V. destruct V as (h & <- & V).
+    destruct (R h V) as [M' H']. apply (told_cell f h); trivial. congruence. }
+  split; apply P; [now left|now right].
+Qed.
+
+Variable second_look : state -> algorithm_filter.placement -> Z -> option renewal.
+Hypothesis second_look_sound : second_look_right second_look.
+
+(* The filter right after it evaluated everything: from whatever was before. *)
+Definition settled (f : doubles) m verdicts (s : state) : system := {| of_filter := settle (at_doubles f) s m verdicts; tracks := true |}.
+Definition places (y : system) : placement := moving (of_filter y).
+Definition watches (y : system) (T : plane_mesh.mesh) : Prop :=
+  forall c, In c (certificates T) -> exists i, algorithm_filter.mesh (of_filter y) i = Some c.
+
+Theorem filter_holds f m verdicts s z : start f m verdicts -> (0 <= epoch s)%Z -> calls second_look (settled f m verdicts s) z ->
+  forall i c, algorithm_filter.mesh (of_filter z) i = Some c -> holds_2 no_fold c (places z).
+Proof.
+  intros S E. assert (B := start_answered f m verdicts). destruct (S) as [D R A I C].
+  apply (plane_filter_is_right _ _ _ _ stamps_positive no_fold no_fold_local second_look); trivial.
+  - intro v. apply coordinates_valid, D.
+  - intros k K. destruct (R k K). split; [assumption|now apply B].
+Qed.
+
+(* A ridge that neither of two states evaluated anew is certified at both: it does not ask for the winding. *)
+Theorem same_record_certifies y z i u v w : right y -> right z -> tracks y = true -> tracks z = true ->
+  algorithm_filter.mesh (of_filter y) i = Some (ridge u v w) -> algorithm_filter.mesh (of_filter z) i = Some (ridge u v w) ->
+  reference (record (of_filter z) i) = reference (record (of_filter y) i) -> allowance (record (of_filter z) i) = allowance (record (of_filter y) i) ->
+  certified_ridge (places y) (places z) u v w.
+Proof.
+  unfold right. intros V V' Y Z M M' Er Ea. rewrite Y in V. rewrite Z in V'. destruct V as [_ _ G _], V' as [_ _ G' _]. destruct (G i _ M) as [S C _ _], (G' i _ M') as [_ C' _ _].
+  set (a := allowance (record (of_filter y) i)) in *. set (x := reference (record (of_filter y) i)) in *.
+  exists x, (fun n => Rmax 0 (a n) * Rmax 0 (a n)).
+  assert (Near : forall m n, near m x a n <-> dist2 (m n) (x n) < Rmax 0 (a n) * Rmax 0 (a n) \/ m n = x n) by (intros; apply near_squares).
+  split; [|split].
+  - intros n N. apply (promise _ _ _ S n); [|now intros]. intros z' I. apply Near. now apply N.
+  - intros n I. apply Near. now apply C.
+  - intros n I. apply Near. destruct (C' n I) as [N _]. rewrite Er, Ea in N. exact N.
+Qed.
+
+Theorem filter_delaunay f m verdicts s z T : start f m verdicts -> (0 <= epoch s)%Z -> calls second_look (settled f m verdicts s) z ->
+  glued T -> watches z T -> winds_once (places z) (border T) -> triangulation (places z) T /\ delaunay (places z) T.
+Proof.
+  intros S E R G A W. apply (certificates_delaunay T (algorithm_filter.mesh (of_filter z))); trivial. exact (filter_holds f m verdicts s z S E R).
+Qed.
+
+Lemma calls_trans y z u : calls second_look y z -> calls second_look z u -> calls second_look y u.
+Proof. intros A B. induction B as [|z' u' B IH C]; [exact A|]. now apply further with z'. Qed.
+
+Theorem filter_steps_delaunay f m verdicts s (y : nat -> system) (T : nat -> plane_mesh.mesh) :
+  start f m verdicts -> (0 <= epoch s)%Z -> y O = settled f m verdicts s -> (forall i, calls second_look (y i) (y (S i))) ->
+  (forall i, glued (T i) /\ watches (y i) (T i)) ->
+  winds_once (places (y O)) (border (T O)) -> (forall i, border_known (places (y i)) (places (y (S i))) (T i) (T (S i))) ->
+  forall i, triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i).
+Proof.
+  intros Start E Y R G W K. assert (Reached : forall i, calls second_look (settled f m verdicts s) (y i)).
+  { induction i as [|i IH]; [rewrite Y; apply here|]. now apply calls_trans with (y i). }
+  assert (Wi : forall i, winds_once (places (y i)) (border (T i))).
+  { apply steps_wind; trivial. intro i. apply (certificates_convex (T i) (algorithm_filter.mesh (of_filter (y i)))); [apply G|].
+    exact (filter_holds f m verdicts s (y i) Start E (Reached i)). }
+  intro i. destruct (G i) as [Gi Ai]. now apply (filter_delaunay f m verdicts s).
+Qed.
+End filter.

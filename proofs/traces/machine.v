@@ -1,0 +1,134 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* The program of algorithm_filter.v with the numbers of the machine: Coq's primitive floats, so that it can be run. Nothing of the program is written
+   again here, only the arithmetic that a `world` asks for, as displacement.h, high_word.h and odometers*.cpp have it, in any
+   dimension; machine_rounds.v ties it to that of filter_plane.v. Positions are lists of coordinates, vertices are numbers and a
+   certificate is its points.
+
+   What a tour goes round, cells and facets in the order of the mesh, is not the filter's to decide: the replay enters it in the mesh, under
+   -1 and below (`around`), where no certificate has its number. *)
+From Coq Require Import Reals ZArith List Bool Floats.
+From Annulus Require Import algorithm_list high_word algorithm_filter.
+Import ListNotations.
+Open Scope Z_scope.
+
+(* What horizons.h sets. *)
+Record horizons := { listed : nat; last_stamp : Z; half_mask : Z; odometer_ratio : float }.
+
+Definition point := list float.
+Open Scope float_scope.
+
+(* ---- displacement.h ---- *)
+
+Definition terms (f : float -> float) (a b : point) : float := fold_left (fun sum c => sum + f (fst c - snd c)) (combine a b) 0.
+Definition squared_distance : point -> point -> float := terms (fun c => c * c).
+Definition grow : float := 0x1.0000000000008p0.           (* 1 + 2^-49 *)
+Definition distance_upper (a b : point) : float :=
+  let squares := squared_distance a b in
+  if 0x1p-900 <? squares then sqrt squares * grow else terms abs a b * grow.
+Definition squared_threshold_lower (radius : float) : float :=
+  if negb (0x1p-450 <? radius) then 0 else if 0x1p510 <? radius then 0x1p1020 else radius * radius * 0x1.ffffffffffff0p-1.
+Definition ulp52 : float := 0x1p-52.
+Definition sum_lower (a b : float) : float := let s := a + b in s - s * ulp52.
+Definition sum_upper (a b : float) : float := let s := a + b in s + s * ulp52.
+
+(* ---- high_word.h ---- *)
+
+(* The bits of a positive number are its mantissa and exponent, be it subnormal or not. *)
+Definition half_of (mask : Z) (x : float) : Z :=
+  match Prim2SF x with
+  | S754_finite false m e => Z.land (Z.shiftr (Z.shiftl (e + 1074) 52 + Zpos m) 32) mask
+  | S754_infinity false => never
+  | _ => 0%Z
+  end.
+Definition value_of (b : Z) : float :=
+  if (b <? never)%Z then ldshiftexp (of_uint63 (Uint63.of_Z (mantissa 20 b))) (Uint63.of_Z (exponent 20 (-1042) b + shift)) else infinity.
+
+(* ---- odometers.h, odometers_commit.cpp ---- *)
+
+Definition reading_at (b : float) (f p : point) : float := sum_upper b (distance_upper p f).
+Definition slack (e : Z) (b : float) : float := (value_of e - b) * 0x1.ffffffffffff8p-1.    (* 1 - 2^-50 *)
+Definition left_of (e : Z) (b : float) : float := let s := value_of e - b in s - s * ulp52.
+Definition same_coordinates (p q : point) : bool := forallb (fun c => fst c =? snd c) (combine p q).
+
+(* Expiry_list::latest *)
+Definition latest (l : expiry_list) : Z :=
+  fold_left (fun found e => if (e =? vacant)%Z then found else expiry_of e) (entries l) (rest l).
+
+Close Scope float_scope.
+
+Section machine.
+Variables (h : horizons) (looks : second_looks).
+
+Definition machine : world := {|
+  position := point; vertex := Z; certificate := list Z; same_vertex := Z.eq_dec; same_position := same_coordinates;
+  dist := fun _ _ => 0%R; points := fun c => c; holds := fun _ _ => True; counts_on := fun _ _ => False;
+  two_sided := fun c => Nat.eqb (length c) 4; inside := fun c v => existsb (Z.eqb v) (firstn 2 c);
+  capacity := listed h; stamps := last_stamp h; chosen := looks;
+  around := fun mesh v => match mesh (-1 - v) with Some ids => ids | None => [] end;
+  num := float; real := fun _ => 0%R; zero := 0%float; valid := fun _ => True; number := fun _ => True;
+  reading_of := reading_at; below := fun f p r => (squared_distance p f <? r)%float;
+  threshold := fun e b => value_of (half_of (half_mask h) (squared_threshold_lower (slack e b)));
+  algorithm_filter.sum_lower := sum_lower; less := left_of; half := half_of (half_mask h);
+  overdue := fun e b => (value_of e <? b)%float;
+  worn := fun b l => (odometer_ratio h * (value_of (latest l) - b) <? b)%float |}.
+End machine.
+
+(* ---- second_look.cpp ---- *)
+
+Section looks.
+Variables (h : horizons) (looks : second_looks) (delimiter : Z -> option (float * float * float)).
+#[local] Instance W : world := machine h looks.
+Open Scope float_scope.
+
+Definition greatest (l : list float) : float := fold_left (fun m x => if m <? x then x else m) l 0.
+(* Second_looks::unequal_moves: new expiries of the four points, from their expiries and readings. *)
+Definition unequal_expiries (t : float) (points : list (float * float)) : option (list float) :=
+  let way p := (snd p - (fst p - t)) + (snd p + t) * 0x1p-50 in
+  let inner := greatest (map way (firstn 2 points)) in
+  let outer := greatest (map way (skipn 2 points)) in
+  let left := 2 * t - (inner + outer) * 0x1.0000000000004p0 in
+  if 0x1p-2 * t <? left then
+    let until travelled p := let u := (fst p - t) + (travelled + 0x1p-1 * left) in u - u * 0x1p-50 in
+    Some (map (until inner) (firstn 2 points) ++ map (until outer) (skipn 2 points))
+  else None.
+(* safe_region_lower, and what Second_looks::safe_region asks of it. *)
+Definition safe_rooms (t : float) (c : float * float * float) (x : list point) : option (list float) :=
+  let '(cx, cy, r) := c in
+  let room inner p :=
+    let dx := nth 0 p 0 - cx in let dy := nth 1 p 0 - cy in
+    let distance := sqrt (dx * dx + dy * dy) in
+    (if inner : bool then r - distance else distance - r) - (distance + r) * 0x1p-48 in
+  let rooms := map (room true) (firstn 2 x) ++ map (room false) (skipn 2 x) in
+  if (0x1p-400 <? r) && (r <? 0x1p500) && forallb (fun a => 0 <? a) rooms && forallb (fun a => 0x1p-2 * t <? a) rooms then Some rooms
+  else None.
+
+Definition by_point (l : list (Z * float)) (v : Z) : float := match find (fun p => Z.eqb (fst p) v) l with Some p => snd p | None => 0 end.
+(* Second_looks::proves *)
+Definition look_again (s : state) (x : placement) (i : Z) : option renewal :=
+  match mesh s i with
+  | None => None
+  | Some c =>
+      let r := record s i in
+      if Nat.eqb (length c) 4 && (0 <? tolerance r) then
+        let readings := map (fun v => reading s v (x v)) c in
+        let lasts (until : list float) := forallb (fun p => fst p <? value_of (half_of (half_mask h) (snd p))) (combine readings until) in
+        match looks with
+        | off => None
+        | unequal_moves =>
+            match unequal_expiries (tolerance r) (combine (map (fun v => value_of (expiry r v)) c) readings) with
+            | Some new => if lasts new then Some (unequal (by_point (combine c new)) (fun _ => 0%R)) else None
+            | None => None
+            end
+        | safe_region =>
+            match delimiter i with
+            | Some o =>
+                match safe_rooms (tolerance r) o (map x c) with
+                | Some far => if lasts (map (fun p => sum_lower (fst p) (snd p)) (combine readings far)) then Some (safe (by_point (combine c far))) else None
+                | None => None
+                end
+            | None => None
+            end
+        end
+      else None
+  end.
+End looks.

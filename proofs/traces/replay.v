@@ -1,0 +1,303 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* What the engine told of a history (trace.h), replayed: the program of algorithm_filter.v, run on the numbers of the machine (machine.v), has to
+   decide the same, bit for bit. What is given is where vertices go, which certificates Repair evaluated with what tolerance or took away,
+   and what a tour goes round. What is computed and compared:
+
+   - test       who passes the test of a step and who fails                                     find_failed, passes
+   - stamp      the stamp of the step, and that all are cleared where they wrap                 begin_anchoring
+   - anchor     the bases of those that failed                                                  anchor
+   - examine    of each of these: what is taken from its list, whether there is a tour, suspects, what second looks renew and
+                with which numbers, the list that is left                                       examine
+   - undo       what a call that fails takes back                                               undo_anchoring
+   - renew, write   expiries and bases of every point of a certificate                          commit_renewal, commit_evaluated, write_fresh
+   - finish     whether a vertex is rebased, its base, threshold and list                       finish
+   - settle, place  thresholds and lists after a settling; a new vertex                         set_room, place
+   - over       every suspect was evaluated or is gone; no certificate is without a record
+
+   The state is the replay's own: nothing of it is read from the trace. *)
+From Coq Require Import PArray Uint63 Floats Reals ZArith Bool FMapPositive List.
+From Annulus Require Import algorithm_list high_word algorithm_filter.
+From Annulus_traces Require Import machine.
+Import ListNotations.
+Open Scope Z_scope.
+
+(* ---- Reading words ---- *)
+
+Inductive outcome (A : Type) := Good (a : A) (at_word : int) | Bad (at_word : int) (event : Z).
+Arguments Good {A}. Arguments Bad {A}.
+Definition reader A := array int -> int -> outcome A.
+Definition ret {A} (a : A) : reader A := fun _ i => Good a i.
+Definition bind {A B} (m : reader A) (f : A -> reader B) : reader B :=
+  fun w i => match m w i with Good a j => f a w j | Bad j e => Bad j e end.
+Notation "x <- m ; k" := (bind m (fun x => k)) (at level 60, m at level 59, right associativity).
+Notation "' p <- m ; k" := (bind m (fun x => let p := x in k)) (at level 60, p pattern, m at level 59, right associativity).
+Definition must {B} (e : Z) (b : bool) (k : reader B) : reader B := fun w i => if b then k w i else Bad i e.
+
+Definition word : reader int := fun w i => Good w.[i]%uint63 (i + 1)%uint63.
+Definition number : reader Z := n <- word; ret (to_Z n).
+Fixpoint times {A} (n : nat) (m : reader A) : reader (list A) :=
+  match n with O => ret [] | S n => a <- m; l <- times n m; ret (a :: l) end.
+Definition many {A} (m : reader A) : reader (list A) :=
+  fun w i => let n := w.[i]%uint63 in if (n <? 0x10000)%uint63 then times (Z.to_nat (to_Z n)) m w (i + 1)%uint63 else Bad i 0.
+Definition pair {A B} (m : reader A) (k : reader B) : reader (A * B) := a <- m; b <- k; ret (a, b).
+
+Definition float_of (w : int) : float :=
+  let m := (w land 0xfffffffffffff)%uint63 in
+  let e := (w >> 52)%uint63 in
+  if (e =? 2047)%uint63 then (if (m =? 0)%uint63 then infinity else nan)
+  else if (e =? 0)%uint63 then ldshiftexp (of_uint63 m) 1027%uint63                          (* 2^-1074: shift is 2101 *)
+  else ldshiftexp (of_uint63 (m lor 0x10000000000000)%uint63) (e + 1026)%uint63.
+Definition minus : int := 0x7fffffffffffffff%uint63.
+Definition real_number : reader float := w <- word; if (w =? minus)%uint63 then v <- word; ret (- float_of v)%float else ret (float_of w).
+
+Definition same (a b : float) : bool := PrimFloat.Leibniz.eqb a b.
+Fixpoint all2 {A B} (f : A -> B -> bool) (a : list A) (b : list B) : bool :=
+  match a, b with [], [] => true | x :: a, y :: b => f x y && all2 f a b | _, _ => false end.
+
+(* ---- The state ---- *)
+
+Section history.
+Variables (dimension : nat) (h : horizons) (looks : second_looks).
+#[local] Instance W : world := machine h looks.
+
+Definition place_of : reader machine.point := times dimension real_number.
+
+Record known := { of_points : list Z; expiries : list (Z * Z); kept_tolerance : float; circle : option (float * float * float) }.
+Record system := {
+  vertices : PositiveMap.t odometer;
+  certificates : PositiveMap.t known;
+  goal : PositiveMap.t machine.point;
+  lives : list Z;
+  stamped : Z;
+  settling : bool;
+  failed : list Z;                       (* of the last test *)
+  before : PositiveMap.t odometer;       (* when the step began *)
+  waiting : list Z;                      (* anchored in this step and not finished *)
+  suspects : list Z;
+  renewed : renewals;
+  decisions : Z }.
+Definition nothing : system := {| vertices := PositiveMap.empty _; certificates := PositiveMap.empty _; goal := PositiveMap.empty _; lives := [];
+  stamped := 0; settling := false; failed := []; before := PositiveMap.empty _; waiting := []; suspects := []; renewed := []; decisions := 0 |}.
+
+Definition key (i : Z) : positive := Z.to_pos (i + 1).
+Definition find {A} (i : Z) (m : PositiveMap.t A) : option A := PositiveMap.find (key i) m.
+Definition add {A} (i : Z) (a : A) (m : PositiveMap.t A) : PositiveMap.t A := PositiveMap.add (key i) a m.
+
+Definition x_of (y : system) (v : Z) : machine.point := match find v (goal y) with Some p => p | None => [] end.
+Definition new_odometer (p : machine.point) : odometer := {| fixed := p; base := zero; room := zero; listing := cleared capacity; stamp := 0 |}.
+Definition odometer_in (m : PositiveMap.t odometer) (y : system) (v : Z) : odometer := match find v m with Some o => o | None => new_odometer (x_of y v) end.
+Definition lookup (l : list (Z * Z)) (v : Z) : Z := match List.find (fun p => fst p =? v) l with Some p => snd p | None => never end.
+Definition written_of (k : known) : written :=
+  {| expiry := lookup (expiries k); tolerance := kept_tolerance k; reference := fun _ => []; origin := fun _ => 0%R; allowance := fun _ => 0%R |}.
+Definition unknown : known := {| of_points := []; expiries := []; kept_tolerance := 0; circle := None |}.
+
+(* As the model has it; `round` is what a tour of v goes round. *)
+Definition state_of (y : system) (v : Z) (round : list Z) : state := {|
+  moving := x_of y;
+  at_ := odometer_in (vertices y) y;
+  mesh := fun i => if i <? 0 then (if i =? -1 - v then Some round else None)
+                   else match find i (certificates y) with Some k => Some (of_points k) | None => None end;
+  record := fun i => written_of (match find i (certificates y) with Some k => k | None => unknown end);
+  epoch := stamped y; anchored := [] |}.
+Definition now (y : system) : state := state_of y 0 [].
+
+(* What an operation did to these vertices. *)
+Definition keep (t : state) (vs : list Z) (m : PositiveMap.t odometer) : PositiveMap.t odometer := fold_left (fun m v => add v (at_ t v) m) vs m.
+Definition with_vertices (y : system) m w n : system := {| vertices := m; certificates := certificates y; goal := goal y; lives := lives y;
+  stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := w; suspects := suspects y;
+  renewed := renewed y; decisions := decisions y + n |}.
+Definition with_certificates (y : system) c : system := {| vertices := vertices y; certificates := c; goal := goal y; lives := lives y;
+  stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := suspects y;
+  renewed := renewed y; decisions := decisions y |}.
+Definition with_open (y : system) s r : system := {| vertices := vertices y; certificates := certificates y; goal := goal y; lives := lives y;
+  stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := s;
+  renewed := r; decisions := decisions y |}.
+Definition with_goals (y : system) g l : system := {| vertices := vertices y; certificates := certificates y; goal := g; lives := l;
+  stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := suspects y;
+  renewed := renewed y; decisions := decisions y |}.
+Definition with_step (y : system) e f b n : system := {| vertices := vertices y; certificates := certificates y; goal := goal y; lives := lives y;
+  stamped := e; settling := settling y; failed := f; before := b; waiting := waiting y; suspects := suspects y;
+  renewed := renewed y; decisions := decisions y + n |}.
+Definition beginning (y : system) (b : bool) : system := {| vertices := if b then PositiveMap.empty _ else vertices y;
+  certificates := if b then PositiveMap.empty _ else certificates y; goal := if b then PositiveMap.empty _ else goal y; lives := if b then [] else lives y;
+  stamped := stamped y; settling := b; failed := []; before := PositiveMap.empty _; waiting := []; suspects := []; renewed := [];
+  decisions := decisions y |}.
+
+Definition same_expiries (l : expiry_list) (r : Z) (es : list Z) : bool :=
+  (rest l =? r) && all2 Z.eqb (filter (fun e => negb (e =? vacant)) (entries l)) es.
+Definition expiries_told : reader (Z * list Z) := pair number (many number).
+Definition size {A} (l : list A) : Z := Z.of_nat (length l).
+Fixpoint insert (v : Z) (l : list Z) : list Z :=
+  match l with [] => [v] | w :: l' => if v <? w then v :: l else if v =? w then l else w :: insert v l' end.
+Definition without (l gone : list Z) : list Z := filter (fun i => negb (existsb (Z.eqb i) gone)) l.
+
+(* ---- Events ---- *)
+
+Definition places (y : system) : reader system :=
+  l <- many (pair number place_of);
+  ret (with_goals y (fold_left (fun g p => add (fst p) (snd p) g) l (goal y)) (fold_left (fun l p => insert (fst p) l) l (lives y))).
+Definition gone (y : system) : reader system := l <- many number; ret (with_goals y (goal y) (without (lives y) l)).
+
+Definition settle_ (y : system) : reader system :=
+  l <- many (pair number (pair number expiries_told));
+  let judged v t r es := let o := set_room (at_ (now y) v) in same (room o) (value_of t) && same_expiries (listing o) r es in
+  must 5 (all2 Z.eqb (map fst l) (lives y) && forallb (fun '(v, (t, (r, es))) => judged v t r es) l)
+  (let m := fold_left (fun m '(v, _) => add v (set_room (at_ (now y) v)) m) l (vertices y) in
+   ret (beginning (with_vertices y m [] (2 * size l)) false)).
+
+Definition test (y : system) : reader system :=
+  mover <- number; told <- many number;
+  let movers := if mover =? 0 then lives y else [mover - 1] in
+  must 6 (all2 Z.eqb (find_failed (now y) (x_of y) movers) told) (ret (with_step y (stamped y) told (before y) (size movers))).
+
+Definition stamp_ (y : system) : reader system :=
+  e <- number;
+  let t := begin_anchoring (now y) in
+  let m := if stamped y =? stamps then PositiveMap.mapi (fun k _ => at_ t (Zpos k - 1)) (vertices y) else vertices y in
+  must 7 (epoch t =? e) (ret (with_open (with_step (with_vertices y m [] 1) e (failed y) m 0) [] [])).
+
+Definition anchor_one (y : option system) (told : Z * float) : option system :=
+  match y with
+  | None => None
+  | Some y =>
+      let '(v, b) := told in
+      let t := anchor (x_of y) (now y) v in
+      if same (base (at_ t v)) b then Some (with_vertices y (keep t [v] (vertices y)) (waiting y ++ anchored t) 1) else None
+  end.
+Definition anchor_ (y : system) : reader system :=
+  l <- many (pair number real_number);
+  must 8 (all2 Z.eqb (map fst l) (failed y))
+  (match fold_left anchor_one l (Some y) with Some z => ret z | None => must 8 false (ret y) end).
+
+(* Of a renewal, the numbers of the points in their order. *)
+Definition values (n : Z * certificate * renewal) : list float :=
+  let '(_, c, k) := n in match k with unequal new _ => map new c | safe far => map far c end.
+Definition circles (y : system) (i : Z) : option (float * float * float) := match find i (certificates y) with Some k => circle k | None => None end.
+Definition examine_ (y : system) : reader system :=
+  v <- number; toured <- number; round <- many number; named <- many number;
+  looked <- many (pair number (times (dimension + 2) real_number)); '(r, es) <- expiries_told;
+  let s := state_of y v round in
+  let l0 := listing (at_ s v) in
+  let reading := half (base (at_ s v)) in
+  let visited := if rest l0 <=? reading then [] else fst (take reading l0) in
+  let '(l, named', looked') := examine (look_again h looks (circles y)) s (x_of y) v in
+  must 9 (same_expiries l r es && all2 Z.eqb (rev named') named &&
+          all2 (fun n t => (fst (fst n) =? fst t) && all2 same (values n) (snd t)) (rev looked') looked)
+  (let m := add v (set_listing (at_ s v) l) (vertices y) in
+   ret (with_open (with_vertices y m (waiting y) (1 + size visited + size round)) (suspects y ++ named) (renewed y ++ rev looked'))).
+
+Definition undo_ (y : system) : reader system :=
+  let t := undo_anchoring {| moving := x_of y; at_ := odometer_in (before y) y; mesh := mesh (now y); record := record (now y); epoch := stamped y; anchored := [] |}
+    (now y) (failed y) in
+  ret (with_open (with_vertices y (keep t (failed y) (vertices y)) [] 1) [] []).
+
+Definition mend_ (y : system) : reader system :=
+  l <- many number;
+  ret (with_open (with_certificates y (fold_left (fun m i => PositiveMap.remove (key i) m) l (certificates y))) (without (suspects y) l) (renewed y)).
+
+(* The record of certificate i as an operation left it. *)
+Definition kept_record (t : state) (i : Z) (points : list Z) (o : option (float * float * float)) : known :=
+  {| of_points := points; expiries := map (fun v => (v, expiry (record t i) v)) points; kept_tolerance := tolerance (record t i); circle := o |}.
+Definition after (y : system) (t : state) (i : Z) (points : list Z) o : system :=
+  with_certificates (with_vertices y (keep t points (vertices y)) (waiting y ++ rev (anchored t)) (size points)) (add i (kept_record t i points o) (certificates y)).
+
+(* A certificate that is gone, or a ridge by now, is not renewed. *)
+Fixpoint next_renewal (y : system) (i : Z) (l : renewals) : option ((Z * certificate * renewal) * renewals) :=
+  match l with
+  | [] => None
+  | n :: l => if fst (fst n) =? i then Some (n, l)
+              else match find (fst (fst n)) (certificates y) with
+                   | Some k => if Nat.eqb (length (of_points k)) 4 then None else next_renewal y i l
+                   | None => next_renewal y i l
+                   end
+  end.
+Definition renew (y : system) : reader system :=
+  i <- number; l <- many (pair number number);
+  let points := map fst l in
+  (* Another under the same number: its record is to follow. *)
+  let y := match find i (certificates y) with
+           | Some _ => y
+           | None => with_open (with_certificates y (add i {| of_points := points; expiries := []; kept_tolerance := 0; circle := None |} (certificates y)))
+                       (i :: suspects y) (renewed y)
+           end in
+  match next_renewal y i (renewed y) with
+  | None => must 12 false (ret y)
+  | Some (n, others) =>
+      let '(_, c, k) := n in
+      let of_now := by_point (combine points (values n)) in
+      let k := match k with unequal _ _ => unequal of_now (fun _ => 0%R) | safe _ => safe of_now end in
+      let t := commit_renewal (x_of y) (now y) (i, c, k) in
+      must 12 (match find i (certificates y) with Some k => all2 Z.eqb (of_points k) points | None => false end &&
+               forallb (fun '(v, e) => expiry (record t i) v =? e) l)
+      (ret (with_open (after y t i points (circles y i)) (suspects y) others))
+  end.
+
+Definition write (y : system) : reader system :=
+  i <- number; tol <- real_number; l <- many (pair number (pair real_number number));
+  o <- (match looks with
+        | safe_region => if Nat.eqb dimension 2 && Nat.eqb (length l) 4 then '(cx, (cy, r)) <- pair real_number (pair real_number real_number); ret (Some (cx, cy, r))
+                         else ret None
+        | _ => ret None
+        end);
+  let points := map fst l in
+  let k := {| id := i; of := points : certificate; bound := tol |} in
+  let y := with_certificates y (add i {| of_points := points; expiries := []; kept_tolerance := 0; circle := None |} (certificates y)) in
+  let t := if settling y then write_fresh (x_of y) (now y) k else commit_evaluated (x_of y) (now y) k in
+  must 13 (forallb (fun '(v, (b, e)) => same (base (at_ t v)) b && (expiry (record t i) v =? e)) l)
+  (let z := after y t i points o in ret (with_open z (without (suspects z) [i]) (renewed z))).
+
+Definition finish_ (y : system) : reader system :=
+  v <- number; rebased <- number; round <- many number; b <- real_number; t <- number; '(r, es) <- expiries_told;
+  let s := state_of y v round in
+  let o := at_ s v in
+  let u := finish s v in
+  let o' := at_ u v in
+  must 14 (match waiting y with w :: _ => w =? v | [] => false end &&
+           Bool.eqb (worn (base o) (listing o)) (rebased =? 1) && same (base o') b && same (room o') (value_of t) && same_expiries (listing o') r es)
+  (let its := filter (fun i => has s i v) round in
+   let c := fold_left (fun m i => add i (kept_record u i (match mesh s i with Some ps => ps | None => [] end) (circles y i)) m) its (certificates y) in
+   ret (with_certificates (with_vertices y (add v o' (vertices y)) (tl (waiting y)) (3 + size its)) c)).
+
+Definition over (y : system) : reader system :=
+  n <- number;
+  let dead (n : Z * certificate * renewal) := match find (fst (fst n)) (certificates y) with Some k => negb (Nat.eqb (length (of_points k)) 4) | None => true end in
+  must 15 (match waiting y, suspects y with [], [] => true | _, _ => false end && forallb dead (renewed y) &&
+           (Z.of_nat (PositiveMap.cardinal (certificates y)) =? n))
+  (ret (with_open y [] [])).
+
+Definition place_ (y : system) : reader system :=
+  v <- number; p <- place_of;
+  let t := place (now y) (v, p) in
+  ret (with_vertices (with_goals y (add v p (goal y)) (lives y)) (keep t [v] (vertices y)) (waiting y) 1).
+
+Definition event (e : Z) (y : system) : reader system :=
+  match e with
+  | 2 => places y | 3 => gone y | 4 => ret (beginning y true) | 5 => settle_ y | 6 => test y | 7 => stamp_ y | 8 => anchor_ y
+  | 9 => examine_ y | 10 => undo_ y | 11 => mend_ y | 12 => renew y | 13 => write y | 14 => finish_ y | 15 => over y | 16 => place_ y
+  | _ => must e false (ret y)
+  end.
+Fixpoint events (fuel : nat) (y : system) : reader system :=
+  match fuel with
+  | O => ret y
+  | S fuel => e <- number; if e =? 0 then ret y else z <- event e y; events fuel z
+  end.
+End history.
+
+(* A history: dimension, horizons, second looks, events to the end. Decisions. *)
+Definition look_named (n : Z) : second_looks := match n with 1 => unequal_moves | 2 => safe_region | _ => off end.
+Definition history (fuel : nat) : reader Z :=
+  d <- number; l <- number; s <- number; m <- number; o <- real_number; e <- number; d' <- number; k <- number;
+  must 1 ((e =? 1) && (d =? d'))
+  (let h := {| listed := Z.to_nat l; last_stamp := s; half_mask := m; odometer_ratio := o |} in
+   y <- events (Z.to_nat d) h (look_named k) fuel (nothing h (look_named k)); ret (decisions h (look_named k) y)).
+
+Fixpoint histories (fuel : nat) (n : Z) (w : array int) (i : int) : outcome Z :=
+  match fuel with
+  | O => Bad i (-1)
+  | S fuel' => if (i =? PArray.length w)%uint63 then Good n i
+               else match history fuel w i with Good m j => histories fuel' (n + m) w j | Bad j e => Bad j e end
+  end.
+(* How many decisions were recomputed, or the first that is another one. *)
+Definition replay (w : array int) : outcome Z := histories (Z.to_nat (to_Z (PArray.length w))) 0 w 0%uint63.
+(* What a theorem says of a trace: all of it is as the model decides, and so many decisions are in it at least. *)
+Definition decides (least : Z) (w : array int) : bool := match replay w with Good n _ => least <=? n | Bad _ _ => false end.
