@@ -10,6 +10,7 @@
    its expiries mean, and nothing is computed from them. *)
 Require Import Reals ZArith List Bool.
 From Annulus Require Import algorithm_list high_word.
+From Annulus Require Export updated.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -108,8 +109,6 @@ Record state := {
   epoch : Z;                  (* the stamp of this step: stamp_ *)
   anchored : list vertex }.   (* in this step *)
 
-Definition set {A B} (same : forall a b : A, {a = b} + {a <> b}) (f : A -> B) (a : A) (b : B) : A -> B :=
-  fun x => if same a x then b else f x.
 Definition set_at (s : state) v o : state :=
   {| moving := moving s; at_ := set same_vertex (at_ s) v o; mesh := mesh s; record := record s; epoch := epoch s; anchored := anchored s |}.
 Definition set_record (s : state) i r : state :=

@@ -145,11 +145,6 @@ End carried.
 
 (* ---- One vertex is changed ---- *)
 
-Lemma set_same {X Y} (same : forall a b : X, {a = b} + {a <> b}) (f : X -> Y) a b : set same f a b a = b.
-Proof. unfold set. now destruct (same a a). Qed.
-Lemma set_other {X Y} (same : forall a b : X, {a = b} + {a <> b}) (f : X -> Y) a b c : c <> a -> set same f a b c = f c.
-Proof. unfold set. intro N. destruct (same a c); [subst; contradiction|reflexivity]. Qed.
-
 Lemma put_at_advance x i e v s : (forall w, fine s w) -> is_id i -> in_use e -> advance x (eq i) s (put_at i e v s).
 Proof.
   intros F I U. split; trivial; simpl.
@@ -211,14 +206,6 @@ Proof.
   intro F. unfold write_point. assert (A := anchor_advance x s v F X).
   apply advance_trans with (anchor x s v); [now apply advance_more with (2 := A)|].
   apply put_at_advance; [exact (all_fine _ _ _ _ A)|exact I|apply half_range].
-Qed.
-
-(* A vertex that is anchored keeps its base. *)
-Lemma write_point_base s v w : touched s w -> base (at_ (write_point x i far s v) w) = base (at_ s w).
-Proof.
-  intro T. unfold write_point, put_at. simpl. unfold set. destruct (same_vertex v w) as [<-|N]; simpl.
-  - unfold anchor. unfold touched in T. now rewrite T, Z.eqb_refl.
-  - unfold anchor. destruct (stamp (at_ s v) =? epoch s)%Z; [reflexivity|]. simpl. now rewrite set_other by congruence.
 Qed.
 
 Lemma write_point_done s v : let t := write_point x i far s v in

@@ -3,15 +3,17 @@
    src/annulus/engine/paper_queue.cpp; paper 3.2), as a program, with an oracle for what evaluation says.
 
    - processed_rests      a vertex that was processed has D = 0, and keeps it for the rest of the call
+   - process_forgets      a vertex that is processed has no bound but those that evaluation gives it then
    - each_once            in a call every vertex is processed at most once: at most n times in all
    - queue_runs_dry       with n rounds the queue is empty
-   - all_pass             and then every vertex passes: D < epsilon, or it is at its fixed position
+   - all_pass             and then every vertex passes: it is at its fixed position, or D < epsilon (passes_means)
    - processed_moves      calls one after another: processed in all <= vertices off their fixed positions at first + calls;
                           a timestamp that moves each of n vertices once relocates at most 2n times, k of them (k + 1) n times
 
    The oracle is any function: which certificates are evaluated, at the moving or at the fixed positions, flipped or reinserted, does
    not matter here. So this is true of the paper's algorithm (fixed positions, relocation) and of ours. *)
 Require Import List Arith Bool Lia Reals Lra.
+From Annulus Require Import updated.
 Import ListNotations.
 Open Scope nat_scope.
 
@@ -39,7 +41,15 @@ Definition below (d : R) (e : option R) : bool :=
 Definition passes (s : state) (v : vertex) : bool :=
   if same_position (moving s v) (fixed s v) then true else below (dist (moving s v) (fixed s v)) (epsilon s v).
 
-Definition set {A} (f : vertex -> A) (v : vertex) (a : A) : vertex -> A := fun w => if same_vertex w v then a else f w.
+Lemma passes_means : forall s v, passes s v = true <->
+  moving s v = fixed s v \/ match epsilon s v with None => True | Some e => (dist (moving s v) (fixed s v) < e)%R end.
+Proof.
+  intros s v. unfold passes, below. destruct (same_position (moving s v) (fixed s v)) as [E|N]; [tauto|].
+  destruct (epsilon s v) as [e|]; [|tauto]. destruct (Rlt_dec (dist (moving s v) (fixed s v)) e) as [L|L]; [tauto|].
+  split; [discriminate|]. now intros [E|E].
+Qed.
+
+Local Notation set := (updated.set same_vertex).
 Definition queued (s : state) (v : vertex) : bool := if in_dec same_vertex v (queue s) then true else false.
 
 (* lower(): a certificate allows v no more than t. *)
@@ -57,6 +67,18 @@ Definition process (h : vertex) (s : state) : state :=
   let s' := {| moving := moving s; fixed := set (fixed s) h (moving s h); epsilon := set (epsilon s) h None; queue := queue s |} in
   fold_left lower (evaluate s' h) s'.
 
+Lemma lower_others : forall h us s, (forall u, In u us -> fst u <> h) -> epsilon (fold_left lower us s) h = epsilon s h.
+Proof.
+  intros h us. induction us as [|[v t] us IH]; intros s N; simpl; [reflexivity|].
+  rewrite IH by (intros u U; apply N; now right). assert (D : v <> h) by exact (N (v, t) (or_introl eq_refl)).
+  unfold lower. destruct (below t (epsilon s v)); [|reflexivity].
+  assert (E : set (epsilon s) v (Some t) h = epsilon s h) by (apply set_other; intros ->; now apply D).
+  destruct (_ || _); exact E.
+Qed.
+(* What the old certificates of h allowed does not count any longer. *)
+Lemma process_forgets : forall h s, (forall s' u, In u (evaluate s' h) -> fst u <> h) -> epsilon (process h s) h = None.
+Proof. intros h s N. unfold process. rewrite lower_others by apply N. simpl. apply set_same. Qed.
+
 (* The loop, with the vertices it processed. *)
 Fixpoint run (rounds : nat) (s : state) : state * list vertex :=
   match rounds, queue s with
@@ -71,11 +93,6 @@ Record tidy (s : state) : Prop := {
   once : NoDup (queue s);
   away : forall v, In v (queue s) -> moving s v <> fixed s v;
   caught : forall v, In v (queue s) \/ passes s v = true }.
-
-Lemma set_same : forall A (f : vertex -> A) v a, set f v a v = a.
-Proof. intros. unfold set. now destruct (same_vertex v v). Qed.
-Lemma set_other : forall A (f : vertex -> A) v a w, w <> v -> set f v a w = f w.
-Proof. intros. unfold set. now destruct (same_vertex w v). Qed.
 
 Lemma passes_at_rest : forall s v, moving s v = fixed s v -> passes s v = true.
 Proof. intros s v H. unfold passes. now destruct (same_position (moving s v) (fixed s v)). Qed.

@@ -11,7 +11,7 @@
    equidistant N / 2 Lam is the centre of the annulus of the partition
    radii       the difference of its squared radii is det / Lam
    width       half the width is det / (|N - 2 Lam x_A| + |N - 2 Lam x_B|)
-   slab        what this is when Lam = 0: half the width of a slab *)
+   slab_width, slab_width_attained   what this is when Lam = 0: half the width of a slab *)
 Require Import Reals Lra Psatz.
 From Annulus Require Export vectors.
 Open Scope R_scope.
@@ -143,9 +143,6 @@ Proof.
   rewrite E. simpl lambda in *. destruct j; simpl in *; lra.
 Qed.
 
-Lemma U_sum : vsum (U x) = zero.
-Proof. unfold vsum. simpl. generalize (U_b x) (U_c x) (U_p x) (U_q x). vector. Qed.
-
 (* One function for a partition: constant outside B, and on B larger by det. *)
 Theorem level B j : Lam x B * sq (rel x j) - N x B · rel x j = one B j - one B a.
 Proof.
@@ -240,16 +237,6 @@ Proof.
     replace (norm (arm x B i)) with 0 in * by lra. replace (norm (arm x B j)) with 0 in * by lra.
     assert (D : det x = 0) by (apply Rmult_eq_reg_l with (4 * Lam x B); lra).
     unfold half_width. rewrite D. unfold Rdiv. ring.
-Qed.
-
-Corollary width_positive : 0 < Lam x B -> norm (centre ⊖ x j) - norm (centre ⊖ x i) = 2 * half_width.
-Proof. intro H. rewrite width by lra. rewrite Rabs_pos_eq by lra. field. lra. Qed.
-
-Corollary width_negative : Lam x B < 0 -> norm (centre ⊖ x i) - norm (centre ⊖ x j) = 2 * half_width.
-Proof.
-  intro H.
-  replace (norm (centre ⊖ x i) - norm (centre ⊖ x j)) with (- (norm (centre ⊖ x j) - norm (centre ⊖ x i))) by ring.
-  rewrite width by lra. rewrite Rabs_left by lra. field. lra.
 Qed.
 
 (* Lam = 0: the rest lies on one plane, B on a parallel one, and the distance of the planes is det / |N|, which is twice

@@ -193,10 +193,10 @@ Proof.
   generalize (before_rounding _ H) (before_rounding _ K). lra.
 Qed.
 
-Theorem orientation_filter_stands : forall a b c a' b' c', in_domain a a' -> in_domain b b' -> in_domain c c' ->
-  stands_answer (orientation_filter machine a b c true) (orientation_filter rounded a' b' c' true).
+Theorem orientation_filter_stands : forall certified a b c a' b' c', in_domain a a' -> in_domain b b' -> in_domain c c' ->
+  stands_said certified (orientation_filter machine a b c certified) (orientation_filter rounded a' b' c' certified).
 Proof.
-  intros a b c a' b' c' A B C. unfold orientation_filter. cbv zeta.
+  intros certified a b c a' b' c' A B C. unfold orientation_filter. cbv zeta.
   pose proof (rounded_difference _ _ _ _ B A) as U.
   pose proof (rounded_difference _ _ _ _ C A) as V.
   pose proof (rounded_difference _ _ _ _ C B) as W.
@@ -205,7 +205,7 @@ Proof.
   fold (orientation_magnitude rounded (difference rounded b' a') (difference rounded c' a')) in M.
   rewrite (stands_range _ _ M).
   destruct (in_range rounded (orientation_magnitude rounded (difference rounded b' a') (difference rounded c' a'))) eqn:R;
-    [|exact I].
+    [|now destruct certified].
   apply range_bound in R.
   pose proof (Rle_trans _ _ _ (max_ge_l _ _) R) as Ru. pose proof (Rle_trans _ _ _ (max_ge_r _ _) R) as Rv.
   apply (tighter_vector _ 120) in U; [|exact Ru]. apply (tighter_vector _ 120) in V; [|exact Rv].
@@ -221,7 +221,7 @@ Proof.
   assert (K : stands (-49) orientation_2_u (value orientation_2_u)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
   apply (stands_wider _ 732) in I; [|lia].
   destruct (stands_twice_root _ _ I Pi) as [Rt Pt].
-  apply (decide_stands 484 367 (-537)); try assumption.
+  apply (decide_said 484 367 (-537)); try assumption.
   - lia.
   - apply stands_wider with (2 := D). lia.
   - apply stands_wider with (-49 + 240)%Z; [lia|].
@@ -230,11 +230,11 @@ Proof.
   - apply roots_below; [|exact Pt]. change (0 <= value 0%float). rewrite value_zero. apply Rle_refl.
 Qed.
 
-Theorem empty_sphere_filter_stands : forall a b p q a' b' p' q',
+Theorem empty_sphere_filter_stands : forall certified a b p q a' b' p' q',
   in_domain a a' -> in_domain b b' -> in_domain p p' -> in_domain q q' ->
-  stands_answer (empty_sphere_filter machine a b p q true) (empty_sphere_filter rounded a' b' p' q' true).
+  stands_said certified (empty_sphere_filter machine a b p q certified) (empty_sphere_filter rounded a' b' p' q' certified).
 Proof.
-  intros a b p q a' b' p' q' A B P Q. unfold empty_sphere_filter. cbv zeta.
+  intros certified a b p q a' b' p' q' A B P Q. unfold empty_sphere_filter. cbv zeta.
   pose proof (rounded_difference _ _ _ _ B A) as U.
   pose proof (rounded_difference _ _ _ _ P A) as V.
   pose proof (rounded_difference _ _ _ _ Q A) as W.
@@ -247,7 +247,7 @@ Proof.
   set (m' := annulus_magnitude rounded (difference rounded b' a') (difference rounded p' a') (difference rounded q' a')
               (difference rounded q' p')).
   change (stands 501 m m') in M.
-  rewrite (stands_range _ _ M). destruct (in_range rounded m') eqn:R; [|exact I].
+  rewrite (stands_range _ _ M). destruct (in_range rounded m') eqn:R; [|now destruct certified].
   apply range_bound in R.
   pose proof (Rle_trans _ _ _ (max_ge_l _ _) R) as R1. pose proof (Rle_trans _ _ _ (max_ge_r _ _) R) as R2.
   apply (tighter_vector _ 120) in U; [|exact (Rle_trans _ _ _ (max_ge_l _ _) R1)].
@@ -266,7 +266,7 @@ Proof.
     by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
   apply (stands_wider _ 732) in I; [|lia]. apply (stands_wider _ 732) in O; [|lia].
   destruct (stands_roots _ _ _ _ I O Pi Po) as [Rt Pt].
-  apply (decide_stands 484 367 (-537)); try assumption.
+  apply (decide_said 484 367 (-537)); try assumption.
   - lia.
   - apply stands_wider with (-45 + 480)%Z; [lia|].
     exact (stands_mul (-45) 480 _ _ _ _ ltac:(lia) Ki (stands_mul 240 240 _ _ _ _ ltac:(lia) M2 M2)).

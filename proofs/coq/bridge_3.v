@@ -21,9 +21,6 @@ Proof. intros. apply (vector_difference 500); trivial; lia. Qed.
 Lemma stands_largest_3 : forall a v w, stands_vector_3 a v w -> stands a (largest_3 machine v) (largest_3 rounded w).
 Proof. intros a v w (A & B & C). repeat apply stands_max_same; now apply stands_abs. Qed.
 
-Lemma largest_3_nonneg : forall w : vector_3 rounded, 0 <= largest_3 rounded w.
-Proof. intro w. apply Rle_trans with (2 := max_ge_l _ _), Rle_trans with (2 := max_ge_l _ _), Rabs_pos. Qed.
-
 Lemma tighter_vector_3 : forall a b v w, stands_vector_3 a v w -> largest_3 rounded w <= power b -> stands_vector_3 b v w.
 Proof.
   intros a b v w (A & B & C) H. assert (H' := Rle_trans _ _ _ (max_ge_l _ _) H).
@@ -32,9 +29,6 @@ Proof.
   - exact (Rle_trans _ _ _ (max_ge_r _ _) H').
   - exact (Rle_trans _ _ _ (max_ge_r _ _) H).
 Qed.
-
-Lemma value_range_3 : value filter_range_3 = power 100.
-Proof. exact (value_power filter_range_3 48 eq_refl). Qed.
 
 Lemma stands_range_3 : forall m r, stands 501 m r -> in_range_3 machine m = in_range_3 rounded r.
 Proof.

@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* bridge.v for what the filters of the plane and of space share: constants, the range of the largest difference, and decide.
 
-   - decide_stands   decide says the same in primitive floats and in rounded reals, and its tolerance stands for the real one *)
+   - decide_stands   decide says the same in primitive floats and in rounded reals, and its tolerance stands for the real one
+   - decide_said     the same of signs alone where no certified tolerance is asked for *)
 From Coq Require Import Reals ZArith Lia Lra Bool.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
@@ -44,6 +45,11 @@ Definition stands_answer (a : answer float) (b : answer R) :=
   | negative s, negative t | zero s, zero t | positive s, positive t => finite s = true /\ value s = t
   | _, _ => False
   end.
+
+(* The same sign; and with certified tolerances the same number. *)
+Definition stands_sign (a : answer float) (b : answer R) :=
+  match a, b with refused, refused | negative _, negative _ | zero _, zero _ | positive _, positive _ => True | _, _ => False end.
+Definition stands_said (certified : bool) (a : answer float) (b : answer R) := if certified then stands_answer a b else stands_sign a b.
 
 (* Signs and least positive numbers. *)
 Lemma rnd_nonneg : forall r, 0 <= r -> 0 <= rnd r.
@@ -118,4 +124,20 @@ Proof.
     rewrite Rabs_inv, Rabs_pos_eq by lra. apply Rinv_le; [exact P|exact D]. }
   destruct (stands_mul (a + 1 - l) 0 _ _ _ _ ltac:(lia) quo tail) as (F & V & _). split; [exact F|exact V].
 Qed.
+
+(* Without certified tolerances: the same sign. *)
+Lemma decide_sign_stands : stands_sign (decide machine d r e n false) (decide rounded d' r' e' n' false).
+Proof.
+  assert (slack : stands (-10) filter_slack (value filter_slack)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
+  unfold decide. change (less machine) with PrimFloat.ltb. change (less rounded) with Rlt_bool.
+  change (opposite machine e) with (- e)%float. change (opposite rounded e') with (- e').
+  rewrite (stands_ltb _ _ _ _ _ _ Hd (stands_opp _ _ _ He)). case Rlt_bool; [exact I|].
+  pose proof (stands_mul a (-10) _ _ _ _ ltac:(lia) Hd slack) as dm.
+  change (mul machine d (constant machine filter_slack)) with (d * filter_slack)%float.
+  change (mul rounded d' (constant rounded filter_slack)) with (rnd (d' * value filter_slack)).
+  rewrite (stands_ltb _ _ _ _ _ _ He dm). case Rlt_bool; exact I.
+Qed.
+
+Lemma decide_said certified : stands_said certified (decide machine d r e n certified) (decide rounded d' r' e' n' certified).
+Proof. destruct certified; [exact decide_stands|exact decide_sign_stands]. Qed.
 End decide.

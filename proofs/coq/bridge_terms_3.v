@@ -15,6 +15,9 @@ Open Scope R_scope.
 Definition stands_vector_3 (a : Z) (v : vector_3 machine) (w : vector_3 rounded) :=
   stands a (x3 _ v) (x3 _ w) /\ stands a (y3 _ v) (y3 _ w) /\ stands a (z3 _ v) (z3 _ w).
 
+Lemma value_range_3 : value filter_range_3 = power 100.
+Proof. exact (value_power filter_range_3 48 eq_refl). Qed.
+
 Ltac each := split; [|split].   (* coordinate *)
 
 Lemma vector_wider : forall a b v w, (a <= b)%Z -> stands_vector_3 a v w -> stands_vector_3 b v w.

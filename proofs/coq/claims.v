@@ -2,69 +2,73 @@
 (* The theorems on the tin: what all other files are for, said in full, each with what it assumes. proofs/README.md has the same text beside words,
    and the definitions that it needs; proofs/claims compares the two.
 
-   machine is Coq's primitive binary64. A sign or a tolerance is that of the filter stage of the ladder, operation by operation (filter_2.v, filter_3.v). *)
+   machine is Coq's primitive binary64. A sign or a tolerance is that of the ladder, operation by operation: filter_2.v, interval_2.v, exact_2.v and the
+   same in space. *)
 From Coq Require Import Reals ZArith Lra List Permutation Floats.
 From Annulus Require vectors bicell tetrahedron counterexample filter_3.
-From Annulus Require Import operations bridge connect filter_2 filter_doubles returned_2 returned_3 signs_2 signs_3.
-From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run filter_plane.
-From Annulus Require Import space_mesh space_embedding space_delaunay.
-From Annulus Require Import plane_mesh plane_triangulation plane_delaunay plane_winding plane_motion filter_delaunay.
+From Annulus Require Import operations bridge connect filter_2 filter_doubles returned_2 ladder_2 returned_3 ladder_3 signs_2 signs_3.
+From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run filter_world filter_plane.
+From Annulus Require Import space_mesh space_delaunay space_triangulation space_silhouette.
+From Annulus Require Import filter_space filter_delaunay_3.
+From Annulus Require Import plane_mesh plane_triangulation plane_delaunay plane_winding plane_audit filter_delaunay filter_calls.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.
 
 (* ---- From doubles to signs and tolerances ---- *)
 
-Theorem orientation_in_the_plane : forall (f : doubles) a b c, (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
-  match orientation_filter machine (f a) (f b) (f c) true with
-  | refused => True
-  | filter_2.zero _ => False
+Theorem orientation_in_the_plane : forall (f : doubles) tight a b c, (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
+  match orientation_ladder tight (f a) (f b) (f c) with
+  | refused => False
+  | filter_2.zero _ => turn_at (at_doubles f) a b c = 0
   | negative _ => turn_at (at_doubles f) a b c < 0
   | filter_2.positive t => finite t = true /\ 0 < turn_at (at_doubles f) a b c /\
       forall m : nat -> point_2, (forall v, In v [a; b; c] -> dist_2 (at_doubles f v) (m v) < operations.value t) -> 0 < turn_at m a b c
   end.
 Proof.
-  intros f a b c D. assert (R := orientation_2_returned f a b c D). assert (C := orientation_2_returned_certifies f a b c D).
-  destruct (orientation_filter machine (f a) (f b) (f c) true) as [|t|t|t]; trivial.
+  intros f tight a b c D. destruct (orientation_2_told f tight a b c D) as [R N].
+  assert (C := fun t m => orientation_2_certifies f tight a b c t m D).
+  destruct (orientation_ladder tight (f a) (f b) (f c)) as [|t|t|t]; [now apply N|exact R|exact R|].
   destruct R as (F & P & _). split; [exact F|]. split; [exact P|]. intros m. now apply C.
 Qed.
 Print Assumptions orientation_in_the_plane.
 
-Theorem empty_circle : forall (f : doubles) a b p q, (forall v, In v [a; b; p; q] -> coordinates_2 (f v)) ->
-  match empty_sphere_filter machine (f a) (f b) (f p) (f q) true with
-  | refused => True
-  | filter_2.zero _ => False
+Theorem empty_circle : forall (f : doubles) tight a b p q, (forall v, In v [a; b; p; q] -> coordinates_2 (f v)) ->
+  match empty_sphere_ladder tight (f a) (f b) (f p) (f q) with
+  | refused => False
+  | filter_2.zero _ => incircle_at (at_doubles f) a b p q = 0
   | negative _ => incircle_at (at_doubles f) a b p q < 0
   | filter_2.positive t => finite t = true /\ 0 < incircle_at (at_doubles f) a b p q /\
       forall m : nat -> point_2, 0 < turn_at (at_doubles f) a b q -> 0 < turn_at (at_doubles f) b a p -> 0 < turn_at m a b q -> 0 < turn_at m b a p ->
       (forall v, In v [a; b; p; q] -> dist_2 (at_doubles f v) (m v) < operations.value t) -> 0 < incircle_at m a b p q
   end.
 Proof.
-  intros f a b p q D. assert (R := empty_sphere_2_returned f a b p q D). assert (C := empty_sphere_2_returned_certifies f a b p q D).
-  destruct (empty_sphere_filter machine (f a) (f b) (f p) (f q) true) as [|t|t|t]; trivial.
+  intros f tight a b p q D. destruct (empty_sphere_2_told f tight a b p q D) as [R N].
+  assert (C := fun t m => empty_sphere_2_certifies f tight a b p q t m D).
+  destruct (empty_sphere_ladder tight (f a) (f b) (f p) (f q)) as [|t|t|t]; [now apply N|exact R|exact R|].
   destruct R as (F & P & _). split; [exact F|]. split; [exact P|]. intros m. now apply C.
 Qed.
 Print Assumptions empty_circle.
 
-Theorem orientation_in_space : forall f : tetrahedron.corner -> filter_3.vector_3 machine, (forall k, coordinates_3 (f k)) ->
-  match filter_3.orientation_filter_3 machine (f tetrahedron.o) (f tetrahedron.u) (f tetrahedron.v) (f tetrahedron.w) true with
-  | refused => True
-  | filter_2.zero _ => False
+Theorem orientation_in_space : forall (f : tetrahedron.corner -> filter_3.vector_3 machine) tight, (forall k, coordinates_3 (f k)) ->
+  match orientation_ladder_3 tight (f tetrahedron.o) (f tetrahedron.u) (f tetrahedron.v) (f tetrahedron.w) with
+  | refused => False
+  | filter_2.zero _ => tetrahedron.volume (fun k => at_3 (f k)) = 0
   | negative _ => tetrahedron.volume (fun k => at_3 (f k)) < 0
   | filter_2.positive t => finite t = true /\ 0 < tetrahedron.volume (fun k => at_3 (f k)) /\
       forall y, (forall k, vectors.norm (vectors.sub (y k) (at_3 (f k))) < operations.value t) -> 0 < tetrahedron.volume y
   end.
 Proof.
-  intros f D. assert (R := orientation_3_returned f D). assert (C := orientation_3_returned_certifies f D).
-  destruct (filter_3.orientation_filter_3 machine _ _ _ _ true) as [|t|t|t]; trivial.
+  intros f tight D. destruct (orientation_3_told f D tight) as [R N]. assert (C := orientation_3_certifies f D tight).
+  destruct (orientation_ladder_3 tight _ _ _ _) as [|t|t|t]; [now apply N|exact R|exact R|].
   destruct R as (F & P & _). split; [exact F|]. split; [exact P|]. intros y. now apply C.
 Qed.
 Print Assumptions orientation_in_space.
 
-Theorem empty_sphere : forall f : bicell.vertex -> filter_3.vector_3 machine, (forall k, coordinates_3 (f k)) ->
-  match sphere_answer f filter_3.where_needed with
-  | refused => True
-  | filter_2.zero _ => False
+Theorem empty_sphere : forall (f : bicell.vertex -> filter_3.vector_3 machine) tight, (forall k, coordinates_3 (f k)) ->
+  match sphere_ladder f tight filter_3.where_needed with
+  | refused => False
+  | filter_2.zero _ => bicell.det (fun k => at_3 (f k)) = 0
   | negative _ => bicell.det (fun k => at_3 (f k)) < 0
   | filter_2.positive t => finite t = true /\ 0 < bicell.det (fun k => at_3 (f k)) /\
       forall y, 0 < bicell.lambda (fun k => at_3 (f k)) bicell.p -> 0 < bicell.lambda (fun k => at_3 (f k)) bicell.q ->
@@ -72,8 +76,8 @@ Theorem empty_sphere : forall f : bicell.vertex -> filter_3.vector_3 machine, (f
       (forall k, vectors.norm (vectors.sub (y k) (at_3 (f k))) < operations.value t) -> 0 < bicell.det y
   end.
 Proof.
-  intros f D. assert (R := empty_sphere_3_returned f D filter_3.where_needed). assert (C := empty_sphere_3_returned_certifies f D).
-  destruct (sphere_answer f filter_3.where_needed) as [|t|t|t]; trivial.
+  intros f tight D. destruct (empty_sphere_3_told f D tight filter_3.where_needed) as [R N]. assert (C := empty_sphere_3_certifies f D tight).
+  destruct (sphere_ladder f tight filter_3.where_needed) as [|t|t|t]; [now apply N|exact R|exact R|].
   destruct R as (F & P & _). split; [exact F|]. split; [exact P|]. intros y. now apply C.
 Qed.
 Print Assumptions empty_sphere.
@@ -114,41 +118,40 @@ Theorem border_in_motion : forall (m : R -> placement) l, continuous_motion m ->
 Proof. exact winding_kept. Qed.
 Print Assumptions border_in_motion.
 
-Theorem mesh_in_space : forall T m, glued_3 T -> positive_3 m T ->
-  (forall s v, In s (space_mesh.outer T) -> is_vertex T v -> 0 <= facet_height m s (m v)) ->
-  (exists x t rest, Permutation (space_mesh.cells T) (t :: rest) /\ inside_3 m x t /\ forall r, In r rest -> ~ in_cell_3 m x r) ->
-  (forall x, (exists t, In t (space_mesh.cells T) /\ in_cell_3 m x t) <-> forall s, In s (space_mesh.outer T) -> 0 <= facet_height m s x) /\
-  (forall x t r rest, Permutation (space_mesh.cells T) (t :: rest) -> In r rest -> inside_3 m x t -> ~ in_cell_3 m x r) /\
-  (locally_delaunay_3 m T -> delaunay_3 m T).
-Proof.
-  intros T m G P C O. split; [intro x; now apply cover_3|]. split; [|now apply space_delaunay].
-  intros x t r rest. now apply (disjoint_3 T m G P C O).
-Qed.
+Theorem audit_in_the_plane : forall n (f : doubles) cells, audited n f cells = true -> exists T, plane_mesh.cells T = cells /\
+  (forall v, vertex_of T v <-> (v < n)%nat) /\ (forall v, (v < n)%nat -> finite (x _ (f v)) = true /\ finite (y _ (f v)) = true) /\
+  triangulation (at_doubles f) T /\ delaunay (at_doubles f) T.
+Proof. exact audited_delaunay. Qed.
+Print Assumptions audit_in_the_plane.
+
+Theorem mesh_in_space : forall T U L m, glued_3 T -> positive_3 m T -> ridges_convex m U L -> silhouette_once m T U L ->
+  triangulation_3 m T /\ (locally_delaunay_3 m T -> delaunay_3 m T).
+Proof. intros T U L m G P R S. split; [now apply (silhouette_triangulation T m U L)|now apply (silhouette_delaunay T m U L)]. Qed.
 Print Assumptions mesh_in_space.
 
 (* ---- From doubles to Delaunay, step by step ---- *)
 
-Theorem verdicts_of_doubles : forall (o : options) f k, (forall v, coordinates_2 (f v)) ->
-  match of k with circle a b p q => 0 < turn_at (at_doubles f) a b q /\ 0 < turn_at (at_doubles f) b a p | _ => True end ->
-  told f k -> evaluated (at_doubles f) k.
-Proof. exact @told_evaluated. Qed.
-Print Assumptions verdicts_of_doubles.
-
-Theorem ridge_left_alone : forall (o : options) (y z : system) i u v w, right y -> right z -> tracks y = true -> tracks z = true ->
-  algorithm_filter.mesh (of_filter y) i = Some (ridge u v w) -> algorithm_filter.mesh (of_filter z) i = Some (ridge u v w) ->
-  reference (record (of_filter z) i) = reference (record (of_filter y) i) -> allowance (record (of_filter z) i) = allowance (record (of_filter y) i) ->
-  certified_ridge (places y) (places z) u v w.
-Proof. exact @same_record_certifies. Qed.
-Print Assumptions ridge_left_alone.
-
-Theorem filter_in_the_plane : forall (o : options) second_look, second_look_right second_look ->
-  forall f m verdicts s (y : nat -> system) (T : nat -> plane_mesh.mesh),
-  start f m verdicts -> (0 <= epoch s)%Z -> y O = settled f m verdicts s -> (forall i, calls second_look (y i) (y (S i))) ->
-  (forall i, glued (T i) /\ watches (y i) (T i)) ->
-  winds_once (places (y O)) (border (T O)) -> (forall i, border_known (places (y i)) (places (y (S i))) (T i) (T (S i))) ->
+Theorem filter_in_the_plane : forall (o : options) f m verdicts s (y : nat -> system) (T : nat -> plane_mesh.mesh),
+  start f m verdicts -> (0 <= epoch s)%Z -> y O = settled f m verdicts s ->
+  glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
+  (forall i, program_call no_second_look (y i) (T i) (y (S i)) (T (S i))) ->
   forall i, triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i).
-Proof. exact @filter_steps_delaunay. Qed.
+Proof. intros o. exact (program_delaunay no_second_look no_second_look_right). Qed.
 Print Assumptions filter_in_the_plane.
+
+Theorem verdicts_of_doubles_in_space : forall (o : options) f k, (forall v, coordinates_3 (f v)) -> its_cells_positive (at_doubles_3 f) k ->
+  told_in_space f k -> evaluated (W := the_space) (at_doubles_3 f) k.
+Proof. exact @told_evaluated_3. Qed.
+Print Assumptions verdicts_of_doubles_in_space.
+
+Theorem filter_in_space : forall (o : options) f m verdicts s z,
+  start_in_space f m verdicts -> (0 <= epoch s)%Z -> calls_in_space (settled_in_space f m verdicts s) z ->
+  (forall i c, algorithm_filter.mesh (of_filter z) i = Some c -> holds_3 no_fold_3 c (places_3 z)) /\
+  forall T U L, glued_3 T -> watches_3 z T U L -> silhouette_once (places_3 z) T U L -> triangulation_3 (places_3 z) T /\ delaunay_3 (places_3 z) T.
+Proof.
+  intros o f m verdicts s z S E R. split; [exact (filter_holds_3 f m verdicts s z S E R)|]. intros T U L. exact (filter_delaunay_3 f m verdicts s z T U L S E R).
+Qed.
+Print Assumptions filter_in_space.
 
 (* ---- The paper's tolerance ---- *)
 

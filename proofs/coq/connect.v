@@ -41,16 +41,16 @@ Proof. intros a b. simpl. unfold Rmax. case Rlt_bool_spec; destruct (Rle_dec a b
 Definition convert (a : option (Z * R)) : answer R :=
   match a with None => refused | Some (1%Z, t) => positive t | Some (_, t) => negative t end.
 
-Lemma decide_is : forall d r e n, decide rounded d r e n true = convert (float_filter.decide d r e n true).
+Lemma decide_is : forall certified d r e n, decide rounded d r e n certified = convert (float_filter.decide d r e n certified).
 Proof.
-  intros d r e n. unfold decide, float_filter.decide. change (less rounded) with Rlt_bool. rewrite !less_dec.
+  intros certified d r e n. unfold decide, float_filter.decide. change (less rounded) with Rlt_bool. rewrite !less_dec.
   change (constant rounded filter_slack) with (value filter_slack). change (constant rounded one_less_tail) with (value one_less_tail).
   change (constant rounded 0%float) with (value 0%float). rewrite v_slack, v_tail, value_zero.
   change (opposite rounded e) with (- e).
   destruct (Rlt_dec d (- e)); [reflexivity|].
   change (mul rounded d float_tail.filter_slack) with (float_error.fmul d float_tail.filter_slack).
   change (mul rounded r float_tail.filter_slack) with (float_error.fmul r float_tail.filter_slack).
-  destruct (Rlt_dec e _); [|reflexivity]. simpl negb. cbv iota.
+  destruct (Rlt_dec e _); [|reflexivity]. destruct certified; [|reflexivity]. simpl negb. cbv iota.
   destruct (Rlt_dec n _); reflexivity.
 Qed.
 
@@ -84,6 +84,13 @@ Qed.
 
 Lemma never_zero : forall b t, ~ stands_answer (zero t) (convert b).
 Proof. intros [[[|[| |]|] v]|] t A; exact A. Qed.
+
+(* Signs alone. *)
+Lemma returned_sign : forall a b, signed b -> stands_sign a (convert b) ->
+  match a with refused => True | negative _ => exists v, b = Some ((-1)%Z, v) | zero _ => False | positive _ => exists v, b = Some (1%Z, v) end.
+Proof.
+  intros a [[s v]|] H A; [|now destruct a]. destruct (H s v eq_refl) as [-> | ->]; destruct a; try contradiction; now exists v.
+Qed.
 
 (* A coordinate of the domain, |x| <= 2^500. *)
 Definition coordinate (f : float) : Prop := finite f = true /\ Rabs (value f) <= power 500.

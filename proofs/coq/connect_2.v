@@ -33,11 +33,11 @@ Proof.
   now rewrite !greater_Rmax.
 Qed.
 
-Lemma orientation_is : forall ax ay bx by' cx cy,
-  orientation_filter rounded (real ax ay) (real bx by') (real cx cy) true =
-  convert (float_filter_2.orientation_filter ax ay bx by' cx cy true).
+Lemma orientation_is : forall certified ax ay bx by' cx cy,
+  orientation_filter rounded (real ax ay) (real bx by') (real cx cy) certified =
+  convert (float_filter_2.orientation_filter ax ay bx by' cx cy certified).
 Proof.
-  intros ax ay bx by' cx cy. unfold orientation_filter, in_range. cbv zeta.
+  intros certified ax ay bx by' cx cy. unfold orientation_filter, in_range. cbv zeta.
   change (less_equal rounded) with Rle_bool. change (constant rounded filter_range) with (value filter_range).
   rewrite (in_range_is filter_range 120) by exact v_range.
   unfold orientation_magnitude. rewrite greater_Rmax, !largest_is, decide_is.
@@ -87,11 +87,11 @@ Proof.
   change (constant rounded annulus_2_norms_u) with (value annulus_2_norms_u). rewrite v_norms. split; reflexivity.
 Qed.
 
-Lemma empty_sphere_is : forall ax ay bx by' px py qx qy,
-  empty_sphere_filter rounded (real ax ay) (real bx by') (real px py) (real qx qy) true =
-  convert (float_circle_2.circle_filter ax ay bx by' px py qx qy true).
+Lemma empty_sphere_is : forall certified ax ay bx by' px py qx qy,
+  empty_sphere_filter rounded (real ax ay) (real bx by') (real px py) (real qx qy) certified =
+  convert (float_circle_2.circle_filter ax ay bx by' px py qx qy certified).
 Proof.
-  intros ax ay bx by' px py qx qy. unfold empty_sphere_filter, in_range. cbv zeta.
+  intros certified ax ay bx by' px py qx qy. unfold empty_sphere_filter, in_range. cbv zeta.
   change (less_equal rounded) with Rle_bool. change (constant rounded filter_range) with (value filter_range).
   rewrite (in_range_is filter_range 120) by exact v_range. rewrite annulus_magnitude_is, decide_is, roots_are, (proj1 (circle_terms_are _ _ _ _)).
   rewrite (proj1 (annulus_errors_are _)), (proj2 (annulus_errors_are _)).

@@ -6,7 +6,7 @@ From Coq Require Import Reals ZArith Lia Lra Bool List.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
 From Annulus Require float_model float_error float_terms_3 float_width_3 float_tail float_filter float_filter_3 float_sphere_3 vectors.
-From Annulus Require Import operations bridge bridge_decide filter_2 filter_3 connect.
+From Annulus Require Import operations bridge bridge_decide filter_2 filter_3 bridge_terms_3 connect.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.
@@ -15,7 +15,6 @@ Module T := float_terms_3.
 Module W := float_width_3.
 Module S := float_sphere_3.
 
-Lemma v_range_3 : value filter_range_3 = power 100. Proof. exact (value_power filter_range_3 48 eq_refl). Qed.
 Lemma v_orientation_3 : value orientation_3_u = float_error.fmul (IZR 47) float_model.u.
 Proof. eapply (v_units _ 47 47); [reflexivity|reflexivity|reflexivity|lia]. Qed.
 Lemma v_orientation_3_norms : value orientation_3_norms_u = float_error.fmul (IZR 122) float_model.u.
@@ -77,7 +76,7 @@ Lemma orientation_3_is : forall a b c d,
 Proof.
   intros a b c d. unfold orientation_filter_3, in_range_3. cbv zeta.
   change (less_equal rounded) with Rle_bool. change (constant rounded filter_range_3) with (value filter_range_3).
-  rewrite (in_range_is filter_range_3 100) by exact v_range_3.
+  rewrite (in_range_is filter_range_3 100) by exact value_range_3.
   unfold orientation_magnitude_3. rewrite !greater_Rmax, !largest_3_is, !difference_3_is.
   unfold float_filter_3.orientation_filter_3. cbv zeta.
   destruct (float_filter.in_range_dec 100 _); [|reflexivity]. exact (decide_width_is _ _ _ _ (slab_is _ _ _)).
@@ -209,7 +208,7 @@ Theorem bicell_filter_is :
 Proof.
   unfold bicell_filter, in_range_3. cbv zeta. fold vb vc vp vq. rewrite magnitude_is. fold t.
   change (less_equal rounded) with Rle_bool. change (constant rounded filter_range_3) with (value filter_range_3).
-  rewrite (in_range_is filter_range_3 100) by exact v_range_3.
+  rewrite (in_range_is filter_range_3 100) by exact value_range_3.
   unfold S.bicell_filter. fold m f. cbv zeta. fold annuli. destruct (float_filter.in_range_dec 100 m); [|reflexivity].
   rewrite annuli_are.
   rewrite (decide_width_is _ _ _ m (cell_p_slab_is vb vc vp vq)), (decide_width_is _ _ _ m (cell_q_slab_is vb vc vp vq)).

@@ -4,7 +4,9 @@
 
    Five points: A, B = (0, 0, +-h), and P, Q, R at 120 degrees on the circle of radius r in z = 0. Before, h = 99/100 and r = 1;
    after, h = 997/1000 and r = 993/1000. The certificates of a triangulation of them are signs of the five tetrahedra
-   (cells and ridges of the hull) and of the empty spheres of its inner facets. *)
+   (cells and ridges of the hull) and of the empty spheres of its inner facets.
+
+   missing_annulus   the half width that the paper leaves out, smaller than all that it has *)
 Require Import Reals Lra Psatz.
 From Annulus Require Import vectors tetrahedron bicell.
 Open Scope R_scope.
@@ -66,9 +68,6 @@ Proof. destruct k; unfold f, r; split; figure. Qed.
 
 Lemma around_det k : det (around f k) = 3 * s3 * h * (r * r) * (r * r - h * h).
 Proof. destruct k; unfold f, r; figure. Qed.
-
-Lemma middle_lambda : 2 * lambda (middle f) p = 3 * s3 * h * r * r /\ 2 * lambda (middle f) q = 3 * s3 * h * r * r.
-Proof. unfold f, r; split; figure. Qed.
 
 Lemma middle_det : det (middle f) = - (3 * s3 * h * (r * r) * (r * r - h * h)).
 Proof. unfold f, r; figure. Qed.

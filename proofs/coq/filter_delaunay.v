@@ -1,16 +1,15 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The chain in the plane put together: from the doubles that come in, over what the filter writes down and looks at, to a Delaunay triangulation.
 
-   - returned, told          of a verdict: it is what the filter stage said of these doubles in primitive floats, or what a later stage has to say
+   - told                    of a verdict: it is what the ladder answers of these doubles, operation by operation
    - told_evaluated          such a verdict promises what the filter asks of one
    - same_record_certifies   a ridge that was not evaluated anew between two states is certified at both by one tolerance
-   - filter_delaunay         after any calls of the filter: if the border winds once, the cells triangulate the hull and are Delaunay
-   - filter_steps_delaunay   the same after each of any number of calls, where the winding is counted at the start: it has to be looked at again
-                             only where the border changed, or more than one vertex moved and a ridge neither rests nor has one tolerance for both *)
+   - filter_delaunay         after any calls of the filter: if the border winds once, the cells triangulate the hull and are Delaunay;
+                             when the program counts that, and why that is enough, is in filter_calls.v *)
 From Coq Require Import Reals ZArith Lra List.
 From Coq Require Import Floats.
-From Annulus Require Import points_2 width_2 operations connect filter_2 filter_doubles returned_2.
-From Annulus Require Import algorithm_list algorithm_filter algorithm_keep algorithm_look algorithm_run filter_plane.
+From Annulus Require Import points_2 width_2 operations connect filter_2 filter_doubles returned_2 stages ladder_2.
+From Annulus Require Import algorithm_list algorithm_filter algorithm_keep algorithm_look algorithm_run filter_world filter_plane.
 From Annulus Require Import plane_mesh plane_triangulation plane_delaunay plane_certificates plane_motion.
 Import ListNotations.
 Close Scope float_scope.
@@ -22,10 +21,6 @@ Definition at_doubles (f : doubles) : placement := fun v => at_2 (f v).
 Lemma coordinates_valid p : coordinates_2 p -> valid_2 (at_2 p).
 Proof. intros [[_ X] [_ Y]]. split; (split; [apply value_format|]); assumption. Qed.
 
-(* What the theorems leave open: the length of lists, after how many steps stamps wrap, when an odometer starts again, which second looks. *)
-Class options := Options {
-  list_length : nat; stamps_there_are : Z; worn_out : R -> expiry_list -> bool; looks : second_looks; stamps_positive : (0 < stamps_there_are)%Z }.
-
 Section filter.
 Context {o : options}.
 #[global] Instance the_plane : world := plane list_length stamps_there_are worn_out looks no_fold.
@@ -33,23 +28,22 @@ Definition answered_2 := answered list_length stamps_there_are worn_out looks no
 
 (* ---- Verdicts ---- *)
 
-Definition returned (f : doubles) (k : verdict) : Prop :=
+(* What the ladder answers of these doubles, in whichever stage and mode. *)
+Definition told (f : doubles) (k : verdict) : Prop := exists tight,
   match of k with
-  | cell a b c | ridge a b c => exists t, orientation_filter machine (f a) (f b) (f c) true = filter_2.positive t /\ bound k = operations.value t
-  | circle a b p q => NoDup [a; b; p; q] /\
-      exists t, empty_sphere_filter machine (f a) (f b) (f p) (f q) true = filter_2.positive t /\ bound k = operations.value t
+  | cell a b c => says (orientation_ladder tight (f a) (f b) (f c)) False (bound k)
+  | ridge a b c => says (orientation_ladder tight (f a) (f b) (f c)) (no_fold (ridge a b c) (at_doubles f)) (bound k)
+  | circle a b p q => NoDup [a; b; p; q] /\ says (empty_sphere_ladder tight (f a) (f b) (f p) (f q)) True (bound k)
   end.
-(* By the filter stage, in primitive floats; or by a later stage: a sign and a number that is at most the truth. *)
-Definition told (f : doubles) (k : verdict) : Prop := returned f k \/ answered_2 (at_doubles f) k.
 
 Lemma told_answered f k : (forall v, coordinates_2 (f v)) ->
   match of k with circle a b p q => 0 < turn_at (at_doubles f) a b q /\ 0 < turn_at (at_doubles f) b a p | _ => True end ->
   told f k -> answered_2 (at_doubles f) k.
 Proof.
-  intros D P [H|H]; [|exact H]. destruct k as [i c t]. unfold returned in H. cbn [of bound] in *. destruct c as [a b c|a b c|a b p q].
-  - destruct H as (r & H & ->). apply (triangle_answered _ _ _ _ no_fold f i r a b c); [now intros|exact H].
-  - destruct H as (r & H & ->). apply (triangle_answered _ _ _ _ no_fold f i r a b c); [now intros|exact H].
-  - destruct H as (N & r & H & ->), P. apply (circle_answered _ _ _ _ no_fold f i r a b p q); trivial; now intros.
+  intros D P [tight H]. destruct k as [i c t]. cbn [of bound] in *. destruct c as [a b c|a b c|a b p q].
+  - apply (triangle_answered _ _ _ _ no_fold f i tight a b c t); [now intros|exact H].
+  - apply (triangle_answered _ _ _ _ no_fold f i tight a b c t); [now intros|exact H].
+  - destruct H as [N H], P. apply (circle_answered _ _ _ _ no_fold f i tight a b p q t); trivial; now intros.
 Qed.
 
 Theorem told_evaluated f k : (forall v, coordinates_2 (f v)) ->
@@ -131,22 +125,5 @@ Theorem filter_delaunay f m verdicts s z T : start f m verdicts -> (0 <= epoch s
   glued T -> watches z T -> winds_once (places z) (border T) -> triangulation (places z) T /\ delaunay (places z) T.
 Proof.
   intros S E R G A W. apply (certificates_delaunay T (algorithm_filter.mesh (of_filter z))); trivial. exact (filter_holds f m verdicts s z S E R).
-Qed.
-
-Lemma calls_trans y z u : calls second_look y z -> calls second_look z u -> calls second_look y u.
-Proof. intros A B. induction B as [|z' u' B IH C]; [exact A|]. now apply further with z'. Qed.
-
-Theorem filter_steps_delaunay f m verdicts s (y : nat -> system) (T : nat -> plane_mesh.mesh) :
-  start f m verdicts -> (0 <= epoch s)%Z -> y O = settled f m verdicts s -> (forall i, calls second_look (y i) (y (S i))) ->
-  (forall i, glued (T i) /\ watches (y i) (T i)) ->
-  winds_once (places (y O)) (border (T O)) -> (forall i, border_known (places (y i)) (places (y (S i))) (T i) (T (S i))) ->
-  forall i, triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i).
-Proof.
-  intros Start E Y R G W K. assert (Reached : forall i, calls second_look (settled f m verdicts s) (y i)).
-  { induction i as [|i IH]; [rewrite Y; apply here|]. now apply calls_trans with (y i). }
-  assert (Wi : forall i, winds_once (places (y i)) (border (T i))).
-  { apply steps_wind; trivial. intro i. apply (certificates_convex (T i) (algorithm_filter.mesh (of_filter (y i)))); [apply G|].
-    exact (filter_holds f m verdicts s (y i) Start E (Reached i)). }
-  intro i. destruct (G i) as [Gi Ai]. now apply (filter_delaunay f m verdicts s).
 Qed.
 End filter.

@@ -5,7 +5,7 @@
    - reading_above_2, _3     Odometers::reading is a number and at least base + distance
    - threshold_below_2, _3   Odometers::set_threshold and passes, the threshold rounded down to an upper half: base + distance < earliest
    - sum_lower_down, less_down   what commit_points and rebase write
-   - distance_triangle_2, _3     distances are a metric
+   - distance_zero_2, distance_zero_3, distance_triangle_2, distance_triangle_3     distances are a metric
 
    Numbers as in float_model.v: IEEE 754 without overflow; an infinite expiry is 2^1024 (high_word.v). *)
 Require Import Reals Lra Psatz ZArith Rgeom.

@@ -11,7 +11,7 @@
    certificate may hold by a rule (degenerate.h: the perturbation, a border that does not fold back): `tie`, any statement about the points. *)
 Require Import Reals Lra Psatz ZArith Rgeom List Bool Arith.
 From Annulus Require Import points_2 float_model float_displacement float_sums width_2 sign_tolerance_2 high_word filter_doubles.
-From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run.
+From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run filter_world.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -30,9 +30,6 @@ Proof.
   destruct p as [a b], q as [c d]. unfold same_point. simpl. destruct (Req_EM_T a c) as [->|]; [|discriminate].
   now destruct (Req_EM_T b d) as [->|].
 Qed.
-Definition overdue_real (e : Z) (b : R) : bool := if Rlt_dec (value e) b then true else false.
-Lemma overdue_real_right e b : overdue_real e b = true <-> value e < b.
-Proof. unfold overdue_real. destruct (Rlt_dec _ _); split; easy. Qed.
 
 Lemma counts_on_2_wf : well_founded counts_on_2.
 Proof.
@@ -42,24 +39,10 @@ Proof.
   intros [a b c|a b c|a b p q]; [apply H|constructor; intros d []|constructor]. intros d [->| ->]; apply K.
 Qed.
 
-(* All ids there can be, of which the mesh has some. *)
-Definition around_2 (m : Z -> option certificate_2) (v : nat) : list Z :=
-  filter (fun i => match m i with Some c => if in_dec Nat.eq_dec v (points_2 c) then true else false | None => false end)
-    (map Z.of_nat (seq 0 (Z.to_nat none))).
-
-Lemma around_2_all m v i c : (forall j d, m j = Some d -> is_id j) -> m i = Some c -> In v (points_2 c) -> In i (around_2 m v).
-Proof.
-  intros I M V. apply filter_In. split.
-  - apply in_map_iff. exists (Z.to_nat i). assert (H := I i c M). unfold is_id in H.
-    split; [apply Z2Nat.id; apply H|]. apply in_seq. split; [apply Nat.le_0_l|]. rewrite Nat.add_0_l. apply Z2Nat.inj_lt; lia.
-  - rewrite M. destruct (in_dec _ _ _); [reflexivity|contradiction].
-Qed.
-
-Lemma around_2_ids m v i : In i (around_2 m v) -> is_id i.
-Proof.
-  intro H. apply filter_In in H. destruct H as [H _]. apply in_map_iff in H. destruct H as (n & <- & H). apply in_seq in H.
-  unfold is_id. split; [lia|]. rewrite Nat.add_0_l in H. assert (N := proj2 H). apply Nat2Z.inj_lt in N. rewrite Z2Nat.id in N; [exact N|]. unfold none. lia.
-Qed.
+Definition metric_2 : metric := {|
+  site := point_2; same_site := same_point; distance := dist_2; in_box := valid_2; read := reading_2; is_below := below_2;
+  same_site_right := same_point_right; distance_nonneg := fun p q => sqrt_pos _; distance_zero := distance_zero_2;
+  distance_triangle := distance_triangle_2; read_above := reading_above_2; threshold_holds := threshold_below_2 |}.
 
 Section plane.
 Variables (capacity : nat) (stamps : Z) (worn : R -> expiry_list -> bool) (chosen : second_looks).
@@ -80,38 +63,13 @@ Proof.
   destruct c as [a b c|a b c|a b p q]; simpl; unfold turn_at, incircle_at; rewrite <- !E by (simpl; tauto); tauto.
 Qed.
 
-#[local] Instance plane : world := {|
-  position := point_2; vertex := nat; certificate := certificate_2; same_vertex := Nat.eq_dec; same_position := same_point;
-  dist := dist_2; points := points_2; holds := holds_2; counts_on := counts_on_2;
-  two_sided := fun c => match c with circle _ _ _ _ => true | _ => false end;
-  inside := fun c v => match c with circle a b _ _ => (v =? a)%nat || (v =? b)%nat | _ => false end;
-  algorithm_filter.capacity := capacity; algorithm_filter.stamps := stamps; algorithm_filter.worn := worn;
-  algorithm_filter.chosen := chosen; around := around_2;
-  num := R; real := fun b => b; zero := 0; valid := valid_2; number := F; reading_of := reading_2; below := below_2; threshold := filter_doubles.threshold;
-  sum_lower := float_sums.sum_lower; less := filter_doubles.less;
-  half := lower; overdue := overdue_real |}.
+Definition family_2 : family point_2 := {|
+  kind := certificate_2; points_of := points_2; is_true := holds_2; relies_on := counts_on_2;
+  of_two_sides := fun c => match c with circle _ _ _ _ => true | _ => false end;
+  on_inner_side := fun c v => match c with circle a b _ _ => (v =? a)%nat || (v =? b)%nat | _ => false end |}.
 
-#[local] Instance plane_laws : laws.
-Proof.
-  split.
-  - intros a b. apply sqrt_pos.
-  - exact distance_zero_2.
-  - exact distance_triangle_2.
-  - exact counts_on_2_wf.
-  - exact holds_2_local.
-  - exact stamps_pos.
-  - intros m v i c. exact (around_2_all m v i c).
-  - exact around_2_ids.
-  - exact same_point_right.
-  - reflexivity.
-  - exact F_0.
-  - reflexivity.
-  - exact overdue_real_right.
-  - exact reading_above_2.
-  - exact threshold_below_2.
-  - exact sum_lower_down.
-  - exact less_down.
-Qed.
+#[local] Instance plane : world := numbered capacity stamps worn chosen metric_2 family_2.
+#[local] Instance plane_laws : laws := numbered_laws capacity stamps worn chosen metric_2 family_2 stamps_pos counts_on_2_wf holds_2_local.
 
 Definition moved (m x : nat -> point_2) v : R := dist_euc (fst (m v)) (snd (m v)) (fst (x v)) (snd (x v)).
 
@@ -145,12 +103,9 @@ Definition answered (x : nat -> point_2) (k : verdict) : Prop :=
 Lemma triangle_sound x a b c t m : 0 <= t -> 0 < turn_at x a b c -> t <= half_altitude_at x a b c ->
   (forall v, In v [a; b; c] -> near m x (fun _ => t) v) -> 0 < turn_at m a b c.
 Proof.
-  intros T P H N. destruct (Rle_lt_or_eq_dec 0 t T) as [T'|T'].
-  - assert (D : forall v, In v [a; b; c] -> moved m x v < t) by (intros v V; destruct (near_moved _ _ _ _ (N v V)) as [K|[_ K]]; lra).
-    apply (orientation_tolerance_2 _ _ _ _ _ _ P _ _ _ _ _ _ t H); apply D; simpl; tauto.
-  - assert (E : forall v, In v [a; b; c] -> m v = x v).
-    { intros v V. destruct (near_moved _ _ _ _ (N v V)) as [K|[K _]]; [generalize (moved_pos m x v); lra|exact K]. }
-    unfold turn_at. rewrite !E by (simpl; tauto). exact P.
+  intros T P H N. destruct (near_or_same _ _ _ _ metric_2 family_2 (cell a b c) m x t T N) as [D|E].
+  - apply (orientation_tolerance_2 _ _ _ _ _ _ P _ _ _ _ _ _ t H); [apply (D a)|apply (D b)|apply (D c)]; simpl; tauto.
+  - unfold turn_at. rewrite <- (E a), <- (E b), <- (E c) by (simpl; tauto). exact P.
 Qed.
 
 Section circles.
@@ -236,9 +191,6 @@ Proof.
 Qed.
 End circles.
 
-Lemma of_wide c x t : 0 <= t -> wide c x t -> sound c x (fun _ => t).
-Proof. intros T H. apply H; intros; lra. Qed.
-
 Theorem verdict_evaluated x k : answered x k -> evaluated x k.
 Proof.
   destruct k as [i c t]. unfold answered. cbn [of bound]. intros [(T & N & H & A)|(-> & H & D)].
@@ -247,10 +199,8 @@ Proof.
       - intros m M _. now apply (triangle_sound x a b c t).
       - intros m M _. left. now apply (triangle_sound x a b c t).
       - now apply circle_wide. }
-    split; cbn [of bound]; trivial; destruct c; try discriminate; trivial. now apply of_wide.
-  - assert (W : sound c x (fun _ => 0)).
-    { intros m M _. apply (holds_2_local c x); [|exact H]. intros v V.
-      destruct (near_moved _ _ _ _ (M v V)) as [K|[K _]]; [generalize (moved_pos m x v); lra|now symmetry]. }
+    split; cbn [of bound]; trivial; destruct c; try discriminate; trivial. now apply (of_wide _ _ _ _ metric_2 family_2).
+  - assert (W := holds_sound _ _ _ _ metric_2 family_2 holds_2_local c x H).
     split; cbn [of bound]; trivial; [|exact (Rle_refl 0)|exact F_0]. destruct c as [| |a b p q]; try discriminate. intros _. now apply tie_wide.
 Qed.
 
@@ -262,11 +212,8 @@ Theorem plane_filter_is_right second_look s x m verdicts z : second_look_right s
   calls second_look {| of_filter := settle x s m verdicts; tracks := true |} z ->
   forall i c, mesh (of_filter z) i = Some c -> holds_2 c (moving (of_filter z)).
 Proof.
-  intros L E X K A I C R. apply (from_the_start second_look L s x m verdicts z E X); [|exact R]. split.
-  - intros k H. destruct (K k H). split; [assumption|now apply verdict_evaluated].
-  - intros i c H. left. now apply A with c.
-  - exact I.
-  - exact C.
+  intros L E X K A I C R. apply (evaluated_holds _ _ _ _ metric_2 family_2 stamps_pos counts_on_2_wf holds_2_local second_look s x m verdicts z); trivial.
+  intros k H. destruct (K k H). split; [assumption|now apply verdict_evaluated].
 Qed.
 
 (* Without second looks, which is how it comes, they promise nothing. *)
@@ -276,5 +223,5 @@ Corollary plane_filter_alone_is_right s x m verdicts z :
   (forall i c, m i = Some c -> is_id i) -> (forall i c d, m i = Some c -> counts_on_2 d c -> exists j, m j = Some d) ->
   calls (fun _ _ _ => None) {| of_filter := settle x s m verdicts; tracks := true |} z ->
   forall i c, mesh (of_filter z) i = Some c -> holds_2 c (moving (of_filter z)).
-Proof. apply plane_filter_is_right. intros t y i c k _ _ _ E. discriminate E. Qed.
+Proof. apply plane_filter_is_right, without_second_looks. Qed.
 End plane.

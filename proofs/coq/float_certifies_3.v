@@ -10,7 +10,7 @@
    A placement gives each vertex its point. Nothing about rounding is left to believe but that the code computes these filters. *)
 Require Import Reals Lra ZArith List Bool.
 From Annulus Require Import vectors bicell tetrahedron sign_tolerance_3.
-From Annulus Require float_terms_3 float_width_3 float_filter_3 float_sphere_3 float_filter.
+From Annulus Require float_terms_3 float_width_3 float_filter_3 float_sphere_3 float_bicell_3 float_filter.
 Open Scope R_scope.
 
 Module T := float_terms_3.
@@ -125,7 +125,7 @@ Theorem sphere_sound use sign tolerance : sphere_filter use = Some (sign, tolera
   sign = 1%Z /\ 0 < det x /\ 0 <= tolerance <= annuli_half_width x /\ (sphere_needs use = true -> tolerance <= cells_half_width x) \/
   sign = (-1)%Z /\ det x < 0.
 Proof.
-  intro A. generalize (S.bicell_answer_sound _ _ _ _ _ true use (F a) (F b) (F c) (F p) (F q) _ _ A).
+  intro A. generalize (float_bicell_3.bicell_answer_sound _ _ _ _ _ true use (F a) (F b) (F c) (F p) (F q) _ _ A).
   assert (P := slabs_p_are x). assert (Q := slabs_q_are x). rewrite truth_is in *. rewrite determinant_is. intros [(E & D & _ & C)|N]; [left|now right].
   destruct (C eq_refl) as (C0 & C1 & C2 & C3 & C4 & CC). repeat (split; [assumption|]). split; [split; [exact C0|]|].
   - rewrite (proj1 (arms_pq x)), (proj2 (arms_pq x)) in C1. rewrite (proj1 (arms_cpq x)), (proj2 (arms_cpq x)) in C2.
@@ -145,7 +145,7 @@ Proof.
   intros A Need.
   assert (I : float_filter.in_range 100 (S.bicell_m (numbers (x a)) (numbers (x b)) (numbers (x c)) (numbers (x p)) (numbers (x q)))).
   { unfold sphere_filter, S.bicell_filter in A. destruct (float_filter.in_range_dec 100 _) as [I|]; [exact I|discriminate]. }
-  destruct (S.bicell_filter_sound _ _ _ _ _ true S.where_needed (F a) (F b) (F c) (F p) (F q) I) as (_ & B2 & B3 & B4).
+  destruct (float_bicell_3.bicell_filter_sound _ _ _ _ _ true S.where_needed (F a) (F b) (F c) (F p) (F q) I) as (_ & B2 & B3 & B4).
   rewrite truth_is in B2, B3, B4. destruct (sides_are x) as (L2 & L3 & L4). rewrite L2 in B2. rewrite L3 in B3. rewrite L4 in B4.
   unfold sphere_needs, S.cells_needed in Need. apply orb_false_elim in Need. destruct Need as [Need N4]. apply orb_false_elim in Need.
   destruct Need as [N2 N3]. auto.

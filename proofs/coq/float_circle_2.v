@@ -15,9 +15,7 @@ Definition E_D : expr :=
   Plus (Minus (Times (Var 0) (Var 5)) (Times (Var 1) (Var 4))) (Minus (Times (Var 1) (Var 2)) (Times (Var 0) (Var 3))).
 Definition E_eg_x : expr := Times (Var 6) (Minus (Plus (Var 4) (Var 2)) (Var 0)).
 Definition E_eg_y : expr := Times (Var 7) (Minus (Plus (Var 5) (Var 3)) (Var 1)).
-Definition exact_one : Z := one + unit_roundoff.
-Definition two : Z := 2 * prod exact_one exact_one.
-Definition hints_2 : hints := [(E_D, two); (E_eg_x, two); (E_eg_y, two)].
+Definition hints_2 : hints := [(E_D, two_products); (E_eg_x, two_products); (E_eg_y, two_products)].
 
 (* The constants of bounds.h, in halves of u: 177 less a half, for the rounding of the error bound itself; 69 and 123 are
    more than this analysis needs. *)
@@ -57,13 +55,13 @@ Proof.
   { intro n. split; [apply Rle_0_sqr |]. specialize (B n). nra. }
   assert (P : forall i j, - (V * V) <= X i * X j <= V * V).
   { intros i j. apply Rabs_le_inv. rewrite Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos. }
-  assert (two_V : IZR two * scale m 2 >= 2 * (V * V)).
-  { unfold two. rewrite mult_IZR. lra. }
+  assert (two_V : IZR two_products * scale m 2 >= 2 * (V * V)).
+  { unfold two_products. rewrite mult_IZR. lra. }
   assert (degree : forall e k, (match bound hints_2 e with Some b => deg b = k | None => False end) ->
     forall b, bound hints_2 e = Some b -> deg b = k) by (intros e k H b Q; now rewrite Q in H).
-  assert (plain : forall e, Rabs (exact X e) <= IZR two * scale m 2 ->
+  assert (plain : forall e, Rabs (exact X e) <= IZR two_products * scale m 2 ->
     (match bound hints_2 e with Some b => deg b = 2%nat | None => False end) ->
-    forall b, bound hints_2 e = Some b -> Rabs (exact X e) <= IZR two * scale m (deg b)).
+    forall b, bound hints_2 e = Some b -> Rabs (exact X e) <= IZR two_products * scale m (deg b)).
   { intros e H D b Q. now rewrite (degree e 2%nat D b Q). }
   unfold hints_hold, hints_2. each; cbn [fst snd]; (apply plain; [| vm_compute; reflexivity]); apply Rabs_le;
     cbn [exact E_D E_eg_x E_eg_y].
@@ -119,133 +117,178 @@ Proof.
   rewrite N1, N2, M1, M2 in E. lra.
 Qed.
 
-Theorem circle_filter_sound ax ay bx by' px py qx qy certified :
-  F ax -> F ay -> F bx -> F by' -> F px -> F py -> F qx -> F qy ->
-  let t := circle_truth ax ay bx by' px py qx qy in
-  sound (circle_filter ax ay bx by' px py qx qy certified) certified (incircle t) (sqrt (inner t) + sqrt (outer t)).
+(* ---- From coordinates ---- *)
+
+Section coordinates.
+Variables ax ay bx by' px py qx qy : R.
+Hypotheses (Fax : F ax) (Fay : F ay) (Fbx : F bx) (Fby : F by') (Fpx : F px) (Fpy : F py) (Fqx : F qx) (Fqy : F qy).
+Let b_x := fsub bx ax. Let b_y := fsub by' ay.
+Let p_x := fsub px ax. Let p_y := fsub py ay.
+Let q_x := fsub qx ax. Let q_y := fsub qy ay.
+Let e_x := fsub qx px. Let e_y := fsub qy py.
+Let m := Rmax (Rmax (mag b_x b_y) (mag p_x p_y)) (Rmax (mag q_x q_y) (mag e_x e_y)).
+Hypothesis Range : in_range 120 m.
+Let t := circle_truth ax ay bx by' px py qx qy.
+Let c := F_annulus b_x b_y p_x p_y q_x q_y e_x e_y.
+Let x := env [b_x; b_y; p_x; p_y; q_x; q_y; e_x; e_y].
+Let X := env [bx - ax; by' - ay; px - ax; py - ay; qx - ax; qy - ay; qx - px; qy - py].
+
+Lemma m_large : bpow radix2 (-120) <= m.
+Proof. apply (in_range_lower 120); [lia | | exact Range]. apply F_max; apply F_max; apply F_mag; apply F_rnd. Qed.
+Lemma m_pos : 0 < m.
+Proof. exact (m_positive m m_large). Qed.
+
+Lemma differences_small : Forall (fun a => Rabs a <= m) [b_x; b_y; p_x; p_y; q_x; q_y; e_x; e_y].
 Proof.
-  intros Fax Fay Fbx Fby Fpx Fpy Fqx Fqy t. unfold circle_filter. cbv zeta.
-  generalize (rnd_sub_result bx ax Fbx Fax) (rnd_sub_result by' ay Fby Fay) (rnd_sub_result px ax Fpx Fax)
-    (rnd_sub_result py ay Fpy Fay) (rnd_sub_result qx ax Fqx Fax) (rnd_sub_result qy ay Fqy Fay)
-    (rnd_sub_result qx px Fqx Fpx) (rnd_sub_result qy py Fqy Fpy).
-  fold (fsub bx ax) (fsub by' ay) (fsub px ax) (fsub py ay) (fsub qx ax) (fsub qy ay) (fsub qx px) (fsub qy py).
-  assert (Fb : F (fsub bx ax) /\ F (fsub by' ay)) by (split; apply F_rnd).
-  assert (Fp : F (fsub px ax) /\ F (fsub py ay)) by (split; apply F_rnd).
-  assert (Fq : F (fsub qx ax) /\ F (fsub qy ay)) by (split; apply F_rnd).
-  assert (Fe : F (fsub qx px) /\ F (fsub qy py)) by (split; apply F_rnd).
-  set (b_x := fsub bx ax) in *. set (b_y := fsub by' ay) in *. set (p_x := fsub px ax) in *. set (p_y := fsub py ay) in *.
-  set (q_x := fsub qx ax) in *. set (q_y := fsub qy ay) in *. set (e_x := fsub qx px) in *. set (e_y := fsub qy py) in *.
-  intros Hbx Hby Hpx Hpy Hqx Hqy Hex Hey.
-  set (m := Rmax (Rmax (mag b_x b_y) (mag p_x p_y)) (Rmax (mag q_x q_y) (mag e_x e_y))).
-  destruct (in_range_dec 120 m) as [Range |]; [| discriminate].
-  assert (M : bpow radix2 (-120) <= m).
-  { apply (in_range_lower 120); [lia | | exact Range]. apply F_max; apply F_max; apply F_mag; tauto. }
-  generalize u_bounds (m_positive m M). intros U M0.
-  assert (Bb : mag b_x b_y <= m) by (apply Rle_trans with (2 := Rmax_l _ _); apply Rmax_l).
-  assert (Bp : mag p_x p_y <= m) by (apply Rle_trans with (2 := Rmax_l _ _); apply Rmax_r).
-  assert (Bq : mag q_x q_y <= m) by (apply Rle_trans with (2 := Rmax_r _ _); apply Rmax_l).
-  assert (Be : mag e_x e_y <= m) by (apply Rle_trans with (2 := Rmax_r _ _); apply Rmax_r).
-  generalize (Rabs_le_mag b_x b_y) (Rabs_le_mag p_x p_y) (Rabs_le_mag q_x q_y) (Rabs_le_mag e_x e_y).
-  intros [Bbx Bby] [Bpx Bpy] [Bqx Bqy] [Bex Bey].
-  (* the terms *)
-  set (x := env [b_x; b_y; p_x; p_y; q_x; q_y; e_x; e_y]).
-  set (X := env [bx - ax; by' - ay; px - ax; py - ay; qx - ax; qy - ay; qx - px; qy - py]).
-  assert (xF : forall n, F (x n)) by (apply (env_all F); [exact F_0 |]; each; tauto).
-  assert (xm : forall n, Rabs (x n) <= m) by (apply (env_all (fun a => Rabs a <= m)); [rewrite Rabs_R0; lra |]; each; lra).
-  assert (xX : forall n, Rabs (x n - X n) <= u * m).
-  { apply (env_all_2 (fun a b => Rabs (a - b) <= u * m)); [rewrite Rminus_0_r, Rabs_R0; apply Rmult_le_pos; lra |].
-    each; (eapply Rle_trans; [eassumption |]); apply Rmult_le_compat_l; lra. }
+  assert (mag b_x b_y <= m) by (apply Rle_trans with (2 := Rmax_l _ _); apply Rmax_l).
+  assert (mag p_x p_y <= m) by (apply Rle_trans with (2 := Rmax_l _ _); apply Rmax_r).
+  assert (mag q_x q_y <= m) by (apply Rle_trans with (2 := Rmax_r _ _); apply Rmax_l).
+  assert (mag e_x e_y <= m) by (apply Rle_trans with (2 := Rmax_r _ _); apply Rmax_r).
+  generalize (Rabs_le_mag b_x b_y) (Rabs_le_mag p_x p_y) (Rabs_le_mag q_x q_y) (Rabs_le_mag e_x e_y). intros [] [] [] []. each; lra.
+Qed.
+
+Lemma differences_near : Forall2 (fun a b => Rabs (a - b) <= u * Rabs a) [b_x; b_y; p_x; p_y; q_x; q_y; e_x; e_y]
+  [bx - ax; by' - ay; px - ax; py - ay; qx - ax; qy - ay; qx - px; qy - py].
+Proof. each; now apply rnd_sub_result. Qed.
+
+Lemma inputs : (forall n, F (x n)) /\ (forall n, Rabs (x n) <= m) /\ (forall n, Rabs (x n - X n) <= u * m).
+Proof.
+  generalize m_pos u_bounds. intros M0 U.
+  assert (xm : forall n, Rabs (x n) <= m) by (apply (env_all (fun a => Rabs a <= m)); [rewrite Rabs_R0; lra | exact differences_small]).
+  split; [| split; [exact xm |]].
+  - apply (env_all F); [exact F_0 |]. each; apply F_rnd.
+  - intro n. apply Rle_trans with (u * Rabs (x n)); [| apply Rmult_le_compat_l; [lra | apply xm]].
+    revert n. apply (env_all_2 (fun a b => Rabs (a - b) <= u * Rabs a)); [rewrite Rminus_0_r, Rabs_R0; lra | exact differences_near].
+Qed.
+
+Lemma terms_near e k C E : within e k C E = true ->
+  Rabs (rounded x e) <= IZR C * m ^ k /\ Rabs (rounded x e - exact X e) <= IZR E / 2 * u * m ^ k.
+Proof.
+  intro W. destruct inputs as (xF & xm & xX). generalize m_large m_pos u_bounds. intros M M0 U.
   assert (HH : hints_hold m X hints_2).
   { apply hints_2_hold; [exact M | |].
     - intro n. unfold exact_one. rewrite plus_IZR, Rmult_plus_distr_r, scale_one, scale_u.
       generalize (Rabs_triang (x n) (- (x n - X n))) (xm n) (xX n). rewrite Rabs_Ropp.
       replace (x n + - (x n - X n)) with (X n) by ring. lra.
     - unfold X, env. cbn [nth]. split; ring. }
-  destruct constants_2 as (K1 & K2 & K3 & K4 & K5).
-  assert (close : forall e k C E, within e k C E = true ->
-    Rabs (rounded x e) <= IZR C * m ^ k /\ Rabs (rounded x e - exact X e) <= IZR E / 2 * u * m ^ k).
-  { intros e k C E W. generalize (error_below_sound m M X x xF xm xX hints_2 e k _ _ _ HH W).
-    rewrite units, half_units. tauto. }
-  destruct (close _ _ _ _ K1) as [_ De]. destruct (close _ _ _ _ K2) as [Nx Nxe]. destruct (close _ _ _ _ K3) as [Ny Nye].
-  destruct (close _ _ _ _ K4) as [Mx Mxe]. destruct (close _ _ _ _ K5) as [My Mye]. clear close K1 K2 K3 K4 K5.
-  set (c := F_annulus b_x b_y p_x p_y q_x q_y e_x e_y).
-  change (rounded x (incircle E_annulus)) with (incircle c) in De. change (exact X (incircle E_annulus)) with (incircle t) in De.
-  change (rounded x (nx E_annulus)) with (nx c) in Nx, Nxe. change (exact X (nx E_annulus)) with (nx t) in Nxe.
-  change (rounded x (ny E_annulus)) with (ny c) in Ny, Nye. change (exact X (ny E_annulus)) with (ny t) in Nye.
-  change (rounded x (mx E_annulus)) with (mx c) in Mx, Mxe. change (exact X (mx E_annulus)) with (mx t) in Mxe.
-  change (rounded x (my E_annulus)) with (my c) in My, Mye. change (exact X (my E_annulus)) with (my t) in Mye.
-  (* the error bounds *)
-  assert (P3 : bpow radix2 (-360) <= m ^ 3) by exact (pow_large m M 3).
-  assert (P4 : bpow radix2 (-480) <= m ^ 4) by exact (pow_large m M 4).
-  generalize (bpow_gt_0 radix2 (-360)) (bpow_gt_0 radix2 (-480)). intros B360 B480.
-  change (fmul (fmul m m) (fmul m m)) with (power_4 m). change (fmul (fmul m m) m) with (power_3 m).
-  generalize (error_bound_range m M 177 (power_4 m) 4 ltac:(lia) ltac:(lia) (widen m M _ _ 4 4 ltac:(lra) ltac:(lra) (power_4_range m M))).
-  generalize (error_bound_range m M 273 (power_3 m) 3 ltac:(lia) ltac:(lia) (widen m M _ _ 4 4 ltac:(lra) ltac:(lra) (power_3_range m M))).
-  set (e := error_bound 177 (power_4 m)). set (n := error_bound 273 (power_3 m)). intros [NL NH] [EL EH].
-  assert (E0 : u * m ^ 4 <= e).
-  { apply Rle_trans with (2 := EL). apply Rmult_le_compat_r; [lra |]. unfold u. lra. }
-  assert (N0 : 2725 / 10 * u * m ^ 3 <= n).
-  { apply Rle_trans with (2 := NL). apply Rmult_le_compat_r; [lra |]. unfold u. lra. }
-  assert (N1 : n <= 1 * m ^ 3).
-  { apply Rle_trans with (1 := NH). apply Rmult_le_compat_r; [lra |]. unfold u. lra. }
-  assert (tiny_small : tiny <= / 10 * (u * m ^ 3)).
-  { apply Rle_trans with (bpow radix2 (-4) * (u * bpow radix2 (-360))).
-    - change u with (bpow radix2 (-53)). rewrite <- !bpow_plus. apply bpow_le. lia.
-    - apply mul_below; [apply bpow_ge_0 | apply Rmult_le_pos; lra | change (bpow radix2 (-4)) with (/ 16); lra |].
-      apply Rmult_le_compat_l; lra. }
-  (* the norms *)
-  generalize (norm_2_lower (nx c) (ny c)) (norm_2_lower (mx c) (my c))
-    (norm_2_close _ _ _ _ _ Nxe Nye) (norm_2_close _ _ _ _ _ Mxe Mye).
-  change (fadd (fmul (nx c) (nx c)) (fmul (ny c) (ny c))) with (inner c).
-  change (fadd (fmul (mx c) (mx c)) (fmul (my c) (my c))) with (outer c).
-  change (nx t * nx t + ny t * ny t) with (inner t). change (mx t * mx t + my t * my t) with (outer t).
+  generalize (error_below_sound m M X x xF xm xX hints_2 e k _ _ _ HH W).
+  rewrite units, half_units. tauto.
+Qed.
+
+(* ---- The errors ---- *)
+
+Let um := u * m ^ 3.
+Let e := error_bound 177 (power_4 m).
+Let n := error_bound 273 (power_3 m).
+
+Lemma m3_large : bpow radix2 (-360) <= m ^ 3.
+Proof. exact (pow_large m m_large 3). Qed.
+Lemma m3_pos : 0 < m ^ 3.
+Proof. generalize m3_large (bpow_gt_0 radix2 (-360)). lra. Qed.
+Lemma um_pos : 0 <= um.
+Proof. generalize m3_pos u_bounds. intros. apply Rmult_le_pos; lra. Qed.
+
+Lemma tiny_small : tiny <= / 10 * um.
+Proof.
+  generalize m3_large u_bounds um_pos (bpow_gt_0 radix2 (-360)). intros P U W B. apply Rle_trans with (bpow radix2 (-4) * (u * bpow radix2 (-360))).
+  - change u with (bpow radix2 (-53)). rewrite <- !bpow_plus. apply bpow_le. lia.
+  - apply mul_below; [apply bpow_ge_0 | apply Rmult_le_pos; lra | change (bpow radix2 (-4)) with (/ 16); lra |].
+    apply Rmult_le_compat_l; lra.
+Qed.
+
+Lemma n_range : 2725 / 10 * um <= n <= 1 * m ^ 3.
+Proof.
+  generalize m_large m3_pos u_bounds. intros M M3 U.
+  destruct (error_bound_range m M 273 (power_3 m) 3 ltac:(lia) ltac:(lia) (widen m M _ _ 4 4 ltac:(lra) ltac:(lra) (power_3_range m M))) as [NL NH].
+  split.
+  - unfold um. rewrite <- Rmult_assoc. apply Rle_trans with (2 := NL). apply Rmult_le_compat_r; [lra |]. unfold u. lra.
+  - apply Rle_trans with (1 := NH). apply Rmult_le_compat_r; [lra |]. unfold u. lra.
+Qed.
+
+Lemma error_covers : u * m ^ 4 <= e /\ Rabs (incircle c - incircle t) <= e.
+Proof.
+  generalize m_large m_pos u_bounds. intros M M0 U. destruct constants_2 as (K & _). destruct (terms_near _ _ _ _ K) as [_ De].
+  assert (P4 : bpow radix2 (-480) <= m ^ 4) by exact (pow_large m M 4). generalize (bpow_gt_0 radix2 (-480)). intro B.
+  destruct (error_bound_range m M 177 (power_4 m) 4 ltac:(lia) ltac:(lia) (widen m M _ _ 4 4 ltac:(lra) ltac:(lra) (power_4_range m M))) as [EL _].
+  fold e in EL. split; [| apply Rle_trans with (1 := De)]; apply Rle_trans with (2 := EL); (apply Rmult_le_compat_r; [lra |]); unfold u; lra.
+Qed.
+
+(* ---- The norms ---- *)
+
+Let r := root_sum (inner c) (outer c).
+
+Lemma r_high : 0 <= r <= 512 * m ^ 3.
+Proof.
+  destruct constants_2 as (_ & K2 & K3 & K4 & K5). generalize m3_large m3_pos u_bounds (bpow_gt_0 radix2 (-360)). intros P M3 U B.
+  destruct (terms_near _ _ _ _ K2) as [Nx _]. destruct (terms_near _ _ _ _ K3) as [Ny _].
+  destruct (terms_near _ _ _ _ K4) as [Mx _]. destruct (terms_near _ _ _ _ K5) as [My _].
+  assert (big : bpow radix2 (-500) <= 16 * m ^ 3) by (apply Rle_trans with (bpow radix2 (-360)); [apply bpow_le; lia | lra]).
+  assert (HI := norm_2_upper (nx c) (ny c) (16 * m ^ 3) ltac:(change (nx c) with (rounded x (nx E_annulus)); lra) ltac:(change (ny c) with (rounded x (ny E_annulus)); lra) big).
+  assert (HO := norm_2_upper (mx c) (my c) (16 * m ^ 3) ltac:(change (mx c) with (rounded x (mx E_annulus)); lra) ltac:(change (my c) with (rounded x (my E_annulus)); lra) big).
+  generalize (root_sum_range (inner c) (outer c) (F_rnd _) (F_rnd _)). fold r. intros [RL RH].
+  generalize (sqrt_pos (inner c)) (sqrt_pos (outer c)). intros.
+  change (fadd (fmul (nx c) (nx c)) (fmul (ny c) (ny c))) with (inner c) in HI.
+  change (fadd (fmul (mx c) (mx c)) (fmul (my c) (my c))) with (outer c) in HO.
+  split; [apply Rle_trans with (2 := RL); apply Rmult_le_pos |]; lra.
+Qed.
+
+(* |N| + |M| less errors <= computed norms; then three factors 1 - u. *)
+Lemma r_low : (1 - 10 * u) * (sqrt (inner t) + sqrt (outer t)) <= r + n.
+Proof.
+  destruct constants_2 as (_ & K2 & K3 & K4 & K5). generalize m3_pos um_pos u_bounds tiny_small tiny_pos (proj1 n_range). intros M3 W U T T0 N0.
+  destruct (terms_near _ _ _ _ K2) as [_ Nx]. destruct (terms_near _ _ _ _ K3) as [_ Ny].
+  destruct (terms_near _ _ _ _ K4) as [_ Mx]. destruct (terms_near _ _ _ _ K5) as [_ My].
+  generalize (norm_2_lower (nx c) (ny c)) (norm_2_lower (mx c) (my c)) (norm_2_close _ _ _ _ _ Nx Ny) (norm_2_close _ _ _ _ _ Mx My).
+  change (fadd (fmul (nx c) (nx c)) (fmul (ny c) (ny c))) with (inner c). change (fadd (fmul (mx c) (mx c)) (fmul (my c) (my c))) with (outer c).
+  change (rounded x (nx E_annulus)) with (nx c). change (rounded x (ny E_annulus)) with (ny c).
+  change (rounded x (mx E_annulus)) with (mx c). change (rounded x (my E_annulus)) with (my c).
+  change (sqrt (exact X (nx E_annulus) * exact X (nx E_annulus) + exact X (ny E_annulus) * exact X (ny E_annulus))) with (sqrt (inner t)).
+  change (sqrt (exact X (mx E_annulus) * exact X (mx E_annulus) + exact X (my E_annulus) * exact X (my E_annulus))) with (sqrt (outer t)).
   intros LI LO CI CO.
-  assert (big : bpow radix2 (-500) <= 16 * m ^ 3).
-  { apply Rle_trans with (bpow radix2 (-360)); [apply bpow_le; lia | lra]. }
-  generalize (norm_2_upper (nx c) (ny c) (16 * m ^ 3) ltac:(lra) ltac:(lra) big)
-    (norm_2_upper (mx c) (my c) (16 * m ^ 3) ltac:(lra) ltac:(lra) big).
-  change (fadd (fmul (nx c) (nx c)) (fmul (ny c) (ny c))) with (inner c).
-  change (fadd (fmul (mx c) (mx c)) (fmul (my c) (my c))) with (outer c).
-  intros HI HO.
-  generalize (root_sum_range _ _ (F_rnd (fmul (nx c) (nx c) + fmul (ny c) (ny c))) (F_rnd (fmul (mx c) (mx c) + fmul (my c) (my c)))).
-  change (rnd (fmul (nx c) (nx c) + fmul (ny c) (ny c))) with (inner c).
-  change (rnd (fmul (mx c) (mx c) + fmul (my c) (my c))) with (outer c).
-  set (r := root_sum (inner c) (outer c)). intros [RL RH].
+  generalize (root_sum_range (inner c) (outer c) (F_rnd _) (F_rnd _)). fold r. intros [RL RH].
   generalize (sqrt_pos (inner c)) (sqrt_pos (outer c)) (sqrt_pos (inner t)) (sqrt_pos (outer t)). intros ci co ti to.
-  apply decide_sound.
-  - apply F_rnd.
-  - apply F_rnd.
-  - apply F_error_bound.
-  - apply F_error_bound.
+  set (L := sqrt (inner t) + sqrt (outer t)).
+  assert (C : L - 27157 / 100 * um <= sqrt (nx c * nx c + ny c * ny c) + sqrt (mx c * mx c + my c * my c))
+    by (unfold L; unfold um in *; lra).
+  assert (D : (1 - u) * (L - 27157 / 100 * um) - 2 * tiny <= sqrt (inner c) + sqrt (outer c)).
+  { apply Rle_trans with ((1 - u) * (sqrt (nx c * nx c + ny c * ny c) + sqrt (mx c * mx c + my c * my c)) - 2 * tiny); [| lra].
+    apply Rplus_le_compat_r. apply Rmult_le_compat_l; lra. }
+  apply (Rmult_le_compat_l (1 - 2 * u)) in D; [| lra].
+  assert (0 <= u * um) by (apply Rmult_le_pos; lra). assert (0 <= u * (u * um)) by (apply Rmult_le_pos; lra).
+  assert (0 <= L) by (unfold L; lra).
+  assert (0 <= u * L) by (apply Rmult_le_pos; lra). assert (0 <= u * (u * L)) by (apply Rmult_le_pos; lra).
+  assert (0 <= u * tiny) by (apply Rmult_le_pos; lra).
+  assert (u * um <= / 1000 * um) by (apply Rmult_le_compat_r; lra).
+  assert (u * (u * um) <= 1 * (u * um)) by (apply Rmult_le_compat_r; lra). lra.
+Qed.
+
+(* ---- The answer ---- *)
+
+Lemma decided certified : sound (decide (incircle c) r e n certified) certified (incircle t) (sqrt (inner t) + sqrt (outer t)).
+Proof.
+  generalize m_large m_pos m3_pos um_pos u_bounds n_range r_high. intros M M0 M3 W U [NL NH] [R0 RH]. destruct error_covers as [E0 De].
+  assert (0 < m ^ 4) by (apply pow_lt; lra).
+  apply decide_sound; try (apply F_rnd || apply F_error_bound || assumption || exact r_low).
   - apply Rlt_le_trans with (2 := E0). apply Rmult_lt_0_compat; lra.
-  - apply Rle_trans with (2 := N0). apply Rmult_le_pos; lra.
-  - apply Rle_trans with (2 := RL). apply Rmult_le_pos; lra.
+  - lra.
   - replace t with (R_annulus (bx - ax) (by' - ay) (px - ax) (py - ay) (qx - ax) (qy - ay)
       ((qx - ax) - (px - ax)) ((qy - ay) - (py - ay))).
     + apply norms_positive.
     + unfold t, circle_truth. f_equal; ring.
-  - apply Rle_trans with (1 := De). apply Rle_trans with (2 := EL).
-    apply Rmult_le_compat_r; [lra |]. unfold u. lra.
-  - (* |N| + |M| less errors <= computed norms; then three factors 1 - u *)
-    set (L := sqrt (inner t) + sqrt (outer t)) in *. set (um := u * m ^ 3) in *.
-    assert (um0 : 0 <= um) by (apply Rmult_le_pos; lra).
-    assert (C : L - 27157 / 100 * um <= sqrt (nx c * nx c + ny c * ny c) + sqrt (mx c * mx c + my c * my c))
-      by (unfold L; unfold um in *; lra).
-    assert (D : (1 - u) * (L - 27157 / 100 * um) - 2 * tiny <= sqrt (inner c) + sqrt (outer c)).
-    { apply Rle_trans with ((1 - u) * (sqrt (nx c * nx c + ny c * ny c) + sqrt (mx c * mx c + my c * my c)) - 2 * tiny); [| lra].
-      apply Rplus_le_compat_r. apply Rmult_le_compat_l; lra. }
-    apply (Rmult_le_compat_l (1 - 2 * u)) in D; [| lra].
-    assert (0 <= u * um) by (apply Rmult_le_pos; lra). assert (0 <= u * (u * um)) by (apply Rmult_le_pos; lra).
-    assert (0 <= L) by (unfold L; lra).
-    assert (0 <= u * L) by (apply Rmult_le_pos; lra). assert (0 <= u * (u * L)) by (apply Rmult_le_pos; lra).
-    assert (0 <= u * tiny) by (apply Rmult_le_pos; [lra | left; apply tiny_pos]).
-    assert (u * um <= / 1000 * um) by (apply Rmult_le_compat_r; lra).
-    assert (u * (u * um) <= 1 * (u * um)) by (apply Rmult_le_compat_r; lra). generalize tiny_pos. intro.
-    assert (2725 / 10 * um <= n) by (unfold um in *; lra). lra.
   - apply Rle_trans with (2 := E0). apply Rle_trans with (bpow radix2 (-900) * (1024 * m ^ 3)).
     + apply Rmult_le_compat_l; [apply bpow_ge_0 | lra].
     + replace (u * m ^ 4) with (u * m * m ^ 3) by ring. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; [lra |].
       apply Rle_trans with (u * bpow radix2 (-120)).
       * change u with (bpow radix2 (-53)). change 1024 with (bpow radix2 10). rewrite <- !bpow_plus. apply bpow_le. lia.
       * apply Rmult_le_compat_l; lra.
+Qed.
+End coordinates.
+
+Theorem circle_filter_sound ax ay bx by' px py qx qy certified :
+  F ax -> F ay -> F bx -> F by' -> F px -> F py -> F qx -> F qy ->
+  let t := circle_truth ax ay bx by' px py qx qy in
+  sound (circle_filter ax ay bx by' px py qx qy certified) certified (incircle t) (sqrt (inner t) + sqrt (outer t)).
+Proof.
+  intros Fax Fay Fbx Fby Fpx Fpy Fqx Fqy t. unfold circle_filter. cbv zeta.
+  destruct in_range_dec as [Range |]; [| discriminate]. now apply decided.
 Qed.

@@ -11,8 +11,6 @@ Definition all_coordinates {T} (l : list (vector T)) : list T := concat (map coo
 
 (* Magnitudes that the tree of operations does not show: in N_1 = U_p + U_q the terms |q|^2 (b x c) - |p|^2 (b x c) are at most
    3 m^2 2 m^2 together, and so in N_4. That makes 30 m^4 of 36. *)
-Definition exact_one : Z := one + unit_roundoff.
-Definition two_products : Z := 2 * prod exact_one exact_one.
 Definition three_squares : Z := 3 * prod exact_one exact_one.
 Definition thirty : Z := 5 * prod three_squares two_products.
 Definition hints_3 : hints := map (fun e => (e, thirty)) (all_coordinates [n1 E_bicell; n4 E_bicell]).

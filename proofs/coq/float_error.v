@@ -56,6 +56,9 @@ Definition unit_roundoff : Z := 2 ^ 47.
 (* a / 2^k rounded up. *)
 Definition up (a k : Z) : Z := (- Z.shiftr (- a) k)%Z.
 Definition prod (a b : Z) : Z := up (a * b) 100.
+(* An exact difference, and two products of such. *)
+Definition exact_one : Z := one + unit_roundoff.
+Definition two_products : Z := 2 * prod exact_one exact_one.
 
 (* A hint gives an expression a smaller bound for its exact value, proved by other means (a cancellation, say). *)
 Definition hints := list (expr * Z).
@@ -245,75 +248,87 @@ Qed.
 Lemma rounded_format e : F (rounded x e).
 Proof. induction e; [apply x_format | apply F_rnd .. | now apply F_opp]. Qed.
 
+(* A sum or a difference, from those of its parts. *)
+Lemma sum_fits h e y z a b va Va vb Vb r : hints_hold h -> fits va Va a -> fits vb Vb b -> F va -> F vb ->
+  (y = va + vb /\ z = Va + Vb \/ y = va - vb /\ z = Va - Vb) -> exact X e = z ->
+  bound h e = Some r -> sum h e a b = Some r -> fits (rnd y) z r.
+Proof.
+  intros H (XA & CA & EA) (XB & CB & EB) Fa Fb D Z B S.
+  unfold sum in S. destruct (Nat.eqb_spec (deg a) (deg b)) as [K | _]; [| discriminate].
+  apply some_eq in S. rename S into R. rewrite <- K in *.
+  assert (tri : forall s t, Rabs (s + t) <= Rabs s + Rabs t /\ Rabs (s - t) <= Rabs s + Rabs t).
+  { intros s t. split; [apply Rabs_triang |]. generalize (Rabs_triang s (- t)). now rewrite Rabs_Ropp. }
+  rewrite <- R. apply round_off_fits.
+  - rewrite <- Z. replace (deg a) with (deg r) by now rewrite <- R. apply tighten_bound; [exact H | exact B |].
+    rewrite <- R. cbn [deg round_off]. rewrite plus_IZR, Z. generalize (tri Va Vb). destruct D as [[_ ->] | [_ ->]]; lra.
+  - rewrite plus_IZR. generalize (tri va vb). destruct D as [[-> _] | [-> _]]; lra.
+  - rewrite plus_IZR. generalize (tri (va - Va) (vb - Vb)).
+    destruct D as [[-> ->] | [-> ->]].
+    + replace (va + vb - (Va + Vb)) with ((va - Va) + (vb - Vb)) by ring. lra.
+    + replace (va - vb - (Va - Vb)) with ((va - Va) - (vb - Vb)) by ring. lra.
+  - rewrite Rmult_0_l, Rplus_0_r. destruct D as [[-> _] | [-> _]]; [now apply rnd_add | now apply rnd_sub].
+Qed.
+
+(* Twice a number, which is exact. *)
+Lemma double_fits h a p b : hints_hold h -> fits (rounded x a) (exact X a) p -> bound h (Plus a a) = Some b ->
+  Bnd (deg p) (tighten h (Plus a a) (2 * ex p)) (2 * co p) (2 * er p) = b -> fits (rounded x (Plus a a)) (exact X (Plus a a)) b.
+Proof.
+  intros H (A1 & A2 & A3) B R. cbn [rounded]. unfold fadd. rewrite rnd_double by apply rounded_format.
+  assert (two : forall t, Rabs (2 * t) = 2 * Rabs t) by (intro; rewrite Rabs_mult, (Rabs_pos_eq 2); lra).
+  split; [| split].
+  - rewrite <- R at 1. cbn [ex]. apply (tighten_bound _ _ _ _ H B).
+    cbn [exact]. replace (exact X a + exact X a) with (2 * exact X a) by ring.
+    rewrite <- R, two, mult_IZR. cbn [deg]. lra.
+  - rewrite <- R, two. cbn [deg co]. rewrite mult_IZR. lra.
+  - cbn [exact]. replace (exact X a + exact X a) with (2 * exact X a) by ring.
+    rewrite <- Rmult_minus_distr_l, two, <- R. cbn [deg er]. rewrite mult_IZR. lra.
+Qed.
+
+Lemma product_fits h a b p q r : hints_hold h -> fits (rounded x a) (exact X a) p -> fits (rounded x b) (exact X b) q -> (deg p + deg q <= 8)%nat ->
+  bound h (Times a b) = Some r ->
+  round_off (deg p + deg q) (tighten h (Times a b) (prod (ex p) (ex q))) (prod (co p) (co q))
+    (Z.min (prod (co p) (er q) + prod (er p) (ex q)) (prod (ex p) (er q) + prod (er p) (co q))) 1 = r ->
+  fits (rounded x (Times a b)) (exact X (Times a b)) r.
+Proof.
+  intros H (A1 & A2 & A3) (B1 & B2 & B3) K B R.
+  cbn [rounded exact]. set (va := rounded x a) in *. set (vb := rounded x b) in *.
+  set (Va := exact X a) in *. set (Vb := exact X b) in *.
+  assert (nonneg : forall t, 0 <= Rabs t) by apply Rabs_pos.
+  rewrite <- R. apply round_off_fits.
+  - replace (Va * Vb) with (exact X (Times a b)) by reflexivity.
+    replace (deg p + deg q)%nat with (deg r) by now rewrite <- R.
+    apply (tighten_bound _ _ _ _ H B). rewrite <- R. cbn [deg round_off exact]. rewrite Rabs_mult.
+    apply prod_le; auto.
+  - rewrite Rabs_mult. apply prod_le; auto.
+  - apply min_IZR; rewrite plus_IZR, Rmult_plus_distr_r.
+    + replace (va * vb - Va * Vb) with (va * (vb - Vb) + (va - Va) * Vb) by ring.
+      apply Rle_trans with (1 := Rabs_triang _ _). rewrite !Rabs_mult.
+      apply Rplus_le_compat; apply prod_le; auto.
+    + replace (va * vb - Va * Vb) with (Va * (vb - Vb) + (va - Va) * vb) by ring.
+      apply Rle_trans with (1 := Rabs_triang _ _). rewrite !Rabs_mult.
+      apply Rplus_le_compat; apply prod_le; auto.
+  - rewrite Rmult_1_l. apply Rle_trans with (1 := rnd_any _). generalize (scale_underflow _ K). lra.
+Qed.
+
 Theorem bound_sound h : hints_hold h -> forall e b, bound h e = Some b -> fits (rounded x e) (exact X e) b.
 Proof.
-  intro H. 
-  assert (add_sub : forall e y z a b va Va vb Vb,
-    fits va Va a -> fits vb Vb b -> F va -> F vb ->
-    (y = va + vb /\ z = Va + Vb \/ y = va - vb /\ z = Va - Vb) -> exact X e = z ->
-    forall r, bound h e = Some r -> sum h e a b = Some r -> fits (rnd y) z r).
-  { intros e y z a b va Va vb Vb (XA & CA & EA) (XB & CB & EB) Fa Fb D Z r B S.
-    unfold sum in S. destruct (Nat.eqb_spec (deg a) (deg b)) as [K | _]; [| discriminate].
-    apply some_eq in S. rename S into R. rewrite <- K in *.
-    assert (tri : forall s t, Rabs (s + t) <= Rabs s + Rabs t /\ Rabs (s - t) <= Rabs s + Rabs t).
-    { intros s t. split; [apply Rabs_triang |]. generalize (Rabs_triang s (- t)). now rewrite Rabs_Ropp. }
-    rewrite <- R. apply round_off_fits.
-    - rewrite <- Z. replace (deg a) with (deg r) by now rewrite <- R. apply tighten_bound; [exact H | exact B |].
-      rewrite <- R. cbn [deg round_off]. rewrite plus_IZR, Z. generalize (tri Va Vb). destruct D as [[_ ->] | [_ ->]]; lra.
-    - rewrite plus_IZR. generalize (tri va vb). destruct D as [[-> _] | [-> _]]; lra.
-    - rewrite plus_IZR. generalize (tri (va - Va) (vb - Vb)).
-      destruct D as [[-> ->] | [-> ->]].
-      + replace (va + vb - (Va + Vb)) with ((va - Va) + (vb - Vb)) by ring. lra.
-      + replace (va - vb - (Va - Vb)) with ((va - Va) - (vb - Vb)) by ring. lra.
-    - rewrite Rmult_0_l, Rplus_0_r. destruct D as [[-> _] | [-> _]]; [now apply rnd_add | now apply rnd_sub]. }
-  induction e as [n | a IHa b' IHb | a IHa b' IHb | a IHa b' IHb | a IHa]; intros b B.
-  - generalize B. intro B'. cbn [bound] in B'. apply some_eq in B'. subst b. unfold fits. cbn [deg ex co er].
+  intro H. induction e as [n | a IHa b' IHb | a IHa b' IHb | a IHa b' IHb | a IHa]; intros b B; generalize B; intro B'; cbn [bound] in B'.
+  - apply some_eq in B'. subst b. unfold fits. cbn [deg ex co er].
     assert (C : Rabs (x n) <= IZR one * scale 1) by (rewrite scale_one; apply x_small).
     assert (E : Rabs (x n - X n) <= IZR unit_roundoff * scale 1) by (rewrite scale_u; apply x_close).
     split; [| split; [exact C | exact E]].
     apply (tighten_bound _ _ _ _ H B). cbn [deg]. rewrite plus_IZR. cbn [exact].
     generalize (Rabs_triang (x n) (- (x n - X n))). rewrite Rabs_Ropp.
     replace (x n + - (x n - X n)) with (X n) by ring. lra.
-  - generalize B. intro B'. cbn [bound] in B'. destruct (bound h a) as [p |]; [| discriminate].
-    specialize (IHa p eq_refl). destruct (expr_dec a b') as [<- | _].
-    + apply some_eq in B'. rename B' into R. cbn [rounded exact]. unfold fadd. rewrite rnd_double by apply rounded_format.
-      replace (exact X a + exact X a) with (2 * exact X a) by ring.
-      destruct IHa as (A1 & A2 & A3).
-      assert (two : forall t, Rabs (2 * t) = 2 * Rabs t) by (intro; rewrite Rabs_mult, (Rabs_pos_eq 2); lra).
-      assert (G : Rabs (exact X (Plus a a)) <= IZR (ex b) * scale (deg b)).
-      { rewrite <- R at 1. cbn [ex]. apply (tighten_bound _ _ _ _ H B).
-        cbn [exact]. replace (exact X a + exact X a) with (2 * exact X a) by ring.
-        rewrite <- R, two, mult_IZR. cbn [deg]. lra. }
-      split; [| split].
-      * cbn [exact] in G. replace (2 * exact X a) with (exact X a + exact X a) by ring. exact G.
-      * rewrite <- R, two. cbn [deg co]. rewrite mult_IZR. lra.
-      * rewrite <- Rmult_minus_distr_l, two, <- R. cbn [deg er]. rewrite mult_IZR. lra.
+  - destruct (bound h a) as [p |]; [| discriminate]. destruct (expr_dec a b') as [<- | _].
+    + apply some_eq in B'. exact (double_fits h a p b H (IHa p eq_refl) B B').
     + destruct (bound h b') as [q |]; [| discriminate].
-      apply (add_sub (Plus a b') _ _ p q _ _ _ _ IHa (IHb q eq_refl)); try apply rounded_format; auto.
-  - generalize B. intro B'. cbn [bound] in B'. destruct (bound h a) as [p |]; [| discriminate].
-    destruct (bound h b') as [q |]; [| discriminate].
-    apply (add_sub (Minus a b') _ _ p q _ _ _ _ (IHa p eq_refl) (IHb q eq_refl)); try apply rounded_format; auto.
-  - generalize B. intro B'. cbn [bound] in B'. destruct (bound h a) as [p |]; [| discriminate].
-    destruct (bound h b') as [q |]; [| discriminate].
+      apply (sum_fits h (Plus a b') _ _ p q _ _ _ _ b H (IHa p eq_refl) (IHb q eq_refl)); try apply rounded_format; auto.
+  - destruct (bound h a) as [p |]; [| discriminate]. destruct (bound h b') as [q |]; [| discriminate].
+    apply (sum_fits h (Minus a b') _ _ p q _ _ _ _ b H (IHa p eq_refl) (IHb q eq_refl)); try apply rounded_format; auto.
+  - destruct (bound h a) as [p |]; [| discriminate]. destruct (bound h b') as [q |]; [| discriminate].
     destruct (Nat.leb_spec (deg p + deg q) 8) as [K |]; [| discriminate].
-    apply some_eq in B'. rename B' into R. destruct (IHa p eq_refl) as (A1 & A2 & A3). destruct (IHb q eq_refl) as (B1 & B2 & B3).
-    cbn [rounded exact]. set (va := rounded x a) in *. set (vb := rounded x b') in *.
-    set (Va := exact X a) in *. set (Vb := exact X b') in *.
-    assert (nonneg : forall t, 0 <= Rabs t) by apply Rabs_pos.
-    rewrite <- R. apply round_off_fits.
-    + replace (Va * Vb) with (exact X (Times a b')) by reflexivity.
-      replace (deg p + deg q)%nat with (deg b) by now rewrite <- R.
-      apply (tighten_bound _ _ _ _ H B). rewrite <- R. cbn [deg round_off exact]. rewrite Rabs_mult.
-      apply prod_le; auto.
-    + rewrite Rabs_mult. apply prod_le; auto.
-    + apply min_IZR; rewrite plus_IZR, Rmult_plus_distr_r.
-      * replace (va * vb - Va * Vb) with (va * (vb - Vb) + (va - Va) * Vb) by ring.
-        apply Rle_trans with (1 := Rabs_triang _ _). rewrite !Rabs_mult.
-        apply Rplus_le_compat; apply prod_le; auto.
-      * replace (va * vb - Va * Vb) with (Va * (vb - Vb) + (va - Va) * vb) by ring.
-        apply Rle_trans with (1 := Rabs_triang _ _). rewrite !Rabs_mult.
-        apply Rplus_le_compat; apply prod_le; auto.
-    + rewrite Rmult_1_l. apply Rle_trans with (1 := rnd_any _). generalize (scale_underflow _ K). lra.
+    apply some_eq in B'. exact (product_fits h a b' p q b H (IHa p eq_refl) (IHb q eq_refl) K B B').
   - destruct (IHa b B) as (A1 & A2 & A3). cbn [rounded exact]. unfold fits.
     replace (- rounded x a - - exact X a) with (- (rounded x a - exact X a)) by ring. rewrite !Rabs_Ropp. auto.
 Qed.

@@ -1,103 +1,116 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The interval stage encloses: Boost.Interval's operations under the policy of src/annulus/arithmetic/interval.h, in which every
-   operation is rounded upward and a lower end is the opposite of an upper one.
+(* The interval stage encloses: Boost.Interval's operations under the policy of src/annulus/arithmetic/interval.h, in doubles, as interval_2.v has them
+   and link/check replays. An end may be infinite: then it bounds nothing, and overflow needs no care; nor does underflow.
 
-   `holds_add` and its like: the result of an operation on intervals that hold two numbers holds the result of the operation on them.
-   `encloses`: so the value of any expression of these operations, which is what the templates of width_terms.h and width_terms_3.h
-   compute; their tails are in float_directed.v.
-
-   Numbers are reals in any format; RU is the rounding upward in it. Of it nothing is used but that it is not below its argument, so
-   underflow needs no care. There are no infinities: the stage scales its input (with_scale of interval_stage.h). The cases are those
-   of boost/numeric/interval/arith.hpp, arith2.hpp and utility.hpp, and the formulas of the lower ends those of rounded_arith.hpp
-   (rounded_arith_opp), transcribed by hand. *)
-Require Import Reals Lra Psatz ZArith.
-From Flocq Require Import Core.
+   - holds_add .. holds_square   the result of an operation on intervals that hold two numbers holds the result of the operation on them
+   What the stage does with them is in interval_tail.v. *)
+From Coq Require Import Reals Lra Psatz ZArith Bool.
+From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
+From Coq Require Import Floats.
+From Annulus Require Import operations float_directed filter_2 interval_2.
+Close Scope float_scope.
 Open Scope R_scope.
+Notation is_finite := BinarySingleNaN.is_finite.
+Notation is_nan := BinarySingleNaN.is_nan.
 
-Section interval.
-Variable beta : radix.
-Variable fexp : Z -> Z.
-Context { valid : Valid_exp fexp }.
-Definition RU x := round beta fexp Zceil x.
+Definition holds (a : interval) (x : R) : Prop := under (lower a) x /\ above (upper a) x.
 
-Lemma RU_ge x : x <= RU x.
-Proof. now apply round_UP_pt. Qed.
+(* A double stands for a number; an infinite one for any of its sign. *)
+Definition means (e : double) (r : R) : Prop :=
+  is_finite e = true /\ B2R e = r \/ e = B754_infinity false /\ 0 < r \/ e = B754_infinity true /\ r < 0.
 
-(* rounded_arith_opp: add_up and the others are the operation, rounded. *)
-Definition add_down x y := - RU (- x - y).
-Definition sub_down x y := - RU (y - x).
-Definition mul_down x y := - RU (x * - y).
+Lemma ends a x : holds a x -> exists l u, means (lower a) l /\ means (upper a) u /\ l <= x <= u /\
+  (0 <= l -> is_finite (lower a) = true) /\ (u <= 0 -> is_finite (upper a) = true).
+Proof.
+  intros [LO UP].
+  assert (L : exists l, means (lower a) l /\ l <= x /\ (0 <= l -> is_finite (lower a) = true)).
+  { destruct LO as [[A L]|A]; [exists (B2R (lower a)); unfold means; intuition|]. exists (Rmin x (-1)). generalize (Rmin_l x (-1)) (Rmin_r x (-1)). intros.
+    split; [right; right; split; [exact A|lra]|]. split; [assumption|]. intro. exfalso. lra. }
+  assert (U : exists u, means (upper a) u /\ x <= u /\ (u <= 0 -> is_finite (upper a) = true)).
+  { destruct UP as [[A U]|A]; [exists (B2R (upper a)); unfold means; intuition|]. exists (Rmax x 1). generalize (Rmax_l x 1) (Rmax_r x 1). intros.
+    split; [right; left; split; [exact A|lra]|]. split; [assumption|]. intro. exfalso. lra. }
+  destruct L as (l & L & L' & F), U as (u & U & U' & F'). exists l, u. tauto.
+Qed.
 
-Lemma add_down_le x y : add_down x y <= x + y.
-Proof. unfold add_down. generalize (RU_ge (- x - y)). lra. Qed.
-Lemma sub_down_le x y : sub_down x y <= x - y.
-Proof. unfold sub_down. generalize (RU_ge (y - x)). lra. Qed.
-Lemma mul_down_le x y : mul_down x y <= x * y.
-Proof. unfold mul_down. generalize (RU_ge (x * - y)). lra. Qed.
+Lemma below_nought e r : means e r -> below e nought = Rlt_bool r 0.
+Proof.
+  intros [[F <-]|[[-> H]|[-> H]]]; [unfold below; now rewrite Bltb_correct|symmetry; apply Rlt_bool_false|symmetry; apply Rlt_bool_true]; lra.
+Qed.
+Lemma nought_below e r : means e r -> below nought e = Rlt_bool 0 r.
+Proof.
+  intros [[F <-]|[[-> H]|[-> H]]]; [unfold below; now rewrite Bltb_correct|symmetry; apply Rlt_bool_true|symmetry; apply Rlt_bool_false]; lra.
+Qed.
 
-Record interval := I { lower : R; upper : R }.
-Definition holds (a : interval) (x : R) := lower a <= x <= upper a.
+Lemma means_opp e r : means e r -> means (Bopp e) (- r).
+Proof. unfold means. rewrite is_finite_Bopp, B2R_Bopp. intros [[F <-]|[[-> H]|[-> H]]]; simpl; intuition lra. Qed.
 
-Definition exactly x := I x x.
-Definition i_add a b := I (add_down (lower a) (lower b)) (RU (upper a + upper b)).
-Definition i_sub a b := I (sub_down (lower a) (upper b)) (RU (upper a - lower b)).
-Definition i_opp a := I (- upper a) (- lower a).
-Definition i_max a b := I (Rmax (lower a) (lower b)) (Rmax (upper a) (upper b)).
+Lemma means_sign e r : means e r -> r <> 0 -> Bsign e = Rlt_bool r 0 /\ is_nan e = false /\ (is_finite e = true -> is_finite_strict e = true).
+Proof.
+  intros [[F E]|[[-> H]|[-> H]]] N; [|simpl; rewrite Rlt_bool_false by lra; easy|simpl; rewrite Rlt_bool_true by lra; easy].
+  destruct e as [s|s| |s m x B]; try easy.
+  - now elim N.
+  - split; [|easy]. simpl. subst r. destruct s; symmetry; [apply Rlt_bool_true|apply Rlt_bool_false; left]; [apply F2R_lt_0|apply F2R_gt_0]; easy.
+Qed.
 
-Definition i_mul a b :=
-  let xl := lower a in let xu := upper a in let yl := lower b in let yu := upper b in
-  if Rlt_dec xl 0 then
-    if Rlt_dec 0 xu then
-      if Rlt_dec yl 0 then
-        if Rlt_dec 0 yu then I (Rmin (mul_down xl yu) (mul_down xu yl)) (Rmax (RU (xl * yl)) (RU (xu * yu)))
-        else I (mul_down xu yl) (RU (xl * yl))
-      else
-        if Rlt_dec 0 yu then I (mul_down xl yu) (RU (xu * yu)) else I 0 0
-    else
-      if Rlt_dec yl 0 then
-        if Rlt_dec 0 yu then I (mul_down xl yu) (RU (xl * yl)) else I (mul_down xu yu) (RU (xl * yl))
-      else
-        if Rlt_dec 0 yu then I (mul_down xl yu) (RU (xu * yl)) else I 0 0
-  else
-    if Rlt_dec 0 xu then
-      if Rlt_dec yl 0 then
-        if Rlt_dec 0 yu then I (mul_down xu yl) (RU (xu * yu)) else I (mul_down xu yl) (RU (xl * yu))
-      else
-        if Rlt_dec 0 yu then I (mul_down xl yl) (RU (xu * yu)) else I 0 0
-    else I 0 0.
+(* A product upward is an upper bound, if it is finite or positive. *)
+Lemma times_above e f r s : means e r -> means f s -> is_finite e = true /\ is_finite f = true \/ 0 < r * s -> above (times mode_UP e f) (r * s).
+Proof.
+  intros A B C. destruct (bool_dec (is_finite e && is_finite f) true) as [H|H].
+  - apply andb_prop in H. destruct H as [E F].
+    assert (B2R e = r) as <- by (destruct A as [[_ A]|[[A _]|[A _]]]; [exact A|now rewrite A in E|now rewrite A in E]).
+    assert (B2R f = s) as <- by (destruct B as [[_ B]|[[B _]|[B _]]]; [exact B|now rewrite B in F|now rewrite B in F]).
+    now apply rounded_up, times_rounded.
+  - right. destruct C as [[E F]|C]; [now rewrite E, F in H|]. assert (R0 : r <> 0) by nra. assert (S0 : s <> 0) by nra.
+    destruct (means_sign e r A R0) as (Se & Ne & Ee), (means_sign f s B S0) as (Sf & Nf & Ef).
+    assert (X : xorb (Rlt_bool r 0) (Rlt_bool s 0) = false).
+    { do 2 (case Rlt_bool_spec; intro); try reflexivity; exfalso; nra. }
+    rewrite <- Se, <- Sf in X. destruct e as [s0|s0| |s0 m0 x0 B0], f as [s1|s1| |s1 m1 x1 B1]; simpl in *; try easy; try (now destruct (Ee eq_refl)); try (now destruct (Ef eq_refl)); now rewrite X.
+Qed.
+Lemma mul_down_under e f r s : means e r -> means f s -> is_finite e = true /\ is_finite f = true \/ r * s < 0 -> under (mul_down e f) (r * s).
+Proof.
+  intros A B C. apply opp_under. replace (- (r * s)) with (r * - s) by ring. apply times_above; [exact A|now apply means_opp|].
+  rewrite is_finite_Bopp. destruct C as [C|C]; [now left|right]. lra.
+Qed.
 
-Definition i_square a :=
-  let xl := lower a in let xu := upper a in
-  if Rlt_dec xu 0 then I (mul_down xu xu) (RU (xl * xl))
-  else if Rlt_dec 0 xl then I (mul_down xl xl) (RU (xu * xu))
-  else I 0 (if Rlt_dec xu (- xl) then RU (xl * xl) else RU (xu * xu)).
+Lemma under_least a b x y : under a x -> under b y -> under (least a b) (Rmin x y).
+Proof.
+  intros [[A X]| ->] [[B Y]| ->]; unfold least, below.
+  - rewrite Bltb_correct by assumption. case Rlt_bool_spec; intro L; left; (split; [assumption|apply Rmin_glb; lra]).
+  - right. now destruct a.
+  - right. now destruct b.
+  - now right.
+Qed.
+Lemma above_most a b x y : above a x -> above b y -> above (most a b) (Rmax x y).
+Proof.
+  intros [[A X]| ->] [[B Y]| ->]; unfold most, below.
+  - rewrite Bltb_correct by assumption. case Rlt_bool_spec; intro L; left; (split; [assumption|apply Rmax_lub; lra]).
+  - right. now destruct a.
+  - right. now destruct b.
+  - now right.
+Qed.
+Lemma under_most a b x y : under a x -> under b y -> under (most a b) (Rmax x y).
+Proof.
+  assert (L := Rmax_l x y). assert (U := Rmax_r x y). intros [[A X]| ->] [[B Y]| ->]; unfold most, below.
+  - rewrite Bltb_correct by assumption. case Rlt_bool_spec; intro; left; (split; [assumption|lra]).
+  - left. replace (Bltb a _) with false by now destruct a. split; [exact A|lra].
+  - left. replace (Bltb _ b) with true by now destruct b. split; [exact B|lra].
+  - now right.
+Qed.
 
-Theorem holds_exactly x : holds (exactly x) x.
-Proof. split; simpl; lra. Qed.
-
+Theorem holds_exactly e : is_finite e = true -> holds (exactly e) (B2R e).
+Proof. intro F. split; left; (split; [exact F|apply Rle_refl]). Qed.
 Theorem holds_add a b x y : holds a x -> holds b y -> holds (i_add a b) (x + y).
 Proof.
-  intros [A A'] [B B']. split; simpl.
-  - generalize (add_down_le (lower a) (lower b)). lra.
-  - generalize (RU_ge (upper a + upper b)). lra.
+  intros [A A'] [B B']. split; [|now apply above_plus]. apply opp_under. replace (- (x + y)) with (- x - y) by ring. apply above_minus; [now apply under_opp|exact B].
 Qed.
-
 Theorem holds_sub a b x y : holds a x -> holds b y -> holds (i_sub a b) (x - y).
 Proof.
-  intros [A A'] [B B']. split; simpl.
-  - generalize (sub_down_le (lower a) (upper b)). lra.
-  - generalize (RU_ge (upper a - lower b)). lra.
+  intros [A A'] [B B']. split; [|now apply above_minus]. apply opp_under. replace (- (x - y)) with (y - x) by ring. now apply above_minus.
 Qed.
-
 Theorem holds_opp a x : holds a x -> holds (i_opp a) (- x).
-Proof. intros [A A']. split; simpl; lra. Qed.
-
+Proof. intros [A A']. split; [apply opp_under; now rewrite Ropp_involutive|now apply under_opp]. Qed.
 Theorem holds_max a b x y : holds a x -> holds b y -> holds (i_max a b) (Rmax x y).
-Proof.
-  intros [A A'] [B B']. split; simpl.
-  - apply Rmax_lub; [apply Rle_trans with (1 := A), Rmax_l | apply Rle_trans with (1 := B), Rmax_r].
-  - apply Rmax_lub; [apply Rle_trans with (1 := A'), Rmax_l | apply Rle_trans with (1 := B'), Rmax_r].
-Qed.
+Proof. intros [A A'] [B B']. split; [now apply under_most|now apply above_most]. Qed.
 
 (* A product is between the products of the ends. *)
 Lemma above_corners l a b c d x y : a <= x <= b -> c <= y <= d -> l <= a * c -> l <= a * d -> l <= b * c -> l <= b * d -> l <= x * y.
@@ -116,85 +129,54 @@ Proof.
   intros X Y H1 H2 H3 H4. apply Ropp_le_cancel. rewrite Ropp_mult_distr_l. apply above_corners with (- b) (- a) c d; lra.
 Qed.
 
-(* The signs of the ends, and which corner is least and greatest. *)
-Lemma mul_by_corners a b l h x y : holds a x -> holds b y ->
-  (l <= lower a * lower b /\ l <= lower a * upper b /\ l <= upper a * lower b /\ l <= upper a * upper b) ->
-  (lower a * lower b <= h /\ lower a * upper b <= h /\ upper a * lower b <= h /\ upper a * upper b <= h) -> holds (I l h) (x * y).
-Proof.
-  intros A B (L1 & L2 & L3 & L4) (H1 & H2 & H3 & H4). split; simpl.
-  - now apply above_corners with (1 := A) (2 := B).
-  - now apply below_corners with (1 := A) (2 := B).
-Qed.
+Lemma holds_nothing : holds (exactly nought) 0.
+Proof. apply (holds_exactly nought eq_refl). Qed.
 
 Theorem holds_mul a b x y : holds a x -> holds b y -> holds (i_mul a b) (x * y).
 Proof.
-  intros A B. assert (O : lower a <= upper a) by (destruct A; lra). assert (Q : lower b <= upper b) by (destruct B; lra).
-  generalize (mul_by_corners a b). intro M. unfold i_mul. cbv zeta.
-  set (xl := lower a) in *. set (xu := upper a) in *. set (yl := lower b) in *. set (yu := upper b) in *.
-  generalize (RU_ge (xl * yl)) (RU_ge (xl * yu)) (RU_ge (xu * yl)) (RU_ge (xu * yu)). intros U1 U2 U3 U4.
-  generalize (mul_down_le xl yl) (mul_down_le xl yu) (mul_down_le xu yl) (mul_down_le xu yu). intros D1 D2 D3 D4.
-  clearbody xl xu yl yu.
-  repeat destruct Rlt_dec; apply M; trivial; clear M;
-    try (generalize (Rmin_l (mul_down xl yu) (mul_down xu yl)) (Rmin_r (mul_down xl yu) (mul_down xu yl))
-           (Rmax_l (RU (xl * yl)) (RU (xu * yu))) (Rmax_r (RU (xl * yl)) (RU (xu * yu))); intros);
-    repeat split;
-    first [ nra
-          | assert (xl = 0) as -> by lra; assert (xu = 0) as -> by lra; lra
-          | assert (yl = 0) as -> by lra; assert (yu = 0) as -> by lra; lra ].
+  intros A B. destruct (ends a x A) as (l & u & L & U & X & Fl & Fu), (ends b y B) as (m & w & M & W & Y & Fm & Fw).
+  unfold i_mul. cbv zeta. rewrite (below_nought _ _ L), (nought_below _ _ U), (below_nought _ _ M), (nought_below _ _ W).
+  assert (Up : forall e f r s, means e r -> means f s -> (is_finite e = true /\ is_finite f = true \/ 0 < r * s) ->
+    l * m <= r * s -> l * w <= r * s -> u * m <= r * s -> u * w <= r * s -> above (times mode_UP e f) (x * y)).
+  { intros e f r s E F C H1 H2 H3 H4. apply above_le with (r * s); [now apply below_corners with l u m w|now apply times_above]. }
+  assert (Down : forall e f r s, means e r -> means f s -> (is_finite e = true /\ is_finite f = true \/ r * s < 0) ->
+    r * s <= l * m -> r * s <= l * w -> r * s <= u * m -> r * s <= u * w -> under (mul_down e f) (x * y)).
+  { intros e f r s E F C H1 H2 H3 H4. apply under_le with (r * s); [now apply above_corners with l u m w|now apply mul_down_under]. }
+  case Rlt_bool_spec; intro Nl; case Rlt_bool_spec; intro Pu; try (case Rlt_bool_spec; intro Nm; case Rlt_bool_spec; intro Pw).
+  all: try (assert (x = 0 \/ y = 0) as [-> | ->] by (first [left; lra|right; lra]); rewrite ?Rmult_0_l, ?Rmult_0_r; exact holds_nothing).
+  - split; cbn [lower upper].
+    + assert (H1 := Rmin_l (l * w) (u * m)). assert (H2 := Rmin_r (l * w) (u * m)).
+      apply under_le with (Rmin (l * w) (u * m)); [apply above_corners with l u m w; trivial; nra|].
+      apply under_least; (apply mul_down_under; [assumption|assumption|right; nra]).
+    + assert (H1 := Rmax_l (l * m) (u * w)). assert (H2 := Rmax_r (l * m) (u * w)).
+      apply above_le with (Rmax (l * m) (u * w)); [apply below_corners with l u m w; trivial; nra|].
+      apply above_most; (apply times_above; [assumption|assumption|right; nra]).
+  - split; [apply Down with u m|apply Up with l m]; trivial; nra.
+  - split; [apply Down with l w|apply Up with u w]; trivial; nra.
+  - split; [apply Down with l w|apply Up with l m]; trivial; nra.
+  - split; [apply Down with u w|apply Up with l m]; trivial; try nra; left; auto.
+  - split; [apply Down with l w|apply Up with u m]; trivial; try nra; left; auto.
+  - split; [apply Down with u m|apply Up with u w]; trivial; nra.
+  - split; [apply Down with u m|apply Up with l w]; trivial; try nra; left; auto.
+  - split; [apply Down with l m|apply Up with u w]; trivial; try nra; left; auto.
 Qed.
 
 Theorem holds_square a x : holds a x -> holds (i_square a) (x * x).
 Proof.
-  intros [A A']. unfold i_square. cbv zeta. set (xl := lower a) in *. set (xu := upper a) in *.
-  generalize (RU_ge (xl * xl)) (RU_ge (xu * xu)) (mul_down_le xl xl) (mul_down_le xu xu). intros.
-  repeat destruct Rlt_dec; split; simpl; nra.
+  intro A. destruct (ends a x A) as (l & u & L & U & X & Fl & Fu). unfold i_square. cbv zeta.
+  rewrite (below_nought _ _ U), (nought_below _ _ L).
+  assert (Up : forall e r, means e r -> x * x <= r * r -> 0 < r * r \/ is_finite e = true -> above (times mode_UP e e) (x * x)).
+  { intros e r E H C. apply above_le with (r * r); [exact H|]. apply times_above; trivial. destruct C; auto. }
+  case Rlt_bool_spec; intro Nu; [|case Rlt_bool_spec; intro Pl].
+  - split; cbn [lower upper]; [|apply Up with l; trivial; [nra|left; nra]]. apply under_le with (u * u); [nra|].
+    apply mul_down_under; trivial. left. split; apply Fu; lra.
+  - split; cbn [lower upper]; [|apply Up with u; trivial; [nra|left; nra]]. apply under_le with (l * l); [nra|].
+    apply mul_down_under; trivial. left. split; apply Fl; lra.
+  - split; cbn [lower upper]; [apply under_le with 0; [nra|left; split; [reflexivity|apply Rle_refl]]|].
+    destruct A as [[[Fl' L']|E] [[Fu' U']|E']].
+    + unfold below. rewrite Bltb_correct by (rewrite ?is_finite_Bopp; assumption). rewrite B2R_Bopp.
+      case Rlt_bool_spec; intro H; (eapply above_le; [|apply rounded_up, times_rounded; easy]); nra.
+    + right. rewrite E'. now destruct (lower a).
+    + right. rewrite E. now destruct (upper a).
+    + right. now rewrite E, E'.
 Qed.
-
-(* What the templates are made of. *)
-Inductive expr :=
-  | Var (n : nat)
-  | Plus (e f : expr)
-  | Minus (e f : expr)
-  | Times (e f : expr)
-  | Opp (e : expr)
-  | Square (e : expr)
-  | Max (e f : expr).
-
-Fixpoint exact (X : nat -> R) (e : expr) : R :=
-  match e with
-  | Var n => X n
-  | Plus e f => exact X e + exact X f
-  | Minus e f => exact X e - exact X f
-  | Times e f => exact X e * exact X f
-  | Opp e => - exact X e
-  | Square e => exact X e * exact X e
-  | Max e f => Rmax (exact X e) (exact X f)
-  end.
-
-Fixpoint computed (B : nat -> interval) (e : expr) : interval :=
-  match e with
-  | Var n => B n
-  | Plus e f => i_add (computed B e) (computed B f)
-  | Minus e f => i_sub (computed B e) (computed B f)
-  | Times e f => i_mul (computed B e) (computed B f)
-  | Opp e => i_opp (computed B e)
-  | Square e => i_square (computed B e)
-  | Max e f => i_max (computed B e) (computed B f)
-  end.
-
-Theorem encloses X B e : (forall n, holds (B n) (X n)) -> holds (computed B e) (exact X e).
-Proof.
-  intro H. induction e; simpl;
-    auto using holds_add, holds_sub, holds_mul, holds_opp, holds_square, holds_max.
-Qed.
-
-(* The variables are coordinates, whose difference is an interval; `scaled_difference` multiplies it by powers of two. *)
-Corollary encloses_coordinates X e : holds (computed (fun n => exactly (X n)) e) (exact X e).
-Proof. apply encloses. intro. apply holds_exactly. Qed.
-
-(* What interval_sign and backward conclude from the ends. *)
-Corollary positive_certain X B e : (forall n, holds (B n) (X n)) -> 0 < lower (computed B e) -> 0 < exact X e.
-Proof. intros H P. destruct (encloses X B e H). lra. Qed.
-Corollary negative_certain X B e : (forall n, holds (B n) (X n)) -> upper (computed B e) < 0 -> exact X e < 0.
-Proof. intros H P. destruct (encloses X B e H). lra. Qed.
-End interval.

@@ -59,9 +59,6 @@ Proof. apply rnd_F, F_0. Qed.
 Lemma rnd_pos x : 0 <= x -> 0 <= rnd x.
 Proof. intro. rewrite <- rnd_0. now apply rnd_le. Qed.
 
-Lemma rnd_opp x : rnd (- x) = - rnd x.
-Proof. apply round_NE_opp. Qed.
-
 (* A rounded value above a number of the format was above it before; in particular comparisons with rounded products. *)
 Lemma rnd_gt x y : F y -> y < rnd x -> y < x.
 Proof.

@@ -206,14 +206,6 @@ Proof. intros H N. apply Rabs_le_inv in H. lra. Qed.
 Lemma slack_sound x e : F e -> e < fmul x filter_slack -> 1024 * e < x.
 Proof. intros Fe H. apply rnd_gt in H; [| exact Fe]. unfold filter_slack in H. lra. Qed.
 
-Lemma F_shrink : F shrink.
-Proof.
-  replace shrink with (IZR (2 ^ 53 - 16) * bpow radix2 (-53)).
-  - apply F_int; [reflexivity | lia].
-  - unfold shrink, u. change (IZR (2 ^ 53 - 16)) with 9007199254740976.
-    change (bpow radix2 (-53)) with (/ 9007199254740992). lra.
-Qed.
-
 (* The computed sum of two roots. *)
 Definition root_sum (inner outer : R) : R := fadd (rnd (sqrt inner)) (rnd (sqrt outer)).
 

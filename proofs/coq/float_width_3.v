@@ -36,9 +36,6 @@ Qed.
 (* The largest of the squares; the order in which maxima are taken does not matter. *)
 Definition largest (square : vector R -> R) (l : list (vector R)) : R := fold_right (fun v r => Rmax (square v) r) 0 l.
 
-Lemma largest_nonneg s l : 0 <= largest s l.
-Proof. induction l; [apply Rle_refl |]. cbn. apply Rle_trans with (1 := IHl). apply Rmax_r. Qed.
-
 Lemma largest_in s l v : In v l -> s v <= largest s l.
 Proof.
   induction l as [| w l IH]; [contradiction |]. intros [-> | I]; cbn; [apply Rmax_l |].

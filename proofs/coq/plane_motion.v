@@ -132,12 +132,15 @@ Definition border_known (m m' : placement) (T T' : mesh) : Prop :=
   (border T' = border T /\ ((exists z, forall v, v <> z -> m v = m' v) \/
     forall u v w, In (u, v, w) (ridges (border T)) -> certified_ridge m m' u v w \/ resting_ridge m m' u v w)).
 
+Lemma known_winds m m' T T' : border_known m m' T T' -> winds_once m (border T) -> convex m (border T) -> convex m' (border T') -> winds_once m' (border T').
+Proof.
+  intros [N|(B & [(z & N)|N])] W C C'; [exact N| |]; rewrite B in *; [now apply (one_vertex_keeps m _ z)|now apply (certified_keep m)].
+Qed.
+
 Theorem steps_wind (m : nat -> placement) (T : nat -> mesh) : winds_once (m O) (border (T O)) -> (forall i, convex (m i) (border (T i))) ->
   (forall i, border_known (m i) (m (S i)) (T i) (T (S i))) -> forall i, winds_once (m i) (border (T i)).
 Proof.
-  intros W C K. induction i as [|i IH]; [exact W|]. destruct (K i) as [N|(B & [(z & N)|N])]; [exact N| |]; rewrite B.
-  - apply (one_vertex_keeps (m i) _ z); trivial. rewrite <- B. apply C.
-  - now apply (certified_keep (m i)).
+  intros W C K. induction i as [|i IH]; [exact W|]. now apply (known_winds _ _ _ _ (K i)).
 Qed.
 
 Theorem steps_delaunay (m : nat -> placement) (T : nat -> mesh) : winds_once (m O) (border (T O)) ->

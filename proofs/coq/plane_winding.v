@@ -2,6 +2,7 @@
 (* How often a convex border winds does not change along a continuous motion: docs/theory.md 1.3, the proposition in the plane.
 
    - any_direction   the border enters the half-plane left of the direction (k, 1) as often as the upper one
+   - clockwise       walked the other way round, as border_2.cpp does, it enters the upper half-plane as often
    - winding_kept    convex all along the motion and winding once at its beginning, it winds once at its end
 
    The number of entries is compared in a direction that no edge has at the moment: there it does not change for a while. *)
@@ -89,6 +90,43 @@ Proof.
     rewrite (sum_ext _ (fun _ => 0)); [apply sum_zero|]. intros [[a b] c] I. unfold g. cbn [ending edge].
     generalize (entered_between k m a b c (C a b c I)). lra.
   - unfold l. rewrite <- (sum_permutation g _ _ (ring_endings u v r)), ring_ridges. ring.
+Qed.
+
+(* ---- The other way round ---- *)
+
+Definition flipped (r : nat * nat * nat) : nat * nat * nat := let '(u, v, w) := r in (w, v, u).
+
+Lemma bends_rev p : bends (rev p) = map flipped (rev (bends p)).
+Proof.
+  induction p as [|a p IH]; [reflexivity|]. destruct p as [|b [|c p]]; [reflexivity|reflexivity|].
+  rewrite bends_cons. cbn [rev] in *. rewrite map_app, <- IH, <- !app_assoc. cbn [app]. now rewrite bends_app.
+Qed.
+
+Lemma one_later v w r : Permutation (ridges (v :: w :: r)) (ridges ((w :: r) ++ [v])).
+Proof. destruct (begin_later v w r) as (x & k & -> & -> & _). apply Permutation_cons_append. Qed.
+
+Lemma ridges_rev l : Permutation (ridges (rev l)) (map flipped (ridges l)).
+Proof.
+  destruct l as [|u [|v r]]; [constructor|constructor|]. transitivity (ridges (v :: u :: rev r)).
+  - cbn [rev]. destruct (rev r) as [|a k]; [reflexivity|]. symmetry. rewrite one_later. cbn [app]. rewrite one_later. reflexivity.
+  - unfold ridges. cbn [firstn app]. transitivity (map flipped (rev (bends (u :: v :: r ++ [u; v])))).
+    + rewrite <- bends_rev. cbn [rev]. rewrite rev_app_distr. cbn [rev app]. now rewrite <- !app_assoc.
+    + apply Permutation_map, Permutation_sym, Permutation_rev.
+Qed.
+
+Lemma up_back u v : fst u <> fst v \/ snd u <> snd v -> points_up v u = negb (points_up u v).
+Proof.
+  intro N. unfold points_up. destruct (Rlt_dec (snd u) (snd v)), (Rlt_dec (snd v) (snd u)); try (exfalso; lra);
+    destruct (Req_EM_T (snd u) (snd v)), (Req_EM_T (snd v) (snd u)); try (exfalso; lra); trivial;
+    destruct (Rlt_dec (fst u) (fst v)), (Rlt_dec (fst v) (fst u)); trivial; exfalso; lra.
+Qed.
+
+Theorem clockwise m l : convex m l -> (winds_once m (rev l) <-> winds_once m l).
+Proof.
+  intro C. unfold winds_once. enough (E : length (filter (enters m) (ridges (rev l))) = length (filter (enters m) (ridges l))) by now rewrite E.
+  apply INR_eq. rewrite !count_sum, (sum_permutation _ _ _ (ridges_rev l)), sum_map. apply sum_ext. intros [[u v] w] I.
+  destruct (convex_vectors m u v w (C u v w I)) as (N & N' & _). cbn [flipped enters]. rewrite (up_back (m v) (m w)), (up_back (m u) (m v)) by assumption.
+  rewrite negb_involutive, andb_comm. reflexivity.
 Qed.
 
 (* ---- A motion ---- *)

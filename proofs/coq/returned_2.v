@@ -5,7 +5,7 @@
    - orientation_2_returned, empty_sphere_2_returned   a sign is right; a tolerance is a finite number, at most half the least altitude or half the width
    - orientation_2_returned_certifies    every placement in which each point is closer than the tolerance to where it was is positive
    - empty_sphere_2_returned_certifies   the same of an empty circle whose triangles are positive at the reference and at the placement
-   A sign or a tolerance of the filter is thus what filter_plane.v calls answered (triangle_answered, circle_answered). *)
+   Of the stages after it: interval_returned_2.v, exact_returned_2.v; of all together: ladder_2.v. *)
 From Coq Require Import Reals ZArith Lra Rgeom List.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
@@ -42,7 +42,7 @@ Proof.
   { intros s v A. exact (float_certifies_2.triangle_bound _ _ _ _ _ _ s v (value_format _) (value_format _) (value_format _) (value_format _)
       (value_format _) (value_format _) A). }
   split; [|split; [|exact B]].
-  - unfold stage. rewrite <- orientation_is. apply orientation_filter_stands; apply at_domain_2, domain; simpl; tauto.
+  - unfold stage. rewrite <- orientation_is. apply (orientation_filter_stands true); apply at_domain_2, domain; simpl; tauto.
   - intros s v A. destruct (B s v A) as [[-> _]|[-> _]]; auto.
 Qed.
 
@@ -85,7 +85,7 @@ Proof.
   { intros s v A. exact (float_certifies_2.circle_bound _ _ _ _ _ _ _ _ s v (value_format _) (value_format _) (value_format _) (value_format _)
       (value_format _) (value_format _) (value_format _) (value_format _) A). }
   split; [|split; [|exact B]].
-  - unfold stage. rewrite <- empty_sphere_is. apply empty_sphere_filter_stands; apply at_domain_2, domain; simpl; tauto.
+  - unfold stage. rewrite <- empty_sphere_is. apply (empty_sphere_filter_stands true); apply at_domain_2, domain; simpl; tauto.
   - intros s v A. destruct (B s v A) as [[-> _]|[-> _]]; auto.
 Qed.
 
@@ -113,31 +113,3 @@ Proof.
 Qed.
 End circle.
 End returned.
-
-(* What the filter returns is a verdict that filter_plane.v takes, whatever the lists and second looks there. *)
-Section answered.
-Variables (capacity : nat) (stamps : Z) (worn : R -> algorithm_list.expiry_list -> bool) (chosen : second_looks).
-Variable tie : certificate_2 -> (nat -> point_2) -> Prop.
-Let Plane := plane capacity stamps worn chosen tie.
-Notation answered := (answered capacity stamps worn chosen tie).
-Variables (f : nat -> vector machine) (i : Z) (tolerance : float).
-
-Theorem triangle_answered : forall a b c, (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
-  orientation_filter machine (f a) (f b) (f c) true = positive tolerance ->
-  answered (fun v => at_2 (f v)) (@Build_verdict Plane i (cell a b c) (value tolerance)) /\
-  answered (fun v => at_2 (f v)) (@Build_verdict Plane i (ridge a b c) (value tolerance)).
-Proof.
-  intros a b c D A. generalize (orientation_2_returned f a b c D). rewrite A. intros (_ & P & H0 & H).
-  split; left; (split; [exact H0|split; [apply value_format|split; [|split; [exact P|exact H]]]]); [exact P|left; exact P].
-Qed.
-
-Theorem circle_answered : forall a b p q, (forall v, In v [a; b; p; q] -> coordinates_2 (f v)) -> NoDup [a; b; p; q] ->
-  empty_sphere_filter machine (f a) (f b) (f p) (f q) true = positive tolerance ->
-  0 < turn_at (fun v => at_2 (f v)) a b q -> 0 < turn_at (fun v => at_2 (f v)) b a p ->
-  answered (fun v => at_2 (f v)) (@Build_verdict Plane i (circle a b p q) (value tolerance)).
-Proof.
-  intros a b p q D N A Tq Tp. generalize (empty_sphere_2_returned f a b p q D). rewrite A. intros (_ & P & H0 & H).
-  left. split; [exact H0|]. split; [apply value_format|]. split; [left; exact P|].
-  split; [exact N|]. split; [exact Tq|]. split; [exact Tp|]. split; [exact P|exact H].
-Qed.
-End answered.

@@ -139,20 +139,6 @@ Proof.
   apply Rnot_le_lt. intro D. generalize (Rmult_le_pos k (- det z)). lra.
 Qed.
 
-(* With spheres: centre o and radius r. *)
-Corollary pointwise_3_spheres :
-  (forall B, four B -> exists o r, (forall i, B i = false -> norm (z i ⊖ o) < r) /\ (forall i, B i = true -> r < norm (z i ⊖ o))) ->
-  0 < det z.
-Proof.
-  intro H. apply pointwise_3. intros B HB. destruct (H B HB) as (o & r & Hn & Hp).
-  exists 1, zero, (r * r), o. split; [lra|].
-  assert (E : forall i, quadric 1 zero (r * r) o (z i) = norm (z i ⊖ o) * norm (z i ⊖ o) - r * r)
-    by (intro; rewrite norm_sq; unfold quadric; vector).
-  assert (0 < r) by (destruct (four_pick B HB) as (k & Hk & _); generalize (Hn k Hk) (norm_nonneg (z k ⊖ o)); lra).
-  split; intros i Hi; rewrite E; generalize (norm_nonneg (z i ⊖ o)).
-  - generalize (Hn i Hi). intros. generalize (Rmult_le_0_lt_compat (norm (z i ⊖ o)) r (norm (z i ⊖ o)) r). lra.
-  - generalize (Hp i Hi). intros. generalize (Rmult_le_0_lt_compat r (norm (z i ⊖ o)) r (norm (z i ⊖ o))). lra.
-Qed.
 End signs.
 
 Section certified.

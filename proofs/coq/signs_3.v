@@ -186,7 +186,7 @@ Proof.
   intros r F H. split; [|now apply range_3_bounds]. apply (float_filter.in_range_lower 100); [lia|exact F|].
   unfold in_range_3 in H. apply andb_prop in H. destruct H as [L H]. revert L H.
   change (less_equal rounded) with Rle_bool. change (constant rounded filter_range_3) with (value filter_range_3).
-  change (constant rounded 1%float) with (value 1%float). rewrite v_range_3, v_one.
+  change (constant rounded 1%float) with (value 1%float). rewrite value_range_3, v_one.
   do 2 (case Rle_bool_spec; [|easy]). now split.
 Qed.
 
@@ -274,7 +274,7 @@ Lemma below_range_3 : forall m m', stands 501 m m' -> less_equal machine m (cons
 Proof.
   intros m m' H L. assert (C : stands 100 filter_range_3 (value filter_range_3)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
   change (less_equal machine m (constant machine filter_range_3)) with (PrimFloat.leb m filter_range_3) in L.
-  rewrite (stands_leb _ _ _ _ _ _ H C), v_range_3 in L. revert L. now case Rle_bool_spec.
+  rewrite (stands_leb _ _ _ _ _ _ H C), value_range_3 in L. revert L. now case Rle_bool_spec.
 Qed.
 
 Theorem sides_of_sphere_3 : forall p, coordinates_3 p -> sphere_positive machine k = true ->

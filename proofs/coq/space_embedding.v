@@ -4,7 +4,7 @@
    - disjoint_3   then a point strictly inside a cell is in no other
    - cover_3      and the cells cover what is on the inner side of every border facet, nothing else
 
-   That signs and the winding of the border's silhouette imply the last two of these hypotheses (lemma 3) is proved in docs/theory.md, and not here. *)
+   That signs and the winding of the border's silhouette imply the last two of these hypotheses (lemma 3): space_silhouette.v. *)
 Require Import Reals Lra Psatz List Permutation.
 From Annulus Require Import tetrahedron sums small general_position space_line space_mesh space_crossings.
 Import ListNotations.

@@ -100,9 +100,5 @@ Proof.
   intro H. rewrite norm_scale, Rabs_pos_eq by lra. generalize (norm_nonneg d). intro. nra.
 Qed.
 
-(* The square at a moved point. *)
-Lemma sq_moved u d : sq (u ⊕ d) = sq u + 2 * (u · d) + sq d.
-Proof. vector. Qed.
-
 (* r is one of the numbers of a tree of maxima *)
 Ltac leaf := first [ apply Rle_refl | apply Rle_trans with (2 := Rmax_l _ _); leaf | apply Rle_trans with (2 := Rmax_r _ _); leaf ].

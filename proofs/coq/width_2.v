@@ -26,13 +26,6 @@ Let lq := turn bx by0 ax ay px py.
 Let la := turn bx by0 px py qx qy.
 Let lb := - turn ax ay px py qx qy.
 
-Lemma dependence_sum : la + lb + lp + lq = 0.
-Proof. unfold la, lb, lp, lq, turn. ring. Qed.
-Lemma dependence_x : la*ax + lb*bx + lp*px + lq*qx = 0.
-Proof. unfold la, lb, lp, lq, turn. ring. Qed.
-Lemma dependence_y : la*ay + lb*by0 + lp*py + lq*qy = 0.
-Proof. unfold la, lb, lp, lq, turn. ring. Qed.
-
 (* Whatever the circle, the powers with these coefficients add up to the determinant. *)
 Lemma powers : forall ox oy rho2,
   la*(d2 ax ay ox oy - rho2) + lb*(d2 bx by0 ox oy - rho2) + lp*(d2 px py ox oy - rho2) + lq*(d2 qx qy ox oy - rho2)

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Rows of the interval and the exact stage: the interval stage is replayed, both are judged by the truth. *)
+(* Rows of the interval and the exact stage: both are replayed, and judged by the truth. *)
 From Coq Require Import List Floats Bool String.
-From Annulus Require Import operations filter_2.
-From Annulus_link Require Import replay_2 interval_2 truth_2.
+From Annulus Require Import operations filter_2 integers_2 interval_2 exact_2.
+From Annulus_link Require Import replay_2 truth_2.
 Import ListNotations.
 
 (* A row is judged by two tests; the second one says what it is worth. Tests are variables here: a conversion that tried to
@@ -48,17 +48,19 @@ Proof.
 Qed.
 End tests.
 
-(* The interval stage, replayed; for the table the filter too. *)
-Definition interval_orientation ax ay bx by' cx cy (i e : answer float) :=
-  same_answer (orientation_interval (point ax ay) (point bx by') (point cx cy)) i.
-Definition interval_annulus ax ay bx by' px py qx qy (i e : answer float) :=
-  same_answer (empty_sphere_interval (point ax ay) (point bx by') (point px py) (point qx qy)) i.
+(* The interval and the exact stage, replayed; for the table filter and intervals. *)
+Definition both_orientation ax ay bx by' cx cy (i e : answer float) :=
+  same_answer (orientation_interval (point ax ay) (point bx by') (point cx cy)) i &&
+  same_answer (orientation_exact (point ax ay) (point bx by') (point cx cy)) e.
+Definition both_annulus ax ay bx by' px py qx qy (i e : answer float) :=
+  same_answer (empty_sphere_interval (point ax ay) (point bx by') (point px py) (point qx qy)) i &&
+  same_answer (empty_sphere_exact (point ax ay) (point bx by') (point px py) (point qx qy)) e.
 Definition filter_and_interval ax ay bx by' px py qx qy (f i : answer float) :=
   same_answer (empty_sphere_filter machine (point ax ay) (point bx by') (point px py) (point qx qy) true) f &&
   same_answer (empty_sphere_interval (point ax ay) (point bx by') (point px py) (point qx qy)) i.
 
-Definition agrees_orientation_2_later := on_orientation interval_orientation judge_orientation.
-Definition agrees_empty_sphere_2_later := on_empty_sphere interval_annulus judge_annulus.
+Definition agrees_orientation_2_later := on_orientation both_orientation judge_orientation.
+Definition agrees_empty_sphere_2_later := on_empty_sphere both_annulus judge_annulus.
 Definition agrees_named_2 := on_named judge_annulus filter_and_interval.
 
 (* The first answer is sound, the second sharp: judge_orientation_spec, judge_annulus_spec. *)
@@ -68,8 +70,8 @@ Definition true_annulus ax ay bx by' px py qx qy (i e : answer float) :=
   let t := annulus_of reals (real_point ax ay) (real_point bx by') (real_point px py) (real_point qx qy) in soundly t i /\ sharply t e.
 
 Definition orientation_2_later_certified : forall r, agrees_orientation_2_later r = true -> worth_orientation true_orientation r :=
-  orientation_worth interval_orientation judge_orientation true_orientation judge_orientation_spec.
+  orientation_worth both_orientation judge_orientation true_orientation judge_orientation_spec.
 Definition empty_sphere_2_later_certified : forall r, agrees_empty_sphere_2_later r = true -> worth_empty_sphere true_annulus r :=
-  empty_sphere_worth interval_annulus judge_annulus true_annulus judge_annulus_spec.
+  empty_sphere_worth both_annulus judge_annulus true_annulus judge_annulus_spec.
 Definition named_2_certified : forall r, agrees_named_2 r = true -> worth_named true_annulus r :=
   named_worth judge_annulus filter_and_interval true_annulus judge_annulus_spec.

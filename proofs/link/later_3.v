@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Rows of the later stages in space: the interval stage is replayed, both are judged by the truth. *)
+(* Rows of the later stages in space: both are replayed, and judged by the truth. *)
 From Coq Require Import List Floats Bool String.
-From Annulus Require Import operations filter_2 filter_3.
-From Annulus_link Require Import replay_2 replay_3 interval_3 truth_2 truth_3.
+From Annulus Require Import operations filter_2 filter_3 interval_3 exact_3.
+From Annulus_link Require Import replay_2 replay_3 truth_2 truth_3.
 Import ListNotations.
 
 Inductive orientation_3_later :=
@@ -57,22 +57,26 @@ Proof.
 Qed.
 End tests.
 
-(* The interval stage, replayed; for the table the filter too. *)
-Definition interval_tetrahedron ax ay az bx by' bz cx cy cz dx dy dz (i _ : answer float) : bool :=
-  same_answer (orientation_3_interval (point_3 ax ay az) (point_3 bx by' bz) (point_3 cx cy cz) (point_3 dx dy dz)) i.
-Definition interval_bicell ax ay az bx by' bz cx cy cz px py pz qx qy qz (i _ : answer float) : bool :=
-  same_answer (empty_sphere_3_interval (point_3 ax ay az) (point_3 bx by' bz) (point_3 cx cy cz) (point_3 px py pz) (point_3 qx qy qz)) i.
+(* The interval and the exact stage, replayed; for the table filter and intervals. *)
+Definition both_tetrahedron ax ay az bx by' bz cx cy cz dx dy dz (i e : answer float) : bool :=
+  same_answer (orientation_3_interval (point_3 ax ay az) (point_3 bx by' bz) (point_3 cx cy cz) (point_3 dx dy dz)) i &&
+  same_answer (orientation_3_exact (point_3 ax ay az) (point_3 bx by' bz) (point_3 cx cy cz) (point_3 dx dy dz)) e.
+Definition interval_bicell ax ay az bx by' bz cx cy cz px py pz qx qy qz (i : answer float) : bool :=
+  same_answer (empty_sphere_3_interval (point_3 ax ay az) (point_3 bx by' bz) (point_3 cx cy cz) (point_3 px py pz) (point_3 qx qy qz) where_needed) i.
+Definition both_bicell ax ay az bx by' bz cx cy cz px py pz qx qy qz (i e : answer float) : bool :=
+  interval_bicell ax ay az bx by' bz cx cy cz px py pz qx qy qz i &&
+  same_answer (empty_sphere_3_exact (point_3 ax ay az) (point_3 bx by' bz) (point_3 cx cy cz) (point_3 px py pz) (point_3 qx qy qz) where_needed) e.
 Definition filter_and_interval_3 ax ay az bx by' bz cx cy cz px py pz qx qy qz (k i : answer float) : bool :=
   same_answer (bicell_filter machine (point_3 ax ay az) (point_3 bx by' bz) (point_3 cx cy cz) (point_3 px py pz) (point_3 qx qy qz)
                  true where_needed) k &&
-  interval_bicell ax ay az bx by' bz cx cy cz px py pz qx qy qz i i.
+  interval_bicell ax ay az bx by' bz cx cy cz px py pz qx qy qz i.
 
-Definition agrees_orientation_3_later := on_orientation_3 interval_tetrahedron judge_tetrahedron.
-Definition agrees_empty_sphere_3_later := on_later interval_bicell judge_bicell.
+Definition agrees_orientation_3_later := on_orientation_3 both_tetrahedron judge_tetrahedron.
+Definition agrees_empty_sphere_3_later := on_later both_bicell judge_bicell.
 Definition agrees_named_3 := on_named_3 judge_bicell filter_and_interval_3.
 Definition orientation_3_later_certified : forall r, agrees_orientation_3_later r = true -> worth_orientation_3 true_tetrahedron r :=
-  orientation_3_worth interval_tetrahedron judge_tetrahedron true_tetrahedron judge_tetrahedron_spec.
+  orientation_3_worth both_tetrahedron judge_tetrahedron true_tetrahedron judge_tetrahedron_spec.
 Definition empty_sphere_3_later_certified : forall r, agrees_empty_sphere_3_later r = true -> worth_later true_bicell r :=
-  later_worth interval_bicell judge_bicell true_bicell judge_bicell_spec.
+  later_worth both_bicell judge_bicell true_bicell judge_bicell_spec.
 Definition named_3_certified : forall r, agrees_named_3 r = true -> worth_named_3 true_bicell r :=
   named_3_worth judge_bicell filter_and_interval_3 true_bicell judge_bicell_spec.

@@ -227,9 +227,6 @@ Qed.
 
 (* ---- What they are used for ---- *)
 
-Lemma value_number e : (0 <= e)%Z -> float_model.F (high_word.value e).
-Proof. apply F_value. Qed.
-
 Theorem left_stands e b : (0 <= e < never)%Z -> high_word.value e <= power 1000 -> stands 1000 b (real b) ->
   stands 1002 (left_of e b) (filter_doubles.less e (real b)).
 Proof.

@@ -9,7 +9,7 @@
    - examine    of each of these: what is taken from its list, whether there is a tour, suspects, what second looks renew and
                 with which numbers, the list that is left                                       examine
    - undo       what a call that fails takes back                                               undo_anchoring
-   - renew, write   expiries and bases of every point of a certificate                          commit_renewal, commit_evaluated, write_fresh
+   - renew, write   expiries, bases and thresholds of the points of a certificate                       commit_renewal, commit_evaluated, write_fresh
    - finish     whether a vertex is rebased, its base, threshold and list                       finish
    - settle, place  thresholds and lists after a settling; a new vertex                         set_room, place
    - over       every suspect was evaluated or is gone; no certificate is without a record
@@ -202,17 +202,16 @@ Definition after (y : system) (t : state) (i : Z) (points : list Z) o : system :
   with_certificates (with_vertices y (keep t points (vertices y)) (waiting y ++ rev (anchored t)) (size points)) (add i (kept_record t i points o) (certificates y)).
 
 (* A certificate that is gone, or a ridge by now, is not renewed. *)
+Definition dead (y : system) (n : Z * certificate * renewal) : bool :=
+  match find (fst (fst n)) (certificates y) with Some k => negb (Nat.eqb (length (of_points k)) 4) | None => true end.
 Fixpoint next_renewal (y : system) (i : Z) (l : renewals) : option ((Z * certificate * renewal) * renewals) :=
   match l with
   | [] => None
   | n :: l => if fst (fst n) =? i then Some (n, l)
-              else match find (fst (fst n)) (certificates y) with
-                   | Some k => if Nat.eqb (length (of_points k)) 4 then None else next_renewal y i l
-                   | None => next_renewal y i l
-                   end
+              else if dead y n then next_renewal y i l else None
   end.
 Definition renew (y : system) : reader system :=
-  i <- number; l <- many (pair number number);
+  i <- number; l <- many (pair number (pair number number));
   let points := map fst l in
   (* Another under the same number: its record is to follow. *)
   let y := match find i (certificates y) with
@@ -228,7 +227,7 @@ Definition renew (y : system) : reader system :=
       let k := match k with unequal _ _ => unequal of_now (fun _ => 0%R) | safe _ => safe of_now end in
       let t := commit_renewal (x_of y) (now y) (i, c, k) in
       must 12 (match find i (certificates y) with Some k => all2 Z.eqb (of_points k) points | None => false end &&
-               forallb (fun '(v, e) => expiry (record t i) v =? e) l)
+               forallb (fun '(v, (e, r)) => (expiry (record t i) v =? e) && same (room (at_ t v)) (value_of r)) l)
       (ret (with_open (after y t i points (circles y i)) (suspects y) others))
   end.
 
@@ -241,10 +240,11 @@ Definition write (y : system) : reader system :=
         end);
   let points := map fst l in
   let k := {| id := i; of := points : certificate; bound := tol |} in
+  let renewed_before := forallb (dead y) (renewed y) in
   let y := with_certificates y (add i {| of_points := points; expiries := []; kept_tolerance := 0; circle := None |} (certificates y)) in
   let t := if settling y then write_fresh (x_of y) (now y) k else commit_evaluated (x_of y) (now y) k in
-  must 13 (forallb (fun '(v, (b, e)) => same (base (at_ t v)) b && (expiry (record t i) v =? e)) l)
-  (let z := after y t i points o in ret (with_open z (without (suspects z) [i]) (renewed z))).
+  must 13 (renewed_before && forallb (fun '(v, (b, e)) => same (base (at_ t v)) b && (expiry (record t i) v =? e)) l)
+  (let z := after y t i points o in ret (with_open z (without (suspects z) [i]) [])).
 
 Definition finish_ (y : system) : reader system :=
   v <- number; rebased <- number; round <- many number; b <- real_number; t <- number; '(r, es) <- expiries_told;
@@ -260,8 +260,7 @@ Definition finish_ (y : system) : reader system :=
 
 Definition over (y : system) : reader system :=
   n <- number;
-  let dead (n : Z * certificate * renewal) := match find (fst (fst n)) (certificates y) with Some k => negb (Nat.eqb (length (of_points k)) 4) | None => true end in
-  must 15 (match waiting y, suspects y with [], [] => true | _, _ => false end && forallb dead (renewed y) &&
+  must 15 (match waiting y, suspects y with [], [] => true | _, _ => false end && forallb (dead y) (renewed y) &&
            (Z.of_nat (PositiveMap.cardinal (certificates y)) =? n))
   (ret (with_open y [] [])).
 

@@ -29,7 +29,7 @@ struct Trace {
         examine,       ///< vertex; 0 or 1: whether there was a tour; what it went round; suspects; renewals (id, d + 2 numbers); list
         undo,          ///< the step is taken back
         mend,          ///< certificates that are gone or have other points now; what follows is written down
-        renew,         ///< id; its points with their expiries: what a second look found is written down
+        renew,         ///< id; its points with expiry and threshold: what a second look found is written down
         write,         ///< id, tolerance; its points with base and expiry; the delimiter of a safe region
         finish,        ///< vertex; 0 or 1: whether it was rebased; what that went round; base, threshold, list
         over,          ///< how many certificates there are: the step is over
@@ -263,6 +263,7 @@ struct Trace {
         for (std::size_t k = 0; k < point.size(); ++k) {
             vertex(point[k]);
             word(o.expiries_.of_facet(r.facet, twin, k).bits());
+            word(o.vertex_[at(point[k])].threshold.bits());
         }
     }
     template <int d, class S, class Expiry_of>

@@ -4,7 +4,8 @@
 // Histories of triangulations that move, in the plane and in space, under `filter` and `filter-each`, with each of the second looks: steps of
 // all vertices, of some, of one, insertions, removals, settlings, calls that fail. Compiled with ANNULUS_TRACE the engine tells what it
 // decided (trace.h); a line is what it told of one history, as hexadecimal words, after two for the dimension and the bounds in use.
-// Ends when so many words have been written; on stderr how often what occurred.
+// Lines that begin with `table` are triangulations of the plane as they are after a call (audits.v). Ends when so many words
+// have been written; on stderr how often what occurred.
 #ifndef ANNULUS_TRACE
 #error "the engine and this are to be compiled with ANNULUS_TRACE"
 #endif
@@ -23,6 +24,7 @@
 namespace {
 using namespace annulus;
 
+std::vector<std::vector<std::uint64_t>> tables;  // of the history that is lived
 std::mt19937_64 generator;  // NOLINT(cert-msc32-c,cert-msc51-cpp): seeded in main
 std::uint64_t below(std::uint64_t n) { return generator() % n; }
 /// In [-1, 1), with all its bits.
@@ -84,7 +86,22 @@ struct History {
             } catch (const Error&) {
                 ++count["failed calls"];
             }
+            if constexpr (d == 2)
+                if (k % 4 == 3 || k + 1 == calls) tell_table(mesh);
         }
+    }
+
+    /// How many points and their coordinates, how many cells and their corners; nothing while all points are on a line.
+    static void tell_table(const Mesh& mesh) requires(d == 2) {
+        const Audit_input<2> in = mesh.audit_input();
+        if (in.cells.empty() || in.cells[0][2] == none) return;
+        std::swap(Trace::words, tables.emplace_back());
+        Trace::word(in.points.size());
+        for (const Point& p : in.points) Trace::numbers(p);
+        Trace::word(in.cells.size());
+        for (const auto& c : in.cells)
+            for (const Index v : c) Trace::vertex(v);
+        std::swap(Trace::words, tables.back());
     }
 
     void call(Mesh& mesh, double pace, const Point& wind) {
@@ -146,6 +163,12 @@ struct History {
     }
 };
 
+void write(const char* first, const std::vector<std::uint64_t>& words) {
+    std::printf("%s", first);
+    for (const std::uint64_t w : words) std::printf("%lx ", static_cast<unsigned long>(w));
+    std::printf("\n");
+}
+
 template <int d>
 void write_history(std::map<std::string, int>& count) {
     Trace::words.clear();
@@ -156,8 +179,9 @@ void write_history(std::map<std::string, int>& count) {
     History<d>(count).live();
     Trace::word(0);  // the end
     Trace::on = false;
-    for (const std::uint64_t w : Trace::words) std::printf("%lx ", static_cast<unsigned long>(w));
-    std::printf("\n");
+    write("", Trace::words);
+    for (const auto& t : tables) write("table ", t);
+    tables.clear();
 }
 }  // namespace
 

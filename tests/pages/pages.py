@@ -13,6 +13,7 @@ class Kind:
     sliders: int = 0  # <input type=range> whose `input` event changes a picture
     sorted_tables: int = 0
     status: int = 0
+    links: bool = False  # it leads to other pages
 
 
 KINDS = [
@@ -28,5 +29,11 @@ KINDS = [
     Kind("degeneracy", "degeneracy GRID", "degeneracy.html", ["Degenerate, exactly and nearly", "Quantiles"]),
     Kind("degeneracy-3", "degeneracy POINTS", "degeneracy.html", ["Distributions", "What arithmetic decides"]),
     Kind("degeneracy-motion", "degeneracy MOTION --every 2", "degeneracy.html"),
+    Kind("sweep", "sweep SPEC", "sweep.html", ["What was found", "Distributions", "Which arithmetic decides"]),
+    Kind("reproduce", "reproduce --quick --iterations 4 --only fig5,fig10", "index.html", ["Claims", "Figures", "Runs"], links=True),
+    Kind("reproduce-figure", "reproduce --quick --iterations 20 --only fig6,fig10,fig11", "figure-11.html", ["Claims", "Notes"], links=True),
+    Kind("reproduce-speed", "reproduce --quick --iterations 20 --only fig12", "figure-12.html", ["Speed-up"], links=True),
+    Kind("reproduce-plane", "reproduce --quick --iterations 30 --only fig7", "figure-7.html", ["Cumulated times"], links=True),
+    Kind("reproduce-unsound", "reproduce --quick --iterations 4 --only fig10", "unsound.html", ["Five points", "Every run"], links=True),
     Kind("degeneracy-flat", "degeneracy LINE", "degeneracy.html"),
 ]

@@ -11,7 +11,7 @@ import time
 
 import tool
 
-POINTS = ["uniform", "grid", "jittered", "cospherical", "clusters"]
+POINTS = ["uniform", "grid", "jittered", "cospherical", "clusters", "surface"]
 MOTIONS = ["walk", "shear", "orbit"]
 
 
@@ -44,6 +44,10 @@ class Generate(tool.ToolTest):
                         self.assertTrue(all(0 <= c <= 1 for p in points for c in p))
                     if kind == "cospherical":
                         self.assertTrue(all(abs(math.dist(p, [0.5] * dim) - 0.5) < 1e-15 for p in points))
+                    if kind == "surface":
+                        axes = [1, 0.8, 0.6]
+                        self.assertTrue(all(abs(math.hypot(*((c - 0.5) / a for c, a in zip(p, axes if dim == 3 else [1, 0.8]))) - 0.5) < 1e-15
+                                            for p in points))
                     if kind == "grid":
                         self.assertEqual(len({p[0] for p in points}), math.ceil(300 ** (1 / dim)))
 

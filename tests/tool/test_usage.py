@@ -9,7 +9,7 @@ import tool
 from tool import STRATEGIES, TRIANGLE, ToolTest
 
 
-SUBCOMMANDS = {"lloyd", "nodt", "replay", "compare", "audit", "degeneracy", "generate", "counterexample"}
+SUBCOMMANDS = {"lloyd", "nodt", "replay", "compare", "audit", "degeneracy", "generate", "sweep", "reproduce", "counterexample"}
 
 
 class Usage(ToolTest):
@@ -39,12 +39,15 @@ class Usage(ToolTest):
         self.succeed("lloyd", "--points", "20", "--iterations", "1", *common, "lloyd")
         self.succeed("compare", *common, "compare", "--", "lloyd", "--points", "20", "--iterations", "1")
         self.succeed("counterexample", *common, "example")
+        self.succeed("reproduce", "--quick", "--iterations", 1, "--only", "fig5", *common, "reproduce")
         self.succeed("nodt", "--sphere", "--vertices", "30", "--iterations", "1", *common, "nodt")
         self.write("motion.csv", "frame,id,x,y\n0,1,0,0\n0,2,1,0\n0,3,0,1\n1,1,0,0\n1,2,1,0\n1,3,0,1\n")
         self.succeed("replay", "motion.csv", *common, "replay")
         self.xyz("three.xyz", TRIANGLE)
         self.succeed("degeneracy", "three.xyz", *common, "degeneracy")
         self.succeed("generate", "grid", "--points", "9", *common, "points.csv")
+        self.write("spec.toml", "[[grid]]\npoints = 20\n")
+        self.succeed("sweep", "spec.toml", *common, "sweep")
         for name in SUBCOMMANDS - {"audit", "generate", "counterexample"}:
             self.assertTrue((self.here / name).is_dir(), name)
         done = self.succeed("audit", "lloyd/final.mesh", *common, "audit")

@@ -95,7 +95,7 @@ bool quotient(const Interval& determinant, const Norms& n, const detail::Scale& 
     if (!(n.least > 0.0)) return false;
     const double lower = detail::quotient_lower(determinant.lower(), n.most);
     const double upper = determinant.upper() / n.least;
-    if (!(upper - lower <= bounds::interval_slack * lower)) return false;
+    if (!detail::within_slack(lower, upper)) return false;
     out.lower = detail::unscaled_lower(lower, s);
     out.upper = upper / s.first / s.second;
     out.stage = Stage::interval;

@@ -58,11 +58,17 @@ template <std::size_t d, std::size_t k, class Evaluate>
 /// x / y, a lower bound; x, y >= 0.
 [[nodiscard]] inline double quotient_lower(double x, double y) { return -(-x / y); }
 
+/// Are the ends of a positive number as near to one another as the interval stage promises? What is allowed is rounded downward, which matters where it is
+/// subnormal.
+[[nodiscard]] inline bool within_slack(double lower, double upper) {
+    return upper - lower <= -(-bounds::interval_slack * lower);
+}
+
 /// The tolerance determinant / roots, still scaled, where it is within the stated slack; false elsewhere. determinant > 0.
 [[nodiscard]] inline bool quotient_lower_tight(const Interval& determinant, double roots_most, double roots_least,
                                                double& lower) {
     lower = quotient_lower(determinant.lower(), roots_most);
-    return determinant.upper() / roots_least - lower <= bounds::interval_slack * lower;
+    return within_slack(lower, determinant.upper() / roots_least);
 }
 
 /// Undoes the scale: exact unless the result is subnormal; then the quotient is still below.

@@ -25,6 +25,8 @@ Run add_compare_command(CLI::App& app, const Invocation& invocation);
 Run add_audit_command(CLI::App& app, const Invocation& invocation);
 Run add_degeneracy_command(CLI::App& app, const Invocation& invocation);
 Run add_generate_command(CLI::App& app, const Invocation& invocation);
+Run add_sweep_command(CLI::App& app, const Invocation& invocation);
+Run add_reproduce_command(CLI::App& app, const Invocation& invocation);
 Run add_counterexample_command(CLI::App& app, const Invocation& invocation);
 
 }  // namespace annulus::cli

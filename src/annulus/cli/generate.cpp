@@ -9,7 +9,6 @@
 #include <annulus/formats/write_frames.h>
 #include <annulus/motion/generated_motion.h>
 
-#include <array>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -23,27 +22,11 @@ namespace annulus::cli {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Point_family>, 5> point_families{
-    {{"uniform", Point_family::uniform},
-     {"grid", Point_family::grid},
-     {"jittered", Point_family::jittered},
-     {"cospherical", Point_family::cospherical},
-     {"clusters", Point_family::clusters}}};
-constexpr std::array<std::pair<std::string_view, Motion_family>, 3> motion_families{
-    {{"walk", Motion_family::walk}, {"shear", Motion_family::shear}, {"orbit", Motion_family::orbit}}};
-
 template <class Families>
 std::vector<std::string> words_of(const Families& families) {
     std::vector<std::string> words;
     for (const auto& family : families) words.emplace_back(family.first);
     return words;
-}
-
-template <class Family, std::size_t n>
-std::optional<Family> family_named(const std::array<std::pair<std::string_view, Family>, n>& families, std::string_view word) {
-    for (const auto& family : families)
-        if (family.first == word) return family.second;
-    return std::nullopt;
 }
 
 struct Generate_call {
@@ -111,7 +94,7 @@ Run add_generate_command(CLI::App& app, const Invocation&) {
     std::vector<std::string> kinds = words_of(point_families);
     for (const std::string& motion : words_of(motion_families)) kinds.push_back(motion);
     sub->add_option("KIND", a->kind,
-                    "Points of the unit square or cube: uniform, grid, jittered, cospherical, clusters;\n"
+                    "Points of the unit square or cube: uniform, grid, jittered, cospherical, clusters, surface;\n"
                     "or a motion of such points: walk, shear, orbit")
         ->required()
         ->check(CLI::IsMember(kinds));

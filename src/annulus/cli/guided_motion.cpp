@@ -42,12 +42,23 @@ Guided_nodt::Guided_nodt(const Nodt_arguments& arguments, const Common_arguments
 bool Guided_nodt::next(Timestamp<3>& t) {
     const auto start = Clock::now();
     t.x.resize(scene_.points.size());
-    mesh_.read(guide_, cells_changed_, *scene_.domain, threads_);
-    const Nodt_step step = nodt_.step(mesh_.kept(), mesh_.points(), t.x, memory_);
+    read_mesh();
+    last_ = nodt_.step(mesh_.kept(), mesh_.points(), t.x, memory_);
     cells_changed_ = changes_cells(guide_.move_all(std::span<const Coordinates<3>>(t.x)));
-    t.way = {step.mean_displacement, step.max_displacement};
+    read_ = false;
+    t.way = {last_.mean_displacement, last_.max_displacement};
     t.seconds = since(start);
     return true;
+}
+
+void Guided_nodt::read_mesh() {
+    if (!read_) mesh_.read(guide_, cells_changed_, *scene_.domain, threads_);
+    read_ = true;
+}
+
+Mesh_step Guided_nodt::quality() {
+    read_mesh();
+    return measured(mesh_, last_);
 }
 
 Picture Guided_nodt::picture(const Moving& dt, std::string caption) const {

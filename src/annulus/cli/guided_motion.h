@@ -47,6 +47,9 @@ class Guided_lloyd {
     bool next(Timestamp<2>& t);
     [[nodiscard]] static bool at_end() { return false; }
     [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const;
+    /// The triangulation of its own.
+    [[nodiscard]] const Moving& guide() const { return guide_; }
+    [[nodiscard]] const std::vector<std::string>& notes() const { return scene_.notes; }
 
   private:
     Lloyd_scene scene_;
@@ -69,14 +72,22 @@ class Guided_nodt {
     bool next(Timestamp<3>& t);
     [[nodiscard]] static bool at_end() { return false; }
     [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const;
+    [[nodiscard]] const Moving& guide() const { return guide_; }
+    [[nodiscard]] const std::vector<std::string>& notes() const { return scene_.notes; }
+    /// Of its mesh where it is now; what rested did so in the last step.
+    [[nodiscard]] Mesh_step quality();
 
   private:
+    void read_mesh();
+
     int threads_;
     Nodt_scene scene_;
     Moving guide_;
     Nodt_3 nodt_;
     Mesh_3 mesh_;
     Nodt_memory memory_;
+    Nodt_step last_;
+    bool read_ = true;  // mesh_ is where the guide is
     bool cells_changed_ = true;
 };
 

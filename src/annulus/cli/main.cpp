@@ -83,6 +83,8 @@ int run(int argc, char** argv) {
     commands["audit"] = add_audit_command(app, invocation);
     commands["degeneracy"] = add_degeneracy_command(app, invocation);
     commands["generate"] = add_generate_command(app, invocation);
+    commands["sweep"] = add_sweep_command(app, invocation);
+    commands["reproduce"] = add_reproduce_command(app, invocation);
     commands["counterexample"] = add_counterexample_command(app, invocation);
     std::reverse(outer.begin(), outer.end());
     try {

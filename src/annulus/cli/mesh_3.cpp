@@ -2,6 +2,7 @@
 #include <annulus/cli/mesh_3.h>
 
 #include <annulus/report/cut_picture.h>
+#include <annulus/statistics/mesh_quality.h>
 
 #include <algorithm>
 #include <utility>
@@ -46,6 +47,20 @@ Picture Mesh_3::cut(std::string caption) const {
         if (high[k] - low[k] < high[axis] - low[axis]) axis = k;
     const double at = 0.5 * (low[axis] + high[axis]);
     return cut_picture(cells(), inside(), points_, axis, at, std::move(caption) + ", cut across " + "xyz"[axis]);
+}
+
+Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step) {
+    const Mesh_quality q = mesh_quality(mesh.cells(), mesh.inside(), mesh.points());
+    const auto counts = q.dihedral.counts();
+    return {.vertices = q.vertices,
+            .boundary = q.boundary,
+            .locked = step.locked,
+            .kept = step.kept,
+            .cells = q.cells,
+            .slivers = q.slivers,
+            .dihedral_min = q.cells > 0 ? q.dihedral.min() : 0,
+            .dihedral_max = q.cells > 0 ? q.dihedral.max() : 0,
+            .dihedral = {counts.begin(), counts.end()}};
 }
 
 Picture picture_of(const Moving_delaunay_3& dt, std::string caption) {

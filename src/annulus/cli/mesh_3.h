@@ -3,6 +3,7 @@
 
 #include <annulus/cli/tracker.h>
 #include <annulus/motion/kept_cells_3.h>
+#include <annulus/motion/nodt_3.h>
 
 #include <span>
 #include <string>
@@ -36,6 +37,9 @@ class Mesh_3 {
     std::vector<char> all_;  // flags where there is no domain
     bool domain_ = false;
 };
+
+/// The mesh after a step as the files tell it; what rested did so in that step.
+[[nodiscard]] Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step);
 
 /// All cells of the triangulation, cut as above.
 [[nodiscard]] Picture picture_of(const Moving_delaunay_3& dt, std::string caption);

@@ -28,20 +28,6 @@ struct Nodt_call {
     Frame_arguments frames;
 };
 
-Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step) {
-    const Mesh_quality q = mesh_quality(mesh.cells(), mesh.inside(), mesh.points());
-    const auto counts = q.dihedral.counts();
-    return {.vertices = q.vertices,
-            .boundary = q.boundary,
-            .locked = step.locked,
-            .kept = step.kept,
-            .cells = q.cells,
-            .slivers = q.slivers,
-            .dihedral_min = q.cells > 0 ? q.dihedral.min() : 0,
-            .dihedral_max = q.cells > 0 ? q.dihedral.max() : 0,
-            .dihedral = {counts.begin(), counts.end()}};
-}
-
 std::string filled(const Mesh_3& mesh, const Domain_3& domain) {
     double sum = 0;
     for (std::size_t c = 0; c < mesh.cells().size(); ++c)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/result_files.h>
+#include <annulus/experiment/sweep_files.h>
 #include <annulus/formats/directory_lock.h>
 
 #include <algorithm>
@@ -12,8 +13,8 @@ namespace annulus::cli {
 namespace {
 
 /// These tell what a directory holds. Each states its command.
-constexpr std::array<std::string_view, 5> heads{"summary.json", "compare.json", "audit.json", "degeneracy.json",
-                                                "counterexample.json"};
+constexpr std::array<std::string_view, 7> heads{"summary.json", "compare.json", "audit.json", "degeneracy.json",
+                                                "counterexample.json", "reproduction.json", "sums.json"};
 constexpr std::array<std::string_view, 12> others{"iterations.csv", "dihedral.csv", "final.mesh",      "domain.mesh",
                                                   "final.vtu",      "report.html",  "degeneracy.html", "degeneracy.csv",
                                                   "frames.pvd",     "voronoi.csv",  "changes.csv",  "stipples.svg"};
@@ -49,8 +50,15 @@ std::string directory_of(const Common_arguments& a, bool interrupted) {
 
 }  // namespace
 
+/// A page of `reproduce` or a table beside it: figure-7.html, figure-7a.csv.
+bool is_of_reproduction(std::string_view name) {
+    const bool known = name == "index.html" || name == "claims.csv" || name.starts_with("unsound.") || name.starts_with("figure-") ||
+                       name.starts_with("slivers.") || name.starts_with("locked.");
+    return known && (name.ends_with(".html") || name.ends_with(".csv"));
+}
+
 bool is_result(std::string_view name) {
-    return is_one_of(heads, name) || is_one_of(others, name) || is_frame(name) ||
+    return is_one_of(heads, name) || is_one_of(others, name) || is_sweep_file(name) || is_frame(name) || is_of_reproduction(name) ||
            (name.starts_with("iterations-") && name.ends_with(".csv"));
 }
 

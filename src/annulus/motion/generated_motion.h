@@ -15,6 +15,8 @@ enum class Motion_family {
     shear,  ///< x grows with y: layers slide over each other
     orbit,  ///< each point circles around a place of its own, half a spacing away, every other one backwards
 };
+inline constexpr std::array<std::pair<std::string_view, Motion_family>, 3> motion_families{
+    {{"walk", Motion_family::walk}, {"shear", Motion_family::shear}, {"orbit", Motion_family::orbit}}};
 
 /// A motion of points. A spacing is that of a grid of as many in the square or cube.
 template <int d>

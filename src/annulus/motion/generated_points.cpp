@@ -104,6 +104,12 @@ std::vector<Coordinates<d>> generate(Point_family family, std::size_t n, std::ui
         case Point_family::cospherical:
             for (auto& p : points) p = point_on_sphere<d>(random);
             break;
+        case Point_family::surface:
+            for (auto& p : points) {
+                p = point_on_sphere<d>(random);
+                for (std::size_t k = 1; k < d; ++k) p[k] = 0.5 + (p[k] - 0.5) * (k == 1 ? 0.8 : 0.6);
+            }
+            break;
         default:
             for (auto& p : points) p = uniform_point<d>(random);
     }

@@ -3,9 +3,13 @@
 
 #include <annulus/arithmetic/coordinates.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <random>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace annulus {
@@ -17,7 +21,25 @@ enum class Point_family {
     jittered,     ///< the same, each coordinate moved by at most a quarter of the grid's spacing
     cospherical,  ///< on one circle or sphere, as well as doubles can
     clusters,     ///< around a centre for each hundred points, as wide as six decades tell
+    surface,      ///< on an ellipse or ellipsoid with axes 1, 0.8, 0.6, as well as doubles can
 };
+/// Their names, as in the tool.
+inline constexpr std::array<std::pair<std::string_view, Point_family>, 6> point_families{
+    {{"uniform", Point_family::uniform},
+     {"grid", Point_family::grid},
+     {"jittered", Point_family::jittered},
+     {"cospherical", Point_family::cospherical},
+     {"clusters", Point_family::clusters},
+     {"surface", Point_family::surface}}};
+
+/// The one of that name in a list like `point_families`.
+template <class Family, std::size_t n>
+[[nodiscard]] std::optional<Family> family_named(const std::array<std::pair<std::string_view, Family>, n>& families,
+                                                 std::string_view name) {
+    for (const auto& family : families)
+        if (family.first == name) return family.second;
+    return std::nullopt;
+}
 
 /// The same numbers for a seed wherever doubles are: nothing but their arithmetic and square roots.
 class Portable_random {

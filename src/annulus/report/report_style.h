@@ -20,6 +20,7 @@ h1{font-size:1.7rem;line-height:1.2;font-weight:600;margin:0 0 10px;letter-spaci
 h2{font-size:1.12rem;font-weight:600;margin:52px 0 14px;padding-top:14px;border-top:1px solid var(--rule)}
 h3{font-size:.95rem;font-weight:600;margin:0 0 6px}
 p{margin:0 0 10px;max-width:46em}
+a{color:var(--c0)}
 code{font:.86em/1.5 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace;overflow-wrap:anywhere}
 .command{color:var(--soft);margin-bottom:24px}
 .verdict{font-weight:600}.bad{color:var(--bad)}.good{color:var(--good)}
@@ -35,6 +36,8 @@ th,td{padding:6px 0;border-bottom:1px solid var(--rule);text-align:left;vertical
 .wide th:first-child{text-align:left;padding-left:0;position:sticky;left:0;background:var(--bg)}
 .wide thead th{color:var(--soft);font-size:.88rem;white-space:normal}
 .wide th:last-child,.wide td:last-child{padding-right:0}
+.claims{min-width:860px;font-size:.93rem}.claims th,.claims td{padding:9px 14px 9px 0;vertical-align:top;width:20%}
+.claims td:nth-child(2){width:9%}.claims thead th{color:var(--soft);font-size:.88rem}
 .sortable button{all:unset;cursor:pointer}
 .sortable button:hover,.sortable [aria-sort] button{color:var(--ink)}
 .sortable button:focus-visible{outline:2px solid var(--c0);outline-offset:3px}

@@ -23,11 +23,23 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// So many certificates at a time are gathered for the ladder.
 constexpr std::size_t batch = 4096;
 
-Distribution distribution(Distribution empty, std::vector<double> samples) {
-    empty.histogram.add(samples);
-    if (!samples.empty()) empty.quantiles = quantiles(std::move(samples), Distribution::probabilities);
-    return empty;
-}
+/// Samples of one distribution on their way into it: all of them are kept only where quantiles are wanted.
+class Samples {
+  public:
+    explicit Samples(Distribution empty = {}) : distribution_(std::move(empty)) {}
+    void add(double sample, bool keep) {
+        distribution_.histogram.add(sample);
+        if (keep) kept_.push_back(sample);
+    }
+    Distribution result() {
+        if (!kept_.empty()) distribution_.quantiles = quantiles(std::move(kept_), Distribution::probabilities);
+        return std::move(distribution_);
+    }
+
+  private:
+    Distribution distribution_;
+    std::vector<double> kept_;
+};
 Distribution angles() { return {Histogram::linear(0, std::numbers::pi / 2, 36)}; }
 
 /// Where the line through p and q meets the facet: inside (1), outside (-1), or on its border (0).
@@ -150,11 +162,12 @@ class Survey {
             if (d == 3)
                 count(
                     h.standard, width_samples_[3], r_.standard, {}, [&] { return exactly().standard; }, nullptr);
-            tell(Raw_certificate<d>::Kind::bicell, b.point[i], h.least, i);
+            const double theta = theta_of(b.tuple[i]);
+            tell(Raw_certificate<d>::Kind::bicell, b.point[i], h.least, i, theta);
             const int convex = convexity(std::span(verdict_).subspan(i * d, d));
             r_.non_convex += convex < 0 ? 1U : 0U;
             r_.flat += convex == 0 ? 1U : 0U;
-            theta_samples_.push_back(theta_of(b.tuple[i]));
+            theta_samples_.add(theta, options_.quantiles);
             paper_.note_bicell(b.id[i], h);
         }
         b.clear();
@@ -182,7 +195,7 @@ class Survey {
 
     template <class I, class Note>
     void take_simplices(Batch<I, Simplex>& b, typename Raw_certificate<d>::Kind kind, Certificate_counts& counts,
-                        std::vector<double>& samples, Note note) {
+                        Samples& samples, Note note) {
         judge(b, counts);
         half_.resize(b.id.size());
         enclose(std::span<const Simplex>(b.tuple), Width::least, std::span(half_));
@@ -197,9 +210,9 @@ class Survey {
 
     /// After its width was counted, which may have made it narrower.
     void tell(typename Raw_certificate<d>::Kind kind, const Facet_points<d>& points, const Half_width& h,
-              std::size_t i) const {
+              std::size_t i, double theta = 0) const {
         if (options_.raw)
-            options_.raw({kind, points, 2 * h.lower, 2 * h.upper, judged_[i].tolerance, judged_[i].stage});
+            options_.raw({kind, points, 2 * h.lower, 2 * h.upper, judged_[i].tolerance, judged_[i].stage, theta});
     }
 
     /// The ladder, as a run has it, for stages and tolerances.
@@ -215,7 +228,7 @@ class Survey {
 
     /// Enters one half width into the counts: of widths as they are, of tolerances at the points that it limits.
     template <class Exactly>
-    void count(Half_width& h, std::vector<double>& samples, Width_counts& counts, const Facet_points<d>& points,
+    void count(Half_width& h, Samples& samples, Width_counts& counts, const Facet_points<d>& points,
                Exactly exactly, std::uint64_t* integers) {
         bool asked = h.stage == Stage::exact;
         const auto below = [&](double y) {
@@ -233,7 +246,7 @@ class Survey {
             if (below(y / 2)) ++counts.below[k];
             if (integers != nullptr && below(y)) mark |= 2U << k;
         }
-        samples.push_back(2 * h.lower / r_.spacing);
+        samples.add(2 * h.lower / r_.spacing, options_.quantiles);
         if (integers == nullptr) return;
         *integers += asked ? 1U : 0U;
         for (const Index v : points)
@@ -241,35 +254,39 @@ class Survey {
     }
 
     void sum_up() {
-        const auto relative = [this](std::vector<double> x) {
-            for (double& s : x) s /= r_.spacing;
-            return x;
+        const auto relative = [this](const std::vector<double>& lengths) {
+            Samples samples;
+            for (const double x : lengths) samples.add(x / r_.spacing, options_.quantiles);
+            return samples.result();
         };
-        r_.bicells.least.width = distribution({}, std::move(width_samples_[0]));
-        r_.cells.least.width = distribution({}, std::move(width_samples_[1]));
-        r_.ridges.least.width = distribution({}, std::move(width_samples_[2]));
-        if (d == 3) r_.standard.width = distribution({}, std::move(width_samples_[3]));
-        r_.theta = distribution(angles(), std::move(theta_samples_));
+        r_.bicells.least.width = width_samples_[0].result();
+        r_.cells.least.width = width_samples_[1].result();
+        r_.ridges.least.width = width_samples_[2].result();
+        if (d == 3) r_.standard.width = width_samples_[3].result();
+        r_.theta = theta_samples_.result();
         Vertex_counts& v = r_.vertices;
         v.total = x_.size();
         for (const unsigned mark : marks_) {
             v.zero += mark & 1U;
             for (std::size_t k = 0; k < v.below.size(); ++k) v.below[k] += mark >> (k + 1) & 1U;
         }
-        v.certified = distribution({}, relative(std::move(tolerance_)));
+        v.certified = relative(tolerance_);
         const Paper_verdict p = paper_.verdict(x_);
         v.paper_above_exact = p.above_exact;
         v.paper_unsound = p.unsound;
         v.unsound_certificates = p.certificates;
-        v.paper = distribution({}, relative(p.tolerance));
+        v.paper = relative(p.tolerance);
+        for (std::size_t i = 0; i < p.exact.size(); ++i) v.paper_ratio.add(p.tolerance[i] / p.exact[i]);  // 0 / 0 is no number
+        if (options_.unsound)
+            for (const auto& points : p.points) options_.unsound(points);
     }
 
     const Cell_table<d>& t_;
     std::span<const Coordinates<d>> x_;
     const Degeneracy_options<d>& options_;
     Degeneracy r_;
-    std::array<std::vector<double>, 4> width_samples_;  // bi-cells, cells, ridges, standard annuli
-    std::vector<double> theta_samples_;
+    std::array<Samples, 4> width_samples_;  // bi-cells, cells, ridges, standard annuli
+    Samples theta_samples_{angles()};
     std::vector<double> tolerance_;  // by vertex
     std::vector<unsigned> marks_;    // by vertex: tolerance 0, tolerance below threshold k in bit k + 1
     Paper_tolerance<d> paper_;

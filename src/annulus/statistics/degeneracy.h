@@ -27,7 +27,7 @@ struct Distribution {
     static constexpr std::array<double, 10> probabilities{0, 0.001, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 1};
 
     Histogram histogram = Histogram::log10(1e-18, 1e4, 88);
-    std::vector<double> quantiles{};  ///< at `probabilities`; empty without samples
+    std::vector<double> quantiles{};  ///< at `probabilities`; empty without samples, or where nobody wants them
 };
 
 /// How many of some widths are 0 and nearly 0. Every count is certified: a width is a real number, compared exactly.
@@ -59,6 +59,9 @@ struct Vertex_counts {
     /// and all stay within their tolerances.
     std::uint64_t paper_unsound = 0;
     std::uint64_t unsound_certificates = 0;
+    /// The paper's tolerance over the least half width of the certificates that contain the vertex, ours: above 1 it is no tolerance of
+    /// that certificate. Both from lower ends, so good to 2^-9. Overflow where only the latter is 0; where both are there is no sample.
+    Histogram paper_ratio = Histogram::log10(1e-2, 1e6, 320);
 };
 
 /// How degenerate a Delaunay triangulation is.
@@ -93,6 +96,7 @@ struct Raw_certificate {
                0;          ///< ends of an enclosure of its width (Certificate_counts::least), in the unit of the points
     double tolerance = 0;  ///< of each of its points, certified
     Stage stage = Stage::filter;  ///< that gave sign and tolerance
+    double theta = 0;             ///< of a bi-cell, in radians
 };
 
 template <int d>
@@ -101,8 +105,12 @@ struct Degeneracy_options {
     std::vector<std::pair<std::string, double>> thresholds{
         {"1e-3", 1e-3}, {"1e-6", 1e-6}, {"1e-9", 1e-9}, {"1e-12", 1e-12}};
     static constexpr std::size_t most_thresholds = 30;
+    /// Distributions have quantiles, for which all samples are kept until the end: eight bytes each.
+    bool quantiles = true;
     /// Told of every certificate, where there is anybody.
     std::function<void(const Raw_certificate<d>&)> raw{};
+    /// Told of every unsound certificate (Vertex_counts), where there is anybody: its points as the ladder takes them.
+    std::function<void(std::span<const Index>)> unsound{};
 };
 
 /// Precondition: t is a Delaunay triangulation of the points x, which are in the coordinate domain and span the space. A bi-cell costs a

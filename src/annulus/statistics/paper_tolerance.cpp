@@ -94,6 +94,21 @@ void Paper_tolerance<d>::refine(std::span<const Coordinates<d>> x) {
 }
 
 template <int d>
+std::vector<double> Paper_tolerance<d>::least_of_all() const {
+    std::vector<double> least(vertices_, infinity);
+    const auto lower = [&](Index v, double y) { least[at(v)] = std::min(least[at(v)], y); };
+    for (const Corner_index f : t_.facets()) {
+        const Facet_certificate<d> p = certificate_of(t_, f);
+        if (p.kind != Facet_kind::empty_sphere && p.kind != Facet_kind::ridge) continue;
+        for (const Index v : p.point)
+            if (v != none) lower(v, facet_[f].lower);
+    }
+    for (const Cell_index c : t_.finite_cells())
+        for (const Index v : cell_points(t_, c)) lower(v, cell_[c].lower);
+    return least;
+}
+
+template <int d>
 Paper_verdict Paper_tolerance<d>::verdict(std::span<const Coordinates<d>> x) {
     take_least();
     refine(x);
@@ -108,11 +123,13 @@ Paper_verdict Paper_tolerance<d>::verdict(std::span<const Coordinates<d>> x) {
         }
         if (!all) return;
         ++out.certificates;
+        out.points.emplace_back(points.begin(), points.end());
         for (const Index v : points) unsound[at(v)] = 1;
     });
     out.above_exact = static_cast<std::uint64_t>(std::count(above.begin(), above.end(), 1));
     out.unsound = static_cast<std::uint64_t>(std::count(unsound.begin(), unsound.end(), 1));
     for (const Half_width& l : least_) out.tolerance.push_back(l.lower);
+    out.exact = least_of_all();
     return out;
 }
 

@@ -13,9 +13,11 @@ namespace annulus {
 /// What became of the paper's tolerances.
 struct Paper_verdict {
     std::vector<double> tolerance;   ///< by vertex, lower end
+    std::vector<double> exact;       ///< by vertex, the least half width of our certificates that contain it, lower end
     std::uint64_t above_exact = 0;   ///< vertices whose tolerance is above the half width of a certificate they are in
     std::uint64_t unsound = 0;       ///< vertices of the certificates below
     std::uint64_t certificates = 0;  ///< whose half width is below the tolerances of all their points
+    std::vector<std::vector<Index>> points;  ///< theirs, as the ladder takes them: d + 2 of a bi-cell, d + 1 of a cell or a ridge
 };
 
 /// Compares the paper's tolerances with the half widths of certificates, both enclosed.
@@ -49,6 +51,7 @@ class Paper_tolerance {
 
   private:
     void take_least();
+    [[nodiscard]] std::vector<double> least_of_all() const;
     template <class Visit>
     void for_each_certificate(Visit visit);
     void refine(std::span<const Coordinates<d>> x);

@@ -3,8 +3,7 @@
 From Coq Require Import ZArith List Bool.
 From Flocq Require Import IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
-From Annulus Require Import operations filter_2 filter_3.
-From Annulus_link Require Import interval_2.
+From Annulus Require Import operations filter_2 filter_3 interval_2.
 Import ListNotations.
 Close Scope float_scope.
 
@@ -29,8 +28,7 @@ Definition greatest (f : partition intervals -> double) (t : bicell_terms interv
 Definition roots (bound : interval -> double) (k : partition intervals) : double :=
   sum_of_roots (bound (inner_3 intervals k)) (bound (outer_3 intervals k)).
 
-(* Cells where needed. *)
-Definition accept_bicell (s : option (double * double)) (t : bicell_terms intervals) : answer float :=
+Definition accept_bicell (s : option (double * double)) (t : bicell_terms intervals) (use : cells) : answer float :=
   let det := insphere _ t : interval in
   let sides := [side _ (ab_cpq _ t) : interval; side _ (ca_bpq _ t) : interval; side _ (bc_apq _ t) : interval] in
   let backward := existsb (fun l => negb (below nought (lower l))) sides in
@@ -39,16 +37,17 @@ Definition accept_bicell (s : option (double * double)) (t : bicell_terms interv
     match quotient_lower_tight det (greatest (roots upper) t) (greatest (roots lower) t) with
     | None => refused
     | Some annuli =>
-        if backward then
+        if match use with never => false | where_needed => backward | always => true end then
           match width_lower (cell_p _ t) (cell_p_slab _ t), width_lower (cell_q _ t) (cell_q_slab _ t) with
           | Some p, Some q =>
-              if negb certainly && below (least p q) annuli then refused else positive (to_float (back s (least annuli (least p q))))
+              if match use with where_needed => negb certainly && below (least p q) annuli | _ => false end
+              then refused else positive (to_float (back s (least annuli (least p q))))
           | _, _ => refused
           end
         else positive (to_float (back s annuli))
     end
   else if below (upper det) nought then negative 0%float else refused.
 
-Definition empty_sphere_3_interval (a b c p q : vector_3 machine) : answer float :=
+Definition empty_sphere_3_interval (a b c p q : vector_3 machine) (use : cells) : answer float :=
   let s := scale_of (largest_coordinate (pairs_3 b a ++ pairs_3 c a ++ pairs_3 p a ++ pairs_3 q a)) in
-  accept_bicell s (bicell intervals (i_vector_3 s b a) (i_vector_3 s c a) (i_vector_3 s p a) (i_vector_3 s q a)).
+  accept_bicell s (bicell intervals (i_vector_3 s b a) (i_vector_3 s c a) (i_vector_3 s p a) (i_vector_3 s q a)) use.

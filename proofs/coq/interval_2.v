@@ -25,24 +25,46 @@ Definition most (a b : double) := if below a b then b else a.
 Record interval := { lower : double; upper : double }.
 Definition exactly (a : double) := {| lower := a; upper := a |}.
 
-Definition i_add (a b : interval) := {| lower := plus mode_DN (lower a) (lower b); upper := plus mode_UP (upper a) (upper b) |}.
-Definition i_sub (a b : interval) := {| lower := minus mode_DN (lower a) (upper b); upper := minus mode_UP (upper a) (lower b) |}.
-(* Boost tells nine cases apart; each is the least and the greatest of four products, by monotony of rounding. *)
+(* One mode, upward: a lower end is the opposite of an upper one (rounded_arith_opp). *)
+Definition add_down (a b : double) := Bopp (minus mode_UP (Bopp a) b).
+Definition sub_down (a b : double) := Bopp (minus mode_UP b a).
+Definition mul_down (a b : double) := Bopp (times mode_UP a (Bopp b)).
+Definition quotient_lower (a b : double) := Bopp (over mode_UP (Bopp a) b).
+
+Definition i_add (a b : interval) := {| lower := add_down (lower a) (lower b); upper := plus mode_UP (upper a) (upper b) |}.
+Definition i_sub (a b : interval) := {| lower := sub_down (lower a) (upper b); upper := minus mode_UP (upper a) (lower b) |}.
+Definition i_opp (a : interval) := {| lower := Bopp (upper a); upper := Bopp (lower a) |}.
+(* The cases of boost/numeric/interval/arith.hpp. *)
 Definition i_mul (a b : interval) :=
-  let products m := (times m (lower a) (lower b), times m (lower a) (upper b), times m (upper a) (lower b), times m (upper a) (upper b)) in
-  let '(p, q, r, s) := products mode_DN in
-  let '(p', q', r', s') := products mode_UP in
-  {| lower := least (least p q) (least r s); upper := most (most p' q') (most r' s') |}.
+  let xl := lower a in let xu := upper a in let yl := lower b in let yu := upper b in
+  let nothing := exactly nought in
+  let ends l u := {| lower := l; upper := u |} in
+  if below xl nought then
+    if below nought xu then
+      if below yl nought then
+        if below nought yu then ends (least (mul_down xl yu) (mul_down xu yl)) (most (times mode_UP xl yl) (times mode_UP xu yu))
+        else ends (mul_down xu yl) (times mode_UP xl yl)
+      else if below nought yu then ends (mul_down xl yu) (times mode_UP xu yu) else nothing
+    else
+      if below yl nought then
+        if below nought yu then ends (mul_down xl yu) (times mode_UP xl yl) else ends (mul_down xu yu) (times mode_UP xl yl)
+      else if below nought yu then ends (mul_down xl yu) (times mode_UP xu yl) else nothing
+  else if below nought xu then
+    if below yl nought then
+      if below nought yu then ends (mul_down xu yl) (times mode_UP xu yu) else ends (mul_down xu yl) (times mode_UP xl yu)
+    else if below nought yu then ends (mul_down xl yl) (times mode_UP xu yu) else nothing
+  else nothing.
 Definition i_square (a : interval) :=
-  if below (upper a) nought then {| lower := times mode_DN (upper a) (upper a); upper := times mode_UP (lower a) (lower a) |}
-  else if below nought (lower a) then {| lower := times mode_DN (lower a) (lower a); upper := times mode_UP (upper a) (upper a) |}
-  else {| lower := nought; upper := most (times mode_UP (lower a) (lower a)) (times mode_UP (upper a) (upper a)) |}.
+  let xl := lower a in let xu := upper a in
+  if below xu nought then {| lower := mul_down xu xu; upper := times mode_UP xl xl |}
+  else if below nought xl then {| lower := mul_down xl xl; upper := times mode_UP xu xu |}
+  else {| lower := nought; upper := if below xu (Bopp xl) then times mode_UP xl xl else times mode_UP xu xu |}.
 Definition i_max (a b : interval) := {| lower := most (lower a) (lower b); upper := most (upper a) (upper b) |}.
 
 Definition intervals : operations := {|
   number := interval;
   add := i_add; sub := i_sub; mul := i_mul; div a _ := a; root a := a; square := i_square; greater := i_max;
-  opposite a := {| lower := Bopp (upper a); upper := Bopp (lower a) |}; magnitude a := a;
+  opposite := i_opp; magnitude a := a;
   less _ _ := false; less_equal _ _ := false;  (* like div, root, magnitude: not used *)
   constant c := exactly (of_float c) |}.
 
@@ -66,18 +88,16 @@ Definition i_difference (s : option (double * double)) (i j : float) : interval 
   match s with None => d | Some (first, second) => i_mul (i_mul d (exactly first)) (exactly second) end.
 Definition scale_of (m : double) : option (double * double) := if unscaled m then None else Some (split_scale m).
 Definition back (s : option (double * double)) (y : double) : double :=
-  match s with
-  | None => over mode_DN (over mode_DN y (of_float 1%float)) (of_float 1%float)
-  | Some (first, second) => over mode_DN (over mode_DN y first) second
-  end.
+  let (first, second) := match s with None => (of_float 1%float, of_float 1%float) | Some f => f end in
+  quotient_lower (quotient_lower y first) second.
 
 Definition interval_slack := (0x1p-10)%float.
 Definition sum_of_roots (a b : double) := plus mode_UP (root_of mode_UP a) (root_of mode_UP b).
 
 (* quotient_lower_tight, None where it is not tight; det is positive. *)
 Definition quotient_lower_tight (det : interval) (roots_most roots_least : double) : option double :=
-  let low := over mode_DN (lower det) roots_most in
-  if Bleb (minus mode_UP (over mode_UP (upper det) roots_least) low) (times mode_UP (of_float interval_slack) low)
+  let low := quotient_lower (lower det) roots_most in
+  if Bleb (minus mode_UP (over mode_UP (upper det) roots_least) low) (Bopp (times mode_UP (Bopp (of_float interval_slack)) low))
   then Some low else None.
 
 Definition accept_interval (s : option (double * double)) (t : width_terms intervals) : answer float :=

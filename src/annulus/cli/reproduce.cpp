@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The paper's figures and claims, from runs made here.
+#include <annulus/arithmetic/error.h>
+#include <annulus/cli/arguments.h>
+#include <annulus/cli/commands.h>
+#include <annulus/cli/interruption.h>
+#include <annulus/cli/progress.h>
+#include <annulus/cli/reproduction_scenes.h>
+#include <annulus/cli/result_files.h>
+#include <annulus/formats/input_error.h>
+#include <annulus/reproduction/parts.h>
+#include <annulus/reproduction/reproduction.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace annulus::cli {
+
+namespace {
+
+struct Reproduce_call {
+    Common_arguments common;
+    Reproduction_size size;
+    std::string surfaces;
+};
+
+/// What the paper's bodies are read from, in a directory that tools/meshes fills.
+constexpr const char* surface_files[] = {"man.off", "bunny00.off", "liver.inr.gz"};
+
+std::string machine() {
+    std::string model = "unknown processor", line;
+    std::ifstream cpus("/proc/cpuinfo");
+    while (std::getline(cpus, line))
+        if (line.starts_with("model name")) {
+            model = line.substr(line.find(':') + 2);
+            break;
+        }
+#if defined(__clang__)
+    const std::string compiler = "clang " __clang_version__;
+#else
+    const std::string compiler = "g++ " __VERSION__;
+#endif
+    return model + ", " + counted(std::thread::hardware_concurrency(), "processor") + ", " + compiler;
+}
+
+/// All that results depend on, but for the machine.
+std::string description(const Reproduce_call& a) {
+    std::string only;
+    for (const std::string& topic : a.size.only) only += (only.empty() ? "" : ",") + topic;
+    return std::string("annulus " ANNULUS_VERSION) + (a.size.quick ? " quick" : " whole") +
+           " iterations=" + std::to_string(a.size.iterations) + " seed=" + std::to_string(a.size.seed) +
+           " only=" + only + " surfaces=" + (a.surfaces.empty() ? "no" : "yes");
+}
+
+Race_record run_part(const Part_plan& part, const Reproduce_call& a, Progress& progress, std::uint64_t before) {
+    const Race_listener listener = [&](std::uint64_t step, const std::string& news) {
+        progress.show(before + step, part.race.name + ": " + news);
+        return !Interruption_guard::interrupted();
+    };
+    Common_arguments common = a.common;
+    common.quiet = true;  // notes are on the pages
+    if (part.motion.dimension == 2) return race<2>(*plane_scene(part.motion, common), part.race, listener);
+    return race<3>(*space_scene(part.motion, a.surfaces, common), part.race, listener);
+}
+
+int run(Reproduce_call a, const std::string& command) {
+    if (a.common.output.empty()) throw Error(Error_code::usage, "reproduce writes pages: say where with --output DIR");
+    a.size.seed = a.common.seed;
+    a.size.surfaces = !a.surfaces.empty();
+    for (const char* file : surface_files) {
+        std::error_code ignored;
+        if (a.size.surfaces && !std::filesystem::is_regular_file(std::filesystem::path(a.surfaces) / file, ignored))
+            throw Input_error(Error_code::bad_input, (std::filesystem::path(a.surfaces) / file).string(), 0,
+                              "cannot be read", "man.off, bunny00.off and liver.inr.gz, which tools/meshes unpacks");
+    }
+    require_writable(a.common);
+    const std::vector<Part_plan> plans = reproduction_parts(a.size);
+    const Parts parts(partial(a.common.output), description(a));
+    Reproduction reproduction{command, machine(), a.size, {}};
+    const Interruption_guard guard;
+    std::uint64_t steps = 0, before = 0;
+    for (const Part_plan& p : plans) steps += p.race.steps;
+    std::optional<Progress> progress(std::in_place, "reproduce", steps, a.common.quiet);
+    for (const Part_plan& plan : plans) {
+        std::optional<Race_record> record = parts.find(plan.race.name);
+        if (!record) {
+            try {
+                record = run_part(plan, a, *progress, before);
+            } catch (const Race_stopped&) {
+                progress.reset();
+                if (!a.common.quiet)
+                    std::fprintf(stderr,
+                                 "annulus: interrupted; %zu of %zu parts are in %s: start again with the same "
+                                 "arguments to go on\n",
+                                 reproduction.races.size(), plans.size(), partial(a.common.output).c_str());
+                return done;
+            }
+            parts.keep(*record);
+        }
+        before += plan.race.steps;
+        reproduction.races.emplace(plan.race.name, std::move(*record));
+    }
+    progress.reset();
+    Result_files out(a.common);
+    for (const Result_file& file : reproduction_files(reproduction)) out.write(file.name, file.content);
+    out.commit();
+    parts.remove();
+    if (!a.common.quiet) std::printf("written to     %s/index.html\n", a.common.output.c_str());
+    return done;
+}
+
+}  // namespace
+
+Run add_reproduce_command(CLI::App& app, const Invocation& invocation) {
+    auto* sub = app.add_subcommand(
+        "reproduce", "Figures and claims of the paper on vertex tolerances, from runs made here, as pages");
+    const auto a = std::make_shared<Reproduce_call>();
+    sub->add_flag("--quick", a->size.quick, "Fewer points and iterations: two minutes, and no figures to quote");
+    sub->add_option("--only", a->size.only, "What to make, separated by commas: fig5 to fig12, slivers, locked (all)")
+        ->delimiter(',')
+        ->type_name("LIST")
+        ->check(CLI::IsMember(reproduction_topics()));
+    sub->add_option("--surfaces", a->surfaces,
+                    "Directory with man.off, bunny00.off and liver.inr.gz of CGAL's data; without it\n"
+                    "the sphere is the only body")
+        ->type_name("DIR");
+    sub->add_option("-i,--iterations", a->size.iterations,
+                    "Iterations of every motion (1000; of a quick one 100 in the plane, 60 in space)")
+        ->type_name("N")
+        ->check(whole_number(1, 100'000));
+    add_common(*sub, a->common, "index.html, a page for each figure, tables and reproduction.json");
+    return [a, command = command_line(invocation.words)] { return run(*a, command); };
+}
+
+}  // namespace annulus::cli

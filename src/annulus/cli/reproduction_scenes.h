@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/cli/arguments.h>
+#include <annulus/reproduction/plan.h>
+
+#include <memory>
+#include <string>
+
+namespace annulus::cli {
+
+/// The motions of a reproduction: the tool's Lloyd iterations and natural ODT. `surfaces` is the directory with the bodies.
+[[nodiscard]] std::unique_ptr<Scene<2>> plane_scene(const Motion_plan& motion, const Common_arguments& common);
+[[nodiscard]] std::unique_ptr<Scene<3>> space_scene(const Motion_plan& motion, const std::string& surfaces,
+                                                    const Common_arguments& common);
+
+}  // namespace annulus::cli

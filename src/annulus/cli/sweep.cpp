@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/cli/arguments.h>
+#include <annulus/cli/commands.h>
+#include <annulus/cli/progress.h>
+#include <annulus/cli/result_files.h>
+#include <annulus/experiment/coordinator.h>
+#include <annulus/experiment/ranks.h>
+#include <annulus/experiment/sweep_files.h>
+#include <annulus/formats/input_error.h>
+#include <annulus/formats/text_input.h>
+#include <annulus/statistics/memory.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace annulus::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Sweep_call {
+    Common_arguments common;
+    std::string file;
+    double memory = 0;  // GiB; 0: what the machine has to spare
+    bool check = false;
+};
+
+/// A specification as all processes are told of it.
+struct Spec_text {
+    std::string name, directory, text;
+
+    [[nodiscard]] std::string packed() const { return Json{{"name", name}, {"directory", directory}, {"text", text}}.dump(); }
+    static Spec_text unpacked(const std::string& message) {
+        const Json json = Json::parse(message);
+        return {json.at("name"), json.at("directory"), json.at("text")};
+    }
+    [[nodiscard]] Spec read() const { return read_spec(name, text, directory); }
+};
+
+Spec_text load(const std::string& file) {
+    const Source source = load_file(file);
+    for (const unsigned char c : source.content)
+        if (c == 0) throw Input_error(Error_code::bad_input, source.name, 0, "is no text", "TOML");
+    return {source.name, file == "-" ? "" : fs::path(file).parent_path().string(), source.content};
+}
+
+/// Of the memory that one machine has to spare a fifth is left to others.
+std::uint64_t bytes_of(const Sweep_call& a) {
+    if (a.memory > 0) return static_cast<std::uint64_t>(a.memory * 1024 * 1024 * 1024);
+    const std::uint64_t available = available_memory();
+    return available == 0 ? std::uint64_t{4} << 30 : available / 5 * 4;
+}
+
+/// What may be in a directory whose journal is continued: all that depends on anything but the trials.
+std::string head_of(const Spec& spec) {
+    return Json{{"journal", "annulus sweep"}, {"version", ANNULUS_VERSION}, {"identity", spec.identity}, {"trials", spec.trials.size()}}.dump();
+}
+
+/// Does the directory have the results of this sweep?
+bool is_done(const fs::path& directory, const Spec& spec) {
+    std::error_code code;
+    if (fs::exists(directory / journal_name, code)) return false;
+    std::ifstream file(directory / "sums.json", std::ios::binary);
+    const Json json = Json::parse(file, nullptr, false);
+    return json.is_object() && json.value("command", "") == "annulus sweep" && json.value("version", "") == ANNULUS_VERSION &&
+           json.value("identity", Json()) == Json(spec.identity);
+}
+
+/// The output directory while its journal grows. Where nothing came of it, it goes.
+class Journal_place {
+  public:
+    Journal_place(const Sweep_call& a, const Spec& spec) : path_(a.common.output) {
+        std::error_code code;
+        if (!fs::exists(path_ / journal_name, code)) require_writable(a.common, is_sweep_file);
+        made_ = fs::create_directories(path_);
+        try {
+            journal_ = std::make_unique<Journal>(path_ / journal_name, head_of(spec), a.common.force);
+        } catch (...) {
+            if (made_) fs::remove(path_, code);
+            throw;
+        }
+    }
+    ~Journal_place() {
+        if (journal_->size() > 0) return;
+        std::error_code code;
+        fs::remove(path_ / journal_name, code);
+        if (made_) fs::remove(path_, code);
+    }
+    Journal_place(const Journal_place&) = delete;
+    Journal_place& operator=(const Journal_place&) = delete;
+    [[nodiscard]] Journal& journal() { return *journal_; }
+
+  private:
+    fs::path path_;
+    bool made_ = false;
+    std::unique_ptr<Journal> journal_;
+};
+
+/// At once, whatever the threads are at: what is done is in the journal.
+void stop_if_interrupted(const Coordinator& c, const Sweep_call& a) {
+    if (!Interruption_guard::interrupted()) return;
+    std::fprintf(stderr, "annulus: interrupted: %zu of %zu trials are kept in %s, and the same command goes on from there\n", c.done(), c.all(),
+                 a.common.output.c_str());
+    Interruption_guard::end_if_interrupted();
+}
+
+void compute(const Sweep_call& a, const Spec& spec, Coordinator& c, Ranks& ranks) {
+    const Interruption_guard guard;
+    Progress progress("sweep", spec.trials.size(), a.common.quiet);
+    const auto poll = [&] {
+        stop_if_interrupted(c, a);
+        progress.show(c.done(), ranks.size() > 1 ? counted(static_cast<std::uint64_t>(ranks.size()), "rank") : "");
+    };
+    const Workers workers(
+        a.common.threads, spec, [&] { return c.wait_for_job(ranks.machine()); },
+        [&](const Schedule::Job& job, const Trial_result& r) { c.finish(job.trial, ranks.machine(), 0, r); },
+        [&](const Schedule::Job& job, const std::exception_ptr& why) { c.fail(job.trial, ranks.machine(), why); });
+    ranks.serve(c, a.common.threads, poll);
+    while (!c.over()) {
+        poll();
+        c.wait(std::chrono::milliseconds(100));
+    }
+}
+
+int run_first(const Sweep_call& a, Ranks& ranks) {
+    const Spec_text text = load(a.file);
+    const Spec spec = text.read();
+    if (a.check) {
+        if (!a.common.quiet) std::printf("%s: %s, hardest %zu, seed %llu\n", text.name.c_str(), counted(spec.trials.size(), "trial").c_str(), spec.hardest,
+                    static_cast<unsigned long long>(spec.seed));
+        return done;
+    }
+    if (a.common.output.empty()) throw Error(Error_code::usage, "sweep needs --output DIR (or --check)");
+    if (!a.common.force && is_done(a.common.output, spec)) {
+        if (!a.common.quiet) std::printf("%s has these results already; --force computes them anew\n", a.common.output.c_str());
+        return done;
+    }
+    Journal_place place(a, spec);
+    Coordinator coordinator(spec, place.journal(), a.common.threads * ranks.ranks_of_machine(), bytes_of(a));
+    const std::size_t before = coordinator.done();
+    std::string message = text.packed();
+    ranks.share(message);
+    compute(a, spec, coordinator, ranks);
+    coordinator.rethrow();
+    {
+        const Interruption_guard guard;
+        Output_directory out(a.common.output, is_sweep_file, true);
+        write_sweep(spec, text.text, place.journal(), coordinator.entries(), coordinator.hardest(), out);
+        out.commit();
+    }
+    if (!a.common.quiet) {
+        std::printf("trials         %zu", spec.trials.size());
+        if (before > 0) std::printf(", of which %zu were done before", before);
+        std::printf("\nwritten to     %s\n", a.common.output.c_str());
+    }
+    return done;
+}
+
+int run_other(const Sweep_call& a, Ranks& ranks) {
+    std::string message;
+    ranks.share(message);
+    if (message.empty()) return done;
+    ranks.work(Spec_text::unpacked(message).read(), a.common.threads);
+    return done;
+}
+
+}  // namespace
+
+Run add_sweep_command(CLI::App& app, const Invocation&) {
+    auto* sub = app.add_subcommand("sweep", "Degeneracy of many generated or recorded inputs, as a file specifies; on several machines under MPI");
+    const auto a = std::make_shared<Sweep_call>();
+    sub->add_option("SPEC", a->file, "What to study: grids of experiments, in TOML (docs/formats.md)")->required();
+    sub->add_flag("--check", a->check, "Read SPEC, say how many trials there are, and stop");
+    sub->add_option("--memory", a->memory, "Run so many experiments at a time as this holds, on each machine; default:\nfour fifths of what is to spare")
+        ->type_name("GIB")
+        ->check(number_within(0.001, 100000.0));
+    add_common(*sub, a->common, "results.jsonl, sums.json, hard.jsonl, costs.jsonl and sweep.html");
+    sub->get_option("--seed")->description("Taken everywhere; the seed of a sweep is in SPEC");
+    sub->get_option("--threads")->description("Threads of each process; results do not depend on it");
+    sub->get_option("--force")->description("Begin anew, whatever the directory holds; other files than results stay");
+    return [a] {
+        Ranks ranks;
+        return ranks.first() ? run_first(*a, ranks) : run_other(*a, ranks);
+    };
+}
+
+}  // namespace annulus::cli

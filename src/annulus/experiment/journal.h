@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace annulus {
+
+/// Entries that outlive the process, however it ends: a file that only grows, each line its CRC-32 and its text. What a kill has left of a
+/// last line is recognised, and dropped when the journal is opened again. What is appended is on the disk a second later at the latest.
+class Journal {
+  public:
+    /// Opens or makes it, and keeps others out. `head` says whose it is. Throws Error(bad_input) where it is of another head, unless it
+    /// `may_begin_anew`, or where another process has it open; std::system_error for what the system cannot do.
+    Journal(std::filesystem::path file, const std::string& head, bool may_begin_anew);
+    ~Journal();
+    Journal(const Journal&) = delete;
+    Journal& operator=(const Journal&) = delete;
+
+    [[nodiscard]] std::size_t size() const { return place_.size(); }
+    /// Entry i, in the order of writing. Throws Error(bad_input) where the file has changed meanwhile.
+    [[nodiscard]] std::string entry(std::size_t i) const;
+    /// One line, without line ends.
+    void append(std::string_view text);
+
+  private:
+    struct Place {
+        std::uint64_t begin;
+        std::uint64_t size;
+    };
+    void open_and_lock();
+    void read(const std::string& head, bool may_begin_anew);
+    void write(std::string_view line);
+    [[noreturn]] void fail(const char* what) const;
+
+    std::filesystem::path file_;
+    int descriptor_ = -1;
+    std::uint64_t end_ = 0;
+    std::vector<Place> place_;  // of texts
+    std::chrono::steady_clock::time_point synchronised_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace annulus

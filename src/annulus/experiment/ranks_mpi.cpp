@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several processes, in a build with MPI (ranks_alone.cpp is the other).
+#include <annulus/experiment/ranks.h>
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/experiment/launched.h>
+
+#include <mpi.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace annulus {
+
+namespace {
+
+/// What a message says.
+enum Tag : int {
+    ask,     ///< to the first: give me jobs
+    give,    ///< from the first: jobs, or "over"
+    result,  ///< to the first: what came of one
+    fault,   ///< to the first: what one threw
+};
+constexpr std::string_view over = "over";
+// MPI's own calls spin while they wait; the processor is the computing threads'.
+constexpr std::chrono::milliseconds nap{1}, wait_for_room{20};
+
+std::string packed(const std::vector<Schedule::Job>& jobs) {
+    std::string text;
+    for (const auto& job : jobs) text += std::to_string(job.trial) + " " + std::to_string(job.threads) + "\n";
+    return text;
+}
+/// The next line of text, which loses it.
+std::string next_line(std::string_view& text) {
+    const std::size_t end = text.find('\n');
+    std::string line(text.substr(0, end));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    return line;
+}
+std::vector<Schedule::Job> jobs_of(std::string_view text) {
+    std::vector<Schedule::Job> jobs;
+    while (!text.empty()) {
+        const std::string line = next_line(text);
+        const std::size_t space = line.find(' ');
+        jobs.push_back({std::stoull(line.substr(0, space)), std::stoi(line.substr(space + 1))});
+    }
+    return jobs;
+}
+
+std::string packed(std::size_t trial, const Trial_result& r) {
+    std::string text = nlohmann::ordered_json{{"trial", trial}, {"seconds", r.seconds}, {"peak_bytes", r.peak_bytes}, {"lines", r.lines.size()}}.dump();
+    for (const std::string& line : r.lines) text += "\n" + line;
+    for (const auto& hard : r.hard.json()) text += "\n" + hard.dump();
+    return text;
+}
+Trial_result result_of(std::string_view text, std::size_t hardest, std::size_t& trial) {
+    const auto head = nlohmann::ordered_json::parse(next_line(text));
+    Trial_result r(hardest);
+    trial = head.at("trial").get<std::size_t>();
+    r.seconds = head.at("seconds").get<double>();
+    r.peak_bytes = head.at("peak_bytes").get<std::uint64_t>();
+    for (auto n = head.at("lines").get<std::size_t>(); n > 0; --n) r.lines.push_back(next_line(text));
+    while (!text.empty()) r.hard.add(nlohmann::ordered_json::parse(next_line(text)));
+    return r;
+}
+
+std::string packed(std::size_t trial, const std::exception_ptr& why) {
+    Error_code code = Error_code::environment;  // a fault of ours or of the machine
+    std::string what = "unknown";
+    try {
+        std::rethrow_exception(why);
+    } catch (const Error& e) {
+        code = e.code();
+        what = e.what();
+    } catch (const std::bad_alloc&) {
+        what = "out of memory";
+    } catch (const std::exception& e) {
+        what = e.what();
+    } catch (...) {
+    }
+    return std::to_string(trial) + "\n" + std::to_string(static_cast<int>(code)) + "\n" + what;
+}
+
+/// What the threads of a rank and the one that talks to the first have in common.
+struct Desk {
+    std::mutex mutex{};
+    std::condition_variable changed{};
+    std::deque<Schedule::Job> waiting{};
+    std::vector<std::pair<Tag, std::string>> outbox{};
+    std::size_t running = 0;
+    bool closed = false;
+};
+
+}  // namespace
+
+struct Ranks::Messages {
+    std::vector<int> machines{};  ///< by rank
+    bool shared = false;
+    int told = 0;  ///< how many of the others know that it is over
+
+    static void send(int to, Tag tag, std::string_view text) {
+        if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+            throw Error(Error_code::too_large, "a result of more than two gigabytes cannot be sent; keep fewer 'hardest' inputs");
+        MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, to, tag, MPI_COMM_WORLD);
+    }
+    /// A message, if there is one.
+    static bool receive(int& from, Tag& tag, std::string& text) {
+        int there = 0, size = 0;
+        MPI_Status status;
+        MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &status);
+        if (there == 0) return false;
+        MPI_Get_count(&status, MPI_CHAR, &size);
+        text.resize(static_cast<std::size_t>(size));
+        from = status.MPI_SOURCE;
+        tag = static_cast<Tag>(status.MPI_TAG);
+        MPI_Recv(text.data(), size, MPI_CHAR, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+        return true;
+    }
+    /// Without a sweep: whoever asks is told that it is over.
+    void dismiss(int others) {
+        int from = 0;
+        Tag tag{};
+        std::string text;
+        while (told < others) {
+            if (!receive(from, tag, text)) std::this_thread::sleep_for(nap);
+            else if (tag == ask) send(from, give, over), ++told;
+        }
+    }
+};
+
+Ranks::Ranks() {
+    const int launched = launched_processes();
+    if (launched == 1) return;
+    int provided = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &size_);
+    messages_ = std::make_unique<Messages>();
+    if (size_ == 1) {
+        MPI_Finalize();
+        messages_.reset();
+        throw Error(Error_code::usage, "started as one of " + std::to_string(launched) +
+                                           " processes, of which MPI knows only this one: each would run all of the sweep (srun: try --mpi=pmix)");
+    }
+    MPI_Comm here;
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &here);
+    MPI_Comm_size(here, &ranks_of_machine_);
+    machine_ = rank_;
+    MPI_Bcast(&machine_, 1, MPI_INT, 0, here);  // a machine has the number of its first rank
+    MPI_Comm_free(&here);
+    messages_->machines.resize(static_cast<std::size_t>(size_));
+    MPI_Allgather(&machine_, 1, MPI_INT, messages_->machines.data(), 1, MPI_INT, MPI_COMM_WORLD);
+}
+
+Ranks::~Ranks() {
+    if (!messages_) return;
+    std::string nothing;
+    if (!messages_->shared) share(nothing);
+    else if (first()) messages_->dismiss(size_ - 1);
+    MPI_Finalize();
+}
+
+bool Ranks::built_with_mpi() noexcept { return true; }
+
+void Ranks::share(std::string& text) {
+    if (!messages_) return;
+    messages_->shared = true;
+    if (text.empty()) messages_->told = size_ - 1;  // who gets nothing asks nothing
+    std::uint64_t size = text.size();
+    MPI_Bcast(&size, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
+    text.resize(size);
+    if (size > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
+        throw Error(Error_code::too_large, "a specification of more than two gigabytes");
+    MPI_Bcast(text.data(), static_cast<int>(size), MPI_CHAR, 0, MPI_COMM_WORLD);
+}
+
+void Ranks::serve(Coordinator& c, int threads, const std::function<void()>& poll) {
+    if (!messages_) return;
+    int from = 0;
+    Tag tag{};
+    std::string text;
+    while (!c.over() || messages_->told < size_ - 1) {
+        poll();
+        if (!Messages::receive(from, tag, text)) {
+            std::this_thread::sleep_for(nap);
+            continue;
+        }
+        const int machine = messages_->machines[static_cast<std::size_t>(from)];
+        if (tag == ask) {
+            bool last = false;
+            const auto jobs = c.jobs(machine, threads * size_, last);
+            Messages::send(from, give, last ? std::string(over) : packed(jobs));
+            messages_->told += last ? 1 : 0;
+        } else if (tag == result) {
+            std::size_t trial = 0;
+            const Trial_result r = result_of(text, c.most_hardest(), trial);
+            c.finish(trial, machine, from, r);
+        } else {
+            std::string_view rest(text);
+            const std::size_t trial = std::stoull(next_line(rest));
+            const auto code = static_cast<Error_code>(std::stoi(next_line(rest)));
+            c.fail(trial, machine, std::make_exception_ptr(Error(code, std::string(rest))));
+        }
+    }
+}
+
+void Ranks::work(const Spec& spec, int threads) {
+    if (!messages_) return;
+    Desk desk;
+    const auto leave = [&desk](Tag tag, std::string text) {
+        const std::lock_guard lock(desk.mutex);
+        desk.outbox.emplace_back(tag, std::move(text));
+        --desk.running;
+        desk.changed.notify_all();
+    };
+    const Workers workers(
+        threads, spec,
+        [&desk]() -> std::optional<Schedule::Job> {
+            std::unique_lock lock(desk.mutex);
+            desk.changed.wait(lock, [&desk] { return desk.closed || !desk.waiting.empty(); });
+            if (desk.waiting.empty()) return std::nullopt;
+            const auto job = desk.waiting.front();
+            desk.waiting.pop_front();
+            ++desk.running;
+            return job;
+        },
+        [&leave](const Schedule::Job& job, const Trial_result& r) { leave(result, packed(job.trial, r)); },
+        [&leave](const Schedule::Job& job, const std::exception_ptr& why) { leave(fault, packed(job.trial, why)); });
+
+    // Before the threads are waited for, whatever happens.
+    struct Closing {
+        Desk& desk;
+        ~Closing() {
+            const std::lock_guard lock(desk.mutex);
+            desk.closed = true;
+            desk.changed.notify_all();
+        }
+    } const closing{desk};
+
+    int from = 0;
+    Tag tag{};
+    std::string text;
+    bool asked = false, over_yet = false;
+    std::size_t last_batch = 0;
+    auto again = std::chrono::steady_clock::now();
+    while (true) {
+        std::unique_lock lock(desk.mutex);
+        for (auto& [what, content] : std::exchange(desk.outbox, {})) {
+            lock.unlock();
+            Messages::send(0, what, content);
+            lock.lock();
+        }
+        const bool idle = desk.waiting.empty() && (desk.running < static_cast<std::size_t>(threads) || last_batch > 1);
+        if (over_yet && desk.waiting.empty() && desk.running == 0 && desk.outbox.empty()) return;
+        lock.unlock();
+        if (!over_yet && !asked && idle && std::chrono::steady_clock::now() >= again) {
+            Messages::send(0, ask, "");
+            asked = true;
+        }
+        if (Messages::receive(from, tag, text)) {
+            asked = false;
+            lock.lock();
+            if (text == over) {
+                over_yet = true;
+            } else {
+                const auto jobs = jobs_of(text);
+                last_batch = jobs.size();
+                desk.waiting.insert(desk.waiting.end(), jobs.begin(), jobs.end());
+                if (jobs.empty()) again = std::chrono::steady_clock::now() + wait_for_room;
+            }
+            desk.changed.notify_all();
+            continue;
+        }
+        lock.lock();
+        if (desk.outbox.empty()) desk.changed.wait_for(lock, nap);
+    }
+}
+
+}  // namespace annulus

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace annulus {
+
+/// To what coordinates of an input are rounded, as those who write files do.
+struct Rounding {
+    enum class Kind : std::uint8_t {
+        plain,    ///< "double"
+        single,   ///< "float": to the nearest float
+        decimal,  ///< "decimal:K": to K digits behind the point
+        grid,     ///< "grid:H": to the nearest multiple of H
+    };
+    std::string name = "double";  ///< as in the specification
+    Kind kind = Kind::plain;
+    int digits = 0;
+    double spacing = 0;
+
+    static constexpr int most_digits = 17;
+    friend bool operator==(const Rounding&, const Rounding&) = default;
+};
+
+/// None where `word` is no rounding.
+[[nodiscard]] std::optional<Rounding> rounding_named(std::string_view word);
+
+/// The nearest number of that kind, as a double; ties as printf has them (decimal), and to even. A multiple of H is the double nearest to it.
+[[nodiscard]] double rounded(double x, const Rounding& rounding);
+
+template <int d>
+void round_to(const Rounding& rounding, std::span<Coordinates<d>> points) {
+    if (rounding.kind == Rounding::Kind::plain) return;
+    for (Coordinates<d>& p : points)
+        for (double& c : p) c = rounded(c, rounding);
+}
+
+}  // namespace annulus

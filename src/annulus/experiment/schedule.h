@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/experiment/trial.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace annulus {
+
+/// Who computes which trial when: the dearest first, so that nobody is left with one at the end (list scheduling), and on each machine no
+/// more at a time than its memory is thought to hold. One that needs more than that runs alone. Results do not depend on any of it.
+class Schedule {
+  public:
+    struct Job {
+        std::size_t trial;
+        int threads;  ///< that are to work on it
+    };
+
+    /// `open` are the trials to be done. `threads`: how many there are on each machine; `bytes`: the memory of each.
+    Schedule(std::span<const Trial> trials, const std::vector<std::size_t>& open, int threads, std::uint64_t bytes);
+
+    /// One trial for a thread of that machine; none where nothing is left, or has room at present.
+    [[nodiscard]] std::optional<Job> take(int machine);
+    /// Some, until they take that long, but no more than a fair share of what is left for so many threads in all: short ones are not worth a
+    /// message each.
+    [[nodiscard]] std::vector<Job> take(int machine, double seconds, int threads_in_all);
+    void finish(std::size_t trial, int machine);
+
+    /// Nothing is left to be taken.
+    [[nodiscard]] bool empty() const { return open_.empty(); }
+    [[nodiscard]] std::size_t running() const { return running_; }
+    /// Takes back what nobody has begun.
+    void clear() { open_.clear(); }
+
+  private:
+    struct Dearest_first {
+        bool operator()(const std::pair<double, std::size_t>& l, const std::pair<double, std::size_t>& r) const {
+            return l.first != r.first ? l.first > r.first : l.second < r.second;
+        }
+    };
+    std::span<const Trial> trials_;
+    std::set<std::pair<double, std::size_t>, Dearest_first> open_;
+    std::multiset<std::uint64_t> open_bytes_;
+    std::map<int, std::uint64_t> used_;  // by machine
+    int threads_;
+    std::uint64_t bytes_;
+    double seconds_left_ = 0;
+    std::size_t running_ = 0;
+};
+
+}  // namespace annulus

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+#include <annulus/experiment/hard_inputs.h>
+#include <annulus/experiment/tally.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace annulus {
+
+/// What is found of one set of points.
+struct Study {
+    std::uint64_t vertices = 0;
+    int affine_dimension = -1;
+    double spacing = 0;     ///< mean spacing (statistics/spacing.h), 0 where the points do not span the space
+    double resolution = 0;  ///< the distance of doubles at the largest coordinate
+    Tally tally{};          ///< "flat": 1 and nothing else where the points do not span the space
+};
+
+/// Triangulates points and looks at every certificate. `x` are distinct and in the domain, without -0; the hardest inputs go to `hard`,
+/// with the seed.
+template <int d>
+[[nodiscard]] Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard);
+
+extern template Study study<2>(std::vector<Coordinates<2>>, std::uint64_t, Hard_inputs&);
+extern template Study study<3>(std::vector<Coordinates<3>>, std::uint64_t, Hard_inputs&);
+
+}  // namespace annulus

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/report/axis_ticks.h>
+#include <annulus/reproduction/claims.h>
+#include <annulus/reproduction/readings.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+// How claims put numbers into words.
+namespace annulus {
+
+[[nodiscard]] inline std::string percent(double share) {
+    char text[32];
+    const double p = 100 * share;
+    std::snprintf(text, sizeof text,
+                  p != 0 && std::fabs(p) < 0.1 ? "%.2g %%"
+                  : std::fabs(p) < 10          ? "%.1f %%"
+                                               : "%.0f %%",
+                  p);
+    return text;
+}
+[[nodiscard]] inline std::string times(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, x < 10 ? "%.2g" : "%.0f", x);
+    return text;
+}
+/// "2.1 to 3.4", or one number.
+[[nodiscard]] inline std::string range(std::vector<double> x, std::string (*word)(double)) {
+    if (x.empty()) return "–";
+    const auto [low, high] = std::minmax_element(x.begin(), x.end());
+    const std::string a = word(*low), b = word(*high);
+    return a == b ? a : a + " to " + b;
+}
+[[nodiscard]] inline double least(const std::vector<double>& x) {
+    return x.empty() ? 0 : *std::min_element(x.begin(), x.end());
+}
+[[nodiscard]] inline double most(const std::vector<double>& x) {
+    return x.empty() ? 0 : *std::max_element(x.begin(), x.end());
+}
+
+/// The races among these that were run.
+[[nodiscard]] inline std::vector<const Race_record*> present(const Reproduction& r,
+                                                             std::initializer_list<const char*> names) {
+    std::vector<const Race_record*> out;
+    for (const char* name : names)
+        if (const Race_record* race = r.race(name)) out.push_back(race);
+    return out;
+}
+[[nodiscard]] inline std::vector<const Race_record*> lloyds(const Reproduction& r) {
+    return present(r, {"lloyd-one", "lloyd-x2+y2", "lloyd-x2", "lloyd-sin2"});
+}
+[[nodiscard]] inline std::vector<const Race_record*> meshes(const Reproduction& r) {
+    return present(r, {"nodt-sphere", "nodt-man", "nodt-bunny", "nodt-heart"});
+}
+/// A number of each.
+template <class Value>
+[[nodiscard]] std::vector<double> of_each(const std::vector<const Race_record*>& races, Value value) {
+    std::vector<double> out;
+    for (const Race_record* race : races) out.push_back(value(*race));
+    return out;
+}
+/// "sphere 1.2, man 0.8".
+template <class Value>
+[[nodiscard]] std::string listed(const std::vector<const Race_record*>& races, Value value,
+                                 std::string (*word)(double)) {
+    std::string out;
+    for (const Race_record* race : races) {
+        const std::string name = race->name.substr(race->name.find('-') + 1);
+        out += (out.empty() ? "" : ", ") + (name == "heart" ? "liver" : name) + " " + word(value(*race));
+    }
+    return out.empty() ? "–" : out;
+}
+[[nodiscard]] inline Claim_verdict agree_if(bool yes) { return yes ? Claim_verdict::agrees : Claim_verdict::differs; }
+/// Reached to nine tenths is agreement, twice as much is further.
+[[nodiscard]] inline Claim_verdict at_least(double value, double claimed) {
+    return value >= 2 * claimed ? Claim_verdict::further : agree_if(value >= 0.9 * claimed);
+}
+
+}  // namespace annulus

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/reproduction/claim_words.h>
+
+// Section 4.1 of the paper: Lloyd iterations in the plane.
+namespace annulus {
+
+namespace {
+
+std::string ours(const std::vector<const Race_record*>& races, const char* slow) {
+    const auto with = [&](const char* name) {
+        return range(of_each(races, [&](const auto& x) { return speed_up(x, slow, name); }), times);
+    };
+    return with("filter-each") + " one vertex at a time, " + with("auto") + " whole timestamps (auto)";
+}
+
+const Survey_record* first(const Race_record& r) { return r.surveys.empty() ? nullptr : &r.surveys.front(); }
+/// The last one before a step.
+const Survey_record* last(const Race_record& r) { return survey_at(r, r.steps); }
+
+void append_speed(const Reproduction& r, std::vector<Claim>& out) {
+    const auto plane = lloyds(r);
+    Claim c{"figure-7", "Filtering Lloyd iterations is up to so many times faster than rebuilding.",
+            "up to 6",  "",
+            "",         Claim_verdict::open,
+            ""};
+    if (!plane.empty()) {
+        const auto x = of_each(plane, [](const auto& race) { return speed_up(race, "rebuild", "paper"); });
+        c.theirs = range(x, times) + " after " + grouped(plane.front()->steps) +
+                   " iterations; at the last tenth of them " +
+                   range(of_each(plane,
+                                 [](const auto& race) {
+                                     return speed_up_between(race, "rebuild", "paper", race.steps - race.steps / 10,
+                                                             race.steps);
+                                 }),
+                         times);
+        c.ours = ours(plane, "rebuild");
+        c.verdict = at_least(most(x), 6);
+        c.of_long_runs = true;
+    }
+    out.push_back(c);
+
+    c = {"figure-7", "It outperforms rebuilding for every density.", "always", "", "", Claim_verdict::open, ""};
+    if (!plane.empty()) {
+        const auto x = of_each(plane, [](const auto& race) { return speed_up(race, "rebuild", "paper"); });
+        c.theirs = listed(
+            plane, [](const auto& race) { return speed_up(race, "rebuild", "paper"); }, times);
+        c.ours = listed(
+                     plane, [](const auto& race) { return speed_up(race, "rebuild", "auto"); }, times) +
+                 " (auto)";
+        c.verdict = agree_if(least(x) > 1);
+    }
+    out.push_back(c);
+
+    c = {
+        "figure-7", "It is faster than relocation by at least so much, in the plane.", "4", "", "", Claim_verdict::open,
+        ""};
+    if (!plane.empty()) {
+        const auto x = of_each(plane, [](const auto& race) { return speed_up(race, "relocate", "paper"); });
+        c.theirs = range(x, times);
+        c.ours = ours(plane, "relocate");
+        c.verdict = at_least(least(x), 4);
+        c.of_long_runs = true;
+        c.reason = "Relocation is timed at some steps, on copies.";
+    }
+    out.push_back(c);
+
+    c = {
+        "figure-7", "A step of the filter becomes cheaper as the iterations go on.", "yes", "", "", Claim_verdict::open,
+        ""};
+    if (!plane.empty()) {
+        const auto gain = [](const Race_record& race, const char* name) {
+            const Racer_record* x = racer_of(race, name);
+            const std::size_t n = x ? x->seconds.size() : 0, tenth = std::max<std::size_t>(1, n / 10);
+            double early = 0, late = 0;
+            for (std::size_t k = 0; k < std::min(tenth, n); ++k) {
+                early += x->seconds[k];
+                late += x->seconds[n - 1 - k];
+            }
+            return late > 0 ? early / late : 0;
+        };
+        const auto x = of_each(plane, [&](const auto& race) { return gain(race, "paper"); });
+        c.theirs = "a step of the first tenth takes " + range(x, times) + " of the last tenth";
+        c.ours = range(of_each(plane, [&](const auto& race) { return gain(race, "auto"); }), times) + " (auto)";
+        c.verdict = agree_if(least(x) > 1);
+    }
+    out.push_back(c);
+
+    c = {"figure-7", "Switching to the filter pays when so many vertices stay within their tolerance, in the plane.",
+         "75 %",     "",
+         "",         Claim_verdict::open,
+         ""};
+    std::vector<double> found;
+    for (const Race_record* race : plane)
+        if (const auto x = switch_point(*race)) found.push_back(*x);
+    if (!plane.empty()) {
+        c.theirs = found.empty() ? "the filter is never slower than rebuilding" : range(found, percent);
+        c.ours = "auto chooses by counts: no fixed share";
+        c.verdict = agree_if(!found.empty() && least(found) > 0.6 && most(found) < 0.9);
+        c.reason =
+            "The filter's repair by tests in place and flips is much cheaper than the paper's relocation, so that it "
+            "pays earlier.";
+    }
+    out.push_back(c);
+}
+
+}  // namespace
+
+void append_lloyd_claims(const Reproduction& r, std::vector<Claim>& out) {
+    append_speed(r, out);
+    const Race_record* x2 = r.race("lloyd-x2");
+    const Survey_record *begin = x2 ? first(*x2) : nullptr, *end = x2 ? last(*x2) : nullptr;
+
+    Claim c{"figure-6", "Widths and tolerances grow until convergence, displacements shrink (x squared).",
+            "yes",      "",
+            "",         Claim_verdict::open,
+            ""};
+    if (begin && end) {
+        const auto change = [&](double Survey_record::*what) {
+            return readable(begin->*what) + " to " + readable(end->*what);
+        };
+        c.theirs = "displacement " + change(&Survey_record::displacement) + ", width " + change(&Survey_record::width) +
+                   ", tolerance " + change(&Survey_record::paper_tolerance) + " spacings";
+        c.ours = "tolerance " + change(&Survey_record::certified_tolerance);
+        c.verdict = agree_if(end->displacement < begin->displacement && end->width > begin->width &&
+                             end->paper_tolerance > begin->paper_tolerance);
+        c.reason = "The mean width settles early, tolerances go on growing.";
+    }
+    out.push_back(c);
+
+    c = {"figure-6", "Nearly degenerate cases become fewer.", "fewer", "", "", Claim_verdict::open, ""};
+    const auto all = lloyds(r);
+    if (!all.empty()) {
+        double before = 0, after = 0;
+        for (const Race_record* race : all) {
+            if (race->degeneracies.empty()) continue;
+            before += static_cast<double>(race->degeneracies.front().below.front());
+            after += static_cast<double>(race->degeneracies.back().below.front());
+        }
+        c.theirs = "bi-cells narrower than a thousandth of a spacing: " + readable(before) + " at the start, " +
+                   readable(after) + " at the end, of all densities";
+        c.ours = "the same: counted exactly";
+        c.verdict = agree_if(after < before);
+    }
+    out.push_back(c);
+
+    c = {"figure-6", "A vertex of the plane is in so many bi-cells.", "12", "", "", Claim_verdict::open, ""};
+    if (begin && end) {
+        c.theirs =
+            readable(begin->bicells_a_vertex) + " at the start, " + readable(end->bicells_a_vertex) + " at the end";
+        c.ours = "the same";
+        c.verdict = agree_if(std::fabs(end->bicells_a_vertex - 12) < 0.5);
+        c.reason = "By Euler's formula, less what the border lacks.";
+    }
+    out.push_back(c);
+
+    c = {"figure-5", "Lloyd iterations spread points evenly with the density.", "pictures", "", "", Claim_verdict::open,
+         ""};
+    if (r.race("points-one") && r.race("points-x2")) {
+        c.theirs = c.ours = "pictures";
+        c.verdict = Claim_verdict::agrees;
+        c.reason = "The motion does not depend on how the triangulation is kept.";
+    }
+    out.push_back(c);
+}
+
+}  // namespace annulus

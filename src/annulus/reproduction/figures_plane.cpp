@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/reproduction/claim_words.h>
+#include <annulus/reproduction/figures.h>
+
+// Figures 5 to 7: Lloyd iterations.
+namespace annulus {
+
+namespace {
+
+std::string density_in_words(const std::string& race) {
+    return race.ends_with("-one")     ? "density 1"
+           : race.ends_with("-x2+y2") ? "density x² + y²"
+           : race.ends_with("-x2")    ? "density x²"
+                                      : "density sin² of the radius";
+}
+
+void append_pictures(const Race_record& race, const std::string& csv, Page_content& page, std::vector<Panel>& panels) {
+    for (const Picture_record& p : race.pictures) {
+        const std::string name = csv + "-" + std::to_string(p.step) + ".csv";
+        panels.push_back({density_in_words(race.name) + ", " + caption_of(p), p.svg, "", {name}});
+        Csv_table table{{"x", "y"}, {}};
+        for (std::size_t i = 0; i < p.x.size(); ++i) table.rows.push_back({p.x[i], p.y[i]});
+        page.tables.emplace_back(name, std::move(table));
+    }
+}
+
+/// Curves for people: what each of them is.
+constexpr std::pair<const char*, const char*> curves[] = {{"rebuild", "rebuilding"},
+                                                          {"relocate", "relocation"},
+                                                          {"paper", "paper's filter"},
+                                                          {"filter-each", "one by one"},
+                                                          {"auto", "auto"}};
+
+Plot time_plot(const Race_record& race, bool logarithmic) {
+    Plot plot{density_in_words(race.name),
+              {"iteration", Scale::linear, 0., {}, true},
+              {"cumulated time (s)", logarithmic ? Scale::log10 : Scale::linear, {}, {}, false},
+              {}};
+    if (!logarithmic) plot.y.lower = 0.;
+    for (const auto& [name, words] : curves) {
+        const Racer_record* r = racer_of(race, name);
+        if (!r) continue;
+        Series s{words, {}, {}};
+        for (const auto& [step, seconds] : cumulated(*r)) {
+            s.x.push_back(static_cast<double>(step));
+            s.y.push_back(seconds);
+        }
+        plot.series.push_back(std::move(s));
+    }
+    return plot;
+}
+
+}  // namespace
+
+void append_plane_pages(const Reproduction& r, std::vector<Page_content>& out) {
+    Page_content five{
+        "figure-5", "Figure 5: points before and after Lloyd iterations",
+        "Points drawn from a disc with a density, and where Lloyd iterations with the same density take them."};
+    std::vector<Panel> panels;
+    for (const Race_record* race : present(r, {"points-one", "points-x2"}))
+        append_pictures(*race, "figure-5-" + race->name.substr(7), five, panels);
+    if (!panels.empty()) five.sections.emplace_back("Points", std::move(panels));
+    out.push_back(std::move(five));
+
+    Page_content six{"figure-6", "Figure 6: statistics in the plane",
+                     "Lloyd iterations with density x²: (a) how far points go, how wide standard annuli are and what "
+                     "tolerance vertices have, all means; (b) how the widths are distributed. The unit is the square "
+                     "root of the disc's area per point."};
+    if (const Race_record* x2 = r.race("lloyd-x2")) {
+        panels.clear();
+        append_plot(six, panels, convergence_plot(*x2), "figure-6a.csv",
+                    "Before each step; the displacement is that of the step. Certified tolerances are the paper's but "
+                    "for rounding.");
+        append_plot(six, panels, width_plot(*x2), "figure-6b.csv");
+        six.sections.emplace_back("Density x²", std::move(panels));
+    }
+    out.push_back(std::move(six));
+
+    Page_content seven{"figure-7", "Figure 7: computation times in the plane",
+                       "Cumulated time of Lloyd iterations under each strategy, for four densities. \"Paper's filter\" "
+                       "is its algorithm (3.2) with its tolerances in plain double, one vertex at a time; \"one by "
+                       "one\" is filter-each with certified tolerances, \"auto\" moves whole timestamps."};
+    std::vector<Panel> linear, logarithmic;
+    char letter = 'a';
+    for (const Race_record* race : present(r, {"lloyd-one", "lloyd-x2+y2", "lloyd-x2", "lloyd-sin2"})) {
+        const std::string csv = std::string("figure-7") + letter++;
+        append_plot(seven, linear, time_plot(*race, false), csv + ".csv", grouped(race->vertices) + " points");
+        Page_content scratch;  // the numbers are the same
+        append_plot(scratch, logarithmic, time_plot(*race, true), csv + ".csv");
+    }
+    if (!linear.empty()) {
+        seven.sections.emplace_back("Cumulated times", std::move(linear));
+        seven.sections.emplace_back("The same on a logarithmic axis", std::move(logarithmic));
+        seven.notes.push_back(
+            "Seconds of one thread's processor, all strategies in turn on the same 25 steps. Relocation is timed at "
+            "every tenth step (of 1,000), on a copy that is built at the positions before it; steps between count as "
+            "the next one that was timed.");
+    }
+    out.push_back(std::move(seven));
+}
+
+}  // namespace annulus

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/reproduction/records.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace annulus {
+
+/// The finished parts of a reproduction that is not finished: a directory with a file for each race, and one that says what all are parts of. A file
+/// is complete or absent.
+class Parts {
+  public:
+    /// Makes the directory, or finds what is there. `what` is one line, all that results depend on. Throws Error(usage) where the parts
+    /// that are there are of something else, std::system_error for what the system cannot do.
+    Parts(std::filesystem::path directory, const std::string& what);
+    /// Absent where there is none, or none that can be read.
+    [[nodiscard]] std::optional<Race_record> find(const std::string& name) const;
+    void keep(const Race_record& race) const;
+    /// Takes the directory away, after the results are in place.
+    void remove() const;
+
+  private:
+    void write(const std::string& name, const std::string& text) const;
+    std::filesystem::path directory_;
+};
+
+}  // namespace annulus

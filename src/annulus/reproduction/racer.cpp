@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/reproduction/racer.h>
+
+#include <annulus/engine/displacement.h>
+#include <annulus/reproduction/processor_time.h>
+
+#include <tuple>
+#include <utility>
+
+namespace annulus {
+
+namespace {
+
+/// Seconds of CGAL's insertion of a range into an empty triangulation. That the points are made beforehand, and the object is
+/// destroyed afterwards, is not counted.
+template <int d>
+double range_insertion(std::span<const Coordinates<d>> x) {
+    using Moving = Moving_of<d>;
+    std::vector<typename Moving::Point> points;
+    points.reserve(x.size());
+    for (const auto& p : x) points.push_back(std::apply([](auto... c) { return typename Moving::Point(c...); }, p));
+    typename Moving::Triangulation triangulation;
+    const double begin = processor_seconds();
+    triangulation.insert(points.begin(), points.end());
+    return processor_seconds() - begin;
+}
+
+}  // namespace
+
+template <int d>
+Racer<d>::Racer(Racer_plan plan, std::span<const Coordinates<d>> points, std::uint64_t seed)
+    : plan_(std::move(plan)), random_(seed) {
+    record_.name = plan_.name;
+    if (plan_.kind == Racer_plan::Kind::follower) build(points);
+}
+
+template <int d>
+void Racer<d>::build(std::span<const Coordinates<d>> points) {
+    const double begin = processor_seconds();
+    dt_ = std::make_unique<Moving_of<d>>(points, plan_.options);
+    const double built = processor_seconds();
+    (void)dt_->settle();  // a second time, to know what it takes
+    record_.first_seconds = built - begin;
+    record_.precompute_seconds = processor_seconds() - built;
+}
+
+template <int d>
+void Racer<d>::note(std::uint64_t step, double seconds, const Move_report& report) {
+    record_.step.push_back(step);
+    record_.seconds.push_back(seconds);
+    record_.asked.push_back(report.moves.asked);
+    record_.failed.push_back(report.moves.asked - report.moves.within_tolerance);
+    record_.requeued.push_back(report.requeued);
+    record_.changed.push_back(report.moves.flipped + report.moves.reinserted + report.moves.rebuilt);
+    record_.evaluated.push_back(report.evaluated);
+}
+
+template <int d>
+void Racer<d>::audit(std::uint64_t step) {
+    const Audit_result verdict = dt_->audit();
+    last_audit_ = step;
+    ++record_.audits;
+    if (verdict.delaunay()) return;
+    if (record_.audits_failed++ == 0) record_.first_fault = "step " + std::to_string(step) + ": " + verdict.first_fault;
+}
+
+template <int d>
+void Racer<d>::follow(std::uint64_t step, std::span<const Coordinates<d>> before,
+                      std::span<const Coordinates<d>> target) {
+    if (step % plan_.every != 0) return;
+    switch (plan_.kind) {
+        case Racer_plan::Kind::cgal: return note(step, range_insertion<d>(target), {});
+        case Racer_plan::Kind::paper_hybrid: return follow_hybrid(step, before, target);
+        case Racer_plan::Kind::copy: dt_ = std::make_unique<Moving_of<d>>(before, plan_.options); break;
+        case Racer_plan::Kind::follower: break;
+    }
+    const double begin = processor_seconds();
+    const Move_report report = dt_->move_all(target);
+    note(step, processor_seconds() - begin - report.handle_seconds, report);
+    if (plan_.audit_every > 0 && step % plan_.audit_every == 0) audit(step);
+}
+
+/// The paper looks at 40 random vertices at each group of four iterations.
+template <int d>
+void Racer<d>::follow_hybrid(std::uint64_t step, std::span<const Coordinates<d>> before,
+                             std::span<const Coordinates<d>> target) {
+    if (record_.switched_at == 0 && step % 4 == 1 && sample_stays(before, target)) {
+        record_.switched_at = step;
+        build(before);
+    }
+    if (record_.switched_at == 0) return note(step, range_insertion<d>(target), {});
+    const double begin = processor_seconds();
+    const Move_report report = dt_->move_all(target);
+    const double start = record_.switched_at == step ? record_.first_seconds : 0;
+    note(step, processor_seconds() - begin - report.handle_seconds + start, report);
+}
+
+template <int d>
+bool Racer<d>::sample_stays(std::span<const Coordinates<d>> before, std::span<const Coordinates<d>> target) {
+    constexpr int sample = 40;
+    constexpr double share = d == 2 ? 0.75 : 0.55;
+    const Moving_of<d> dt = paper_triangulation<d>(before);
+    int within = 0;
+    for (int k = 0; k < sample; ++k) {
+        const std::size_t v = random_() % before.size();
+        within += distance_upper<d>(target[v], before[v]) < dt.tolerance(dt.vertex(v)) ? 1 : 0;
+    }
+    return within >= share * sample;
+}
+
+template <int d>
+Racer_record Racer<d>::finish() {
+    const std::uint64_t last = record_.step.empty() ? 0 : record_.step.back();
+    if (dt_ && (last_audit_ != last || record_.audits == 0)) audit(last);
+    return std::move(record_);
+}
+
+template class Racer<2>;
+template class Racer<3>;
+
+}  // namespace annulus

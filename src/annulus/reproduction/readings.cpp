@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/reproduction/readings.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+namespace {
+
+template <class Records>
+auto find_step(const Records& records, std::uint64_t step) -> decltype(records.data()) {
+    const auto found = std::find_if(records.begin(), records.end(), [&](const auto& r) { return r.step == step; });
+    return found == records.end() ? nullptr : &*found;
+}
+
+double mean_between(const Racer_record& r, std::uint64_t from, std::uint64_t to) {
+    double sum = 0, n = 0;
+    for (std::size_t k = 0; k < r.step.size(); ++k)
+        if (r.step[k] > from && r.step[k] <= to) {
+            sum += r.seconds[k];
+            ++n;
+        }
+    return n > 0 ? sum / n : 0;
+}
+
+double ratio(double a, double b) { return b > 0 ? a / b : 0; }
+
+/// Sum of one count over a tenth of the steps up to `step`, over another's.
+double recent(const Race_record& race, const std::string& name, std::uint64_t step,
+              std::vector<std::uint64_t> Racer_record::*part, std::vector<std::uint64_t> Racer_record::*all) {
+    const Racer_record* r = racer_of(race, name);
+    if (!r) return 0;
+    double a = 0, b = 0;
+    for (std::size_t k = 0; k < r->step.size(); ++k)
+        if (r->step[k] <= step && r->step[k] + step / 10 >= step) {
+            a += static_cast<double>((r->*part)[k]);
+            b += static_cast<double>((r->*all)[k]);
+        }
+    return ratio(a, b);
+}
+
+}  // namespace
+
+const Racer_record* racer_of(const Race_record& race, const std::string& name) {
+    const auto found =
+        std::find_if(race.racers.begin(), race.racers.end(), [&](const Racer_record& r) { return r.name == name; });
+    return found == race.racers.end() ? nullptr : &*found;
+}
+
+std::vector<std::pair<std::uint64_t, double>> cumulated(const Racer_record& r) {
+    std::vector<std::pair<std::uint64_t, double>> out{{0, r.switched_at > 0 ? 0 : r.precompute_seconds}};
+    for (std::size_t k = 0; k < r.step.size(); ++k)
+        out.emplace_back(r.step[k],
+                         out.back().second + r.seconds[k] * static_cast<double>(r.step[k] - out.back().first));
+    return out;
+}
+
+double total_seconds(const Race_record& race, const std::string& name) {
+    const Racer_record* r = racer_of(race, name);
+    if (!r || r->step.empty()) return 0;
+    const auto last = cumulated(*r).back();
+    return last.second * static_cast<double>(race.steps) / static_cast<double>(last.first);
+}
+
+double speed_up(const Race_record& race, const std::string& slow, const std::string& quick) {
+    return ratio(total_seconds(race, slow), total_seconds(race, quick));
+}
+
+double speed_up_between(const Race_record& race, const std::string& slow, const std::string& quick, std::uint64_t from,
+                        std::uint64_t to) {
+    const Racer_record *s = racer_of(race, slow), *q = racer_of(race, quick);
+    return s && q ? ratio(mean_between(*s, from, to), mean_between(*q, from, to)) : 0;
+}
+
+double seconds_with_relocations(const Race_record& race) {
+    const Racer_record *paper = racer_of(race, "paper"), *relocate = racer_of(race, "relocate");
+    if (!paper || !relocate || relocate->step.empty()) return 0;
+    double seconds = 0, moves = 0, changed = 0;
+    for (std::size_t k = 0; k < relocate->step.size(); ++k) {
+        seconds += relocate->seconds[k];
+        moves += static_cast<double>(relocate->failed[k]);
+    }
+    for (const std::uint64_t c : paper->changed) changed += static_cast<double>(c);
+    return total_seconds(race, "paper") + changed * ratio(seconds, moves);
+}
+
+double failures_at(const Race_record& race, const std::string& name, std::uint64_t step) {
+    return recent(race, name, step, &Racer_record::failed, &Racer_record::asked);
+}
+
+double updates_at(const Race_record& race, const std::string& name, std::uint64_t step) {
+    return recent(race, name, step, &Racer_record::evaluated, &Racer_record::failed);
+}
+
+double most_renewals(const Race_record& race, const std::string& name) {
+    const Racer_record* r = racer_of(race, name);
+    std::uint64_t most = 0;
+    for (std::size_t k = 0; r && k < r->step.size(); ++k) most = std::max(most, r->failed[k] + r->requeued[k]);
+    return ratio(static_cast<double>(most), static_cast<double>(race.vertices));
+}
+
+std::optional<double> switch_point(const Race_record& race) {
+    const Racer_record *paper = racer_of(race, "paper"), *rebuild = racer_of(race, "rebuild");
+    if (!paper || !rebuild) return std::nullopt;
+    const double limit = mean_between(*rebuild, 0, race.steps);
+    for (std::size_t k = 0; k < paper->step.size(); ++k) {
+        if (paper->seconds[k] > limit || paper->asked[k] == 0) continue;
+        if (k == 0) return std::nullopt;
+        const auto within = [&](std::size_t i) {
+            return 1 - ratio(static_cast<double>(paper->failed[i]), static_cast<double>(paper->asked[i]));
+        };
+        const double above = paper->seconds[k - 1] - limit, below = limit - paper->seconds[k];
+        return within(k - 1) + (within(k) - within(k - 1)) * ratio(above, above + below);
+    }
+    return std::nullopt;
+}
+
+const Survey_record* survey_at(const Race_record& race, std::uint64_t step) { return find_step(race.surveys, step); }
+const Quality_record* quality_at(const Race_record& race, std::uint64_t step) {
+    return find_step(race.qualities, step);
+}
+
+}  // namespace annulus

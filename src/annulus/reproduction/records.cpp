@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/reproduction/records.h>
+
+#include <annulus/arithmetic/error.h>
+
+#include <nlohmann/json.hpp>
+
+namespace annulus {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Racer_record, name, first_seconds, precompute_seconds, step, seconds, asked, failed,
+                                   requeued, changed, evaluated, audits, audits_failed, first_fault, switched_at)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Survey_record, step, displacement, width, width_deviation, paper_tolerance,
+                                   certified_tolerance, bicells_a_vertex, paper_inside, certified_inside)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Width_record, step, edges, counts, total)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Degeneracy_count_record, step, vertices, bicells, certificates, non_convex, below,
+                                   thresholds, paper_above, paper_unsound, unsound_certificates, theta_hundredth,
+                                   theta_median)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Adversary_record, step, certificates, broken, accepted, audited, refuted, example)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Quality_record, step, vertices, locked, cells, slivers, dihedral_min, dihedral_max,
+                                   dihedral)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Picture_record, step, caption, svg, x, y)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Race_record, name, title, dimension, vertices, steps, spacing, seconds, load,
+                                   displacement, racers, surveys, widths, degeneracies, adversaries, qualities,
+                                   pictures, notes)
+
+std::string race_text(const Race_record& race) { return nlohmann::json(race).dump() + "\n"; }
+
+Race_record parse_race(const std::string& text) {
+    try {
+        return nlohmann::json::parse(text).get<Race_record>();
+    } catch (const nlohmann::json::exception& e) {
+        throw Error(Error_code::bad_input, std::string("no part of a reproduction: ") + e.what());
+    }
+}
+
+}  // namespace annulus

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/reproduction/plan.h>
+#include <annulus/reproduction/records.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace annulus {
+
+/// All that the pages of a reproduction are made from.
+struct Reproduction {
+    std::string command;
+    std::string machine;  ///< processor and compiler, for people
+    Reproduction_size size;
+    std::map<std::string, Race_record> races;  ///< by name
+
+    /// Null where it was not asked for, or could not be made.
+    [[nodiscard]] const Race_record* race(const std::string& name) const {
+        const auto found = races.find(name);
+        return found == races.end() ? nullptr : &found->second;
+    }
+};
+
+/// A file of the results: its name and what is in it.
+struct Result_file {
+    std::string name, content;
+};
+
+/// index.html with the claims of the paper beside ours, a page for each figure with the numbers beside it, reproduction.json.
+[[nodiscard]] std::vector<Result_file> reproduction_files(const Reproduction& reproduction);
+
+}  // namespace annulus

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/reproduction/claim_words.h>
+#include <annulus/reproduction/figures.h>
+#include <annulus/statistics/counterexample.h>
+
+#include <cmath>
+
+// Where the paper's tolerance is too large: five points, and every run.
+namespace annulus {
+
+namespace {
+
+/// The five points from the front and a little from above: a and b on the axis, p, q and r around them.
+Panel oblique_view(double height, double radius, bool axis, std::string heading) {
+    const auto seen = [](double x, double y, double z) { return Coordinates<2>{x + 0.35 * y, z + 0.25 * y}; };
+    const double half = 0.5 * radius, side = 0.5 * std::sqrt(3.0) * radius;
+    Picture p;
+    p.points = {seen(0, 0, height), seen(0, 0, -height), seen(radius, 0, 0), seen(-half, side, 0),
+                seen(-half, -side, 0)};
+    p.edges = {{0, 2}, {0, 3}, {0, 4}, {1, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {3, 4}};
+    if (axis) p.edges.push_back({0, 1});
+    Window window;
+    window.half_side = 1.15;
+    return {std::move(heading), svg_triangulation(p, window), "", {}};
+}
+
+Csv_table counts_table(const Reproduction& r) {
+    Csv_table t{{"run", "before_step", "vertices", "paper_above_exact", "paper_unsound", "unsound_certificates",
+                 "attacked", "broken", "accepted", "audited", "refuted"},
+                {}};
+    for (const auto& [name, race] : r.races)
+        for (const auto& g : race.degeneracies) {
+            const auto a = std::find_if(race.adversaries.begin(), race.adversaries.end(),
+                                        [&](const auto& x) { return x.step == g.step; });
+            std::vector<Csv_cell> row{name, g.step, g.vertices, g.paper_above, g.paper_unsound, g.unsound_certificates};
+            if (a == race.adversaries.end()) row.resize(t.header.size());
+            else row.insert(row.end(), {a->certificates, a->broken, a->accepted, a->audited, a->refuted});
+            t.rows.push_back(std::move(row));
+        }
+    return t;
+}
+
+Plot share_plot(const Reproduction& r, const char* title, std::uint64_t Degeneracy_count_record::*count) {
+    Plot plot{title, {"iteration", Scale::log10, {}, {}, true}, {"vertices (%)", Scale::linear, 0., {}, false}, {}};
+    for (const Race_record* race : meshes(r)) {
+        Series s{race->name.substr(5) == "heart" ? "liver" : race->name.substr(5), {}, {}};
+        for (const auto& g : race->degeneracies) {
+            s.x.push_back(static_cast<double>(g.step));
+            s.y.push_back(100 * static_cast<double>(g.*count) /
+                          static_cast<double>(std::max<std::uint64_t>(g.vertices, 1)));
+        }
+        if (!s.x.empty()) plot.series.push_back(std::move(s));
+    }
+    return plot;
+}
+
+}  // namespace
+
+Page_content unsound_page(const Reproduction& r) {
+    Page_content page{"unsound", "Where the paper's tolerance is too large",
+                      "In space the standard annulus, through the facet and through the two opposite vertices, is the "
+                      "thinnest one only where the segment between these meets the facet. Where it does not, the "
+                      "tolerance that the paper takes from it may be too large."};
+    const Counterexample c = counterexample(0.01);
+    std::vector<Panel> panels;
+    panels.push_back(oblique_view(1 - 10 * c.delta, 1, true, "Before: three cells around the axis"));
+    panels.back().caption =
+        "Two points on the axis and three on the unit circle around it. The two are nearer to the centre by 0.1 for "
+        "the eye, by 0.01 in the numbers: the paper's tolerance is " +
+        readable(c.paper) + " for all five, the exact one " + readable(c.exact) + ".";
+    panels.push_back(oblique_view(1 + 5 * c.delta, 0.9, false, "After: two cells, above and below the three"));
+    panels.back().caption =
+        "The two went outward and the three inward, by " + readable(c.move) +
+        " each in the numbers, less than the paper's tolerance: it accepts the move. The three cells are " +
+        std::string(c.three_after ? "Delaunay still" : "not Delaunay any more") + ", the two are" +
+        std::string(c.two_after ? "" : " not") + ", decided exactly.";
+    page.sections.emplace_back("Five points", std::move(panels));
+    panels.clear();
+    append_plot(page, panels, share_plot(r, "Tolerance above the truth", &Degeneracy_count_record::paper_above),
+                "unsound.above.csv",
+                "Vertices whose tolerance is above the distance to degeneracy of a certificate that they are in. "
+                "Counted exactly.");
+    append_plot(page, panels, share_plot(r, "Tolerance unsound", &Degeneracy_count_record::paper_unsound),
+                "unsound.shares.csv",
+                "Vertices of certificates all of whose points have too large a tolerance: they may go where it fails "
+                "and all stay within.");
+    if (!panels.empty()) page.sections.emplace_back("Along the runs", std::move(panels));
+    page.tables.emplace_back("unsound.csv", counts_table(r));
+    page.notes.push_back(
+        "The adversary takes each unsound certificate (2,000 at most, spread evenly) of a run at the steps of the "
+        "table, with all vertices at their fixed positions, and moves its points along the radii of one of the ten "
+        "annuli through five of them, or across one of the seven slabs through four, by a millionth less than the "
+        "paper's tolerance. \"Broken\": the certificate then fails, in integers. \"Accepted\": the paper's algorithm "
+        "lets each of these moves pass as within tolerance. \"Refuted\": the exact audit of the whole triangulation, "
+        "for the first twenty, says that it is not Delaunay.");
+    for (const Race_record* race : meshes(r))
+        for (const Adversary_record& a : race->adversaries)
+            if (!a.example.empty()) {
+                page.notes.push_back(race->title + ", before step " + grouped(a.step) +
+                                     ", the first one: " + a.example);
+                break;
+            }
+    return page;
+}
+
+}  // namespace annulus

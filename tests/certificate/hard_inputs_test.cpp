@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ladder on the hard inputs that are kept in tests/data/hard, beside exact answers which the library had no part in.
+#include "hard_case.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <numeric>
+#include <span>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+std::vector<std::string> split(const std::string& line, char at) {
+    std::vector<std::string> words;
+    std::istringstream in(line);
+    for (std::string word; std::getline(in, word, at);) words.push_back(word);
+    if (!line.empty() && line.back() == at) words.emplace_back();
+    return words;
+}
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<Row> rows_of(std::string_view name) {
+    std::string path = ANNULUS_HARD_INPUTS;  // g++ 12 warns of what + would inline
+    path.append("/").append(name).append(".csv");
+    std::ifstream file(path);
+    std::string line;
+    REQUIRE(std::getline(file, line));
+    const std::vector<std::string> columns = split(line, ',');
+    std::vector<Row> rows;
+    while (std::getline(file, line)) {
+        const std::vector<std::string> words = split(line, ',');
+        REQUIRE(words.size() == columns.size());
+        Row& row = rows.emplace_back();
+        for (std::size_t i = 0; i < columns.size(); ++i) row[columns[i]] = words[i];
+    }
+    return rows;
+}
+
+double number(const std::string& word) { return std::strtod(word.c_str(), nullptr); }
+
+template <int d, std::size_t k>
+Case<d, k> points_of(const Row& row) {
+    const std::vector<std::string> words = split(row.at("points"), ' ');
+    REQUIRE(words.size() == k * d);
+    Case<d, k> x;
+    for (std::size_t i = 0; i < words.size(); ++i) x[i / d][i % d] = number(words[i]);
+    return x;
+}
+
+/// All orders of the points have the same determinant up to the sign of the permutation.
+template <int d, std::size_t k>
+bool signs_agree_in_all_orders(const Case<d, k>& x, int sign) {
+    std::array<std::size_t, k> order{};
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    do {
+        int parity = 1;
+        for (std::size_t i = 0; i < k; ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (order[j] > order[i]) parity = -parity;
+        Case<d, k> y;
+        for (std::size_t i = 0; i < k; ++i) y[i] = x[order[i]];
+        if (ladder_verdict<d, k>(y).sign != parity * sign || sign_alone<d, k>(y) != parity * sign) return false;
+    } while (std::next_permutation(order.begin(), order.end()));
+    return true;
+}
+
+template <int d, std::size_t k>
+void check_file() {
+    const std::vector<Row> rows = rows_of(certificate_name<d, k>());
+    CHECK(rows.size() >= 300);
+    std::vector<Case<d, k>> all;
+    for (const Row& row : rows) {
+        CAPTURE(certificate_name<d, k>(), row.at("id"), row.at("source"), row.at("points"));
+        const Case<d, k> x = points_of<d, k>(row);
+        all.push_back(x);
+        const int sign = std::stoi(row.at("sign"));
+        const double truth = number(row.at("tolerance"));
+        const Verdict v = ladder_verdict<d, k>(x);
+        CHECK(v.sign == sign);
+        CHECK(std::string(name_of(v.stage)) == row.at("stage"));
+        CHECK(v.tolerance <= truth);
+        CHECK(v.tolerance >= (1 - 0x1p-9) * truth);
+        // Not soundness: what a bound of the ladder allows it to say, bit for bit. A change on purpose calls for tests/data/hard/collect.
+        CHECK(v.tolerance == number(row.at("certified")));
+        const Verdict exact = exact_verdict<d, k>(x);
+        CHECK(exact.sign == sign);
+        CHECK(exact.tolerance == truth);
+        CHECK(signs_agree_in_all_orders<d, k>(x, sign));
+    }
+    std::vector<decltype(tuple_of<d, k>(all[0]))> tuples;
+    for (const Case<d, k>& x : all) tuples.push_back(tuple_of<d, k>(x));
+    std::vector<Verdict> fast(all.size()), tight(all.size());
+    evaluate(std::span<const typename decltype(tuples)::value_type>(tuples), Mode::fast, fast);
+    evaluate(std::span<const typename decltype(tuples)::value_type>(tuples), Mode::tight, tight);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        CAPTURE(certificate_name<d, k>(), rows[i].at("id"), rows[i].at("points"));
+        CHECK(fast[i].tolerance == number(rows[i].at("certified")));
+        CHECK(tight[i].tolerance == number(rows[i].at("tolerance")));
+        CHECK(std::string(name_of(fast[i].stage)) == rows[i].at("stage"));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the ladder is right on the hard inputs that are kept, in the plane", "[certificate]") {
+    check_file<2, 3>();
+    check_file<2, 4>();
+}
+
+TEST_CASE("the ladder is right on the hard inputs that are kept, in space", "[certificate][space]") {
+    check_file<3, 4>();
+    check_file<3, 5>();
+}

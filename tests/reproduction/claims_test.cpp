@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Claims, pages and parts of the reproduction, from records that are made up.
+#include <annulus/arithmetic/error.h>
+#include <annulus/reproduction/claims.h>
+#include <annulus/reproduction/figures.h>
+#include <annulus/reproduction/parts.h>
+#include <annulus/reproduction/plan.h>
+#include <annulus/reproduction/readings.h>
+
+#include <catch2/catch.hpp>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace {
+
+using namespace annulus;
+
+Race_record made_up() {
+    Race_record r;
+    r.name = "lloyd-x2";
+    r.title = "Lloyd";
+    r.vertices = 10;
+    r.steps = 4;
+    r.spacing = 0.1;
+    r.displacement = {0.4, 0.3, 0.2, 1.0 / 3};
+    Racer_record rebuild, paper;
+    rebuild.name = "rebuild";
+    paper.name = "paper";
+    rebuild.step = {2, 4};
+    rebuild.seconds = {1, 1};
+    paper.step = {1, 2, 3, 4};
+    paper.seconds = {3, 2, 0.5, 0.5};
+    paper.asked = {10, 10, 10, 10};
+    paper.failed = {10, 8, 2, 1};
+    paper.requeued = {0, 0, 5, 0};
+    paper.precompute_seconds = 0.25;
+    r.racers = {rebuild, paper};
+    return r;
+}
+
+struct Scratch {
+    std::filesystem::path path = std::filesystem::temp_directory_path() / ("annulus-parts-" + std::to_string(getpid()));
+    Scratch() { std::filesystem::remove_all(path); }
+    ~Scratch() { std::filesystem::remove_all(path); }
+};
+
+}  // namespace
+
+TEST_CASE("Every figure of the paper has a page and a claim, whatever was run") {
+    const Reproduction nothing{"annulus reproduce", "here", {}, {}};
+    const auto claims = claims_of(nothing);
+    std::set<std::string> pages, claimed;
+    for (const Page_content& page : reproduction_pages(nothing)) pages.insert(page.name);
+    for (const Claim& c : claims) {
+        claimed.insert(c.figure);
+        CHECK(c.verdict == Claim_verdict::open);
+        CHECK_FALSE(c.paper.empty());
+        CHECK_FALSE(c.reason.empty());
+        CHECK(pages.contains(c.figure));
+    }
+    for (int k = 5; k <= 12; ++k) {
+        CHECK(pages.contains("figure-" + std::to_string(k)));
+        CHECK(claimed.contains("figure-" + std::to_string(k)));
+    }
+    CHECK(reproduction_files(nothing).front().name == "reproduction.json");
+}
+
+TEST_CASE("A step that was not followed counts as the next one that was") {
+    const Race_record r = made_up();
+    const auto rebuild = cumulated(r.racers[0]);
+    CHECK(rebuild.back() == std::pair<std::uint64_t, double>(4, 4.0));
+    CHECK(total_seconds(r, "paper") == 6.25);
+    CHECK(speed_up(r, "rebuild", "paper") == 4.0 / 6.25);
+    CHECK(speed_up(r, "rebuild", "nobody") == 0);
+    // From 2 s at 20 % within to 0.5 s at 80 %: 1 s at 60 %.
+    REQUIRE(switch_point(r));
+    CHECK(*switch_point(r) == Approx(0.6));
+    CHECK(failures_at(r, "paper", 4) == Approx(0.1));
+    CHECK(most_renewals(r, "paper") == 1);  // the first step: ten of ten
+}
+
+TEST_CASE("Parts are found again bit for bit, by the same reproduction only") {
+    const Scratch scratch;
+    const Race_record r = made_up();
+    {
+        const Parts parts(scratch.path, "annulus 1 whole");
+        CHECK_FALSE(parts.find(r.name));
+        parts.keep(r);
+    }
+    const Parts again(scratch.path, "annulus 1 whole");
+    const auto found = again.find(r.name);
+    REQUIRE(found);
+    CHECK(found->displacement == r.displacement);
+    CHECK(race_text(*found) == race_text(r));
+    CHECK_THROWS_AS(Parts(scratch.path, "annulus 1 quick"), Error);
+    std::ofstream(scratch.path / "lloyd-x2.json") << race_text(r).substr(0, 50);
+    CHECK_FALSE(again.find(r.name));  // it is made again
+    again.remove();
+    CHECK_FALSE(std::filesystem::exists(scratch.path));
+    std::filesystem::create_directory(scratch.path);
+    std::ofstream(scratch.path / "mine.txt") << "mine";
+    CHECK_THROWS_AS(Parts(scratch.path, "annulus 1 whole"), Error);
+    CHECK(std::filesystem::exists(scratch.path / "mine.txt"));
+}
+
+TEST_CASE("What is asked for is run, and nothing else") {
+    const auto names = [](Reproduction_size size) {
+        std::set<std::string> out;
+        for (const Part_plan& p : reproduction_parts(size)) CHECK(out.insert(p.race.name).second);
+        return out;
+    };
+    Reproduction_size size;
+    CHECK(names(size).contains("nodt-sphere"));
+    CHECK_FALSE(names(size).contains("nodt-man"));
+    size.surfaces = true;
+    CHECK(names(size).size() == 14);
+    size.only = {"fig6"};
+    CHECK(names(size) == std::set<std::string>{"lloyd-x2"});
+    size.only = {"fig11"};
+    CHECK(names(size) == std::set<std::string>{"lloyd-x2", "nodt-sphere", "nodt-bunny"});
+    size.only = {"fig5", "locked"};
+    CHECK(names(size) == std::set<std::string>{"points-one", "points-x2", "locked-sphere", "locked-bunny"});
+}

@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs a small `annulus reproduce` and looks at its files. usage: test_reproduce.py --tool=PATH [CLASS[.METHOD]...]"""
+
+import csv
+import json
+import re
+import signal
+import subprocess
+import time
+
+import tool
+
+FIGURES = {f"figure-{k}.html" for k in range(5, 13)}
+
+
+def untimed(run):
+    """Of a run in reproduction.json all that no clock decides."""
+    run = dict(run)
+    run.pop("load")
+    run["strategies"] = {name: {k: v for k, v in s.items() if not k.endswith("seconds")} for name, s in run.get("strategies", {}).items()}
+    return run
+
+
+class Reproduce(tool.ToolTest):
+    SMALL = ["reproduce", "--quick", "--iterations", 3]
+
+    def succeed(self, *words, timeout=300):
+        done = self.run_tool(*words, timeout=timeout)
+        self.assertEqual(done.returncode, 0, f"{words}: {done.stderr}")
+        return done
+
+    def result(self, name):
+        return json.loads((self.here / name / "reproduction.json").read_text(encoding="utf-8"))
+
+    def test_everything(self):
+        """Every figure has a page, every claim a verdict, every link leads somewhere, and every table has numbers."""
+        self.succeed(*self.SMALL, "--output", "all")
+        files = {p.name for p in (self.here / "all").iterdir()}
+        self.assertLessEqual(FIGURES | {"index.html", "claims.csv", "unsound.html", "slivers.html", "locked.html"}, files)
+        self.assertEqual({p.name for p in self.here.iterdir()}, {"all"})  # no parts are left
+        for page in (self.here / "all").glob("*.html"):
+            text = page.read_text(encoding="utf-8")
+            self.assertTrue(text.endswith("</html>\n"), page.name)
+            self.assertNotRegex(text, r"\bnan\b|\binf\b", page.name)
+            for target in re.findall(r'href="([^"]*)"', text):
+                self.assertIn(target, files, page.name)
+        for table in (self.here / "all").glob("*.csv"):
+            rows = list(csv.reader(table.read_text(encoding="utf-8").splitlines()))
+            self.assertGreater(len(rows), 1, table.name)
+            self.assertEqual({len(r) for r in rows}, {len(rows[0])}, table.name)
+        r = self.result("all")
+        self.assertGreaterEqual(len(r["claims"]), 30)
+        self.assertEqual({c["figure"] + ".html" for c in r["claims"]} & FIGURES, FIGURES)
+        for claim in r["claims"]:
+            self.assertIn(claim["verdict"], ("agrees", "goes further", "differs", "is wrong", "open"), claim)
+            self.assertTrue(claim["paper"], claim)
+        sphere = r["runs"]["nodt-sphere"]
+        self.assertEqual(sphere["iterations"], 3)
+        for attack in sphere["adversary"]:
+            self.assertGreater(attack["broken"], 0)
+            self.assertEqual(attack["broken"], attack["accepted"])
+            self.assertEqual(attack["audited"], attack["refuted"])
+        for run in r["runs"].values():
+            for name, strategy in run.get("strategies", {}).items():
+                if "paper" not in name:
+                    self.assertEqual(strategy["audits_failed"], 0, name)
+        self.assertIn("left out", (self.here / "all" / "index.html").read_text(encoding="utf-8"))
+
+    def test_only_and_again(self):
+        """Results but for times are the same again, with another number of threads; earlier pages are replaced."""
+        words = [*self.SMALL, "--only", "fig5,fig10"]
+        self.succeed(*words, "--output", "a")
+        self.succeed(*words, "--threads", 2, "--output", "b")
+        a, b = self.result("a"), self.result("b")
+        self.assertEqual(set(a["runs"]), {"points-one", "points-x2", "nodt-sphere"})
+        self.assertEqual({n: untimed(r) for n, r in a["runs"].items()}, {n: untimed(r) for n, r in b["runs"].items()})
+        for name in ("figure-10a.csv", "figure-5-one-3.csv"):
+            self.assertEqual((self.here / "a" / name).read_bytes(), (self.here / "b" / name).read_bytes())
+        self.succeed(*self.SMALL, "--only", "fig5", "--output", "a")
+        self.assertFalse((self.here / "a" / "figure-10a.csv").exists())
+
+    def test_interrupted_and_resumed(self):
+        words = ["reproduce", "--quick", "--iterations", 40, "--only", "fig5,fig10", "--output", "out"]
+        run = subprocess.Popen([tool.OPTIONS["tool"], *map(str, words)], cwd=self.here, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        parts = self.here / "out.partial"
+        deadline = time.monotonic() + 120
+        while not (parts / "points-x2.json").exists() and time.monotonic() < deadline:
+            time.sleep(0.01)
+        run.send_signal(signal.SIGINT)
+        _, said = run.communicate(timeout=120)
+        self.assertEqual(run.returncode, -signal.SIGINT)
+        self.assertRegex(said, r"\Aannulus: interrupted; 2 of 3 parts are in out\.partial[^\n]*\n\Z")
+        self.assertFalse((self.here / "out").exists())
+        before = (parts / "points-x2.json").read_bytes()
+        (parts / "points-one.json").write_text("{")  # as if the machine had lost it
+        self.assertIn("another reproduction", self.refuse(2, *words, "--seed", 7))
+        self.assertEqual((parts / "points-x2.json").read_bytes(), before)
+        self.succeed(*words)
+        self.assertFalse(parts.exists())
+        self.assertEqual(set(self.result("out")["runs"]), {"points-one", "points-x2", "nodt-sphere"})
+
+    def test_wrong_usage(self):
+        for words, said in ((["reproduce"], "--output"),
+                            (["reproduce", "--output", "x", "--only", "fig4"], "fig4"),
+                            (["reproduce", "--output", "x", "--iterations", "0"], "0"),
+                            (["reproduce", "--output", "x", "fig5"], "fig5")):
+            with self.subTest(words=words):
+                self.assertIn(said, self.refuse(2, *words))
+        self.assertIn("man.off", self.refuse(3, "reproduce", "--output", "x", "--surfaces", "nowhere"))
+        (self.here / "mine").mkdir()
+        (self.here / "mine" / "notes.txt").write_text("mine")
+        self.refuse(3, *self.SMALL, "--output", "mine")
+
+
+if __name__ == "__main__":
+    tool.main(__doc__)

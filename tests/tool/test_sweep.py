@@ -1,0 +1,482 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs `annulus sweep`: what it refuses, what it finds, threads, kills, ranks.
+
+usage: test_sweep.py --tool=PATH --mpirun=PATH [CLASS[.METHOD]...]     (--mpirun=none: a build without MPI)
+"""
+
+import csv
+import json
+import os
+import random
+import re
+import signal
+import subprocess
+import time
+from fractions import Fraction
+
+import tool
+
+SPEC = """title = "Some of everything"
+hardest = 4
+
+[[grid]]
+points = [60, 300]
+dimension = [2, 3]
+kind = ["uniform", "jittered", "surface"]
+rounding = ["double", "float", "decimal:3"]
+seeds = 2
+
+[[grid]]
+name = "motions"
+points = 100
+motion = { kind = ["walk", "lloyd"], pace = [0.01, 0.1], steps = [0, 3, 10] }
+seeds = 2
+
+[[grid]]
+points = 100
+dimension = 3
+motion = { kind = "nodt", steps = 2 }
+"""
+# Some thirty trials of a twentieth of a second or more: long enough to be killed in.
+LONGER = """hardest = 3
+[[grid]]
+points = [2000, 4000]
+dimension = 3
+kind = ["uniform", "jittered", "clusters"]
+seeds = 5
+"""
+HASHED = ["results.jsonl", "sums.json", "hard.jsonl", "sweep.html", "spec.toml"]
+FILES = {*HASHED, "costs.jsonl"}
+JOURNAL = ".sweep-journal"
+
+
+class SweepTest(tool.ToolTest):
+    def sweep(self, spec, directory, *words):
+        self.succeed("sweep", self.write("spec.toml", spec), "--output", directory, "--quiet", *words)
+        return self.results(directory)
+
+    def results(self, directory):
+        self.assertEqual({p.name for p in (self.here / directory).iterdir()}, FILES)
+        return {name: (self.here / directory / name).read_bytes() for name in HASHED}
+
+    def lines(self, directory, name="results.jsonl"):
+        return [json.loads(line) for line in (self.here / directory / name).read_text(encoding="utf-8").splitlines()]
+
+
+class Spec(SweepTest):
+    def test_faults(self):
+        grid = "[[grid]]\npoints = 10\n"
+        for text, line, words in (
+            ("", 0, ["empty"]),
+            ("title = \"a\"\n", 1, ["'grid'", "[[grid]]"]),
+            ("grid = 3\n", 1, ["'grid' is 3"]),
+            ("[grid]\npoints = 3\n", 1, ["[[grid]]"]),
+            ("title = 3\n" + grid, 1, ["'title' is 3", "text"]),
+            ("seeds = 3\n" + grid, 1, ["unknown key 'seeds'", "seed, hardest, grid"]),
+            ("\nseed = -1\n" + grid, 2, ["'seed' is -1", "whole number"]),
+            ("seed = 1.5\n" + grid, 1, ["'seed' is 1.5"]),
+            ("seed = true\n" + grid, 1, ["'seed' is true"]),
+            ("hardest = 1000000\n" + grid, 1, ["'hardest'", "100000"]),
+            ("[[grid]]\nkind = \"grid\"\n", 1, ["no 'points'"]),
+            ("[[grid]]\npoints = []\n", 2, ["'points' is an empty list"]),
+            ("[[grid]]\npoints = 0\n", 2, ["'points' is 0", "1 to 100000000"]),
+            ("[[grid]]\npoints = [10,\n  20,\n  \"30\"]\n", 4, ["'points' is '30'", "whole number"]),
+            ("[[grid]]\npoints = [10, 10]\n", 2, ["10 twice"]),
+            (grid + "dimension = 4\n", 3, ["'dimension' is 4", "2 to 3"]),
+            (grid + "kind = \"unifrom\"\n", 3, ["'kind' is 'unifrom'", "uniform, grid"]),
+            (grid + "rounding = [\"double\", \"decimal:99\"]\n", 3, ["'rounding' is 'decimal:99'", "decimal:DIGITS (0 to 17)"]),
+            (grid + "seeds = 0\n", 3, ["'seeds' is 0"]),
+            (grid + "seeds = []\n", 3, ["'seeds' is an empty list"]),
+            (grid + "seeds = [9007199254740992]\n", 3, ["'seeds'"]),
+            (grid + "kinds = \"grid\"\n", 3, ["unknown key 'kinds' in [[grid]]"]),
+            (grid + "name = 1979-05-27\n", 3, ["'name' is a date or time"]),
+            (grid + "motion = \"walk\"\n", 3, ["'motion' is 'walk'", "a table"]),
+            (grid + "motion = { kind = \"walk\" }\n", 3, ["no 'steps'"]),
+            (grid + "motion = { steps = 3 }\n", 3, ["no 'kind'"]),
+            (grid + "motion = { kind = \"fly\", steps = 3 }\n", 3, ["'kind' is 'fly'", "walk, shear, orbit, lloyd, nodt"]),
+            (grid + "motion = { kind = \"walk\", steps = 3, speed = 1 }\n", 3, ["unknown key 'speed' in motion"]),
+            (grid + "motion = { kind = \"walk\", steps = 3, pace = -1 }\n", 3, ["'pace' is -1"]),
+            (grid + "motion = { kind = \"walk\", steps = 3, pace = nan }\n", 3, ["'pace'", "0 to 1000"]),
+            (grid + "motion = { kind = \"lloyd\", steps = 3, pace = 1 }\n", 3, ["'pace' is of no motion"]),
+            (grid + "dimension = 3\nmotion = { kind = \"lloyd\", steps = 3 }\n", 4, ["the plane"]),
+            (grid + "motion = { kind = \"nodt\", steps = 3 }\n", 3, ["space"]),
+            (grid + "dimension = 3\nkind = \"grid\"\nmotion = { kind = \"nodt\", steps = 3 }\n", 5, ["uniform"]),
+            (grid + "[grid.motion]\nkind = \"walk\"\nsteps = -3\n", 5, ["'steps' is -3"]),
+            (grid + "frames = 3\n", 3, ["'frames' needs a 'file'"]),
+            (grid + "file = \"a.xyz\"\n", 2, ["'points' is of generated points"]),
+            ("[[grid]]\nfile = \"missing.xyz\"\n", 2, ["'file'", "missing.xyz"]),
+            ("[[grid]]\nfile = \".\"\n", 2, ["'file'"]),
+            ("[[grid]]\nfile = \"spec.toml\"\nframes = 1\nevery = 2\n", 4, ["'every' and 'frames'"]),
+            (grid + "points = 20\n", 3, ["TOML", "redefin"]),
+            (grid + "kind = uniform\n", 3, ["TOML"]),
+            (grid + "kind = \"uniform\n", 3, ["TOML"]),
+            (grid + "seeds = 2000000\n", 3, ["'seeds'"]),
+            (grid + "seeds = 1000000\ndimension = [2, 3]\n", 1, ["more than 1000000"]),
+        ):
+            with self.subTest(text=text):
+                fault = self.refuse(3, "sweep", self.write("spec.toml", text), "--output", "out")
+                where = "spec.toml:" if line == 0 else f"spec.toml:{line}: "
+                self.assertIn(f"annulus: {where}", fault)
+                for word in words:
+                    self.assertIn(word.lower(), fault.lower())
+        self.refuse(3, "sweep", self.write("spec.toml", b"\xff\xfe\x00points"), "--output", "out")
+        self.refuse(3, "sweep", "missing.toml", "--output", "out")
+        self.refuse(3, "sweep", ".", "--output", "out")
+
+    def test_usage(self):
+        self.write("spec.toml", SPEC)
+        self.refuse(2, "sweep", "spec.toml")
+        self.refuse(2, "sweep", "--output", "out")
+        self.refuse(2, "sweep", "spec.toml", "--output", "out", "--memory", "0")
+        self.refuse(2, "sweep", "spec.toml", "--output", "out", "--threads", "0")
+        self.assertIn("79 trials", self.succeed("sweep", "spec.toml", "--check").stdout)
+        self.assertEqual(self.listing(), ["spec.toml"])
+
+    def test_a_launcher_that_mpi_knows_nothing_of(self):
+        """As under srun without PMI, or in a build without MPI: several processes, each of which would run everything."""
+        self.write("spec.toml", SPEC)
+        done = subprocess.run([tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out"], cwd=self.here, capture_output=True, text=True,
+                              env={**os.environ, "SLURM_STEP_NUM_TASKS": "2"}, timeout=60, check=False)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertRegex(done.stderr, r"\Aannulus: started as one of 2 processes, [^\n]+\n\Z")
+        self.assertEqual(self.listing(), ["spec.toml"])
+
+    def test_a_fault_in_a_file_of_points(self):
+        self.write("bad.xyz", "1 2\n3 x\n")
+        spec = self.write("spec.toml", "[[grid]]\nfile = \"bad.xyz\"\n")
+        self.assertIn("annulus: bad.xyz:2: ", self.refuse(3, "sweep", spec, "--output", "out"))
+        self.succeed("generate", "walk", "--points", 9, "--steps", 3, "--output", "walk.xyz")
+        spec = self.write("spec.toml", "[[grid]]\nfile = \"walk.xyz\"\nframes = [0, 7]\n")
+        self.assertIn("frames", self.refuse(3, "sweep", spec, "--output", "out"))
+
+
+class Found(SweepTest):
+    def test_the_numbers_are_those_of_degeneracy(self):
+        """Each line, against `generate` and `degeneracy` with the line's own parameters."""
+        self.sweep(SPEC, "out")
+        lines = self.lines("out")
+        self.assertEqual(len(lines), 72 + 2 * 3 * 3 + 1)
+        for i, line in enumerate(lines):
+            if line.get("motion") in ("lloyd", "nodt") or line["rounding"] != "double":
+                continue
+            with self.subTest(line=i):
+                words = ["--dim", line["dimension"], "--points", line["points"], "--seed", line["seed"], "--output", "p.xyz", "--force"]
+                if "motion" in line:
+                    self.succeed("generate", line["motion"], "--steps", line["step"], "--pace", line["pace"], *words)
+                    self.succeed("degeneracy", "p.xyz", "--frame", line["step"], "--quiet", "--output", "d")
+                else:
+                    self.succeed("generate", line["kind"], *words)
+                    self.succeed("degeneracy", "p.xyz", "--quiet", "--output", "d")
+                there = json.loads((self.here / "d" / "degeneracy.json").read_text(encoding="utf-8"))
+                self.assertEqual((line["vertices"], line["mean_spacing"]), (there["vertices"], there["mean_spacing"]))
+                counts = line["counts"]
+                for kind in ("bicells", "cells", "ridges"):
+                    self.assertEqual(counts[f"{kind}.total"], there[kind]["total"])
+                    self.assertEqual(counts[f"{kind}.zero"], there[kind]["zero"])
+                    for name, n in there[kind]["below"].items():
+                        self.assertEqual(counts[f"{kind}.below.{name}"], n)
+                    for name, n in there[kind]["arithmetic"].items():
+                        self.assertEqual(counts[f"{kind}.stage.{name}"], n)
+                self.assertEqual(counts["bicells.not_convex"], there["convexity"]["non_convex"])
+                histogram = line["histograms"]["bicells.width"]
+                padded = [0] * histogram["first"] + histogram["in"]
+                self.assertEqual(padded, there["bicells"]["width"]["histogram"]["counts"][:len(padded)])
+                self.assertEqual(line["least"]["bicells.width"], there["bicells"]["width"]["quantiles"]["0"])
+                h = line["histograms"]["tolerance.paper_over_exact"]  # its bin 80 begins at 1
+                dense = [0] * h["first"] + h["in"] + [0] * 320
+                self.assertLessEqual(sum(dense[81:]) + h["above"], counts["tolerance.paper_above_exact"])
+                self.assertGreaterEqual(sum(dense[80:]) + h["above"], counts["tolerance.paper_above_exact"])
+                self.assertEqual(counts["tolerance.paper_unsound"],
+                                 round(there["tolerance"]["share_unsound"] * there["vertices"]))
+                for stage in ("filter", "interval", "exact"):
+                    for name in ("theta_log", "bicells.width_ulps"):
+                        h = line["histograms"][f"{name}.{stage}"]
+                        self.assertEqual(sum(h["in"]) + h["below"] + h["above"], counts[f"bicells.stage.{stage}"])
+
+    def test_sums(self):
+        """By integers of Python's."""
+        self.sweep(SPEC, "out")
+        sums = json.loads((self.here / "out" / "sums.json").read_text(encoding="utf-8"))
+        expected = {}
+        for line in self.lines("out"):
+            where = {k: v for k, v in line.items() if k in ("grid", "name", "kind", "dimension", "points", "rounding", "motion", "pace", "step")}
+            expected.setdefault(json.dumps(where), []).append(line)
+        self.assertEqual(len(sums["sums"]), len(expected))
+        for one, (where, lines) in zip(sums["sums"], expected.items()):
+            self.assertEqual({k: one[k] for k in json.loads(where)}, json.loads(where))
+            self.assertEqual(one["counts"], {k: sum(line["counts"][k] for line in lines) for k in lines[0]["counts"]})
+            self.assertEqual(one["least"], {k: min(line["least"][k] for line in lines) for k in lines[0]["least"]})
+            for name, h in one["histograms"].items():
+                dense = [0] * sums["scales"][name]["bins"]
+                for line in lines:
+                    for i, n in enumerate(line["histograms"][name]["in"]):
+                        dense[line["histograms"][name]["first"] + i] += n
+                self.assertEqual([0] * h["first"] + h["in"], dense[:h["first"] + len(h["in"])])
+                self.assertEqual(sum(h["in"]), sum(dense))
+                self.assertEqual(h["below"], sum(line["histograms"][name]["below"] for line in lines))
+
+    def test_seeds(self):
+        """Rounded in several ways, the same points; else different ones; what a list of seeds says is taken as it is."""
+        self.sweep("[[grid]]\npoints = [20, 30]\nkind = [\"uniform\", \"jittered\"]\nrounding = [\"double\", \"float\"]\nseeds = 3\n", "out")
+        seeds = {}
+        for line in self.lines("out"):
+            seeds.setdefault((line["points"], line["kind"], line["rounding"]), []).append(line["seed"])
+        for n in (20, 30):
+            for kind in ("uniform", "jittered"):
+                self.assertEqual(seeds[n, kind, "double"], seeds[n, kind, "float"])
+        self.assertEqual(len({s for some in seeds.values() for s in some}), 12)
+        self.sweep("[[grid]]\npoints = 20\nseeds = [7, 5]\n", "list")
+        self.assertEqual([line["seed"] for line in self.lines("list")], [7, 5])
+        before = self.sweep("seed = 2\n[[grid]]\npoints = 20\n", "a")
+        self.assertNotEqual(self.sweep("seed = 3\n[[grid]]\npoints = 20\n", "b")["results.jsonl"], before["results.jsonl"])
+
+    def test_rounded_points(self):
+        self.succeed("generate", "uniform", "--points", 200, "--seed", 7, "--output", "p.xyz")
+        points = [tuple(map(float, line.split()[-2:])) for line in (self.here / "p.xyz").read_text().splitlines()[-200:]]
+        self.xyz("r.xyz", [tuple(float(f"{c:.2f}") for c in p) for p in points])
+        self.succeed("degeneracy", "r.xyz", "--quiet", "--output", "d")
+        there = json.loads((self.here / "d" / "degeneracy.json").read_text(encoding="utf-8"))
+        self.sweep("[[grid]]\npoints = 200\nrounding = \"decimal:2\"\nseeds = [7]\n[[grid]]\nfile = \"p.xyz\"\nrounding = \"decimal:2\"\n", "out")
+        for line in self.lines("out"):
+            self.assertEqual((line["vertices"], line["merged"]), (there["vertices"], there["merged"]))
+            self.assertEqual(line["counts"]["bicells.zero"], there["bicells"]["zero"])
+        self.assertGreater(there["bicells"]["zero"], 0)
+
+    def test_recorded_motions(self):
+        self.succeed("generate", "walk", "--points", 50, "--steps", 6, "--pace", 0.2, "--output", "walk.xyz")
+        self.sweep("[[grid]]\nfile = \"walk.xyz\"\nevery = 3\n[[grid]]\nfile = \"walk.xyz\"\nframes = [6, 1]\n", "out")
+        lines = self.lines("out")
+        self.assertEqual([line["frame"] for line in lines], [0, 3, 6, 1, 6])
+        self.assertEqual(lines[2]["counts"], lines[4]["counts"])
+
+    def test_flat_points(self):
+        self.sweep("[[grid]]\npoints = [1, 2, 30]\nrounding = \"grid:10\"\n", "out")
+        for line in self.lines("out"):
+            self.assertLess(line["affine_dimension"], 2)
+            self.assertEqual(line["counts"], {"experiments": 1, "flat": 1})
+
+    def test_hardest(self):
+        """Against all certificates (`degeneracy --raw`), and in rational numbers."""
+        self.sweep("hardest = 6\n[[grid]]\npoints = 400\nkind = \"jittered\"\nrounding = \"decimal:3\"\nseeds = [4]\n", "out")
+        self.sweep("hardest = 6\n[[grid]]\npoints = 400\nkind = \"jittered\"\nseeds = [4]\n", "unrounded")
+        self.succeed("generate", "jittered", "--points", 400, "--seed", 4, "--output", "p.xyz")
+        points = [tuple(float(f"{float(c):.3f}") for c in line.split()[-2:]) for line in (self.here / "p.xyz").read_text().splitlines()[-400:]]
+        self.xyz("r.xyz", points)
+        self.succeed("degeneracy", "r.xyz", "--raw", "raw.csv", "--quiet")
+        met = {}
+        with open(self.here / "raw.csv", encoding="utf-8") as file:
+            for row in csv.DictReader(file):
+                x = [points[int(row[f"point_{i}"])] for i in range(4) if row[f"point_{i}"]]
+                size = max(abs(a - b) for p in x[1:] for a, b in zip(p, x[0]))
+                if float(row["width_upper"]) > 0 and row["stage"] != "filter":
+                    met.setdefault((len(x), row["stage"]), []).append((float(row["width_lower"]) / size, frozenset(x)))
+        hard = self.lines("out", "hard.jsonl")
+        for name, k in (("orientation_2", 3), ("empty_circle_2", 4)):
+            for stage in ("interval", "exact"):
+                ours = [h for h in hard if (h["certificate"], h["stage"]) == (name, stage)]
+                keys = {}
+                for key, x in met.get((k, stage), []):
+                    keys[x] = min(key, keys.get(x, key))
+                self.assertEqual([float.fromhex(h["key"]) for h in ours], sorted(keys.values())[:6])
+        hard += self.lines("unrounded", "hard.jsonl")
+        self.assertEqual(len([h for h in hard if h["stage"] == "filter"]), 24)
+        for h in hard:
+            self.assertGreater(self.determinant(h["points"]), 0)
+            if h["stage"] == "filter":
+                self.assertGreaterEqual(float.fromhex(h["key"]), 1024)  # bounds.h: filter_slack
+
+    @staticmethod
+    def determinant(points):
+        x = [[Fraction(float.fromhex(c)) for c in p] for p in points]
+        rows = [[c - c0 for c, c0 in zip(p, x[0])] for p in x[1:]]
+        if len(x) == 3:
+            (a, b), (c, d) = rows
+            return a * d - b * c
+        (a, b), (c, d), (e, f) = rows  # of b, p and q: p is outside of the circle through a, b and q
+        s, t, u = a * a + b * b, c * c + d * d, e * e + f * f
+        return -(a * (d * u - f * t) - b * (c * u - e * t) + s * (c * f - d * e))
+
+    def test_the_page(self):
+        self.sweep(SPEC, "out")
+        page = (self.here / "out" / "sweep.html").read_text(encoding="utf-8")
+        self.assertFalse(re.search(r"(?i)\b(nan|inf)\b", page.split("<script>")[0]))
+        for heading in ("What was found", "Distributions", "Which arithmetic decides"):
+            self.assertIn(heading, page)
+
+
+class Interrupted(SweepTest):
+    def test_threads_and_memory(self):
+        one = self.sweep(SPEC, "one")
+        for i, words in enumerate((["--threads", "4"], ["--threads", "3", "--memory", "0.002"])):
+            self.assertEqual(self.sweep(SPEC, f"more{i}", *words), one)
+
+    def start(self, *launcher, threads=2):
+        return subprocess.Popen([*launcher, tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out", "--quiet", "--threads", str(threads)],
+                                cwd=self.here, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True)
+
+    def journal_lines(self):
+        try:
+            return (self.here / "out" / JOURNAL).read_bytes().count(b"\n")
+        except FileNotFoundError:
+            return 0
+
+    def wait_for_lines(self, run, n):
+        while run.poll() is None and self.journal_lines() < n:
+            time.sleep(0.01)
+
+    def test_killed_at_any_time(self):
+        whole = self.sweep(LONGER, "whole")
+        dice = random.Random()
+        seed = dice.randrange(10**6)
+        print("seed of the kills:", seed)
+        dice.seed(seed)
+        kept = 0
+        for turn in range(4):
+            run = self.start()
+            self.wait_for_lines(run, kept + dice.randrange(2, 7))
+            run.kill()
+            run.wait()
+            run.stderr.close()
+            if not (self.here / "out" / JOURNAL).exists():
+                break
+            lines = self.journal_lines()
+            self.assertGreaterEqual(lines, kept)  # nothing is lost
+            kept = lines
+            if turn == 1:  # as a crash of the machine may leave it
+                with open(self.here / "out" / JOURNAL, "ab") as journal:
+                    journal.write(b"1234abcd {\"trial\":0,\"li")
+        self.succeed("sweep", "spec.toml", "--output", "out", "--quiet")
+        self.assertEqual(self.results("out"), whole)
+
+    def test_interrupted(self):
+        whole = self.sweep(LONGER, "whole")
+        run = self.start()
+        self.wait_for_lines(run, 3)
+        run.send_signal(signal.SIGINT)
+        text = run.communicate()[1]
+        self.assertEqual(run.returncode, -signal.SIGINT)
+        self.assertRegex(text, r"\Aannulus: interrupted: \d+ of 30 trials are kept in out, [^\n]+\n\Z")
+        self.assertEqual([p.name for p in (self.here / "out").iterdir()], [JOURNAL])
+        done = self.succeed("sweep", "spec.toml", "--output", "out")
+        self.assertRegex(done.stdout, r"of which [1-9]\d* were done before")
+        self.assertEqual(self.results("out"), whole)
+
+    def test_what_is_done_is_not_done_again(self):
+        before = self.sweep(SPEC, "out")
+        stamp = (self.here / "out" / "costs.jsonl").read_bytes()
+        self.assertIn("already", self.succeed("sweep", "spec.toml", "--output", "out").stdout)
+        self.assertEqual((self.here / "out" / "costs.jsonl").read_bytes(), stamp)
+        self.assertEqual(self.sweep(SPEC, "out", "--force"), before)
+        self.assertNotEqual((self.here / "out" / "costs.jsonl").read_bytes(), stamp)
+        # Another specification may take the place of results that are whole, as with every subcommand.
+        self.sweep("[[grid]]\npoints = 20\n", "out")
+        self.assertEqual(len(self.lines("out")), 1)
+
+    def test_another_specification(self):
+        self.write("spec.toml", LONGER)
+        run = self.start()
+        self.wait_for_lines(run, 2)
+        self.assertIn("another sweep is writing", self.refuse_now("sweep", "spec.toml", "--output", "out"))
+        run.kill()
+        run.wait()
+        run.stderr.close()
+        other = self.write("other.toml", "[[grid]]\npoints = 20\n")
+        self.assertIn("another specification", self.refuse_now("sweep", other, "--output", "out"))
+        self.succeed("sweep", other, "--output", "out", "--quiet", "--force")
+        self.assertEqual(len(self.lines("out")), 1)
+
+    def refuse_now(self, *words):
+        done = self.run_tool(*words)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertRegex(done.stderr, r"\Aannulus: [^\n]+\n\Z")
+        return done.stderr
+
+    def test_a_directory_of_others(self):
+        self.write("spec.toml", "[[grid]]\npoints = 20\n")
+        (self.here / "out").mkdir()
+        self.write("out/mine", "")
+        self.refuse(3, "sweep", "spec.toml", "--output", "out")
+        self.succeed("sweep", "spec.toml", "--output", "out", "--force", "--quiet")
+        self.assertEqual({p.name for p in (self.here / "out").iterdir()}, FILES | {"mine"})
+
+
+class Ranks(Interrupted):
+    def setUp(self):
+        super().setUp()
+        if tool.OPTIONS["mpirun"].endswith("none"):
+            self.skipTest("this build has no MPI")
+
+    def mpirun(self, n):
+        words = [tool.OPTIONS["mpirun"], "-n", str(n), "--oversubscribe"]
+        return words + ["--allow-run-as-root"] if os.getuid() == 0 else words
+
+    def run_ranks(self, n, *words, status=0):
+        done = subprocess.run([*self.mpirun(n), tool.OPTIONS["tool"], "sweep", *words], cwd=self.here, capture_output=True, text=True, timeout=120,
+                              check=False)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done
+
+    def test_any_number_of_ranks(self):
+        one = self.sweep(SPEC, "one")
+        for n, threads in ((2, 1), (4, 1), (2, 2)):
+            done = self.run_ranks(n, "spec.toml", "--output", f"{n}x{threads}", "--threads", str(threads))
+            self.assertEqual(done.stdout.count("written to"), 1)
+            self.assertEqual(self.results(f"{n}x{threads}"), one)
+        ranks = {line["rank"] for line in self.lines("4x1", "costs.jsonl")}
+        self.assertGreater(len(ranks), 1, "one rank did everything")
+
+    def test_faults_come_once(self):
+        self.write("bad.xyz", "1 2\n3 x\n")
+        self.write("spec.toml", "[[grid]]\npoints = 20\nseeds = 40\n[[grid]]\nfile = \"bad.xyz\"\n")
+        for words, status, line in ((["spec.toml", "--output", "out"], 3, "bad.xyz:2: "), (["missing.toml", "--output", "out"], 3, "missing.toml"),
+                                    (["spec.toml"], 2, "--output")):
+            done = self.run_ranks(3, *words, status=status)
+            self.assertEqual([line in text for text in done.stderr.splitlines() if text.startswith("annulus:")], [True], done.stderr)
+
+    def test_killed_at_any_time(self):
+        """One rank, which takes the others with it; what it was doing is all that is lost."""
+        whole = self.sweep(LONGER, "whole")
+        kept = 0
+        for turn, rank in enumerate((1, 0, 2)):
+            run = self.start(*self.mpirun(3), threads=1)
+            self.wait_for_lines(run, kept + 4)
+            victim = self.rank_of(run.pid, rank)
+            if victim:
+                os.kill(victim, signal.SIGKILL)
+            run.communicate(timeout=60)
+            if not (self.here / "out" / JOURNAL).exists():
+                break
+            self.assertNotEqual(run.returncode, 0)
+            lines = self.journal_lines()
+            self.assertGreaterEqual(lines, kept)
+            kept = lines
+            print(f"turn {turn}: rank {rank} killed, {kept} lines in the journal")
+        self.run_ranks(2, "spec.toml", "--output", "out", "--quiet")
+        self.assertEqual(self.results("out"), whole)
+
+    @staticmethod
+    def rank_of(launcher, rank):
+        """The process below mpirun that has that rank."""
+        for entry in os.listdir("/proc"):
+            if not entry.isdigit():
+                continue
+            try:
+                with open(f"/proc/{entry}/stat", encoding="utf-8", errors="replace") as file:
+                    parent = int(file.read().rsplit(")", 1)[1].split()[1])
+                if parent != launcher:
+                    continue
+                with open(f"/proc/{entry}/environ", "rb") as file:
+                    if f"OMPI_COMM_WORLD_RANK={rank}".encode() in file.read().split(b"\0"):
+                        return int(entry)
+            except OSError:
+                continue
+        return None
+
+    # Not once more with ranks.
+    test_threads_and_memory = test_interrupted = test_what_is_done_is_not_done_again = None
+    test_another_specification = test_a_directory_of_others = None
+
+
+if __name__ == "__main__":
+    tool.main(__doc__, "mpirun")
