@@ -45,7 +45,7 @@ template <int d>
 class Survey {
   public:
     Survey(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Degeneracy_options<d>& options)
-        : t_(t), x_(x), options_(options), tolerance_(x.size(), infinity), marks_(x.size(), 0), paper_(t, x.size()) {
+        : t_(t), x_(x), options_(options), tolerance_(x.size(), infinity), marks_(x.size(), 0), paper_(t, x.size(), options.threads) {
         r_.dimension = d;
         r_.spacing = mean_spacing(t, x);
         r_.resolution = resolution(x);
