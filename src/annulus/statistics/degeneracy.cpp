@@ -124,22 +124,22 @@ class Survey {
         switch (slot.kind) {
             case Kind::bicells: enter_bicells(slot.bicells); break;
             case Kind::ridges:
-                enter(slot.facets, Raw_certificate<d>::Kind::ridge, r_.ridges, width_samples_[2]);
+                enter_certificates(slot.facets, Raw_certificate<d>::Kind::ridge, r_.ridges, width_samples_[2]);
                 for (std::size_t i = 0; i < slot.facets.id.size(); ++i) paper_.note_ridge(slot.facets.id[i], slot.facets.half[i]);
                 enter_paper(slot.facets);
                 break;
             case Kind::border: enter_paper(slot.facets); break;
             case Kind::cells:
-                enter(slot.cells, Raw_certificate<d>::Kind::cell, r_.cells, width_samples_[1]);
+                enter_certificates(slot.cells, Raw_certificate<d>::Kind::cell, r_.cells, width_samples_[1]);
                 for (std::size_t i = 0; i < slot.cells.id.size(); ++i) paper_.note_cell(slot.cells.id[i], slot.cells.half[i]);
                 break;
         }
     }
     void enter_bicells(const Bicell_batch<d>& b) {
-        enter(b, Raw_certificate<d>::Kind::bicell, r_.bicells, width_samples_[0], b.theta);
+        enter_certificates(b, Raw_certificate<d>::Kind::bicell, r_.bicells, width_samples_[0], b.theta);
         r_.convexity += b.convexity;
         for (std::size_t i = 0; i < b.id.size(); ++i) {
-            if (d == 3) enter(b.all[i].standard, b.below_standard[i], r_.standard, width_samples_[3]);
+            if (d == 3) enter_width(b.all[i].standard, b.below_standard[i], r_.standard, width_samples_[3]);
             r_.non_convex += b.convex[i] < 0 ? 1U : 0U;
             r_.flat += b.convex[i] == 0 ? 1U : 0U;
             theta_samples_.add(b.theta[i], options_.quantiles);
@@ -152,12 +152,12 @@ class Survey {
 
     /// Certificates: the stages that decided, widths as they are, tolerances at the points that they limit.
     template <class Batch>
-    void enter(const Batch& b, typename Raw_certificate<d>::Kind kind, Certificate_counts& counts, Samples& samples,
-               std::span<const double> theta = {}) {
+    void enter_certificates(const Batch& b, typename Raw_certificate<d>::Kind kind, Certificate_counts& counts, Samples& samples,
+                            std::span<const double> theta = {}) {
         counts.arithmetic += b.arithmetic;
         for (std::size_t i = 0; i < b.id.size(); ++i) {
             const Half_width& h = b.half[i];
-            enter(h, b.below[i], counts.least, samples);
+            enter_width(h, b.below[i], counts.least, samples);
             counts.decided_exactly += b.below[i].with_integers ? 1U : 0U;
             const unsigned mark = (h.upper == 0.0 ? 1U : 0U) | b.below[i].tolerance << 1;
             for (const Index v : b.point[i]) {
@@ -170,7 +170,7 @@ class Survey {
                               theta.empty() ? 0 : theta[i]});
         }
     }
-    void enter(const Half_width& h, const Below& below, Width_counts& counts, Samples& samples) const {
+    void enter_width(const Half_width& h, const Below& below, Width_counts& counts, Samples& samples) const {
         ++counts.total;
         counts.zero += h.upper == 0.0 ? 1U : 0U;
         for (std::size_t k = 0; k < counts.below.size(); ++k) counts.below[k] += below.width >> k & 1U;
