@@ -29,7 +29,7 @@ KINDS = [
     Kind("degeneracy", "degeneracy GRID", "degeneracy.html", ["Degenerate, exactly and nearly", "Quantiles"]),
     Kind("degeneracy-3", "degeneracy POINTS", "degeneracy.html", ["Distributions", "What arithmetic decides"]),
     Kind("degeneracy-motion", "degeneracy MOTION --every 2", "degeneracy.html"),
-    Kind("sweep", "sweep SPEC", "sweep.html", ["What was found", "Distributions", "Which arithmetic decides"]),
+    Kind("sweep", "sweep SPEC", "sweep.html", ["What was found", "Distributions", "Which arithmetic decides"], sorted_tables=1),
     Kind("reproduce", "reproduce --quick --iterations 4 --only fig5,fig10", "index.html", ["Claims", "Figures", "Runs"], links=True),
     Kind("reproduce-figure", "reproduce --quick --iterations 20 --only fig6,fig10,fig11", "figure-11.html", ["Claims", "Notes"], links=True),
     Kind("reproduce-speed", "reproduce --quick --iterations 20 --only fig12", "figure-12.html", ["Speed-up"], links=True),

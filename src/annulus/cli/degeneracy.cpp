@@ -123,6 +123,7 @@ Degeneracy_record study_points(const Degeneracy_call& a, std::string file, const
     if (!a.raw.empty()) raw.emplace(a.raw, id);
     if (r.affine_dimension == d) {
         Degeneracy_options<d> options;
+        options.threads = a.common.threads;
         if (!a.thresholds.empty()) options.thresholds = thresholds_of(a.thresholds);
         if (raw) options.raw = [&raw](const Raw_certificate<d>& c) { (*raw)(c); };
         embedding.mirror();

@@ -64,7 +64,7 @@ class Looker {
 }  // namespace
 
 template <int d>
-Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard) {
+Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard, int threads) {
     Study s;
     s.vertices = x.size();
     Mesh_embedding<d> embedding;
@@ -78,6 +78,7 @@ Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard
     Looker<d> looker(x, s.resolution, seed, hard);
     Degeneracy_options<d> options;
     options.quantiles = false;
+    options.threads = threads;
     options.raw = [&looker](const Raw_certificate<d>& c) { looker(c); };
     const Degeneracy found = degeneracy(embedding.table(), x, options);
     s.spacing = found.spacing;
@@ -86,7 +87,7 @@ Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard
     return s;
 }
 
-template Study study<2>(std::vector<Coordinates<2>>, std::uint64_t, Hard_inputs&);
-template Study study<3>(std::vector<Coordinates<3>>, std::uint64_t, Hard_inputs&);
+template Study study<2>(std::vector<Coordinates<2>>, std::uint64_t, Hard_inputs&, int);
+template Study study<3>(std::vector<Coordinates<3>>, std::uint64_t, Hard_inputs&, int);
 
 }  // namespace annulus

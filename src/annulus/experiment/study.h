@@ -20,11 +20,11 @@ struct Study {
 };
 
 /// Triangulates points and looks at every certificate. `x` are distinct and in the domain, without -0; the hardest inputs go to `hard`,
-/// with the seed.
+/// with the seed. `threads` look at certificates; what is found does not depend on it.
 template <int d>
-[[nodiscard]] Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard);
+[[nodiscard]] Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard, int threads);
 
-extern template Study study<2>(std::vector<Coordinates<2>>, std::uint64_t, Hard_inputs&);
-extern template Study study<3>(std::vector<Coordinates<3>>, std::uint64_t, Hard_inputs&);
+extern template Study study<2>(std::vector<Coordinates<2>>, std::uint64_t, Hard_inputs&, int);
+extern template Study study<3>(std::vector<Coordinates<3>>, std::uint64_t, Hard_inputs&, int);
 
 }  // namespace annulus

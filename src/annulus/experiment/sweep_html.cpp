@@ -137,9 +137,9 @@ std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) 
     std::vector<Table_row> rows;
     for (const Grid_point& point : points) rows.push_back(row_of(point, rows.size() + 1));
     append_table(out,
-                 {"", "experiments", "bi-cells a vertex", "exactly 0", "width &lt; 1e-9", "&lt; 1e-3", "least width", "by intervals",
+                 {"grid point", "experiments", "bi-cells a vertex", "exactly 0", "width &lt; 1e-9", "&lt; 1e-3", "least width", "by intervals",
                   "by integers", "not convex", "paper above exact", "paper unsound", "flat"},
-                 rows);
+                 rows, true);
     out +=
         "<figcaption>Each row adds the experiments that differ in their seed only. Widths in mean spacings; shares of bi-cells, in the last "
         "columns of vertices. Flat: experiments whose points do not span the space, of which nothing is counted.</figcaption>\n";

@@ -24,14 +24,14 @@ using Json = nlohmann::ordered_json;
 /// The lines of one trial.
 class Lines {
   public:
-    Lines(const Trial& trial, std::size_t hardest) : trial_(trial), result_(hardest) {}
+    Lines(const Trial& trial, std::size_t hardest, int threads) : trial_(trial), threads_(threads), result_(hardest) {}
 
     /// One experiment: `where` is {"step": ..} or {"frame": ..}.
     template <int d>
     void look(const Json& where, std::vector<Coordinates<d>> x) {
         const std::size_t points = x.size();
         round_to<d>(trial_.rounding, x);
-        const Study found = study<d>(keep_distinct<d>(std::move(x)), trial_.seed, result_.hard);
+        const Study found = study<d>(keep_distinct<d>(std::move(x)), trial_.seed, result_.hard, threads_);
         Json line{{"grid", trial_.grid + 1}, {"name", trial_.grid_name}};
         if (trial_.file.empty()) line["kind"] = trial_.kind;
         else line["file"] = trial_.file;
@@ -68,6 +68,7 @@ class Lines {
     }
 
     const Trial& trial_;
+    int threads_;
     Trial_result result_;
 };
 
@@ -133,7 +134,7 @@ void run_file(const Trial& t, Lines& lines) {
 
 Trial_result run(const Trial& t, std::size_t hardest, int threads) {
     const auto begin = std::chrono::steady_clock::now();
-    Lines lines(t, hardest);
+    Lines lines(t, hardest, threads);
     if (!t.file.empty()) run_file(t, lines);
     else if (t.dimension == 2) run_generated<2>(t, lines, threads);
     else run_generated<3>(t, lines, threads);

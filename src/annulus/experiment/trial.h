@@ -55,7 +55,7 @@ struct Trial_result {
     std::uint64_t peak_bytes = 0;   ///< that this process had resident at most until then
 };
 
-/// Runs one: what it finds depends on the trial alone, and not on `threads`, which work on Lloyd's iteration and natural ODT. `hardest`
+/// Runs one: what it finds depends on the trial alone, and not on `threads`, which work on Lloyd's iteration, natural ODT and certificates. `hardest`
 /// inputs are kept for each certificate and stage. Throws Input_error for a file that is not as it should be, Error.
 [[nodiscard]] Trial_result run(const Trial& trial, std::size_t hardest, int threads = 1);
 

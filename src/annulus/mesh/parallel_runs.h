@@ -3,10 +3,12 @@
 
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace annulus {
 
@@ -29,6 +31,39 @@ void for_each_run(std::size_t n, std::size_t length, int threads, const Run& run
         return;
     }
     in_arena(threads, [&] { oneapi::tbb::parallel_for(std::size_t{0}, runs, one); });
+}
+
+/// Fills slots by fill(slot) until it says false, calls work(slot) for each, on at most `threads` threads at once, and then take(slot), in
+/// the order in which they were filled. Of fill and take one call at a time runs, on any thread: what is taken adds up the same
+/// with any number of threads. There are a few slots for each thread, and they are filled again.
+template <class Slot, class Fill, class Work, class Take>
+void for_each_in_order(int threads, const Fill& fill, const Work& work, const Take& take) {
+    namespace tbb = oneapi::tbb;
+    if (threads == 1) {
+        for (Slot slot; fill(slot);) {
+            work(slot);
+            take(slot);
+        }
+        return;
+    }
+    std::vector<Slot> slots(4 * static_cast<std::size_t>(std::min(threads, tbb::info::default_concurrency())));
+    std::size_t filled = 0;
+    const auto first = [&](tbb::flow_control& flow) -> Slot* {
+        Slot& slot = slots[filled++ % slots.size()];  // as many slots back all has been taken: what is under way is consecutive
+        if (fill(slot)) return &slot;
+        flow.stop();
+        return nullptr;
+    };
+    const auto second = [&](Slot* slot) {
+        work(*slot);
+        return slot;
+    };
+    const auto third = [&](Slot* slot) { take(*slot); };
+    in_arena(threads, [&] {
+        tbb::parallel_pipeline(slots.size(), tbb::make_filter<void, Slot*>(tbb::filter_mode::serial_in_order, first) &
+                                                 tbb::make_filter<Slot*, Slot*>(tbb::filter_mode::parallel, second) &
+                                                 tbb::make_filter<Slot*, void>(tbb::filter_mode::serial_in_order, third));
+    });
 }
 
 }  // namespace annulus

@@ -29,13 +29,15 @@ struct Paper_verdict {
 template <int d>
 class Paper_tolerance {
   public:
-    Paper_tolerance(const Cell_table<d>& t, std::size_t vertices)
+    /// `threads` compare; the result does not depend on it.
+    Paper_tolerance(const Cell_table<d>& t, std::size_t vertices, int threads)
         : t_(t),
           paper_(t.facet_bound().offset()),
           facet_(t.facet_bound().offset()),
           own_(t.facet_bound().offset(), 0),
           cell_(t.cell_bound().offset()),
-          vertices_(vertices) {}
+          vertices_(vertices),
+          threads_(threads) {}
 
     void note_bicell(Corner_index f, const Bicell_half_widths& h) {
         paper_[f] = h.standard;
@@ -53,7 +55,12 @@ class Paper_tolerance {
     void take_least();
     [[nodiscard]] std::vector<double> least_of_all() const;
     template <class Visit>
-    void for_each_certificate(Visit visit);
+    void for_each_facet(const Visit& visit) const;
+    template <class Visit>
+    void for_each_finite_cell(const Visit& visit) const;
+    template <class Visit>
+    void for_each_certificate(const Visit& visit);
+    [[nodiscard]] std::size_t runs() const;
     void refine(std::span<const Coordinates<d>> x);
 
     const Cell_table<d>& t_;
@@ -62,6 +69,7 @@ class Paper_tolerance {
     By_corner<char> own_;          // of a facet: its two numbers are one
     By_cell<Half_width> cell_;
     std::size_t vertices_;
+    int threads_;
     std::vector<Half_width> least_;  // by vertex: the paper's tolerance
 };
 
