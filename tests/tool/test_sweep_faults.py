@@ -44,9 +44,9 @@ class Specification(test_sweep.SweepTest):
         self.refuse_spec("[[grid]]\npoints = 2.0\n", "spec.toml:2: ", "'points' is 2.0")
 
     def test_a_long_list(self):
-        seeds = ", ".join(map(str, range(200_000)))
+        seeds = ", ".join(map(str, range(600_000)))
         self.write("spec.toml", f"[[grid]]\npoints = 20\nseeds = [{seeds}]\n")
-        self.assertEqual(self.run_tool("sweep", "spec.toml", "--check", timeout=30).returncode, 0)
+        self.assertEqual(self.run_tool("sweep", "spec.toml", "--check", timeout=60).returncode, 0)
 
     def test_too_large_for_a_float(self):
         self.xyz("far.xyz", [(0.0, 0.0), (1e50, 0.0), (0.0, 1.0)])
@@ -65,7 +65,7 @@ class Directory(test_sweep.SweepTest):
     def test_what_says_that_all_is_done(self):
         """All files have to be there, and sums.json may be anything."""
         whole = self.sweep(SMALL, "out")
-        for name in test_sweep.FILES:
+        for name in test_sweep.FILES - {"sums.json"}:  # which says whose they are
             (self.here / "out" / name).unlink()
             self.succeed("sweep", "spec.toml", "--output", "out", "--quiet")
             self.assertEqual(self.results("out"), whole, name)

@@ -93,7 +93,7 @@ class Journal_place {
         std::error_code code;
         if (!fs::exists(path_ / journal_name, code)) require_writable(a.common, is_sweep_file);
         try {
-            make(fs::absolute(path_).lexically_normal());
+            make(fs::absolute(path_));
             journal_ = std::make_unique<Journal>(path_ / journal_name, head_of(spec), a.common.force);
         } catch (...) {
             take_away();
