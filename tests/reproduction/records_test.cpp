@@ -12,12 +12,27 @@ using namespace annulus;
 namespace {
 
 Race_record small() {
-    Race_record race{.name = "race", .title = "Race"};
-    race.racers.push_back({.name = "filter", .step = {1, 2}, .seconds = {0.1, 0.2}, .asked = {3, 4}, .failed = {0, 1}, .requeued = {0, 0},
-                           .changed = {0, 1}, .evaluated = {5, 6}, .first_fault = {}});
-    race.widths.push_back({.step = 1, .edges = {0, 1, 2}, .counts = {7, 8}, .total = 15});
-    race.degeneracies.push_back({.step = 1, .below = {0, 1}, .thresholds = {1e-6, 1e-3}});
-    race.pictures.push_back({.step = 1, .caption = {}, .svg = {}, .x = {0, 1}, .y = {1, 0}});
+    Race_record race;
+    race.name = "race";
+    Racer_record racer;
+    racer.name = "filter";
+    racer.step = {1, 2};
+    racer.seconds = {0.1, 0.2};
+    for (auto list : {&Racer_record::asked, &Racer_record::failed, &Racer_record::requeued, &Racer_record::changed, &Racer_record::evaluated})
+        racer.*list = {3, 4};
+    race.racers = {racer};
+    Width_record widths;
+    widths.edges = {0, 1, 2};
+    widths.counts = {7, 8};
+    race.widths = {widths};
+    Degeneracy_count_record count;
+    count.below = {0, 1};
+    count.thresholds = {1e-6, 1e-3};
+    race.degeneracies = {count};
+    Picture_record picture;
+    picture.x = {0, 1};
+    picture.y = {1, 0};
+    race.pictures = {picture};
     return race;
 }
 
