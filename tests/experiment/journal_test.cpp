@@ -30,7 +30,7 @@ const std::vector<std::string> three{"first", "", "{\"third\": [1, 2]}"};
 
 }  // namespace
 
-TEST_CASE("A journal cut off anywhere, or damaged in any byte, keeps the entries before that") {
+TEST_CASE("A journal cut off anywhere, or damaged in any byte, keeps all other entries") {
     const Temporary_directory scratch;
     const auto file = scratch.path() / "journal";
     {
@@ -53,11 +53,21 @@ TEST_CASE("A journal cut off anywhere, or damaged in any byte, keeps the entries
             REQUIRE(j.entry(kept) == "next");
         }
         REQUIRE(entries(file).size() == kept + 1);
-        if (lines == 0) continue;  // another head
         std::string damaged = whole;
         damaged[cut] = static_cast<char>(damaged[cut] ^ 4);
         write(file, damaged);
-        REQUIRE(entries(file) == std::vector<std::string>(three.begin(), three.begin() + static_cast<std::ptrdiff_t>(kept)));
+        if (lines == 0) {  // whose it is cannot be known
+            REQUIRE_THROWS_AS(entries(file), Error);
+            REQUIRE(content(file) == damaged);
+            continue;
+        }
+        std::vector<std::string> left = three;  // all but the line of that byte, or but two that have become one
+        left.erase(left.begin() + static_cast<std::ptrdiff_t>(kept));
+        if (whole[cut] == '\n' && kept < left.size()) left.erase(left.begin() + static_cast<std::ptrdiff_t>(kept));
+        REQUIRE(entries(file) == left);
+        Journal(file, "head", false).append("next");
+        left.emplace_back("next");
+        REQUIRE(entries(file) == left);
     }
 }
 
@@ -67,6 +77,9 @@ TEST_CASE("A journal of another head is refused, or begun anew") {
     Journal(file, "other", false).append("old");
     CHECK_THROWS_AS(Journal(file, "head", false), Error);
     CHECK(Journal(file, "other", false).size() == 1);
+    CHECK(Journal(file, "head", true).size() == 0);
+    CHECK(entries(file).empty());
+    Journal(file, "head", false).append("done");
     CHECK(Journal(file, "head", true).size() == 0);
     CHECK(entries(file).empty());
 }

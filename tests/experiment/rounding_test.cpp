@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/arithmetic/error.h>
 #include <annulus/experiment/rounding.h>
 
 #include <support/repeats.h>
@@ -36,4 +37,10 @@ TEST_CASE("What is no rounding has no name") {
     for (const char* word : {"", "decimal", "decimal:", "decimal:18", "decimal:-1", "decimal:3x", "grid:0", "grid:-1", "grid:nan", "grid:inf",
                              "grid:", "half", "Double", "float:3"})
         CHECK_FALSE(rounding_named(word));
+}
+
+TEST_CASE("What is too large for a float is refused, and not infinite") {
+    const Rounding single = *rounding_named("float");
+    CHECK(rounded(3.4028234e38, single) < 3.5e38);
+    for (const double x : {3.5e38, -1e300}) CHECK_THROWS_AS(rounded(x, single), Error);
 }

@@ -142,6 +142,26 @@ TEST_CASE("other files stay, and stale results do not", "[io][output]") {
     CHECK(directory.entries() == 3);
 }
 
+TEST_CASE("what goes last is there until all that replaces it is", "[io][output]") {
+    const Temporary_directory directory;
+    directory.file("notes", "mine");
+    directory.file("a", "old");
+    directory.file("j", "what a and b can be made from");
+    {
+        Output_directory out(directory.path(), is_result, true);
+        out.write("a", "new");
+        (void)out.path_of("b");  // nobody writes it: putting it in its place fails
+        out.goes_last("j");
+        CHECK_THROWS_AS(out.commit(), std::system_error);
+    }
+    CHECK(fs::exists(directory.path() / "j"));
+    Output_directory out(directory.path(), is_result, true);
+    out.write("a", "new");
+    out.goes_last("j");
+    out.commit();
+    CHECK_FALSE(fs::exists(directory.path() / "j"));
+}
+
 TEST_CASE("the working directory is not replaced under the feet of a shell", "[io][output]") {
     const Temporary_directory directory;
     const fs::path before = fs::current_path();

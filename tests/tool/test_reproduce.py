@@ -100,6 +100,36 @@ class Reproduce(tool.ToolTest):
         self.assertFalse(parts.exists())
         self.assertEqual(set(self.result("out")["runs"]), {"points-one", "points-x2", "nodt-sphere"})
 
+    def start(self, *words):
+        run = subprocess.Popen([tool.OPTIONS["tool"], *map(str, words)], cwd=self.here, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        deadline = time.monotonic() + 60
+        while not (self.here / "out.partial" / "reproduction.txt").exists() and time.monotonic() < deadline:
+            time.sleep(0.01)
+        return run
+
+    def test_two_at_once(self):
+        words = ["reproduce", "--quick", "--iterations", 1000, "--only", "fig5", "--output", "out"]
+        run = self.start(*words)
+        time.sleep(0.2)
+        done = self.run_tool(*words)
+        run.kill()
+        run.wait()
+        self.assertEqual((done.returncode, done.stdout), (3, ""))
+        self.assertRegex(done.stderr, r"\Aannulus: out\.partial: another reproduction is writing[^\n]*\n\Z")
+
+    def test_other_surfaces_of_the_same_names(self):
+        """Figure 5 looks at none of them."""
+        for place, text in (("one", "a"), ("two", "b")):
+            (self.here / place).mkdir()
+            for name in ("man.off", "bunny00.off", "liver.inr.gz"):
+                (self.here / place / name).write_text(text, encoding="utf-8")
+        words = ["reproduce", "--quick", "--iterations", 1000, "--only", "fig5", "--output", "out", "--surfaces"]
+        run = self.start(*words, "one")
+        time.sleep(0.2)
+        run.kill()
+        run.wait()
+        self.assertIn("another reproduction", self.refuse(2, *words, "two"))
+
     def test_wrong_usage(self):
         for words, said in ((["reproduce"], "--output"),
                             (["reproduce", "--output", "x", "--only", "fig4"], "fig4"),

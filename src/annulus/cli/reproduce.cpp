@@ -11,6 +11,9 @@
 #include <annulus/reproduction/parts.h>
 #include <annulus/reproduction/reproduction.h>
 
+#include <zlib.h>
+
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -48,13 +51,27 @@ std::string machine() {
     return model + ", " + counted(std::thread::hardware_concurrency(), "processor") + ", " + compiler;
 }
 
+/// CRC-32 of all of them.
+std::string fingerprint(const std::string& surfaces) {
+    uLong sum = ::crc32_z(0, nullptr, 0);
+    for (const char* file : surface_files) {
+        std::ifstream in(std::filesystem::path(surfaces) / file, std::ios::binary);
+        std::array<char, 1 << 16> block{};
+        while (in.read(block.data(), block.size()) || in.gcount() > 0)
+            sum = ::crc32_z(sum, reinterpret_cast<const unsigned char*>(block.data()), static_cast<std::size_t>(in.gcount()));
+    }
+    char digits[17];
+    std::snprintf(digits, sizeof digits, "%08lx", sum);
+    return digits;
+}
+
 /// All that results depend on, but for the machine.
 std::string description(const Reproduce_call& a) {
     std::string only;
     for (const std::string& topic : a.size.only) only += (only.empty() ? "" : ",") + topic;
     return std::string("annulus " ANNULUS_VERSION) + (a.size.quick ? " quick" : " whole") +
            " iterations=" + std::to_string(a.size.iterations) + " seed=" + std::to_string(a.size.seed) +
-           " only=" + only + " surfaces=" + (a.surfaces.empty() ? "no" : "yes");
+           " only=" + only + " surfaces=" + (a.surfaces.empty() ? "no" : fingerprint(a.surfaces));
 }
 
 Race_record run_part(const Part_plan& part, const Reproduce_call& a, Progress& progress, std::uint64_t before) {

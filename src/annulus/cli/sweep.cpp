@@ -10,12 +10,16 @@
 #include <annulus/formats/text_input.h>
 #include <annulus/statistics/memory.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace annulus::cli {
 
@@ -35,10 +39,18 @@ struct Sweep_call {
 struct Spec_text {
     std::string name, directory, text;
 
-    [[nodiscard]] std::string packed() const { return Json{{"name", name}, {"directory", directory}, {"text", text}}.dump(); }
-    static Spec_text unpacked(const std::string& message) {
-        const Json json = Json::parse(message);
-        return {json.at("name"), json.at("directory"), json.at("text")};
+    /// None of them has a byte 0, and names need not be UTF-8.
+    [[nodiscard]] std::string packed(std::uint32_t identity) const { return std::to_string(identity) + '\0' + name + '\0' + directory + '\0' + text; }
+    static Spec_text unpacked(std::string_view message, std::uint32_t& identity) {
+        const auto next = [&message] {
+            std::string one(message.substr(0, message.find('\0')));
+            message.remove_prefix(std::min(message.size(), one.size() + 1));
+            return one;
+        };
+        identity = static_cast<std::uint32_t>(std::stoul(next()));
+        Spec_text text{next(), next(), {}};
+        text.text = next();
+        return text;
     }
     [[nodiscard]] Spec read() const { return read_spec(name, text, directory); }
 };
@@ -66,10 +78,12 @@ std::string head_of(const Spec& spec) {
 bool is_done(const fs::path& directory, const Spec& spec) {
     std::error_code code;
     if (fs::exists(directory / journal_name, code)) return false;
+    for (const std::string_view name : sweep_results)
+        if (!fs::is_regular_file(directory / name, code)) return false;  // a pipe would wait for ever
     std::ifstream file(directory / "sums.json", std::ios::binary);
     const Json json = Json::parse(file, nullptr, false);
-    return json.is_object() && json.value("command", "") == "annulus sweep" && json.value("version", "") == ANNULUS_VERSION &&
-           json.value("identity", Json()) == Json(spec.identity);
+    const auto has = [&json](const char* key, const Json& value) { return json.contains(key) && json[key] == value; };
+    return has("command", "annulus sweep") && has("version", ANNULUS_VERSION) && has("identity", spec.identity);
 }
 
 /// The output directory while its journal grows. Where nothing came of it, it goes.
@@ -78,11 +92,11 @@ class Journal_place {
     Journal_place(const Sweep_call& a, const Spec& spec) : path_(a.common.output) {
         std::error_code code;
         if (!fs::exists(path_ / journal_name, code)) require_writable(a.common, is_sweep_file);
-        made_ = fs::create_directories(path_);
         try {
+            make(fs::absolute(path_));
             journal_ = std::make_unique<Journal>(path_ / journal_name, head_of(spec), a.common.force);
         } catch (...) {
-            if (made_) fs::remove(path_, code);
+            take_away();
             throw;
         }
     }
@@ -90,15 +104,27 @@ class Journal_place {
         if (journal_->size() > 0) return;
         std::error_code code;
         fs::remove(path_ / journal_name, code);
-        if (made_) fs::remove(path_, code);
+        take_away();
     }
     Journal_place(const Journal_place&) = delete;
     Journal_place& operator=(const Journal_place&) = delete;
     [[nodiscard]] Journal& journal() { return *journal_; }
 
   private:
+    /// With the parents that are missing.
+    void make(const fs::path& path) {
+        std::error_code code;
+        if (fs::exists(path, code) || path == path.parent_path()) return;
+        make(path.parent_path());
+        if (fs::create_directory(path)) made_.push_back(path);
+    }
+    void take_away() {
+        std::error_code code;
+        for (auto p = made_.rbegin(); p != made_.rend(); ++p) fs::remove(*p, code);
+    }
+
     fs::path path_;
-    bool made_ = false;
+    std::vector<fs::path> made_;  // outermost first
     std::unique_ptr<Journal> journal_;
 };
 
@@ -144,13 +170,14 @@ int run_first(const Sweep_call& a, Ranks& ranks) {
     Journal_place place(a, spec);
     Coordinator coordinator(spec, place.journal(), a.common.threads * ranks.ranks_of_machine(), bytes_of(a));
     const std::size_t before = coordinator.done();
-    std::string message = text.packed();
+    std::string message = text.packed(spec.identity);
     ranks.share(message);
     compute(a, spec, coordinator, ranks);
     coordinator.rethrow();
     {
         const Interruption_guard guard;
         Output_directory out(a.common.output, is_sweep_file, true);
+        out.goes_last(journal_name);
         write_sweep(spec, text.text, place.journal(), coordinator.entries(), coordinator.hardest(), out);
         out.commit();
     }
@@ -166,7 +193,17 @@ int run_other(const Sweep_call& a, Ranks& ranks) {
     std::string message;
     ranks.share(message);
     if (message.empty()) return done;
-    ranks.work(Spec_text::unpacked(message).read(), a.common.threads);
+    try {
+        std::uint32_t identity = 0;
+        const Spec_text text = Spec_text::unpacked(message, identity);
+        const Spec spec = text.read();
+        if (spec.identity != identity)
+            throw Input_error(Error_code::bad_input, text.name, 0, "files that it names are not the same for rank " + std::to_string(ranks.rank()),
+                              "the same for all ranks");
+        ranks.work(spec, a.common.threads);
+    } catch (...) {
+        ranks.give_up(std::current_exception());
+    }
     return done;
 }
 

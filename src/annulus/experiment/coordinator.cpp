@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/experiment/coordinator.h>
 
+#include <annulus/formats/decimal.h>
+#include <annulus/formats/input_error.h>
+
 #include <string>
 
 namespace annulus {
@@ -46,6 +49,22 @@ std::vector<std::size_t> Coordinator::open_trials() {
     return open;
 }
 
+Trial_result run_named(const Trial& t, std::size_t hardest, int threads) {
+    try {
+        return run(t, hardest, threads);
+    } catch (const Input_error&) {
+        throw;
+    } catch (const Error& e) {
+        std::string where = "grid " + std::to_string(t.grid + 1) + " (" + shown(t.grid_name) + "), ";
+        if (!t.file.empty()) where += shown(t.file);
+        else where += t.kind + ", " + counted(t.points, "point") + ", seed " + std::to_string(t.seed);
+        if (t.motion) where += ", " + t.motion->name;
+        if (t.motion && t.motion->kind == Trial_motion::Kind::generated) where += " " + decimal(t.motion->pace);
+        if (t.rounding.kind != Rounding::Kind::plain) where += ", " + t.rounding.name;
+        throw Error(e.code(), where + ": " + e.what());
+    }
+}
+
 std::optional<Schedule::Job> Coordinator::wait_for_job(int machine) {
     std::unique_lock lock(mutex_);
     while (!schedule_.empty()) {
@@ -80,6 +99,12 @@ void Coordinator::finish(std::size_t trial, int machine, int rank, const Trial_r
 void Coordinator::fail(std::size_t trial, int machine, std::exception_ptr why) {
     const std::lock_guard lock(mutex_);
     schedule_.finish(trial, machine);
+    if (!fault_) fault_ = std::move(why);
+    schedule_.clear();
+    changed_.notify_all();
+}
+void Coordinator::stop(std::exception_ptr why) {
+    const std::lock_guard lock(mutex_);
     if (!fault_) fault_ = std::move(why);
     schedule_.clear();
     changed_.notify_all();

@@ -10,6 +10,7 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -28,6 +29,8 @@ class Coordinator {
     void finish(std::size_t trial, int machine, int rank, const Trial_result& result);
     /// A trial threw: nothing more is handed out; what runs is finished and kept. The first is what `rethrow` throws.
     void fail(std::size_t trial, int machine, std::exception_ptr why);
+    /// The same where no trial is at fault.
+    void stop(std::exception_ptr why);
     void rethrow() const;
 
     [[nodiscard]] std::size_t done() const;
@@ -57,22 +60,29 @@ class Coordinator {
     std::exception_ptr fault_;
 };
 
+/// run(), but an error that names no file says of which trial it is.
+[[nodiscard]] Trial_result run_named(const Trial& trial, std::size_t hardest, int threads);
+
 /// Threads of one process that compute what `take` gives them, until it gives nothing: take() -> optional<Job>, done(job, result),
 /// failed(job, exception). All three are called from these threads.
 class Workers {
   public:
     template <class Take, class Done, class Failed>
     Workers(int threads, const Spec& spec, Take take, Done done, Failed failed) {
-        for (int i = 0; i < threads; ++i)
-            thread_.emplace_back([=, &spec] {
-                while (const std::optional<Schedule::Job> job = take()) {
-                    try {
-                        done(*job, run(spec.trials[job->trial], spec.hardest, job->threads));
-                    } catch (...) {
-                        failed(*job, std::current_exception());
-                    }
+        const auto work = [=, &spec] {
+            while (const std::optional<Schedule::Job> job = take()) {
+                try {
+                    done(*job, run_named(spec.trials[job->trial], spec.hardest, job->threads));
+                } catch (...) {
+                    failed(*job, std::current_exception());
                 }
-            });
+            }
+        };
+        try {
+            for (int i = 0; i < threads; ++i) thread_.emplace_back(work);
+        } catch (const std::system_error&) {  // fewer do as well
+            if (thread_.empty()) throw;
+        }
     }
 
   private:

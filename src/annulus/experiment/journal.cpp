@@ -31,10 +31,12 @@ bool is_whole(std::string_view line) { return line.size() >= mark && mark_of(lin
 
 }  // namespace
 
-Journal::Journal(std::filesystem::path file, const std::string& head, bool may_begin_anew) : file_(std::move(file)) {
+Journal::Journal(std::filesystem::path file, const std::string& head, bool begin_anew) : file_(std::move(file)) {
     open_and_lock();
     try {
-        read(head, may_begin_anew);
+        if (!begin_anew) read(head);
+        if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) fail("cannot be cut");
+        if (end_ == 0) write(mark_of(head) + head + "\n");
     } catch (...) {
         ::close(descriptor_);
         throw;
@@ -62,43 +64,43 @@ void Journal::open_and_lock() {
     }
 }
 
-void Journal::read(const std::string& head, bool may_begin_anew) {
+/// `ended`: the line has its end. Of a first line that was cut off nothing can be lost.
+void Journal::require_head(std::string_view line, const std::string& head, bool ended) const {
+    const std::string wanted = mark_of(head) + head;
+    if (ended ? line == wanted : wanted.starts_with(line)) return;
+    const std::string place = file_.parent_path().string();
+    if (is_whole(line))
+        throw Error(Error_code::bad_input, place + ": holds a sweep of another specification, or by another version, that is not done; expected "
+                                                   "the same, or another directory (or --force)");
+    throw Error(Error_code::bad_input, place + ": the journal of a sweep in it is damaged at its beginning, or is something else; expected a sweep "
+                                               "that is not done, or another directory (or --force)");
+}
+
+void Journal::read(const std::string& head) {
     std::array<char, 1 << 16> block{};
     std::string line;
     bool any = false;
-    std::uint64_t at = 0;
-    const auto take = [&] {
-        if (!is_whole(line)) return false;
-        if (any) {
-            place_.push_back({end_ + mark, line.size() - mark});
-        } else if (line.substr(mark) != head) {
-            if (!may_begin_anew)
-                throw Error(Error_code::bad_input, file_.parent_path().string() +
-                                                       ": holds a sweep of another specification, or by another version, that is not done; expected "
-                                                       "the same, or another directory (or --force)");
-            return false;
-        }
-        any = true;
-        end_ += line.size() + 1;
-        line.clear();
-        return true;
-    };
-    for (bool good = true; good;) {
+    std::uint64_t at = 0, begin = 0;  // of what is read; of the line
+    while (true) {
         const ssize_t n = ::pread(descriptor_, block.data(), block.size(), static_cast<off_t>(at));
         if (n < 0 && errno == EINTR) continue;
         if (n < 0) fail("cannot be read");
         if (n == 0) break;
         at += static_cast<std::uint64_t>(n);
-        for (std::string_view rest(block.data(), static_cast<std::size_t>(n)); good && !rest.empty();) {
+        for (std::string_view rest(block.data(), static_cast<std::size_t>(n)); !rest.empty();) {
             const std::size_t stop = rest.find('\n');
             line += rest.substr(0, stop);
             if (stop == std::string_view::npos) break;
-            good = take();
             rest.remove_prefix(stop + 1);
+            if (!any) require_head(line, head, true);
+            else if (is_whole(line)) place_.push_back({begin + mark, line.size() - mark});
+            begin += line.size() + 1;
+            if (!any || is_whole(line)) end_ = begin;
+            any = true;
+            line.clear();
         }
     }
-    if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) fail("cannot be cut");
-    if (!any) write(mark_of(head) + head + "\n");
+    if (!any) require_head(line, head, false);
 }
 
 std::string Journal::entry(std::size_t i) const {

@@ -13,12 +13,13 @@
 namespace annulus {
 
 /// Entries that outlive the process, however it ends: a file that only grows, each line its CRC-32 and its text. What a kill has left of a
-/// last line is recognised, and dropped when the journal is opened again. What is appended is on the disk a second later at the latest.
+/// last line is recognised, and dropped when the journal is opened again; so is a line that was damaged. What is appended is on the disk a
+/// second later at the latest.
 class Journal {
   public:
-    /// Opens or makes it, and keeps others out. `head` says whose it is. Throws Error(bad_input) where it is of another head, unless it
-    /// `may_begin_anew`, or where another process has it open; std::system_error for what the system cannot do.
-    Journal(std::filesystem::path file, const std::string& head, bool may_begin_anew);
+    /// Opens or makes it, and keeps others out. `head` says whose it is. Throws Error(bad_input) where another process has it open, or, unless
+    /// it is to `begin_anew`, where it is of another head or of something else; std::system_error for what the system cannot do.
+    Journal(std::filesystem::path file, const std::string& head, bool begin_anew);
     ~Journal();
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
@@ -35,7 +36,8 @@ class Journal {
         std::uint64_t size;
     };
     void open_and_lock();
-    void read(const std::string& head, bool may_begin_anew);
+    void read(const std::string& head);
+    void require_head(std::string_view line, const std::string& head, bool ended) const;
     void write(std::string_view line);
     [[noreturn]] void fail(const char* what) const;
 

@@ -3,6 +3,7 @@
 
 #include <annulus/experiment/coordinator.h>
 
+#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
@@ -36,6 +37,8 @@ class Ranks {
     void serve(Coordinator& coordinator, int threads, const std::function<void()>& poll);
     /// Of any other: computes with so many threads what the first hands out, until it says that is all.
     void work(const Spec& spec, int threads);
+    /// Of any other, where it cannot take part or go on: the sweep ends, for that reason.
+    void give_up(const std::exception_ptr& why);
 
   private:
     struct Messages;

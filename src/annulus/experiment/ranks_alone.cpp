@@ -20,5 +20,6 @@ bool Ranks::built_with_mpi() noexcept { return false; }
 void Ranks::share(std::string&) {}
 void Ranks::serve(Coordinator&, int, const std::function<void()>&) {}
 void Ranks::work(const Spec&, int) {}
+void Ranks::give_up(const std::exception_ptr&) {}
 
 }  // namespace annulus

@@ -4,6 +4,7 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/experiment/launched.h>
+#include <annulus/experiment/packing.h>
 
 #include <mpi.h>
 
@@ -13,7 +14,10 @@
 #include <deque>
 #include <exception>
 #include <limits>
+#include <map>
 #include <mutex>
+#include <set>
+#include <string>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -29,66 +33,11 @@ enum Tag : int {
     give,    ///< from the first: jobs, or "over"
     result,  ///< to the first: what came of one
     fault,   ///< to the first: what one threw
+    gone,    ///< to the first: why this one does no more
 };
 constexpr std::string_view over = "over";
 // MPI's own calls spin while they wait; the processor is the computing threads'.
 constexpr std::chrono::milliseconds nap{1}, wait_for_room{20};
-
-std::string packed(const std::vector<Schedule::Job>& jobs) {
-    std::string text;
-    for (const auto& job : jobs) text += std::to_string(job.trial) + " " + std::to_string(job.threads) + "\n";
-    return text;
-}
-/// The next line of text, which loses it.
-std::string next_line(std::string_view& text) {
-    const std::size_t end = text.find('\n');
-    std::string line(text.substr(0, end));
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    return line;
-}
-std::vector<Schedule::Job> jobs_of(std::string_view text) {
-    std::vector<Schedule::Job> jobs;
-    while (!text.empty()) {
-        const std::string line = next_line(text);
-        const std::size_t space = line.find(' ');
-        jobs.push_back({std::stoull(line.substr(0, space)), std::stoi(line.substr(space + 1))});
-    }
-    return jobs;
-}
-
-std::string packed(std::size_t trial, const Trial_result& r) {
-    std::string text = nlohmann::ordered_json{{"trial", trial}, {"seconds", r.seconds}, {"peak_bytes", r.peak_bytes}, {"lines", r.lines.size()}}.dump();
-    for (const std::string& line : r.lines) text += "\n" + line;
-    for (const auto& hard : r.hard.json()) text += "\n" + hard.dump();
-    return text;
-}
-Trial_result result_of(std::string_view text, std::size_t hardest, std::size_t& trial) {
-    const auto head = nlohmann::ordered_json::parse(next_line(text));
-    Trial_result r(hardest);
-    trial = head.at("trial").get<std::size_t>();
-    r.seconds = head.at("seconds").get<double>();
-    r.peak_bytes = head.at("peak_bytes").get<std::uint64_t>();
-    for (auto n = head.at("lines").get<std::size_t>(); n > 0; --n) r.lines.push_back(next_line(text));
-    while (!text.empty()) r.hard.add(nlohmann::ordered_json::parse(next_line(text)));
-    return r;
-}
-
-std::string packed(std::size_t trial, const std::exception_ptr& why) {
-    Error_code code = Error_code::environment;  // a fault of ours or of the machine
-    std::string what = "unknown";
-    try {
-        std::rethrow_exception(why);
-    } catch (const Error& e) {
-        code = e.code();
-        what = e.what();
-    } catch (const std::bad_alloc&) {
-        what = "out of memory";
-    } catch (const std::exception& e) {
-        what = e.what();
-    } catch (...) {
-    }
-    return std::to_string(trial) + "\n" + std::to_string(static_cast<int>(code)) + "\n" + what;
-}
 
 /// What the threads of a rank and the one that talks to the first have in common.
 struct Desk {
@@ -105,7 +54,8 @@ struct Desk {
 struct Ranks::Messages {
     std::vector<int> machines{};  ///< by rank
     bool shared = false;
-    int told = 0;  ///< how many of the others know that it is over
+    std::set<int> told{};  ///< which of the others know that it is over, or have gone
+    std::map<int, std::set<std::size_t>> doing{};  ///< what they have been given
 
     static void send(int to, Tag tag, std::string_view text) {
         if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
@@ -130,9 +80,10 @@ struct Ranks::Messages {
         int from = 0;
         Tag tag{};
         std::string text;
-        while (told < others) {
+        while (std::cmp_less(told.size(), others)) {
             if (!receive(from, tag, text)) std::this_thread::sleep_for(nap);
-            else if (tag == ask) send(from, give, over), ++told;
+            else if (tag == ask) send(from, give, over);
+            if (tag == ask || tag == gone) told.insert(from);
         }
     }
 };
@@ -174,7 +125,8 @@ bool Ranks::built_with_mpi() noexcept { return true; }
 void Ranks::share(std::string& text) {
     if (!messages_) return;
     messages_->shared = true;
-    if (text.empty()) messages_->told = size_ - 1;  // who gets nothing asks nothing
+    if (text.empty())  // who gets nothing asks nothing
+        for (int other = 1; other < size_; ++other) messages_->told.insert(other);
     std::uint64_t size = text.size();
     MPI_Bcast(&size, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
     text.resize(size);
@@ -188,7 +140,7 @@ void Ranks::serve(Coordinator& c, int threads, const std::function<void()>& poll
     int from = 0;
     Tag tag{};
     std::string text;
-    while (!c.over() || messages_->told < size_ - 1) {
+    while (!c.over() || std::cmp_less(messages_->told.size(), size_ - 1)) {
         poll();
         if (!Messages::receive(from, tag, text)) {
             std::this_thread::sleep_for(nap);
@@ -199,18 +151,28 @@ void Ranks::serve(Coordinator& c, int threads, const std::function<void()>& poll
             bool last = false;
             const auto jobs = c.jobs(machine, threads * size_, last);
             Messages::send(from, give, last ? std::string(over) : packed(jobs));
-            messages_->told += last ? 1 : 0;
+            if (last) messages_->told.insert(from);
+            for (const auto& job : jobs) messages_->doing[from].insert(job.trial);
         } else if (tag == result) {
             std::size_t trial = 0;
             const Trial_result r = result_of(text, c.most_hardest(), trial);
+            messages_->doing[from].erase(trial);
             c.finish(trial, machine, from, r);
-        } else {
+        } else if (tag == fault) {
             std::string_view rest(text);
             const std::size_t trial = std::stoull(next_line(rest));
-            const auto code = static_cast<Error_code>(std::stoi(next_line(rest)));
-            c.fail(trial, machine, std::make_exception_ptr(Error(code, std::string(rest))));
+            messages_->doing[from].erase(trial);
+            c.fail(trial, machine, fault_of(rest));
+        } else {
+            for (const std::size_t trial : std::exchange(messages_->doing[from], {})) c.fail(trial, machine, fault_of(text));
+            c.stop(fault_of(text));
+            messages_->told.insert(from);
         }
     }
+}
+
+void Ranks::give_up(const std::exception_ptr& why) {
+    if (messages_) Messages::send(0, gone, packed(why));
 }
 
 void Ranks::work(const Spec& spec, int threads) {
@@ -234,7 +196,7 @@ void Ranks::work(const Spec& spec, int threads) {
             return job;
         },
         [&leave](const Schedule::Job& job, const Trial_result& r) { leave(result, packed(job.trial, r)); },
-        [&leave](const Schedule::Job& job, const std::exception_ptr& why) { leave(fault, packed(job.trial, why)); });
+        [&leave](const Schedule::Job& job, const std::exception_ptr& why) { leave(fault, std::to_string(job.trial) + "\n" + packed(why)); });
 
     // Before the threads are waited for, whatever happens.
     struct Closing {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/experiment/rounding.h>
 
+#include <annulus/arithmetic/error.h>
+#include <annulus/formats/decimal.h>
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -28,6 +31,12 @@ double rounded_to_digits(double x, int digits) {
     return value;
 }
 
+double rounded_to_float(double x) {
+    const auto value = static_cast<double>(static_cast<float>(x));
+    if (std::isinf(value)) throw Error(Error_code::out_of_domain, "a coordinate is too large for a float: " + decimal(x));
+    return value;
+}
+
 }  // namespace
 
 std::optional<Rounding> rounding_named(std::string_view word) {
@@ -51,7 +60,7 @@ std::optional<Rounding> rounding_named(std::string_view word) {
 double rounded(double x, const Rounding& rounding) {
     switch (rounding.kind) {
         case Rounding::Kind::plain: return x;
-        case Rounding::Kind::single: return static_cast<double>(static_cast<float>(x));
+        case Rounding::Kind::single: return rounded_to_float(x);
         case Rounding::Kind::decimal: return rounded_to_digits(x, rounding.digits);
         case Rounding::Kind::grid: return std::nearbyint(x / rounding.spacing) * rounding.spacing;
     }

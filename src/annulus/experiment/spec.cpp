@@ -24,6 +24,8 @@ std::uint32_t crc(std::uint32_t so_far, const char* bytes, std::size_t size) {
     return static_cast<std::uint32_t>(::crc32_z(so_far, reinterpret_cast<const unsigned char*>(bytes), size));
 }
 
+void enter(std::uint32_t& identity, std::string_view text) { identity = crc(identity, text.data(), text.size()); }
+
 /// Steele, Lea, Flood: Fast splittable pseudorandom number generators, 2014.
 std::uint64_t mixed(std::uint64_t z) {
     z += 0x9e3779b97f4a7c15;
@@ -77,7 +79,7 @@ class Grid_reader {
             if (!family) t_.fail("kind", "'kind' is " + shown(word), "one of " + names_of(point_families));
             kinds.emplace_back(word, *family);
         }
-        const std::vector<Trial_motion> motions = read_motions(kinds, dimensions);
+        const std::vector<Trial_motion> motions = read_motions(kinds, dimensions, points);
         const auto [repetitions, literal] = read_seeds();
         for (const auto& kind : kinds)
             for (const std::uint64_t dimension : dimensions)
@@ -108,7 +110,7 @@ class Grid_reader {
     }
 
     std::vector<Trial_motion> read_motions(const std::vector<std::pair<std::string, Point_family>>& kinds,
-                                           const std::vector<std::uint64_t>& dimensions) {
+                                           const std::vector<std::uint64_t>& dimensions, const std::vector<std::uint64_t>& points) {
         const toml::node* const node = t_.find("motion");
         if (node == nullptr) return {};
         if (!node->is_table()) t_.fail(node, "'motion' is " + shown_value(*node), "a table: { kind = \"walk\", pace = 0.01, steps = [0, 10] }");
@@ -129,6 +131,8 @@ class Grid_reader {
                     if (d != (lloyd ? 2 : 3)) m.fail("kind", word + " moves points in " + (lloyd ? "the plane" : "space"), lloyd ? "dimension = 2" : "dimension = 3");
                 for (const auto& kind : kinds)
                     if (!lloyd && kind.first != "uniform") m.fail("kind", "nodt begins with uniform points of the ball", "kind = \"uniform\"");
+                if (const std::uint64_t least = lloyd ? 3 : 4; *std::min_element(points.begin(), points.end()) < least)
+                    t_.fail("points", "'points' has fewer than " + word + " moves", std::to_string(least) + " or more");
                 motions.push_back({word, lloyd ? Trial_motion::Kind::lloyd : Trial_motion::Kind::nodt, {}, 0});
                 continue;
             }
@@ -167,14 +171,18 @@ class Grid_reader {
 
     /// Enters the bytes of a file into the identity of the sweep.
     std::uint64_t note(const std::filesystem::path& path) {
-        std::ifstream in(path, std::ios::binary);
+        std::error_code ignored;
+        const bool regular = std::filesystem::is_regular_file(path, ignored);  // it is read twice, and a pipe would wait for ever
+        std::ifstream in;
+        if (regular) in.open(path, std::ios::binary);
         std::array<char, 1 << 16> block{};
         std::uint64_t size = 0;
-        if (!in || std::filesystem::is_directory(path)) t_.fail("file", "'file' is " + shown(path.string()), "a file that can be read");
+        if (!regular || !in) t_.fail("file", "'file' is " + shown(path.string()), "a file that can be read");
         while (in.read(block.data(), block.size()) || in.gcount() > 0) {
             spec_.identity = crc(spec_.identity, block.data(), static_cast<std::size_t>(in.gcount()));
             size += static_cast<std::uint64_t>(in.gcount());
         }
+        enter(spec_.identity, std::to_string(size));  // two files are not one
         return size;
     }
 
@@ -193,7 +201,21 @@ class Grid_reader {
     std::vector<std::uint64_t> steps_{0};
 };
 
+/// What reads TOML descends into every part of a key, and has only so much stack.
+void require_shallow_keys(const std::string& name, std::string_view text) {
+    constexpr std::size_t most = 1000;
+    std::size_t line = 1, dots = 0;
+    for (const char c : text) {
+        line += c == '\n' ? 1 : 0;
+        if (c == '.') ++dots;
+        else if (c == '\n' || c == ',') dots = 0;
+        if (dots > most)
+            throw Input_error(Error_code::bad_input, name, line, "more than " + std::to_string(most) + " dots in one key", "a key");
+    }
+}
+
 toml::table parsed(const std::string& name, std::string_view text) {
+    require_shallow_keys(name, text);
     try {
         return toml::parse(text, name);
     } catch (const toml::parse_error& e) {
@@ -219,7 +241,8 @@ Spec read_spec(const std::string& name, std::string_view text, const std::filesy
     spec.title = t.text("title", name.substr(name.find_last_of('/') + 1));
     spec.seed = t.whole("seed", 1, 0, no_limit);
     spec.hardest = static_cast<std::size_t>(t.whole("hardest", 0, 0, Spec::most_hardest));
-    spec.identity = crc(0, text.data(), text.size());
+    enter(spec.identity, text);
+    enter(spec.identity, spec.title);  // which may be the name of the file
     t.require("grid", "a [[grid]] or more");
     const toml::array* const grids = t.find("grid")->as_array();
     if (grids == nullptr || grids->empty() || !grids->is_homogeneous(toml::node_type::table))

@@ -17,7 +17,7 @@ struct Spec {
     std::uint64_t seed = 1;     ///< of all that is drawn
     std::size_t hardest = 0;    ///< inputs to keep of each certificate and stage
     std::vector<Trial> trials;  ///< of all grids, in their order: the last list of a grid changes fastest
-    std::uint32_t identity = 0; ///< of the text and of the files that it names: what is equal has equal results
+    std::uint32_t identity = 0; ///< of the text, the title and the files that it names: what is equal has equal results
 
     static constexpr std::size_t most_trials = 1'000'000;
     static constexpr std::uint64_t most_points = 100'000'000;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace annulus {
@@ -17,13 +18,19 @@ std::string range(std::uint64_t least, std::uint64_t most) {
     return "a whole number from " + std::to_string(least) + " to " + std::to_string(most);
 }
 
+/// So that nobody takes it for a whole number.
+std::string shown_double(double x) {
+    const std::string text = decimal(x);
+    return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+}
+
 }  // namespace
 
 std::string shown_value(const toml::node& node) {
     switch (node.type()) {
         case toml::node_type::string: return shown(node.as_string()->get());
         case toml::node_type::integer: return std::to_string(node.as_integer()->get());
-        case toml::node_type::floating_point: return decimal(node.as_floating_point()->get());
+        case toml::node_type::floating_point: return shown_double(node.as_floating_point()->get());
         case toml::node_type::boolean: return node.as_boolean()->get() ? "true" : "false";
         case toml::node_type::array: return node.as_array()->empty() ? "an empty list" : "a list";
         case toml::node_type::table: return "a table";
@@ -74,9 +81,10 @@ std::vector<T> Spec_table::list(std::string_view key, std::vector<T> absent, Rea
     const toml::node* const node = find(key);
     if (node == nullptr) return absent;
     std::vector<T> all;
+    std::set<T> seen;
     const auto add = [&](const toml::node& one) {
         T value = read(one);
-        if (std::find(all.begin(), all.end(), value) != all.end())
+        if (!seen.insert(value).second)
             fail(&one, quoted(key) + " has " + shown_value(one) + " twice", "each value once");
         all.push_back(std::move(value));
     };

@@ -60,9 +60,7 @@ Json sums_json(const Spec& spec, const std::vector<Grid_point>& points) {
 }  // namespace
 
 bool is_sweep_file(std::string_view name) {
-    constexpr std::array<std::string_view, 7> names{"results.jsonl", "sums.json", "hard.jsonl", "sweep.html",
-                                                    "spec.toml",     "costs.jsonl", journal_name};
-    return std::find(names.begin(), names.end(), name) != names.end();
+    return name == journal_name || std::find(sweep_results.begin(), sweep_results.end(), name) != sweep_results.end();
 }
 
 void write_sweep(const Spec& spec, std::string_view text, const Journal& journal, const std::vector<std::optional<std::size_t>>& entry,

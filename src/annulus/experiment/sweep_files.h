@@ -6,6 +6,7 @@
 #include <annulus/experiment/sums.h>
 #include <annulus/formats/output_directory.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,7 +17,9 @@ namespace annulus {
 
 /// The journal of a sweep that is not done, in its output directory.
 inline constexpr const char* journal_name = ".sweep-journal";
-/// Names of the files below, and of the journal.
+/// Those that a sweep writes.
+inline constexpr std::array<std::string_view, 6> sweep_results{"results.jsonl", "sums.json", "hard.jsonl", "sweep.html", "spec.toml", "costs.jsonl"};
+/// One of these, or the journal.
 [[nodiscard]] bool is_sweep_file(std::string_view name);
 
 /// Writes what a sweep has found: results.jsonl, sums.json, hard.jsonl, sweep.html, which depend on the specification alone; spec.toml, its

@@ -233,11 +233,14 @@ void Output_directory::replace_one_by_one() {
         const bool is_new = std::binary_search(sorted.begin(), sorted.end(), name);
         if (replaced_(name.string()) && !is_new && !entry.is_directory(code)) stale.push_back(entry.path());
     }
-    for (const fs::path& file : stale) remove(file);
+    for (const fs::path& file : stale)
+        if (file.filename() != last_) remove(file);
     for (auto name = files_.rbegin(); name != files_.rend(); ++name) {
         fs::rename(content_ / *name, target_ / *name, code);
         if (code) fail(path_ / *name, "cannot be put in its place", code);
     }
+    for (const fs::path& file : stale)
+        if (file.filename() == last_) remove(file);
 }
 
 void Output_directory::clean_up() noexcept {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace annulus {
@@ -33,6 +34,8 @@ class Output_directory {
 
     /// Where somebody else writes one file, which is to be there before the commit; `name` as above. For what is written bit by bit.
     [[nodiscard]] std::filesystem::path path_of(std::string_view name);
+    /// Of earlier files this one is not taken away before all that was written is in place.
+    void goes_last(std::string name) { last_ = std::move(name); }
     /// Takes over what was written to another one, which has nothing left.
     void take(Output_directory& other);
 
@@ -54,6 +57,7 @@ class Output_directory {
     std::filesystem::path path_;    ///< as it was given
     std::filesystem::path target_;  ///< absolute, without links
     Replaced replaced_;
+    std::string last_;      ///< of those that are replaced; none: empty
     bool exists_ = false;
     bool one_by_one_ = false;
     std::vector<std::filesystem::path> made_;   ///< parents, outermost first

@@ -3,10 +3,16 @@
 
 #include <annulus/arithmetic/error.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <fstream>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 namespace annulus {
 
@@ -26,19 +32,43 @@ std::optional<std::string> content(const std::filesystem::path& path) {
 }  // namespace
 
 Parts::Parts(std::filesystem::path directory, const std::string& what) : directory_(std::move(directory)) {
-    if (const auto there = content(directory_ / head)) {
-        if (*there != what + "\n")
-            throw Error(Error_code::usage, directory_.string() + " holds parts of another reproduction (" +
-                                               there->substr(0, there->find('\n')) +
+    open_and_lock();
+    try {
+        const std::string there = content(directory_ / head).value_or("");
+        if (there.empty()) {
+            const std::string line = what + "\n";
+            if (::pwrite(head_, line.data(), line.size(), 0) != static_cast<ssize_t>(line.size()))
+                throw std::system_error(errno, std::generic_category(), (directory_ / head).string());
+        } else if (there != what + "\n") {
+            throw Error(Error_code::usage, directory_.string() + " holds parts of another reproduction (" + there.substr(0, there.find('\n')) +
                                                "); take it away, or name another directory");
-        return;
+        }
+    } catch (...) {
+        ::close(head_);
+        throw;
     }
-    if (std::filesystem::exists(directory_) && !std::filesystem::is_empty(directory_))
-        throw Error(Error_code::usage,
-                    directory_.string() +
-                        " is there and holds no parts of a reproduction; take it away, or name another directory");
-    std::filesystem::create_directories(directory_);
-    write(head, what + "\n");
+}
+Parts::~Parts() { ::close(head_); }
+
+void Parts::open_and_lock() {
+    namespace fs = std::filesystem;
+    const fs::path file = directory_ / head;
+    while (true) {
+        if (!fs::exists(file) && fs::exists(directory_) && !fs::is_empty(directory_))
+            throw Error(Error_code::usage,
+                        directory_.string() + " is there and holds no parts of a reproduction; take it away, or name another directory");
+        fs::create_directories(directory_);
+        head_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+        if (head_ < 0 && errno == ENOENT) continue;  // another one has just taken the directory away
+        if (head_ < 0) throw std::system_error(errno, std::generic_category(), file.string());
+        if (::flock(head_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            ::close(head_);
+            throw Error(Error_code::bad_input, directory_.string() + ": another reproduction is writing to it; expected one at a time");
+        }
+        struct stat ours {}, there {};
+        if (::fstat(head_, &ours) == 0 && ::stat(file.c_str(), &there) == 0 && ours.st_ino == there.st_ino && ours.st_dev == there.st_dev) return;
+        ::close(head_);
+    }
 }
 
 std::optional<Race_record> Parts::find(const std::string& name) const {

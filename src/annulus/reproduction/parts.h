@@ -13,9 +13,13 @@ namespace annulus {
 /// is complete or absent.
 class Parts {
   public:
-    /// Makes the directory, or finds what is there. `what` is one line, all that results depend on. Throws Error(usage) where the parts
-    /// that are there are of something else, std::system_error for what the system cannot do.
+    /// Makes the directory, or finds what is there, and keeps other processes out. `what` is one line, all that results depend on. Throws
+    /// Error(usage) where the parts that are there are of something else, Error(bad_input) where another process is at it,
+    /// std::system_error for what the system cannot do.
     Parts(std::filesystem::path directory, const std::string& what);
+    ~Parts();
+    Parts(const Parts&) = delete;
+    Parts& operator=(const Parts&) = delete;
     /// Absent where there is none, or none that can be read.
     [[nodiscard]] std::optional<Race_record> find(const std::string& name) const;
     void keep(const Race_record& race) const;
@@ -23,8 +27,10 @@ class Parts {
     void remove() const;
 
   private:
+    void open_and_lock();
     void write(const std::string& name, const std::string& text) const;
     std::filesystem::path directory_;
+    int head_ = -1;  ///< descriptor of the file that says what all are parts of
 };
 
 }  // namespace annulus

@@ -23,11 +23,31 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Race_record, name, title, dimension, vertices
                                    displacement, racers, surveys, widths, degeneracies, adversaries, qualities,
                                    pictures, notes)
 
+namespace {
+
+/// Whoever reads a record takes its lists to be of one length.
+bool is_sound(const Race_record& race) {
+    for (const Racer_record& r : race.racers)
+        for (const std::size_t n : {r.seconds.size(), r.asked.size(), r.failed.size(), r.requeued.size(), r.changed.size(), r.evaluated.size()})
+            if (n != r.step.size()) return false;
+    for (const Width_record& w : race.widths)
+        if (w.edges.size() != w.counts.size() + 1) return false;
+    for (const Degeneracy_count_record& g : race.degeneracies)
+        if (g.below.size() != g.thresholds.size()) return false;
+    for (const Picture_record& p : race.pictures)
+        if (p.x.size() != p.y.size()) return false;
+    return true;
+}
+
+}  // namespace
+
 std::string race_text(const Race_record& race) { return nlohmann::json(race).dump() + "\n"; }
 
 Race_record parse_race(const std::string& text) {
     try {
-        return nlohmann::json::parse(text).get<Race_record>();
+        Race_record race = nlohmann::json::parse(text).get<Race_record>();
+        if (!is_sound(race)) throw Error(Error_code::bad_input, "no part of a reproduction: lists of unequal length");
+        return race;
     } catch (const nlohmann::json::exception& e) {
         throw Error(Error_code::bad_input, std::string("no part of a reproduction: ") + e.what());
     }

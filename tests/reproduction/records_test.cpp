@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/arithmetic/error.h>
+#include <annulus/reproduction/records.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+using namespace annulus;
+
+namespace {
+
+Race_record small() {
+    Race_record race;
+    race.name = "race";
+    Racer_record racer;
+    racer.name = "filter";
+    racer.step = {1, 2};
+    racer.seconds = {0.1, 0.2};
+    for (auto list : {&Racer_record::asked, &Racer_record::failed, &Racer_record::requeued, &Racer_record::changed, &Racer_record::evaluated})
+        racer.*list = {3, 4};
+    race.racers = {racer};
+    Width_record widths;
+    widths.edges = {0, 1, 2};
+    widths.counts = {7, 8};
+    race.widths = {widths};
+    Degeneracy_count_record count;
+    count.below = {0, 1};
+    count.thresholds = {1e-6, 1e-3};
+    race.degeneracies = {count};
+    Picture_record picture;
+    picture.x = {0, 1};
+    picture.y = {1, 0};
+    race.pictures = {picture};
+    return race;
+}
+
+/// Removes one element of every list of numbers in turn; how many there are.
+int without_one(const nlohmann::json& whole, const nlohmann::json::json_pointer& at) {
+    int lists = 0;
+    const nlohmann::json& here = whole.at(at);
+    if (here.is_array() && !here.empty() && here.front().is_number()) {
+        nlohmann::json damaged = whole;
+        damaged.at(at).erase(0);
+        CAPTURE(at.to_string());
+        CHECK_THROWS_AS(parse_race(damaged.dump()), Error);
+        return 1;
+    }
+    if (here.is_array())
+        for (std::size_t i = 0; i < here.size(); ++i) lists += without_one(whole, at / i);
+    if (here.is_object())
+        for (const auto& [key, value] : here.items()) lists += without_one(whole, at / key);
+    return lists;
+}
+
+}  // namespace
+
+TEST_CASE("A part of a reproduction comes back as it was, and is refused where it is damaged") {
+    const std::string text = race_text(small());
+    CHECK(race_text(parse_race(text)) == text);
+    CHECK(without_one(nlohmann::json::parse(text), nlohmann::json::json_pointer("")) == 13);
+    for (std::size_t cut = 0; cut + 2 < text.size(); cut += 7) CHECK_THROWS_AS(parse_race(text.substr(0, cut)), Error);
+    for (const char* other : {"", "3", "[]", "{}", "{\"name\": 3}"}) CHECK_THROWS_AS(parse_race(other), Error);
+}

@@ -1,0 +1,197 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What `annulus sweep` has been caught at: pipes, names, directories, journals, ranks that cannot take part.
+
+usage: test_sweep_faults.py --tool=PATH --mpirun=PATH [CLASS[.METHOD]...]     (--mpirun=none: a build without MPI)
+"""
+
+import json
+import os
+import resource
+import signal
+import subprocess
+import time
+
+import test_sweep
+import tool
+
+SMALL = "[[grid]]\npoints = 20\nseeds = 3\n"
+
+
+class Specification(test_sweep.SweepTest):
+    def refuse_spec(self, text, *words):
+        fault = self.refuse(3, "sweep", self.write("spec.toml", text), "--output", "out")
+        for word in words:
+            self.assertIn(word, fault)
+
+    def test_keys_of_very_many_parts(self):
+        """Each takes stack in what reads TOML."""
+        for key in ("a" + ".a" * 200_000, "\"a\"" + ".\"a\"" * 200_000):
+            self.refuse_spec(f"\n{key} = 1\n" + SMALL, "spec.toml:2: ", "dots")
+            self.refuse_spec(f"\n[{key}]\n" + SMALL, "spec.toml:2: ", "dots")
+        self.sweep("title = \"" + 500 * "." + "\"\n" + SMALL, "out")
+
+    def test_what_is_no_file(self):
+        os.mkfifo(self.here / "pipe.xyz")
+        for name in ("pipe.xyz", "/dev/zero"):
+            self.refuse_spec(f"[[grid]]\nfile = \"{name}\"\n", "spec.toml:2: ", "'file'", name)
+
+    def test_too_few_to_smooth(self):
+        self.refuse_spec("[[grid]]\npoints = [30, 2]\nmotion = { kind = \"lloyd\", steps = 1 }\n", "spec.toml:2: ", "'points'", "3 or more")
+        self.refuse_spec("[[grid]]\npoints = 3\ndimension = 3\nmotion = { kind = \"nodt\", steps = 1 }\n", "spec.toml:2: ", "'points'", "4 or more")
+
+    def test_a_double_looks_like_one(self):
+        self.refuse_spec("[[grid]]\npoints = 2.0\n", "spec.toml:2: ", "'points' is 2.0")
+
+    def test_a_long_list(self):
+        seeds = ", ".join(map(str, range(600_000)))
+        self.write("spec.toml", f"[[grid]]\npoints = 20\nseeds = [{seeds}]\n")
+        self.assertEqual(self.run_tool("sweep", "spec.toml", "--check", timeout=60).returncode, 0)
+
+    def test_too_large_for_a_float(self):
+        self.xyz("far.xyz", [(0.0, 0.0), (1e50, 0.0), (0.0, 1.0)])
+        self.refuse_spec("[[grid]]\nfile = \"far.xyz\"\nrounding = \"float\"\n", "grid 1", "far.xyz", "float", "1e+50")
+
+    def test_a_name_that_is_no_text(self):
+        os.mkdir(self.here / os.fsdecode(b"d\xff"))
+        name = os.path.join(os.fsdecode(b"d\xff"), os.fsdecode(b"s\xff.toml"))
+        (self.here / name).write_text(SMALL, encoding="utf-8")
+        self.succeed("sweep", name, "--output", "out", "--quiet")
+        self.results("out")
+        json.loads((self.here / "out" / "sums.json").read_text(encoding="utf-8"))
+
+
+class Directory(test_sweep.SweepTest):
+    def test_what_says_that_all_is_done(self):
+        """All files have to be there, and sums.json may be anything."""
+        whole = self.sweep(SMALL, "out")
+        for name in test_sweep.FILES - {"sums.json"}:  # which says whose they are
+            (self.here / "out" / name).unlink()
+            self.succeed("sweep", "spec.toml", "--output", "out", "--quiet")
+            self.assertEqual(self.results("out"), whole, name)
+        (self.here / "mine").mkdir()
+        for text in ("{\"command\": 3}", "[1]", "3", "{\"command\": \"annulus sweep\", \"version\": {}, \"identity\": \"x\"}"):
+            (self.here / "mine" / "sums.json").write_text(text, encoding="utf-8")
+            self.assertEqual(self.refuse_or_none("mine"), not text.startswith("{\"command\": \"annulus"), text)
+        os.mkdir(self.here / "pipes")
+        os.mkfifo(self.here / "pipes" / "sums.json")
+        self.refuse(3, "sweep", "spec.toml", "--output", "pipes")
+
+    def refuse_or_none(self, directory):
+        done = self.run_tool("sweep", "spec.toml", "--output", directory, "--quiet")
+        self.assertIn(done.returncode, (0, 3), done.stderr)
+        return done.returncode == 3
+
+    def test_files_that_change_places(self):
+        """The bytes of both files in a row are the same."""
+        spec = "[[grid]]\nfile = [\"a.xyz\", \"b.xyz\"]\n"
+        lines = [b"0 0\n", b"1 0\n", b"0 1\n", b"3 1\n", b"7 3\n", b"2 2\n", b"5 1\n"]
+        seen = set()
+        for n in (3, 4):
+            self.write("a.xyz", b"".join(lines[:n]))
+            self.write("b.xyz", b"".join(lines[n:]))
+            seen.add(self.sweep(spec, "out")["results.jsonl"])
+        self.assertEqual(len(seen), 2)
+
+    def test_nothing_is_left_of_what_came_to_nothing(self):
+        self.write("bad.xyz", "1 2\n3 x\n")
+        self.write("spec.toml", "[[grid]]\nfile = \"bad.xyz\"\n")
+        for place in ("out", "out/", "a/b/c", "./d/../e/f"):
+            self.refuse(3, "sweep", "spec.toml", "--output", place)
+
+
+class Journal(test_sweep.SweepTest):
+    def interrupt(self, lines):
+        """Leaves a journal of so many lines or more, and returns them."""
+        self.write("spec.toml", test_sweep.LONGER)
+        run = subprocess.Popen([tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out", "--quiet"], cwd=self.here)
+        file = self.here / "out" / test_sweep.JOURNAL
+        while run.poll() is None and (not file.exists() or file.read_bytes().count(b"\n") < lines):
+            time.sleep(0.01)
+        run.kill()
+        run.wait()
+        self.assertTrue(file.exists(), "too quick for this test")
+        return file.read_bytes().splitlines(keepends=True)
+
+    def test_force_begins_anew(self):
+        self.interrupt(4)
+        self.assertNotIn("before", self.succeed("sweep", "spec.toml", "--output", "out", "--force").stdout)
+
+    def test_a_damaged_line(self):
+        """Costs its trial, and no other."""
+        lines = self.interrupt(6)
+        whole = [line for line in lines if line.endswith(b"\n")]
+        whole[3] = whole[3][:50] + bytes([whole[3][50] ^ 1]) + whole[3][51:]
+        file = self.here / "out" / test_sweep.JOURNAL
+        file.write_bytes(b"".join(whole))
+        self.assertIn(f"of which {len(whole) - 2} were", self.succeed("sweep", "spec.toml", "--output", "out").stdout)
+        self.assertEqual(self.results("out"), self.sweep(test_sweep.LONGER, "again"))
+
+    def test_a_damaged_head(self):
+        lines = self.interrupt(4)
+        file = self.here / "out" / test_sweep.JOURNAL
+        for damaged in (b"x" + b"".join(lines)[1:], b"".join(lines).replace(b"\n", b"\r\n"), b"something else\n", b"of somebody's"):
+            file.write_bytes(damaged)
+            self.assertIn("damaged", self.refuse(3, "sweep", "spec.toml", "--output", "out"))
+            self.assertEqual(file.read_bytes(), damaged)
+        for cut in (0, 20, len(lines[0]) - 1):  # nothing was done yet
+            file.write_bytes(lines[0][:cut])
+            run = subprocess.Popen([tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out", "--quiet"], cwd=self.here, stderr=subprocess.PIPE)
+            while run.poll() is None and file.read_bytes()[:len(lines[0])] != lines[0]:
+                time.sleep(0.01)
+            run.kill()
+            self.assertEqual(run.communicate()[1], b"")
+            self.assertEqual(file.read_bytes()[:len(lines[0])], lines[0])
+
+
+class Limits(test_sweep.SweepTest):
+    def test_threads_that_cannot_be_had(self):
+        """Fewer do as well."""
+        def run(*words):
+            return subprocess.run([tool.OPTIONS["tool"], *words], cwd=self.here, capture_output=True, text=True, timeout=60, check=False,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (600 << 20, 600 << 20)))
+
+        if run("--version").returncode != 0:
+            self.skipTest("a sanitizer's shadow needs more room")
+        one = self.sweep(SMALL, "one")
+        done = run("sweep", "spec.toml", "--output", "many", "--threads", "1000", "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(self.results("many"), one)
+
+
+class Ranks(test_sweep.SweepTest):
+    def setUp(self):
+        super().setUp()
+        if tool.OPTIONS["mpirun"].endswith("none"):
+            self.skipTest("this build has no MPI")
+
+    def run_in(self, *directories):
+        words = [tool.OPTIONS["mpirun"], "--oversubscribe"] + (["--allow-run-as-root"] if os.getuid() == 0 else [])
+        for i, directory in enumerate(directories):
+            words += ([":"] if i > 0 else []) + ["-n", "1", "-wdir", str(self.here / directory), tool.OPTIONS["tool"], "sweep", "spec.toml",
+                                                 "--output", str(self.here / "out")]
+        run = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+        try:
+            _, said = run.communicate(timeout=60)
+        except subprocess.TimeoutExpired:
+            os.killpg(run.pid, signal.SIGKILL)
+            run.communicate()
+            self.fail("still running")
+        return run.returncode, [line for line in said.splitlines() if line.startswith("annulus:")]
+
+    def test_a_rank_with_other_files(self):
+        for i, points in enumerate(("0 0\n1 0\n0 1\n", "0 0\n1 0\n0 2\n", None)):
+            (self.here / str(i)).mkdir()
+            self.write(f"{i}/spec.toml", "[[grid]]\nfile = \"p.xyz\"\n[[grid]]\npoints = 20\nseeds = 30\n")
+            if points is not None:
+                self.write(f"{i}/p.xyz", points)
+        for other, words in (("1", "not the same"), ("2", "spec.toml:2: 'file'")):
+            status, said = self.run_in("0", "0", other)
+            self.assertEqual((status, len(said)), (3, 1), said)
+            self.assertIn(words, said[0])
+        self.assertEqual(self.run_in("0", "0", "0"), (0, []))
+        self.results("out")
+
+
+if __name__ == "__main__":
+    tool.main(__doc__, "mpirun")
