@@ -10,7 +10,7 @@ From Annulus Require Import operations bridge connect filter_2 filter_doubles re
 From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run filter_world filter_plane.
 From Annulus Require Import space_mesh space_delaunay space_triangulation space_silhouette.
 From Annulus Require Import filter_space filter_delaunay_3.
-From Annulus Require Import plane_mesh plane_triangulation plane_delaunay plane_winding plane_audit filter_delaunay filter_calls.
+From Annulus Require Import plane_mesh plane_triangulation plane_delaunay plane_winding plane_audit filter_delaunay plane_listed plane_calls filter_calls.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.
@@ -131,11 +131,11 @@ Print Assumptions mesh_in_space.
 
 (* ---- From doubles to Delaunay, step by step ---- *)
 
-Theorem filter_in_the_plane : forall (o : options) f m verdicts s (y : nat -> system) (T : nat -> plane_mesh.mesh),
+Theorem filter_in_the_plane : forall (o : options) f m verdicts s (e : nat -> event) (y : nat -> system) (T : nat -> plane_mesh.mesh),
   start f m verdicts -> (0 <= epoch s)%Z -> y O = settled f m verdicts s ->
   glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
-  (forall i, program_call no_second_look (y i) (T i) (y (S i)) (T (S i))) ->
-  forall i, triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i).
+  (forall i, program_call no_second_look (e i) (y i) (T i) (y (S i)) (T (S i))) ->
+  forall i, triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i) /\ forall v, vertex_of (T i) v <-> present (vertex_of (T O)) e i v.
 Proof. intros o. exact (program_delaunay no_second_look no_second_look_right). Qed.
 Print Assumptions filter_in_the_plane.
 

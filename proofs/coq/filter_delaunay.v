@@ -10,7 +10,7 @@ From Coq Require Import Reals ZArith Lra List.
 From Coq Require Import Floats.
 From Annulus Require Import points_2 width_2 operations connect filter_2 filter_doubles returned_2 stages ladder_2.
 From Annulus Require Import algorithm_list algorithm_filter algorithm_keep algorithm_look algorithm_run filter_world filter_plane.
-From Annulus Require Import plane_mesh plane_triangulation plane_delaunay plane_certificates plane_motion.
+From Annulus Require Import plane_mesh plane_triangulation plane_delaunay plane_certificates flat_ridges plane_motion.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.
@@ -32,9 +32,18 @@ Definition answered_2 := answered list_length stamps_there_are worn_out looks no
 Definition told (f : doubles) (k : verdict) : Prop := exists tight,
   match of k with
   | cell a b c => says (orientation_ladder tight (f a) (f b) (f c)) False (bound k)
-  | ridge a b c => says (orientation_ladder tight (f a) (f b) (f c)) (no_fold (ridge a b c) (at_doubles f)) (bound k)
+  | ridge a b c => says (orientation_ladder tight (f a) (f b) (f c)) (flat_ridge_holds (f a) (f b) (f c) = true) (bound k)
   | circle a b p q => NoDup [a; b; p; q] /\ says (empty_sphere_ladder tight (f a) (f b) (f p) (f q)) True (bound k)
   end.
+
+(* The comparison of coordinates is asked where the determinant is 0 only. *)
+Lemma ridge_rule f tight a b c r : (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
+  says (orientation_ladder tight (f a) (f b) (f c)) (flat_ridge_holds (f a) (f b) (f c) = true) r ->
+  says (orientation_ladder tight (f a) (f b) (f c)) (no_fold (ridge a b c) (at_doubles f)) r.
+Proof.
+  intros D. destruct (orientation_2_told f tight a b c D) as [R _]. revert R. destruct (orientation_ladder _ _ _ _); trivial.
+  intros Z [H ->]. split; [|reflexivity]. now apply flat_ridge_told.
+Qed.
 
 Lemma told_answered f k : (forall v, coordinates_2 (f v)) ->
   match of k with circle a b p q => 0 < turn_at (at_doubles f) a b q /\ 0 < turn_at (at_doubles f) b a p | _ => True end ->
@@ -42,7 +51,7 @@ Lemma told_answered f k : (forall v, coordinates_2 (f v)) ->
 Proof.
   intros D P [tight H]. destruct k as [i c t]. cbn [of bound] in *. destruct c as [a b c|a b c|a b p q].
   - apply (triangle_answered _ _ _ _ no_fold f i tight a b c t); [now intros|exact H].
-  - apply (triangle_answered _ _ _ _ no_fold f i tight a b c t); [now intros|exact H].
+  - apply (triangle_answered _ _ _ _ no_fold f i tight a b c t); [now intros|]. apply (ridge_rule f tight); [now intros|exact H].
   - destruct H as [N H], P. apply (circle_answered _ _ _ _ no_fold f i tight a b p q t); trivial; now intros.
 Qed.
 

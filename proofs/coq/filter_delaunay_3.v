@@ -8,7 +8,7 @@
 From Coq Require Import Reals ZArith Lra List Permutation.
 From Coq Require Import Floats.
 From Annulus Require tetrahedron bicell plane_mesh.
-From Annulus Require Import vectors operations connect filter_2 filter_3 filter_doubles returned_3 stages ladder_3.
+From Annulus Require Import vectors operations connect filter_2 filter_3 filter_doubles returned_3 stages ladder_3 flat_ridges_3.
 From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run filter_world filter_space.
 From Annulus Require Import space_mesh space_crossings space_delaunay space_triangulation space_silhouette.
 Import ListNotations.
@@ -70,7 +70,7 @@ Definition answered_in_space := answered_3 list_length stamps_there_are worn_out
 Definition told_in_space (f : doubles_3) (k : verdict) : Prop := exists tight,
   match of k with
   | cell_3 a b c d => says (orientation_ladder_3 tight (f a) (f b) (f c) (f d)) False (bound k)
-  | ridge_3 a b c d => says (orientation_ladder_3 tight (f a) (f b) (f c) (f d)) (no_fold_3 (ridge_3 a b c d) (at_doubles_3 f)) (bound k)
+  | ridge_3 a b c d => says (orientation_ladder_3 tight (f a) (f b) (f c) (f d)) (flat_ridge_holds_3 (f a) (f b) (f c) (f d) = true) (bound k)
   | sphere a b c p q => says (empty_sphere_ladder_3 tight (f a) (f b) (f c) (f p) (f q) where_needed) True (bound k)
   end.
 Definition its_cells_positive (x : placement_3) (k : verdict) : Prop :=
@@ -107,7 +107,7 @@ Proof.
   intros D P [tight H]. destruct k as [i c t]. unfold its_cells_positive in P. cbn [of bound] in *. destruct c as [a b c d|a b c d|a b c p q].
   - destruct (tetrahedron_says f tight a b c d _ t D H) as [(T0 & T1 & V & T)|(-> & Z & Q)]; [left; split; [exact T0|]; split; [exact T1|]; split; [exact V|exact T]|contradiction].
   - destruct (tetrahedron_says f tight a b c d _ t D H) as [(T0 & T1 & V & T)|(-> & Z & Q)]; [left; split; [exact T0|]; split; [exact T1|]; split; [exact V|exact T]|].
-    right. split; [reflexivity|]. right. now split.
+    right. split; [reflexivity|]. right. split; [exact Z|]. apply flat_ridge_told_3; [|exact Z|exact Q]. intros v [<-|[<-|[<-|[<-|[]]]]]; apply D.
   - destruct P as [P1 P2]. destruct (sphere_says f tight a b c p q _ t D H) as [(T0 & T1 & V & T)|(-> & Z & _)].
     + revert T. unfold Rmax. destruct (Rle_dec 0 _); intro T.
       * left. split; [exact T0|]. split; [exact T1|]. repeat split; trivial.

@@ -90,6 +90,19 @@ Proof.
   - exact (rearranged_right same_edge same_edge_right same_edge_refl _ _ E).
 Qed.
 
+Lemma bends_in p u v w : In (u, v, w) (bends p) -> In u p /\ In v p /\ In w p.
+Proof.
+  induction p as [|a p IH]; [easy|]. destruct p as [|b [|c p]]; [easy|easy|]. rewrite plane_paths.bends_cons. intros [E|I].
+  - injection E as <- <- <-. simpl. tauto.
+  - destruct (IH I) as (U & V & X). split; [now right|split; now right].
+Qed.
+Lemma ridge_in l u v w : In (u, v, w) (ridges l) -> In u l /\ In v l /\ In w l.
+Proof.
+  assert (Q : forall x, In x (l ++ firstn 2 l) -> In x l).
+  { intros x I. apply in_app_or in I. destruct I as [I|I]; [exact I|]. rewrite <- (firstn_skipn 2 l). apply in_or_app. now left. }
+  intro I. destruct (bends_in _ u v w I) as (U & V & X). repeat split; now apply Q.
+Qed.
+
 (* ---- Integers ---- *)
 
 Definition point_z : Type := Z * Z.
@@ -143,19 +156,6 @@ Qed.
 
 Lemma scaled_pos k : (0 < k)%Z -> 0 < s * s * IZR k.
 Proof. intro K. apply IZR_lt in K. repeat apply Rmult_lt_0_compat; trivial. Qed.
-
-Lemma bends_in p u v w : In (u, v, w) (bends p) -> In u p /\ In v p /\ In w p.
-Proof.
-  induction p as [|a p IH]; [easy|]. destruct p as [|b [|c p]]; [easy|easy|]. rewrite plane_paths.bends_cons. intros [E|I].
-  - injection E as <- <- <-. simpl. tauto.
-  - destruct (IH I) as (U & V & X). split; [now right|split; now right].
-Qed.
-Lemma ridge_in l u v w : In (u, v, w) (ridges l) -> In u l /\ In v l /\ In w l.
-Proof.
-  assert (Q : forall x, In x (l ++ firstn 2 l) -> In x l).
-  { intros x I. apply in_app_or in I. destruct I as [I|I]; [exact I|]. rewrite <- (firstn_skipn 2 l). apply in_or_app. now left. }
-  intro I. destruct (bends_in _ u v w I) as (U & V & X). repeat split; now apply Q.
-Qed.
 
 (* All vertices that the mesh names are below n. *)
 Variable n : nat.

@@ -2,8 +2,9 @@
 (* A flip of two finite cells of the cell table: the mesh stays glued, and its border is what it was.
 
    - good_table     what a table is between two calls: twins are twins, infinite cells are simple, one walk meets all of them
-   - inner_flip     such a flip keeps it, and the border
-   - good_glued     and such a table is a glued mesh: `changed inside` of filter_calls.v *)
+   - good_glued     such a table is a glued mesh
+   - flip_vertices  no flip loses a vertex, at the border neither, where the table is good after it
+   - inner_flip     a flip inside keeps all of it, the border and the vertices: `changed inside` of plane_calls.v *)
 From Coq Require Import List Arith Permutation Lia Bool.
 From Annulus Require Import plane_mesh plane_table plane_table_glued.
 Import ListNotations.
@@ -20,6 +21,52 @@ Record good_table (t : table) (all rim : list nat) : Prop := {
 
 Theorem good_glued t all rim : good_table t all rim -> glued (mesh_of_table t all rim).
 Proof. intros [A B C D E F G]. now apply table_glued. Qed.
+
+(* ---- Vertices ---- *)
+
+Definition in_table (t : table) (v : nat) : Prop := exists x, is_cell t (cell_of x) = true /\ vertex t x = Some v.
+
+Lemma table_vertices t all rim v : good_table t all rim -> vertex_of (mesh_of_table t all rim) v <-> in_table t v.
+Proof.
+  intro G. assert (C : forall x, is_cell t (cell_of x) = true -> is_finite t (cell_of x) = true -> vertex t x = Some v ->
+    vertex_of (mesh_of_table t all rim) v).
+  { intros x Cx F V. exists (triangle t (cell_of x)). split.
+    - apply in_map, filter_In. split; [now apply (all_there _ _ _ G)|exact F].
+    - destruct x as [c []]; cbn [triangle plane_mesh.corner]; unfold number; cbn [cell_of fst] in *; rewrite V; tauto. }
+  split.
+  - intros (k & I & K). apply in_map_iff in I. destruct I as (c & <- & I). apply filter_In in I. destruct I as [I F]. apply (all_there _ _ _ G) in I.
+    assert (N : forall x, cell_of x = c -> v = number t x -> in_table t v).
+    { intros x <- ->. exists x. split; [exact I|]. assert (A := finite_vertex t x F). unfold number. destruct (vertex t x); [reflexivity|contradiction]. }
+    destruct K as [K|[K|K]]; exact (N (c, _) eq_refl K).
+  - intros (x & I & V). destruct (is_finite t (cell_of x)) eqn:F; [now apply (C x)|].
+    (* the other cell of the edge that an infinite cell has is finite *)
+    destruct (infinite_corner t _ F) as [E Vi]. set (i := at_infinity t (cell_of x)) in *. assert (Ci : is_cell t (cell_of i) = true) by now rewrite E.
+    destruct (infinite_simple _ _ _ G i Ci Vi) as (_ & _ & Fk). destruct (twins _ _ _ G i Ci) as (Ck & Bk & _ & Vk).
+    destruct (twins _ _ _ G _ Ck) as (_ & _ & _ & Vk'). rewrite Bk in Vk'.
+    destruct (three (twin t i)) as (_ & _ & _ & _ & _ & _ & _ & K8 & K9).
+    destruct (in_cell_of i x (eq_sym E)) as [D|[D|D]]; rewrite D in V; [congruence| |].
+    + apply (C (cw (twin t i))); [now rewrite K9|now rewrite K9|congruence].
+    + apply (C (ccw (twin t i))); [now rewrite K8|now rewrite K8|congruence].
+Qed.
+
+Theorem flip_vertices t h all rim rim' : good_table t all rim -> may_flip t h -> good_table (flip t h) all rim' ->
+  forall v, vertex_of (mesh_of_table (flip t h) all rim') v <-> vertex_of (mesh_of_table t all rim) v.
+Proof.
+  intros G M G' v. rewrite (table_vertices _ _ _ _ G), (table_vertices _ _ _ _ G'). unfold in_table. change (is_cell (flip t h)) with (is_cell t).
+  assert (Ch := proj1 M). destruct (twins _ _ _ G h Ch) as (Ck & Bk & _ & Vk). destruct (twins _ _ _ G _ Ck) as (_ & _ & _ & Vh). rewrite Bk in Vh.
+  set (k := twin t h) in *. destruct (three h) as (_ & _ & H3 & _ & _ & _ & _ & H8 & _), (three k) as (_ & _ & K3 & _ & _ & _ & _ & K8 & _).
+  destruct (far t h (twins _ _ _ G) M) as (A & _). fold k in A.
+  split; intros (x & C & V).
+  - rewrite flipped_vertex in V. fold k in V. destruct (same_corner x (cw k)); [now exists h|]. destruct (same_corner x (cw h)); [now exists k|now exists x].
+  - destruct (same_corner x (cw k)) as [->|N]; [|destruct (same_corner x (cw h)) as [->|N']].
+    + exists (ccw h). split; [now rewrite H8|]. rewrite flipped_vertex. fold k. destruct (same_corner _ (cw k)) as [E|_].
+      * exfalso. apply (f_equal cell_of) in E. destruct (three k) as (_ & _ & _ & _ & _ & _ & _ & _ & K9). congruence.
+      * destruct (same_corner _ _); [contradiction|congruence].
+    + exists (ccw k). split; [now rewrite K8|]. rewrite flipped_vertex. fold k. destruct (same_corner _ _); [contradiction|]. destruct (same_corner _ (cw h)) as [E|_].
+      * exfalso. apply (f_equal cell_of) in E. destruct (three h) as (_ & _ & _ & _ & _ & _ & _ & _ & H9). congruence.
+      * congruence.
+    + exists x. split; [exact C|]. rewrite flipped_vertex. fold k. destruct (same_corner _ _); [contradiction|]. now destruct (same_corner _ _).
+Qed.
 
 Lemma finite_iff t c : is_finite t c = true <-> forall x, cell_of x = c -> vertex t x <> None.
 Proof.
@@ -90,9 +137,9 @@ Proof.
   destruct I as [A B]. apply Q in A, B. tauto.
 Qed.
 
-Theorem inner_flip : good_table (flip t h) all rim /\ border (mesh_of_table (flip t h) all rim) = border (mesh_of_table t all rim).
+Lemma inner_good : good_table (flip t h) all rim.
 Proof.
-  split; [split|].
+  split.
   - apply flip_sound; [exact (twins _ _ _ G)|exact M].
   - exact (all_once _ _ _ G).
   - exact (all_there _ _ _ G).
@@ -110,8 +157,14 @@ Proof.
     + now rewrite X8, E.
     + assert (W := f_equal cell_of (walk_on _ _ _ G c d I)). destruct (three (twin t (ccw (at_infinity t c)))) as (_ & _ & _ & _ & _ & _ & _ & Y8 & _).
       rewrite Y8, E' in W. now rewrite <- W.
-  - unfold mesh_of_table. cbn [border]. f_equal. apply map_ext_in. intros c I. apply (walk_all _ _ _ G) in I. destruct I as [C F].
-    rewrite at_infinity_kept by exact F. unfold number. rewrite vertex_kept; [reflexivity|].
-    destruct (infinite_corner t c F) as [E _], (three (at_infinity t c)) as (_ & _ & _ & _ & _ & _ & _ & X8 & _). now rewrite X8, E.
+Qed.
+
+Theorem inner_flip : good_table (flip t h) all rim /\ border (mesh_of_table (flip t h) all rim) = border (mesh_of_table t all rim) /\
+  forall v, vertex_of (mesh_of_table (flip t h) all rim) v <-> vertex_of (mesh_of_table t all rim) v.
+Proof.
+  split; [exact inner_good|]. split; [|exact (flip_vertices t h all rim rim G M inner_good)].
+  unfold mesh_of_table. cbn [border]. f_equal. apply map_ext_in. intros c I. apply (walk_all _ _ _ G) in I. destruct I as [C F].
+  rewrite at_infinity_kept by exact F. unfold number. rewrite vertex_kept; [reflexivity|].
+  destruct (infinite_corner t c F) as [E _], (three (at_infinity t c)) as (_ & _ & _ & _ & _ & _ & _ & X8 & _). now rewrite X8, E.
 Qed.
 End inside.

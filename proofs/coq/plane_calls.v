@@ -1,0 +1,101 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* What one call of the program may be in the plane: what it does to records, certificates and table, and when it walks the border. Definitions only;
+   filter_calls.v proves what follows for any number of calls.
+
+   - event          who comes or goes; `present`: which vertices there are after so many calls
+   - in_doubt       Repair::border_in_doubt: whether the border is walked
+   - evaluates      what Repair does: it evaluates all suspects that are there, and all certificates of cells that it touched
+   - program_call   what one call may be *)
+From Coq Require Import Reals ZArith List Bool.
+From Annulus Require Import points_2 filter_doubles returned_2 algorithm_list algorithm_filter algorithm_look algorithm_run filter_world filter_plane.
+From Annulus Require Import plane_mesh plane_certificates filter_delaunay plane_listed.
+Import ListNotations.
+Open Scope R_scope.
+
+(* ---- Which vertices there are ---- *)
+
+Inductive event := nobody | comes (v : nat) | goes (v : nat).
+Definition afterwards (e : event) (there : nat -> Prop) (v : nat) : Prop :=
+  match e with nobody => there v | comes w => there v \/ v = w | goes w => there v /\ v <> w end.
+(* Of those of the beginning, and of who came. *)
+Fixpoint present (there : nat -> Prop) (e : nat -> event) (i : nat) : nat -> Prop :=
+  match i with O => there | S i => afterwards (e i) (present there e i) end.
+(* From table to table nobody else is lost or new. *)
+Definition keeps (e : event) (T T' : plane_mesh.mesh) : Prop := forall v, vertex_of T' v <-> afterwards e (vertex_of T) v.
+
+(* ---- What a call does to the table ---- *)
+
+(* Nothing; cells inside are others now; cells at the border are, too (holds_after_mending: a cell with infinity was touched). *)
+Inductive change := nothing | inside | at_border.
+Definition changed (w : change) (T T' : plane_mesh.mesh) : Prop :=
+  match w with
+  | nothing => T' = T
+  | inside => glued T' /\ keeps nobody T T' /\ border T' = border T
+  | at_border => glued T' /\ keeps nobody T T'
+  end.
+
+Section calls.
+Context {o : options}.
+Variable second_look : state -> algorithm_filter.placement -> Z -> option renewal.
+
+(* place: who comes is put where the doubles say. *)
+Definition placed (f : doubles) (e : event) : list (vertex * position) := match e with comes v => [(v, at_doubles f v)] | _ => [] end.
+
+(* Repair::border_in_doubt, with `many` as holds_after_mending leaves it: a cell or a ridge was evaluated, as after flips always. *)
+Definition many (movers : list nat) : bool := match movers with [_] => false | _ => true end.
+Definition turns (k : verdict) : bool := match of k with circle _ _ _ _ => false | _ => true end.
+Definition in_doubt (movers : list nat) (w : change) (verdicts : list verdict) : bool :=
+  match w with nothing => many movers && existsb turns verdicts | inside => many movers | at_border => true end.
+
+(* Repair::evaluate and holds_after_mending, when they say yes. `touched`: the numbers of cells that were made or changed, and of their facets. *)
+Record evaluates (f : doubles) (old new : Z -> option certificate_2) (suspects touched : list Z) (verdicts : list verdict) : Prop := {
+  each_told : forall k, In k verdicts -> new (id k) = Some (of k) /\ told f k;
+  none_left : forall i c, In i suspects \/ In i touched -> new i = Some c -> In i (map id verdicts);
+  others_same : forall i, ~ In i touched -> new i = old i }.
+
+Inductive program_call : event -> system -> plane_mesh.mesh -> system -> plane_mesh.mesh -> Prop :=
+  (* move, move_all: everybody passes *)
+  | all_pass s f movers T : (forall v, coordinates_2 (f v)) -> covered s (at_doubles f) movers -> find_failed s (at_doubles f) movers = [] ->
+      program_call nobody {| of_filter := s; tracks := true |} T {| of_filter := move_to (at_doubles f) s; tracks := true |} T
+  (* somebody fails: evaluated, flipped or built anew, and evaluated again; the border is walked where it is in doubt *)
+  | step s f movers m touched verdicts w T T' : (forall v, coordinates_2 (f v)) -> covered s (at_doubles f) movers ->
+      (let '(u, suspects, _) := find_expired second_look s (at_doubles f) (find_failed s (at_doubles f) movers) in
+       evaluates f (algorithm_filter.mesh u) m suspects touched verdicts) ->
+      changed w T T' -> lists m T' -> (in_doubt movers w verdicts = true -> winds_once (at_doubles f) (border T')) ->
+      program_call nobody {| of_filter := s; tracks := true |} T
+        {| of_filter := stepped second_look s (at_doubles f) (find_failed s (at_doubles f) movers) m verdicts; tracks := true |} T'
+  (* the call is refused *)
+  | step_fails s f movers T : (forall v, coordinates_2 (f v)) -> covered s (at_doubles f) movers ->
+      let failed := find_failed s (at_doubles f) movers in
+      program_call nobody {| of_filter := s; tracks := true |} T
+        {| of_filter := undo_anchoring (begin_anchoring s) (fst (fst (find_expired second_look s (at_doubles f) failed))) failed; tracks := true |} T
+  (* insertion and removal, while tolerances are kept: that the border winds once, where it is another, is who inserts' word; or cells have other numbers *)
+  | inserted s f e m touched verdicts T T' : (forall v, coordinates_2 (f v)) -> let t := fold_left place (placed f e) s in moving t = at_doubles f ->
+      (forall v, e = comes v -> ~ vertex_of T v) ->
+      evaluates f (algorithm_filter.mesh t) m [] touched verdicts -> glued T' -> lists m T' -> keeps e T T' ->
+      border T' = border T \/ winds_once (at_doubles f) (border T') ->
+      program_call e {| of_filter := s; tracks := true |} T {| of_filter := stepped second_look t (at_doubles f) [] m verdicts; tracks := true |} T'
+  (* all is evaluated: where it was right already, or after a rebuild, which has CGAL's word for the border *)
+  | settles_all s b f e m verdicts T T' : start f m verdicts -> glued T' -> lists m T' -> keeps e T T' ->
+      (T' = T /\ moving s = at_doubles f) \/ winds_once (at_doubles f) (border T') ->
+      program_call e {| of_filter := s; tracks := b |} T (settled f m verdicts s) T'
+  (* by signs alone: of everything, when many moved, and then the border is walked each time *)
+  | signs_of_all s b f m T T' : (forall v, coordinates_2 (f v)) -> (forall i c, m i = Some c -> holds_2 no_fold c (at_doubles f)) ->
+      glued T' -> lists m T' -> keeps nobody T T' -> winds_once (at_doubles f) (border T') ->
+      program_call nobody {| of_filter := s; tracks := b |} T {| of_filter := move_to (at_doubles f) (with_mesh s m); tracks := false |} T'
+  (* a rebuild, and insertion and removal without tolerances: CGAL's word for all of it *)
+  | rebuilt s b f e m T T' : (forall v, coordinates_2 (f v)) -> (forall i c, m i = Some c -> holds_2 no_fold c (at_doubles f)) ->
+      glued T' -> lists m T' -> keeps e T T' -> winds_once (at_doubles f) (border T') ->
+      program_call e {| of_filter := s; tracks := b |} T {| of_filter := move_to (at_doubles f) (with_mesh s m); tracks := false |} T'
+  (* or of what contains the one vertex that moves *)
+  | signs_of_one s f v m w T T' : (forall n, coordinates_2 (f n)) -> covered s (at_doubles f) [v] ->
+      (forall i c, m i = Some c -> holds_2 no_fold c (at_doubles f) \/ (algorithm_filter.mesh s i = Some c /\ ~ In v (points_2 c))) ->
+      changed w T T' -> lists m T' -> (w = at_border -> winds_once (at_doubles f) (border T')) ->
+      program_call nobody {| of_filter := s; tracks := false |} T {| of_filter := move_to (at_doubles f) (with_mesh s m); tracks := false |} T'
+  | stops_tracking s T : program_call nobody {| of_filter := s; tracks := true |} T {| of_filter := s; tracks := false |} T.
+End calls.
+
+(* As the filter comes there are no second looks. *)
+Definition no_second_look {o : options} : state -> algorithm_filter.placement -> Z -> option renewal := fun _ _ _ => None.
+Lemma no_second_look_right {o : options} : second_look_right no_second_look.
+Proof. intros s x i c k _ _ _ E. discriminate E. Qed.
