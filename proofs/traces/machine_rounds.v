@@ -138,20 +138,28 @@ Proof.
   apply Rplus_le_le_0_compat; [exact (squares_pos_2 x y t v)|apply float_model.rnd_pos, Rle_0_sqr].
 Qed.
 
-Theorem reading_stands_2 a b fx fy px py : (505 <= a <= 1000)%Z -> stands a b (real b) -> in_bounds fx -> in_bounds fy -> in_bounds px -> in_bounds py ->
-  stands (a + 2) (reading_at b [fx; fy] [px; py]) (reading_2 (real b) (real fx, real fy) (real px, real py)).
+Section readings.
+Variables fx fy fz px py pz : float.
+Hypotheses (Fx : in_bounds fx) (Fy : in_bounds fy) (Fz : in_bounds fz) (Px : in_bounds px) (Py : in_bounds py) (Pz : in_bounds pz).
+Variables (a : Z) (b : float).
+Hypothesis A : (505 <= a <= 1000)%Z.
+Hypothesis B : stands a b (real b).
+
+Lemma way_stands_2 : stands 505 (distance_upper [px; py] [fx; fy]) (float_displacement.distance_upper_2 (real px) (real py) (real fx) (real fy)).
 Proof.
-  intros A B Fx Fy Px Py. apply sum_upper_stands; [lia|exact B|]. apply stands_wider with 505%Z; [lia|]. apply distance_stands; [|apply stands_wider with 503%Z; [lia|now apply sides_stand_2]|apply squares_pos_2].
+  apply distance_stands; [|apply stands_wider with 503%Z; [lia|now apply sides_stand_2]|apply squares_pos_2].
   apply stands_wider with 1004%Z; [lia|now apply squares_stand_2].
 Qed.
-Theorem reading_stands_3 a b fx fy fz px py pz : (505 <= a <= 1000)%Z -> stands a b (real b) ->
-  in_bounds fx -> in_bounds fy -> in_bounds fz -> in_bounds px -> in_bounds py -> in_bounds pz ->
-  stands (a + 2) (reading_at b [fx; fy; fz] [px; py; pz])
-    (reading_3 (real b) {| vectors.X1 := real fx; vectors.X2 := real fy; vectors.X3 := real fz |} {| vectors.X1 := real px; vectors.X2 := real py; vectors.X3 := real pz |}).
-Proof.
-  intros A B Fx Fy Fz Px Py Pz. apply sum_upper_stands; [lia|exact B|]. apply stands_wider with 505%Z; [lia|].
-  apply distance_stands; [now apply squares_stand_3|now apply sides_stand_3|apply squares_pos_3].
-Qed.
+Lemma way_stands_3 : stands 505 (distance_upper [px; py; pz] [fx; fy; fz])
+  (float_displacement.distance_upper_3 (real px) (real py) (real pz) (real fx) (real fy) (real fz)).
+Proof. apply distance_stands; [now apply squares_stand_3|now apply sides_stand_3|apply squares_pos_3]. Qed.
+
+Theorem reading_stands_2 : stands (a + 2) (reading_at b [fx; fy] [px; py]) (reading_2 (real b) (real fx, real fy) (real px, real py)).
+Proof. apply sum_upper_stands; [lia|exact B|]. apply stands_wider with 505%Z; [lia|exact way_stands_2]. Qed.
+Theorem reading_stands_3 : stands (a + 2) (reading_at b [fx; fy; fz] [px; py; pz])
+  (reading_3 (real b) {| vectors.X1 := real fx; vectors.X2 := real fy; vectors.X3 := real fz |} {| vectors.X1 := real px; vectors.X2 := real py; vectors.X3 := real pz |}).
+Proof. apply sum_upper_stands; [lia|exact B|]. apply stands_wider with 505%Z; [lia|exact way_stands_3]. Qed.
+End readings.
 
 (* ---- Upper halves ---- *)
 

@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* machine_steps.v put together: any sequence of operations of the program, on primitive floats and on reals.
+(* machine_steps.v put together: any sequence of calls of the program, on primitive floats and on reals.
 
-   - finished_same, committed_same, settled_same, placed_same    what is left of commit, settle and place
    - deed, done       what a call does to the state of the filter; `done` is one function for any numbers
-   - runs_same        whole runs: while no odometer has gone 2^900, what the state of the machine stands for is the state of the model *)
+   - done_same        one call
+   - runs_same        whole runs of less than 2^49 calls: what the state of the machine stands for is the state of the model *)
 From Coq Require Import Reals ZArith Lia Lra List Bool FunctionalExtensionality.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
@@ -11,7 +11,7 @@ From Annulus Require float_model float_sums bridge_decide.
 From Annulus Require Import operations bridge.
 From Annulus_traces Require Import machine machine_rounds machine_never.
 From Annulus Require Import algorithm_list high_word filter_doubles filter_world algorithm_filter algorithm_run.
-From Annulus_traces Require Import machine_state machine_steps.
+From Annulus_traces Require Import machine_state machine_reach machine_steps machine_writes.
 Import ListNotations.
 Notation real := operations.value.
 Close Scope float_scope.
@@ -56,171 +56,9 @@ Notation tame := (tame capacity stamps ratio chosen D K G).
 Notation small := (small capacity stamps ratio chosen D K G).
 Notation proper_verdict := (proper_verdict capacity stamps ratio chosen D K G).
 Notation bounded := (in_bounds_all D G).
+Notation placed_of := (placed_of capacity stamps ratio chosen D K G).
 
-(* ---- The end of a step ---- *)
-
-Lemma latest_range l : proper capacity l -> (0 <= latest l)%Z.
-Proof.
-  intros [_ [R E]]. unfold latest. assert (H : forall m found, (0 <= found)%Z -> (forall e, In e m -> (0 <= e)%Z) ->
-    (0 <= fold_left (fun found e => if (e =? vacant)%Z then found else expiry_of e) m found)%Z).
-  { induction m as [|e m IH]; intros found F A; [exact F|]. cbn [fold_left]. apply IH; [|intros f I; apply A; now right].
-    destruct (e =? vacant)%Z; [exact F|]. rewrite upper_half. apply Z.div_pos; [apply A; now left|lia]. }
-  apply H; [exact R|]. intros e I. now apply E.
-Qed.
-
-Lemma worn_same (s : @state floats) v : tame s ->
-  @worn floats (base (at_ s v)) (listing (at_ s v)) = @worn reals (base (at_ (state_of s) v)) (listing (at_ (state_of s) v)).
-Proof.
-  intro T. apply (worn_expiry_of_any (latest (listing (at_ s v))) (base (at_ s v))); trivial.
-  - now apply latest_range, (tame_list _ _ _ _ _ _ _ s T).
-  - apply (base_stands _ _ _ _ _ _ _ s v 999 T). lia.
-  - now apply (base_smaller _ _ _ _ _ _ _ s v).
-  - now apply (base_902 _ _ _ _ _ _ _ s v).
-Qed.
-
-Lemma room_same (s : @state floats) v : tame s -> tame (set_at s v (set_room (at_ s v))) /\
-  state_of (set_at s v (set_room (at_ s v))) = @set_at reals (state_of s) v (set_room (at_ (state_of s) v)).
-Proof.
-  intro T. destruct (threshold_of_any (earliest (listing (at_ s v))) (base (at_ s v))) as (F & V & _).
-  - apply (earliest_range capacity), (tame_list _ _ _ _ _ _ _ s T).
-  - apply (base_stands _ _ _ _ _ _ _ s v 999 T). lia.
-  - now apply (base_smaller _ _ _ _ _ _ _ s v).
-  - now apply (base_902 _ _ _ _ _ _ _ s v).
-  - split.
-    + apply tame_set_at; [exact T|apply (tame_fixed _ _ _ _ _ _ _ s T)|apply (tame_base _ _ _ _ _ _ _ s T)|exact F|apply (tame_list _ _ _ _ _ _ _ s T)].
-    + rewrite set_at_same. f_equal. unfold odometer_of, set_room. cbn [fixed base room listing stamp]. f_equal. exact V.
-Qed.
-
-Lemma shifted_same (s : @state floats) v e : tame s -> small_expiry e ->
-  @shifted floats e (base (at_ s v)) = @shifted reals e (base (at_ (state_of s) v)) /\ small_expiry (@shifted floats e (base (at_ s v))).
-Proof.
-  intros T [E B]. destruct (left_stands e (base (at_ s v)) E B (base_stands _ _ _ _ _ _ _ s v 1000 T ltac:(lia))) as (F & V & _).
-  assert (H := half_stands _ F). rewrite V in H. split; [exact H|].
-  change (small_expiry (half_of half_mask_32 (left_of e (base (at_ s v))))). rewrite H. apply half_small.
-  destruct (base_902 _ _ _ _ _ _ _ s v T) as [_ P].
-  destruct (less_down e (real (base (at_ s v))) ltac:(lia) (connect.value_format _) P) as [L1 L2].
-  destruct (Rle_lt_dec (high_word.value e) (real (base (at_ s v)))) as [Q|Q].
-  - generalize (L1 Q) (bpow_ge_0 radix2 1000). lra.
-  - generalize (L2 (Rlt_le _ _ Q)). lra.
-Qed.
-
-Lemma rebase_same (s : @state floats) v : tame s -> tame (rebase s v) /\ state_of (rebase s v) = @rebase reals (state_of s) v.
-Proof.
-  intro T. assert (Sh := fun i => shifted_same s v _ T (tame_expiry _ _ _ _ _ _ _ s T i v)).
-  assert (Zero : real (@zero floats) = 0) by exact bridge_decide.value_zero.
-  set (relist := fun (l : expiry_list) i => if has s i v then put i (shifted (expiry (record s i) v) (base (at_ s v))) l else l).
-  assert (Proper : forall l m, (forall i, In i l -> is_id i) -> proper capacity m -> proper capacity (fold_left relist l m)).
-  { induction l as [|i l IH]; intros m A P; [exact P|]. cbn [fold_left]. apply IH; [intros j J; apply A; now right|]. unfold relist.
-    destruct (has s i v); [|exact P]. apply put_proper; [apply A; now left| |exact P]. destruct (Sh i) as [_ [Q _]]. lia. }
-  split.
-  - destruct T as [A B C E F H I]. split; trivial.
-    + intro w. unfold rebase. cbn [at_]. unfold set. destruct (same_vertex v w); [exact (B v)|apply B].
-    + intro w. unfold rebase. cbn [at_ epoch]. unfold set. destruct (same_vertex v w); [|apply C]. unfold moderate. cbn [base stamp]. rewrite Zero.
-      split; [reflexivity|]. split; [apply Rle_refl|]. destruct (_ =? _)%Z; apply bpow_ge_0.
-    + intro w. unfold rebase. cbn [at_]. unfold set. destruct (same_vertex v w); [exact (E v)|apply E].
-    + intro w. unfold rebase. cbn [at_]. unfold set. destruct (same_vertex v w); [|apply F]. apply Proper; [|apply cleared_proper].
-      intros i J. exact (around_all_ids (points_of _ K) (mesh s) v i J).
-    + intros i w. unfold rebase. cbn [record]. destruct (has s i v); [|apply H]. cbn [expiry]. unfold set. destruct (same_vertex v w); [apply Sh|apply H].
-  - unfold rebase. apply state_eq; try reflexivity.
-    + intro w. cbn [at_]. change (@same_vertex floats) with Nat.eq_dec. change (@same_vertex reals) with Nat.eq_dec. unfold set.
-      destruct (Nat.eq_dec v w); [|reflexivity]. unfold odometer_of. cbn [fixed base room listing stamp]. f_equal.
-      apply (f_equal (fun f => fold_left f (around (mesh s) v) (cleared capacity))). apply functional_extensionality. intro l. apply functional_extensionality. intro i.
-      change (has (state_of s) i v) with (has s i v). destruct (has s i v); [|reflexivity]. now rewrite (proj1 (Sh i)).
-    + intro i. cbn [record]. change (has (state_of s) i v) with (has s i v). destruct (has s i v); [|reflexivity].
-      unfold written_of. cbn [expiry tolerance reference origin allowance]. rewrite (proj1 (Sh i)). f_equal.
-      assert (O : @overdue floats (expiry (record s i) v) (base (at_ s v)) = @overdue reals (expiry (record s i) v) (base (at_ (state_of s) v))).
-      { apply (overdue_of_any (expiry (record s i) v) (base (at_ s v))).
-        - apply (tame_expiry _ _ _ _ _ _ _ s T).
-        - apply (base_stands _ _ _ _ _ _ _ s v 999 T). lia.
-        - now apply (base_smaller _ _ _ _ _ _ _ s v).
-        - now apply (base_902 _ _ _ _ _ _ _ s v). }
-      change (expiry (record (state_of s) i)) with (expiry (record s i)). rewrite <- O. now destruct (overdue _ _).
-Qed.
-
-Lemma finished_same (s : @state floats) v : tame s -> tame (finish s v) /\ state_of (finish s v) = @finish reals (state_of s) v.
-Proof.
-  intro T. unfold finish. rewrite <- (worn_same s v T). destruct (worn _ _); [|now apply room_same].
-  destruct (rebase_same s v T) as [Q E]. rewrite <- E. now apply room_same.
-Qed.
-
-Lemma moved_same (x : @placement floats) (s : @state floats) : (forall v, bounded (x v)) -> tame s ->
-  tame (move_to x s) /\ state_of (move_to x s) = move_to (places_of x) (state_of s).
-Proof. intros X [A B C E F H I]. split; [split|]; trivial. Qed.
-Lemma mesh_same (s : @state floats) m : tame s -> (forall i c, m i = Some c -> is_id i) -> tame (with_mesh s m).
-Proof. intros [A B C E F H I] M. split; trivial. Qed.
-
-Theorem committed_same (x : @placement floats) (s : @state floats) m verdicts : (forall v, bounded (x v)) -> tame s ->
-  (forall i c, m i = Some c -> is_id i) -> (forall k, In k verdicts -> proper_verdict k) ->
-  tame (commit x s [] m verdicts) /\ state_of (commit x s [] m verdicts) = commit (places_of x) (state_of s) [] m (map verdict_of verdicts).
-Proof.
-  intros X T M V. unfold commit. cbn [fold_left].
-  destruct (verdicts_same _ _ _ _ _ _ _ _ _ (fun s k => evaluated_same _ _ _ _ _ _ _ x s k X) verdicts (with_mesh s m) (mesh_same s m T M) V) as [A E].
-  change (with_mesh (state_of s) m) with (state_of (with_mesh s m)). rewrite <- E. set (t := fold_left (commit_evaluated x) verdicts (with_mesh s m)) in *.
-  destruct (fold_same _ _ _ _ _ _ _ _ _ (fun s v => finished_same s v) (anchored t) t A) as [B F].
-  destruct (moved_same x _ X B) as [P Q]. split; [exact P|]. etransitivity; [exact Q|]. exact (f_equal (move_to (places_of x)) F).
-Qed.
-
-Theorem stepped_same (x : @placement floats) (s : @state floats) failed m verdicts : (forall v, bounded (x v)) -> tame s -> small s ->
-  (forall i c, m i = Some c -> is_id i) -> (forall k, In k verdicts -> proper_verdict k) ->
-  tame (stepped no_look s x failed m verdicts) /\
-  state_of (stepped no_look s x failed m verdicts) = @stepped reals no_look (state_of s) (places_of x) failed m (map verdict_of verdicts).
-Proof.
-  intros X T S M V. destruct (expired_same _ _ _ _ _ _ _ s x failed T S X) as (A & E & _ & N & N' & _). unfold stepped.
-  destruct (@find_expired floats no_look s x failed) as [[u suspects] renewed], (@find_expired reals no_look (state_of s) (places_of x) failed) as [[u' suspects'] renewed'].
-  cbn [fst snd] in *. subst renewed renewed' u'. now apply committed_same.
-Qed.
-
-(* ---- Everything anew; vertices come ---- *)
-
-Lemma zero_tame : finite (@zero floats) = true /\ real (@zero floats) = 0.
-Proof. split; [reflexivity|exact bridge_decide.value_zero]. Qed.
-
-Theorem settled_same (x : @placement floats) (s : @state floats) m verdicts : (forall v, bounded (x v)) -> (forall i v, small_expiry (expiry (record s i) v)) ->
-  (forall i c, m i = Some c -> is_id i) -> (forall k, In k verdicts -> proper_verdict k) ->
-  tame (settle x s m verdicts) /\ state_of (settle x s m verdicts) = settle (places_of x) (state_of s) m (map verdict_of verdicts).
-Proof.
-  intros X H M V. unfold settle.
-  set (s0 := @Build_state floats x (fun v => @Build_odometer floats (x v) zero zero (cleared capacity) 0) m (record s) (epoch s) []).
-  assert (T : tame s0).
-  { destruct zero_tame as [F Z]. split; trivial; intro v.
-    - split; [exact F|]. cbn [s0 at_ base stamp]. rewrite Z. split; [apply Rle_refl|]. destruct (_ =? _)%Z; apply bpow_ge_0.
-    - apply cleared_proper. }
-  destruct (verdicts_same _ _ _ _ _ _ _ _ _ (fun s k => fresh_same _ _ _ _ _ _ _ x s k) verdicts s0 T V) as [A E].
-  assert (Z : state_of s0 = @Build_state reals (places_of x) (fun v => @Build_odometer reals (places_of x v) zero zero (cleared capacity) 0) m
-    (record (state_of s)) (epoch s) []).
-  { now apply state_eq. }
-  rewrite Z in E. clear Z. cbv zeta.
-  set (t := fold_left (write_fresh x) verdicts s0) in A, E. change (fold_left (write_fresh x) verdicts _) with t.
-  set (u := fold_left (write_fresh (places_of x)) (map verdict_of verdicts) _) in E. change (fold_left (write_fresh (places_of x)) (map verdict_of verdicts) _) with u.
-  rewrite <- E. clearbody t. clear E s0 T.
-  assert (R := fun v => threshold_of_any (earliest (listing (at_ t v))) (base (at_ t v)) (earliest_range capacity _ (tame_list _ _ _ _ _ _ _ t A v))
-    (base_stands _ _ _ _ _ _ _ t v 999 A ltac:(lia)) (base_smaller _ _ _ _ _ _ _ t v A) (proj2 (base_902 _ _ _ _ _ _ _ t v A))).
-  destruct A as [A1 A2 A3 A4 A5 A6 A7]. split.
-  - split; trivial. exact (fun v => proj1 (R v)).
-  - apply state_eq; try easy. intro v. cbn [at_]. unfold odometer_of, set_room. cbn [fixed base room listing stamp]. f_equal. exact (proj1 (proj2 (R v))).
-Qed.
-
-Definition placed_of (n : @vertex floats * @position floats) : @vertex reals * @position reals := (fst n, place_of D G (snd n)).
-Lemma place_same (s : @state floats) n : tame s -> bounded (snd n) -> tame (place s n) /\ state_of (place s n) = @place reals (state_of s) (placed_of n).
-Proof.
-  destruct n as [v p]. intros T P. unfold place, placed_of. cbn [fst snd].
-  set (o := @Build_odometer floats p (base (at_ s v)) zero (cleared capacity) (stamp (at_ s v))).
-  assert (Q : tame (set_at s v o)).
-  { apply tame_set_at; [exact T|exact P|apply (tame_base _ _ _ _ _ _ _ s T)|exact (proj1 zero_tame)|apply cleared_proper]. }
-  split.
-  - apply (moved_same (set same_vertex (moving s) v p)); [|exact Q]. intro w. unfold set. destruct (same_vertex v w); [exact P|apply (tame_moving _ _ _ _ _ _ _ s T)].
-  - apply state_eq; try easy; intro w; cbn [move_to moving set_at at_]; unfold set; change (@same_vertex floats) with Nat.eq_dec;
-      change (@same_vertex reals) with Nat.eq_dec; destruct (Nat.eq_dec v w); reflexivity.
-Qed.
-Lemma places_same (l : list (@vertex floats * @position floats)) : forall s : @state floats, tame s -> small s -> (forall n, In n l -> bounded (snd n)) ->
-  tame (fold_left (@place floats) l s) /\ small (fold_left (@place floats) l s) /\ state_of (fold_left (@place floats) l s) = fold_left (@place reals) (map placed_of l) (state_of s).
-Proof.
-  induction l as [|n l IH]; intros s T S P; [split; [exact T|split; [exact S|reflexivity]]|]. destruct (place_same s n T (P n (or_introl eq_refl))) as [Q E]. cbn [fold_left map].
-  rewrite <- E. apply IH; [exact Q| |intros k I; apply P; now right]. intro w. destruct n as [v p]. cbn [place move_to set_at at_]. unfold set.
-  destruct (same_vertex v w) as [<-|]; apply S.
-Qed.
-
-(* ---- Whole runs ---- *)
+(* ---- A call ---- *)
 
 Definition deed_of (d : @deed floats) : @deed reals :=
   match d with
@@ -244,27 +82,56 @@ Definition fit (d : @deed floats) : Prop :=
   | give_up => True
   end.
 
-Theorem done_same (s : @state floats) d : tame s -> small s -> fit d -> tame (done s d) /\ state_of (done s d) = done (state_of s) (deed_of d).
+Theorem done_same (B : reach) (s : @state floats) d : tame B s -> small B s -> fit d -> tame B (done s d) /\ state_of (done s d) = done (state_of s) (deed_of d).
 Proof.
   intros T S F. destruct d as [x|x movers m verdicts|x movers|placed m verdicts|x m verdicts|x m|]; cbn [done deed_of fit] in *.
   - now apply moved_same.
-  - destruct F as [X [M V]]. assert (E := failed_same _ _ _ _ _ _ _ s x movers T X). change (@vertex floats) with nat in E. change (@vertex reals) with nat in E.
+  - destruct F as [X [M V]]. assert (E := failed_same _ _ _ _ _ _ _ B s x movers T X). change (@vertex floats) with nat in E. change (@vertex reals) with nat in E.
     rewrite <- E. now apply stepped_same.
-  - assert (E := failed_same _ _ _ _ _ _ _ s x movers T F). change (@vertex floats) with nat in E. change (@vertex reals) with nat in E.
-    rewrite <- E. destruct (expired_same _ _ _ _ _ _ _ s x (find_failed s x movers) T S F) as (A & Q & _ & _ & _ & N). rewrite <- Q.
+  - assert (E := failed_same _ _ _ _ _ _ _ B s x movers T F). change (@vertex floats) with nat in E. change (@vertex reals) with nat in E.
+    rewrite <- E. destruct (expired_same _ _ _ _ _ _ _ _ s x (find_failed s x movers) T S F) as (A & Q & _ & _ & _ & N). rewrite <- Q.
     rewrite <- begun_same. apply undone_same; [now apply begun_tame|exact A|now symmetry].
-  - destruct F as [P [M V]]. destruct (places_same placed s T S P) as (A & B & E). cbv zeta. rewrite <- E.
-    apply (stepped_same (moving (fold_left place placed s))); trivial. apply (tame_moving _ _ _ _ _ _ _ _ A).
-  - destruct F as [X [M V]]. apply settled_same; trivial. apply (tame_expiry _ _ _ _ _ _ _ s T).
-  - destruct F as [X [M _]]. apply (moved_same x); [exact X|]. now apply mesh_same.
+  - destruct F as [P [M V]]. destruct (places_same _ _ _ _ _ _ _ _ placed s T S P) as (A & N & E). cbv zeta. rewrite <- E.
+    apply (stepped_same _ _ _ _ ratio_least ratio_stands _ _ _ _ (moving (fold_left place placed s))); trivial. apply (tame_moving _ _ _ _ _ _ _ _ _ A).
+  - destruct F as [X [M V]]. apply settled_same; trivial. apply (tame_expiry _ _ _ _ _ _ _ _ s T).
+  - destruct F as [X [M _]]. apply (moved_same _ _ _ _ _ _ _ _ x); [exact X|]. now apply mesh_same.
   - now split.
 Qed.
 
-Theorem runs_same (s : nat -> @state floats) (d : nat -> @deed floats) : tame (s O) -> (forall i, small (s i)) -> (forall i, fit (d i)) ->
-  (forall i, s (S i) = done (s i) (d i)) -> forall i, tame (s i) /\ state_of (s (S i)) = done (state_of (s i)) (deed_of (d i)).
+(* ---- Whole runs ---- *)
+
+(* From one call to the next. *)
+Lemma tame_next (B B' : reach) (s : @state floats) : tame B s -> gone B' = going B -> tame B' s /\ small B' s.
 Proof.
-  intros T N F R. induction i as [|i [IH _]].
-  - split; [exact T|]. rewrite R. now apply done_same.
-  - assert (Q : tame (s (S i))) by (rewrite R; now apply done_same). split; [exact Q|]. rewrite R. now apply done_same.
+  intros [A A' C E F H I] N. assert (Q : forall v, moderate capacity stamps ratio chosen D K G (at_ s v) (gone B')).
+  { intro v. destruct (C v) as [C1 [C2 C3]]. split; [exact C1|split; [exact C2|]]. rewrite N. apply Rle_trans with (1 := C3).
+    destruct (going_bounds B). destruct (_ =? _)%Z; lra. }
+  split; [|intro v; apply (Q v)]. split; trivial. intro v. destruct (Q v) as [C1 [C2 C3]]. split; [exact C1|split; [exact C2|]].
+  apply Rle_trans with (1 := C3). destruct (going_bounds B'). destruct (_ =? _)%Z; lra.
 Qed.
+
+Lemma within_less n : within_reach (S n) -> within_reach n.
+Proof. unfold within_reach. rewrite S_INR. lra. Qed.
+
+Section run.
+Variables (s : nat -> @state floats) (d : nat -> @deed floats) (n : nat).
+Hypothesis begins : forall B, tame B (s O).
+Hypothesis does : forall i, (i < n)%nat -> fit (d i) /\ s (S i) = done (s i) (d i).
+
+Lemma run_tame i : (i <= n)%nat -> forall (H : within_reach (S i)) (H' : within_reach (S (S i))),
+  tame (reach_after (S i) H H') (s i) /\ small (reach_after (S i) H H') (s i).
+Proof.
+  induction i as [|i IH]; intros L H H'.
+  - exact (tame_next (reach_after 0 (within_less 0 H) H) (reach_after 1 H H') _ (begins _) eq_refl).
+  - destruct (IH ltac:(lia) (within_less _ H) H) as [T S]. destruct (does i L) as [F E].
+    apply (tame_next (reach_after (Datatypes.S i) (within_less _ H) H) (reach_after (Datatypes.S (Datatypes.S i)) H H')); [|reflexivity]. rewrite E.
+    now apply done_same.
+Qed.
+
+Theorem runs_same i : (i < n)%nat -> within_reach (S (S i)) -> state_of (s (S i)) = done (state_of (s i)) (deed_of (d i)).
+Proof.
+  intros L H. destruct (run_tame i ltac:(lia) (within_less _ H) H) as [T S]. destruct (does i L) as [F E]. rewrite E.
+  exact (proj2 (done_same _ _ _ T S F)).
+Qed.
+End run.
 End runs.

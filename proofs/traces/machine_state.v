@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The program of algorithm_filter.v on primitive floats and on reals does the same, operation after operation, while no odometer has gone 2^900: the state
+(* The program of algorithm_filter.v on primitive floats and on reals does the same, operation after operation, while no odometer has gone far: the state
    of the machine stands for a state of the model, and so it is after each operation. Without second looks, of any dimension.
 
    - floats        the program with the numbers of machine.v; state_of: the state of the model that a state of the machine stands for
@@ -27,8 +27,18 @@ Record grounded (D : metric) := {
   same_right : forall p q, in_bounds_all p -> in_bounds_all q -> same_coordinates (coordinates_of p) (coordinates_of q) = same_site D (place_of p) (place_of q);
   reading_right : forall a b f p, (505 <= a <= 1000)%Z -> stands a b (real b) -> in_bounds_all f -> in_bounds_all p ->
     stands (a + 2) (reading_at b (coordinates_of f) (coordinates_of p)) (read D (real b) (place_of f) (place_of p));
+  way_right : forall b f p, in_bounds_all f -> in_bounds_all p ->
+    exists way, 0 <= way <= power 505 /\ read D b (place_of f) (place_of p) = float_sums.sum_upper b way;
   below_right : forall f p r, finite r = true -> in_bounds_all f -> in_bounds_all p ->
     (squared_distance (coordinates_of p) (coordinates_of f) <? r)%float = is_below D (place_of f) (place_of p) (real r) }.
+
+(* How far an odometer may have gone before a call, and after it. *)
+Record reach := {
+  gone : R;
+  going : R;
+  gone_bounds : 0 <= gone <= power 900;
+  going_bounds : gone <= going <= power 902;
+  one_way : forall b way, 0 <= b <= gone -> 0 <= way <= power 505 -> float_sums.sum_upper b way <= going }.
 
 #[local] Opaque bpow.   (* 2^900 is not to be written out *)
 
@@ -72,34 +82,38 @@ Definition state_of (s : @state floats) : @state reals :=
 Definition verdict_of (k : @verdict floats) : @verdict reals := @Build_verdict reals (id k) (of k) (real (bound k)).
 Definition places_of (x : @placement floats) : @placement reals := fun v => at_place (x v).
 
+Variable B : reach.
 Definition small_expiry (e : Z) : Prop := (0 <= e < never)%Z /\ high_word.value e <= power 1000.
 Definition moderate (o : @odometer floats) (limit : R) : Prop := finite (base o) = true /\ 0 <= real (base o) <= limit.
 (* In a step an odometer goes on once, and has the step's stamp then. *)
 Record tame (s : @state floats) : Prop := {
   tame_moving : forall v, bounded (moving s v);
   tame_fixed : forall v, bounded (fixed (at_ s v));
-  tame_base : forall v, moderate (at_ s v) (if (stamp (at_ s v) =? epoch s)%Z then power 902 else power 900);
+  tame_base : forall v, moderate (at_ s v) (if (stamp (at_ s v) =? epoch s)%Z then going B else gone B);
   tame_room : forall v, finite (room (at_ s v)) = true;
   tame_list : forall v, proper capacity (listing (at_ s v));
   tame_expiry : forall i v, small_expiry (expiry (record s i) v);
   tame_ids : forall i c, mesh s i = Some c -> is_id i }.
-Definition small (s : @state floats) : Prop := forall v, real (base (at_ s v)) <= power 900.
+Definition small (s : @state floats) : Prop := forall v, real (base (at_ s v)) <= gone B.
+
+Lemma reach_pos (b : bool) : 0 <= if b then going B else gone B.
+Proof. destruct (gone_bounds B), (going_bounds B). destruct b; lra. Qed.
 
 Lemma base_902 s v : tame s -> stands 902 (base (at_ s v)) (real (base (at_ s v))) /\ 0 <= real (base (at_ s v)).
 Proof.
   intro T. destruct (tame_base s T v) as [F [P U]]. split; [|exact P]. split; [exact F|]. split; [reflexivity|]. rewrite Rabs_pos_eq by exact P.
-  apply Rle_trans with (1 := U). destruct (_ =? _)%Z; [apply Rle_refl|]. apply bpow_le. lia.
+  apply Rle_trans with (1 := U). destruct (going_bounds B). destruct (_ =? _)%Z; lra.
 Qed.
 Lemma base_stands s v a : tame s -> (902 <= a)%Z -> stands a (base (at_ s v)) (real (base (at_ s v))).
 Proof. intros T A. apply stands_wider with 902%Z; [exact A|]. now apply base_902. Qed.
 Lemma base_smaller s v : tame s -> real (base (at_ s v)) < power 999.
 Proof.
-  intro T. destruct (base_902 s v T) as [(_ & _ & B) P]. rewrite Rabs_pos_eq in B by exact P. apply Rle_lt_trans with (1 := B), bpow_lt. lia.
+  intro T. destruct (base_902 s v T) as [(_ & _ & U) P]. rewrite Rabs_pos_eq in U by exact P. apply Rle_lt_trans with (1 := U), bpow_lt. lia.
 Qed.
 
 Lemma half_small r : r <= power 1000 -> small_expiry (lower r).
 Proof.
-  intro B. assert (L := lower_range r). destruct (Rlt_le_dec 0 r) as [P|P].
+  intro U. assert (L := lower_range r). destruct (Rlt_le_dec 0 r) as [P|P].
   - assert (V := lower_below r ltac:(lra)). split; [|lra]. apply near_value; [apply L|lra].
   - rewrite lower_clips by exact P. split; [unfold never; lia|]. rewrite value_0. apply bpow_ge_0.
 Qed.
@@ -113,10 +127,10 @@ Proof. intros M A -> R -> ->. f_equal; apply functional_extensionality; assumpti
 Lemma set_at_same s v o : state_of (set_at s v o) = set_at (state_of s) v (odometer_of o).
 Proof. apply state_eq; try easy. intro w. simpl. unfold set. now destruct (Nat.eq_dec v w). Qed.
 
-Lemma tame_set_at s v (o : @odometer floats) : tame s -> bounded (fixed o) -> moderate o (if (stamp o =? epoch s)%Z then power 902 else power 900) ->
+Lemma tame_set_at s v (o : @odometer floats) : tame s -> bounded (fixed o) -> moderate o (if (stamp o =? epoch s)%Z then going B else gone B) ->
   finite (room o) = true -> proper capacity (listing o) -> tame (set_at s v o).
 Proof.
-  intros [A B C E F H I] P Q R L. split; trivial; intro w; simpl; unfold set; destruct (Nat.eq_dec v w) as [<-|]; trivial.
+  intros [A A' C E F H I] P Q R L. split; trivial; intro w; simpl; unfold set; destruct (Nat.eq_dec v w) as [<-|]; trivial.
 Qed.
 
 (* ---- The test of a step ---- *)
@@ -135,10 +149,10 @@ Lemma begun_same s : state_of (begin_anchoring s) = begin_anchoring (state_of s)
 Proof. apply state_eq; try easy. intro v. simpl. now destruct (_ =? _)%Z. Qed.
 Lemma begun_tame s : tame s -> small s -> tame (begin_anchoring s).
 Proof.
-  intros [A B C E F H I] S.
-  assert (Q : forall v, moderate (at_ s v) (power 900)) by (intro v; destruct (C v) as [C1 [C2 _]]; split; [exact C1|split; [exact C2|apply S]]).
-  assert (W : forall o b, moderate o (power 900) -> moderate o (if b : bool then power 902 else power 900)).
-  { intros o [|] [O1 [O2 O3]]; [|split; auto]. split; [exact O1|split; [exact O2|]]. apply Rle_trans with (1 := O3), bpow_le. lia. }
+  intros [A A' C E F H I] S.
+  assert (Q : forall v, moderate (at_ s v) (gone B)) by (intro v; destruct (C v) as [C1 [C2 _]]; split; [exact C1|split; [exact C2|apply S]]).
+  assert (W : forall o b, moderate o (gone B) -> moderate o (if b : bool then going B else gone B)).
+  { intros o [|] [O1 [O2 O3]]; [|split; auto]. split; [exact O1|split; [exact O2|]]. destruct (going_bounds B). lra. }
   split; trivial; intro v; simpl; destruct (epoch s =? stamps)%Z; simpl; auto; first [exact (Q v)|apply (W _ _ (Q v))].
 Qed.
 
@@ -149,13 +163,16 @@ Variable x : @placement floats.
 Hypothesis X : forall v, bounded (x v).
 
 Lemma reading_moderate s v : tame s -> (stamp (at_ s v) =? epoch s)%Z = false ->
-  stands 902 (reading s v (x v)) (reading (state_of s) v (places_of x v)) /\ 0 <= reading (state_of s) v (places_of x v).
+  stands 902 (reading s v (x v)) (reading (state_of s) v (places_of x v)) /\ 0 <= reading (state_of s) v (places_of x v) <= going B.
 Proof.
-  intros T E. destruct (tame_base s T v) as [F [P U]]. rewrite E in U. split.
-  - apply (reading_right D G 900); [lia| |apply (tame_fixed s T)|apply X]. split; [exact F|]. split; [reflexivity|]. now rewrite Rabs_pos_eq.
+  intros T E. destruct (tame_base s T v) as [F [P U]]. rewrite E in U. split; [|split].
+  - apply (reading_right D G 900); [lia| |apply (tame_fixed s T)|apply X]. split; [exact F|]. split; [reflexivity|]. rewrite Rabs_pos_eq by exact P.
+    destruct (gone_bounds B). lra.
   - destruct (read_above D (real (base (at_ s v))) (at_place (fixed (at_ s v))) (at_place (x v)) (connect.value_format _) P
       (box_right D G _ (tame_fixed s T v)) (box_right D G _ (X v))) as [_ H].
     generalize (distance_nonneg D (at_place (fixed (at_ s v))) (at_place (x v))). intro. apply Rle_trans with (2 := H). lra.
+  - destruct (way_right D G (real (base (at_ s v))) _ _ (tame_fixed s T v) (X v)) as (way & Q & R).
+    change (read D (real (base (at_ s v))) (at_place (fixed (at_ s v))) (at_place (x v)) <= going B). rewrite R. now apply (one_way B).
 Qed.
 
 Definition with_anchored (s : @state reals) (l : list nat) : @state reals := @Build_state reals (moving s) (at_ s) (mesh s) (record s) (epoch s) l.
@@ -164,7 +181,7 @@ Theorem anchor_same (s : @state floats) v : tame s -> tame (anchor x s v) /\ sta
 Proof.
   intro T. unfold anchor. change (stamp (at_ (state_of s) v)) with (stamp (at_ s v)). change (epoch (state_of s)) with (epoch s).
   destruct (stamp (at_ s v) =? epoch s)%Z eqn:E; [now split|].
-  destruct (reading_moderate s v T E) as [(RF & RV & RB) RP].
+  destruct (reading_moderate s v T E) as [(RF & RV & _) RP].
   set (o := if @same_position floats (x v) (fixed (at_ s v)) then set_stamp (at_ s v) (epoch s) else _).
   set (o' := if @same_position reals _ _ then _ else _).
   assert (O : odometer_of o = o').
@@ -176,8 +193,8 @@ Proof.
   { destruct (tame_base s T v) as [BF [BP BU]]. rewrite E in BU. apply tame_set_at; trivial; unfold o; destruct (same_position _ _); simpl.
     - apply (tame_fixed s T).
     - apply X.
-    - rewrite Z.eqb_refl. split; [exact BF|split; [exact BP|]]. apply Rle_trans with (1 := BU), bpow_le. lia.
-    - rewrite Z.eqb_refl. split; [exact RF|]. change (0 <= real (reading s v (x v)) <= power 902). rewrite RV. split; [exact RP|]. rewrite Rabs_pos_eq in RB by exact RP. exact RB.
+    - rewrite Z.eqb_refl. split; [exact BF|split; [exact BP|]]. apply Rle_trans with (1 := BU), (going_bounds B).
+    - rewrite Z.eqb_refl. split; [exact RF|]. change (0 <= real (reading s v (x v)) <= going B). rewrite RV. exact RP.
     - apply (tame_room s T).
     - apply (tame_room s T).
     - apply (tame_list s T).
@@ -190,7 +207,7 @@ Qed.
 Lemma anchors_same l : forall s : @state floats, tame s -> tame (fold_left (anchor x) l s) /\
   state_of (fold_left (anchor x) l s) = fold_left (anchor (places_of x)) l (state_of s).
 Proof.
-  induction l as [|v l IH]; intros s T; [now split|]. destruct (anchor_same s v T) as [A B]. cbn [fold_left]. rewrite <- B. now apply IH.
+  induction l as [|v l IH]; intros s T; [now split|]. destruct (anchor_same s v T) as [A E]. cbn [fold_left]. rewrite <- E. now apply IH.
 Qed.
 End step.
 End runs.

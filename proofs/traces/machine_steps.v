@@ -32,14 +32,15 @@ Notation places_of := (places_of capacity stamps ratio chosen D K G).
 Notation verdict_of := (verdict_of capacity stamps ratio chosen D K G).
 Notation written_of := (written_of capacity stamps ratio chosen D K G).
 Notation odometer_of := (odometer_of capacity stamps ratio chosen D K G).
-Notation tame := (tame capacity stamps ratio chosen D K G).
-Notation small := (small capacity stamps ratio chosen D K G).
+Variable B : reach.
+Notation tame := (tame capacity stamps ratio chosen D K G B).
+Notation small := (small capacity stamps ratio chosen D K G B).
 Notation bounded := (in_bounds_all D G).
 
 (* ---- Looking ---- *)
 
 Lemma half_base (s : @state floats) v : tame s -> half (base (at_ s v)) = half (base (at_ (state_of s) v)).
-Proof. intro T. apply half_stands. exact (proj1 (tame_base _ _ _ _ _ _ _ s T v)). Qed.
+Proof. intro T. apply half_stands. exact (proj1 (tame_base _ _ _ _ _ _ _ _ s T v)). Qed.
 
 Lemma is_expired_same (s : @state floats) i v : tame s -> is_expired s i v = is_expired (state_of s) i v.
 Proof. intro T. unfold is_expired. now rewrite (half_base s v T). Qed.
@@ -55,7 +56,7 @@ Variables (s : @state floats) (x : @placement floats) (v : nat).
 Hypothesis T : tame s.
 
 Lemma expiry_range i w : (0 <= expiry (record s i) w <= never)%Z.
-Proof. destruct (tame_expiry _ _ _ _ _ _ _ s T i w). lia. Qed.
+Proof. destruct (tame_expiry _ _ _ _ _ _ _ _ s T i w). lia. Qed.
 
 Lemma look_same i a b : alike a b -> alike (look_at no_look s x v a i) (look_at no_look (state_of s) (places_of x) v b i).
 Proof.
@@ -64,7 +65,7 @@ Proof.
   change (has (state_of s) i v) with (has s i v). rewrite <- (is_expired_same s i v T).
   destruct (has s i v); cbn [negb]; [|now apply alike_here]. destruct (is_expired s i v); cbn [negb].
   - now apply alike_here.
-  - apply alike_here, put_proper; [now apply (tame_ids _ _ _ _ _ _ _ s T i c)|apply expiry_range|exact P].
+  - apply alike_here, put_proper; [now apply (tame_ids _ _ _ _ _ _ _ _ s T i c)|apply expiry_range|exact P].
 Qed.
 
 Lemma looks_same l : forall a b, alike a b -> alike (fold_left (look_at no_look s x v) l a) (fold_left (look_at no_look (state_of s) (places_of x) v) l b).
@@ -89,7 +90,7 @@ Qed.
 Lemma examine_same : alike (examine no_look s x v) (examine no_look (state_of s) (places_of x) v).
 Proof.
   unfold examine. rewrite <- (half_base s v T). change (listing (at_ (state_of s) v)) with (listing (at_ s v)).
-  assert (P := tame_list _ _ _ _ _ _ _ s T v). destruct (rest (listing (at_ s v)) <=? half (base (at_ s v)))%Z; [now apply tour_same, alike_here|].
+  assert (P := tame_list _ _ _ _ _ _ _ _ s T v). destruct (rest (listing (at_ s v)) <=? half (base (at_ s v)))%Z; [now apply tour_same, alike_here|].
   assert (Q := take_proper capacity (half (base (at_ s v))) _ P). destruct (take _ _) as [visited l]. cbn [snd] in Q.
   assert (L := looks_same visited (l, [], []) (l, [], []) (alike_here _ _ Q)).
   destruct L as (E & R & R' & P'). rewrite <- E. destruct (_ <=? _)%Z; [apply tour_same|]; exact (conj E (conj R (conj R' P'))).
@@ -129,8 +130,8 @@ Theorem expired_same (s : @state floats) (x : @placement floats) failed : tame s
   tame (fst (fst found)) /\ state_of (fst (fst found)) = fst (fst found') /\ snd (fst found) = snd (fst found') /\ snd found = [] /\ snd found' = [] /\
   epoch (fst (fst found)) = epoch (begin_anchoring s).
 Proof.
-  intros T S X found found'. assert (B := begun_tame _ _ _ _ _ _ _ s T S).
-  destruct (anchors_same _ _ _ _ _ _ _ x X failed (begin_anchoring s) B) as [A E]. rewrite begun_same in E.
+  intros T S X found found'. assert (N := begun_tame _ _ _ _ _ _ _ _ s T S).
+  destruct (anchors_same _ _ _ _ _ _ _ _ x X failed (begin_anchoring s) N) as [A E]. rewrite begun_same in E.
   assert (F' : found' = looked (places_of x) failed (state_of (fold_left (anchor x) failed (begin_anchoring s)))) by (rewrite E; reflexivity).
   destruct (looked_same _ x failed A) as (Q1 & Q2 & Q3 & Q4 & Q5). rewrite F'.
   exact (conj Q1 (conj Q2 (conj Q3 (conj Q4 (conj Q5 (anchor_epoch x failed (begin_anchoring s))))))).
@@ -153,10 +154,10 @@ Lemma sum_same (s : @state floats) v t : tame s -> amount t ->
   @half floats (sum_lower (base (at_ s v)) t) = @half reals (sum_lower (base (at_ (state_of s) v)) (real t : @num reals)) /\
   small_expiry (@half floats (sum_lower (base (at_ s v)) t)).
 Proof.
-  intros T [Fin [P U]]. assert (B := base_stands _ _ _ _ _ _ _ s v 902 T ltac:(lia)).
+  intros T [Fin [P U]]. assert (Q := base_stands _ _ _ _ _ _ _ _ s v 902 T ltac:(lia)).
   assert (S : stands 902 t (real t)).
   { split; [exact Fin|]. split; [reflexivity|]. rewrite Rabs_pos_eq by exact P. apply Rle_trans with (1 := U), bpow_le. lia. }
-  destruct (sum_lower_stands 902 _ _ _ _ ltac:(lia) B S) as (F & V & L). assert (H := half_stands _ F). rewrite V in H.
+  destruct (sum_lower_stands 902 _ _ _ _ ltac:(lia) Q S) as (F & V & L). assert (H := half_stands _ F). rewrite V in H.
   split; [exact H|]. change (small_expiry (half_of half_mask_32 (machine.sum_lower (base (at_ s v)) t))). rewrite H. apply half_small.
   apply Rle_trans with (1 := Rle_abs _), Rle_trans with (1 := L), bpow_le. lia.
 Qed.
@@ -165,15 +166,15 @@ Lemma put_at_same (s : @state floats) i e v : tame s -> is_id i -> (0 <= e <= ne
   tame (put_at i e v s) /\ state_of (put_at i e v s) = @put_at reals i e v (state_of s).
 Proof.
   intros T I E. split.
-  - apply tame_set_at; [exact T|apply (tame_fixed _ _ _ _ _ _ _ s T)|apply (tame_base _ _ _ _ _ _ _ s T)|apply (tame_room _ _ _ _ _ _ _ s T)|].
-    apply put_proper; [exact I|exact E|apply (tame_list _ _ _ _ _ _ _ s T)].
+  - apply tame_set_at; [exact T|apply (tame_fixed _ _ _ _ _ _ _ _ s T)|apply (tame_base _ _ _ _ _ _ _ _ s T)|apply (tame_room _ _ _ _ _ _ _ _ s T)|].
+    apply put_proper; [exact I|exact E|apply (tame_list _ _ _ _ _ _ _ _ s T)].
   - exact (set_at_same _ _ _ _ _ _ _ s v _).
 Qed.
 
 Lemma set_record_same (s : @state floats) i r : tame s -> (forall v, small_expiry (expiry r v)) ->
   tame (set_record s i r) /\ state_of (set_record s i r) = set_record (state_of s) i (written_of r).
 Proof.
-  intros [A B C E F H I] Q. split.
+  intros [A A' C E F H I] Q. split.
   - split; trivial. intros j v. cbn [set_record record]. unfold set. destruct (Z.eq_dec i j); [apply Q|apply H].
   - apply state_eq; try easy. intro j. cbn [set_record record]. unfold set. now destruct (Z.eq_dec i j).
 Qed.
@@ -188,7 +189,7 @@ Hypothesis A : amount t.
 Lemma write_point_same (s : @state floats) v : tame s -> tame (write_point x i (fun _ => t) s v) /\
   state_of (write_point x i (fun _ => t) s v) = write_point (places_of x) i (fun _ => real t) (state_of s) v.
 Proof.
-  intro T. destruct (anchor_same _ _ _ _ _ _ _ x X s v T) as [Q E]. unfold write_point. rewrite <- E.
+  intro T. destruct (anchor_same _ _ _ _ _ _ _ _ x X s v T) as [Q E]. unfold write_point. rewrite <- E.
   destruct (sum_same (anchor x s v) v t Q A) as [H S].
   destruct (put_at_same (anchor x s v) i (half (sum_lower (base (at_ (anchor x s v) v)) t)) v Q I ltac:(destruct S; lia)) as [P P'].
   split; [exact P|]. etransitivity; [exact P'|]. now rewrite H.
@@ -198,8 +199,8 @@ Lemma fresh_point_same (s : @state floats) v : tame s -> tame (fresh_point i t s
   state_of (fresh_point i t s v) = fresh_point i (real t : @num reals) (state_of s) v.
 Proof.
   intro T. destruct (sum_same s v t T A) as [H S]. split.
-  - apply tame_set_at; [exact T|apply (tame_fixed _ _ _ _ _ _ _ s T)|apply (tame_base _ _ _ _ _ _ _ s T)|apply (tame_room _ _ _ _ _ _ _ s T)|].
-    apply put_new_proper; [exact I|destruct S; lia|apply (tame_list _ _ _ _ _ _ _ s T)].
+  - apply tame_set_at; [exact T|apply (tame_fixed _ _ _ _ _ _ _ _ s T)|apply (tame_base _ _ _ _ _ _ _ _ s T)|apply (tame_room _ _ _ _ _ _ _ _ s T)|].
+    apply put_new_proper; [exact I|destruct S; lia|apply (tame_list _ _ _ _ _ _ _ _ s T)].
   - unfold fresh_point. rewrite set_at_same. unfold odometer_of at 1. cbn [set_listing fixed base room listing stamp]. now rewrite <- H.
 Qed.
 
