@@ -2,8 +2,9 @@
 (* machine_runs.v in the plane and in space: what filter_calls.v and filter_delaunay_3.v prove of reals holds of the program on primitive floats.
 
    - grounded_2, grounded_3        the operations of machine.v on coordinates are those of the plane and of space
-   - machine_delaunay              plane: after any calls of the program on primitive floats the cells triangulate the hull and are Delaunay
-   - machine_holds_3, machine_delaunay_3   space: all certificates hold; hence the same *)
+   - machine_delaunay              plane: after each of 2^49 calls of the program on primitive floats the cells triangulate the hull and are Delaunay
+   - machine_delaunay_3            space: all certificates hold; hence the same
+   - odometer_ratios               the numbers of horizons.h, that the theorems may be used of *)
 From Coq Require Import Reals ZArith Lia Lra List Bool.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
@@ -55,6 +56,16 @@ Proof.
       (value_format _) (value_format _) (value_format _)). apply sqrt_pos.
   - intros f p r R (F1 & F2 & F3) (P1 & P2 & P3). apply below_stands_3; trivial; now apply coordinate_in_bounds.
 Defined.
+
+(* How much further than its certificates an odometer goes: Wide_horizons::odometer and Tiny_horizons::odometer can be asked for below. *)
+Lemma odometer_ratios : forall ratio, In ratio [0x1p8; 2]%float -> 1 <= real ratio /\ stands 20 ratio (real ratio).
+Proof.
+  intros ratio [<-|[<-|[]]].
+  - assert (E : real 0x1p8%float = 256) by (rewrite (real_of 0x1p8%float 4503599627370496 (-44) eq_refl); change (power (-44)) with (/ 17592186044416); lra).
+    rewrite E. split; [lra|]. split; [reflexivity|split; [exact E|]]. rewrite Rabs_pos_eq by lra. change (power 20) with 1048576. lra.
+  - assert (E : real 2%float = 2) by (rewrite (real_of 2%float 4503599627370496 (-51) eq_refl); change (power (-51)) with (/ 2251799813685248); lra).
+    rewrite E. split; [lra|]. split; [reflexivity|split; [exact E|]]. rewrite Rabs_pos_eq by lra. change (power 20) with 1048576. lra.
+Qed.
 
 (* ---- The plane ---- *)
 

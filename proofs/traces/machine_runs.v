@@ -29,7 +29,7 @@ Inductive deed :=
   | refresh (placed : list (vertex * position)) (m : Z -> option certificate) (verdicts : list verdict)
   | settle_all (x : placement) (m : Z -> option certificate) (verdicts : list verdict)
   | sign_all (x : placement) (m : Z -> option certificate)
-  | give_up.
+  | stop.
 Definition done (s : state) (d : deed) : state :=
   match d with
   | pass x => move_to x s
@@ -38,7 +38,7 @@ Definition done (s : state) (d : deed) : state :=
   | refresh placed m verdicts => let t := fold_left place placed s in stepped no_look t (moving t) [] m verdicts
   | settle_all x m verdicts => settle x s m verdicts
   | sign_all x m => move_to x (with_mesh s m)
-  | give_up => s
+  | stop => s
   end.
 End deeds.
 
@@ -68,7 +68,7 @@ Definition deed_of (d : @deed floats) : @deed reals :=
   | refresh placed m verdicts => @refresh reals (map placed_of placed) m (map verdict_of verdicts)
   | settle_all x m verdicts => @settle_all reals (places_of x) m (map verdict_of verdicts)
   | sign_all x m => @sign_all reals (places_of x) m
-  | give_up => give_up
+  | stop => stop
   end.
 (* Coordinates in the domain, tolerances that are numbers below 2^900, and numbers of certificates. *)
 Definition written_right (m : Z -> option (@certificate floats)) (verdicts : list (@verdict floats)) : Prop :=
@@ -79,7 +79,7 @@ Definition fit (d : @deed floats) : Prop :=
   | move x _ m verdicts | settle_all x m verdicts => (forall v, bounded (x v)) /\ written_right m verdicts
   | refresh placed m verdicts => (forall n, In n placed -> bounded (snd n)) /\ written_right m verdicts
   | sign_all x m => (forall v, bounded (x v)) /\ written_right m []
-  | give_up => True
+  | stop => True
   end.
 
 Theorem done_same (B : reach) (s : @state floats) d : tame B s -> small B s -> fit d -> tame B (done s d) /\ state_of (done s d) = done (state_of s) (deed_of d).
