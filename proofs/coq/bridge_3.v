@@ -2,7 +2,7 @@
 (* bridge_2.v in space: the filter of filter_3.v says the same in primitive floats and in rounded reals, for all points of the coordinate domain.
    No operation overflows that matters.
 
-   - orientation_filter_3_stands, bicell_filter_stands: same refusal, same sign, and the tolerance stands for the real one *)
+   - orientation_filter_3_stands, bicell_filter_stands: same refusal, same sign, and a certified tolerance stands for the real one *)
 From Coq Require Import Reals ZArith Lia Lra Bool.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
@@ -102,13 +102,13 @@ Qed.
 Lemma side_error_stands : stands 260 (side_error machine m) (side_error rounded m').
 Proof. apply stands_wider with (-45 + 300)%Z; [lia|]. exact (stands_mul (-45) 300 _ _ _ _ ltac:(lia) (proj1 unit_side) M3). Qed.
 
-Lemma decide_width_stands : forall d l d' l', stands 303 d d' -> stands 408 l l' /\ 0 <= l' ->
-  stands_answer (decide_width machine d l m true) (decide_width rounded d' l' m' true).
+Lemma decide_width_stands : forall certified d l d' l', stands 303 d d' -> stands 408 l l' /\ 0 <= l' ->
+  stands_said certified (decide_width machine d l m certified) (decide_width rounded d' l' m' certified).
 Proof.
-  intros d l d' l' D [L L0]. destruct width_norms_stands as [N N0].
+  intros certified d l d' l' D [L L0]. destruct width_norms_stands as [N N0].
   assert (T : stands 1 2%float (value 2%float)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
   pose proof (stands_mul 1 204 _ _ _ _ ltac:(lia) T (stands_sqrt 204 _ _ ltac:(lia) L L0)) as Rt.
-  apply (decide_stands 303 205 (-460)); try assumption.
+  apply (decide_said 303 205 (-460)); try assumption.
   - lia.
   - apply stands_wider with 260%Z; [lia|]. exact width_error_stands.
   - apply stands_wider with 160%Z; [lia|]. exact N.
@@ -133,24 +133,27 @@ End powers.
 
 (* ---- Answers ---- *)
 
-Lemma both_stands : forall needed l r l' r', stands_answer l l' -> stands_answer r r' ->
-  stands_answer (both machine needed l r) (both rounded needed l' r').
+Lemma both_stands : forall certified needed l r l' r', stands_said certified l l' -> stands_said certified r r' ->
+  stands_said certified (both machine needed l r) (both rounded needed l' r').
 Proof.
-  intros needed [|s|s|s] [|t|t|t] [|s'|s'|s'] [|t'|t'|t'] L R; try contradiction; destruct needed; try exact I; try exact L.
+  intros certified needed [|s|s|s] [|t|t|t] [|s'|s'|s'] [|t'|t'|t'] L R; destruct certified; try contradiction; destruct needed; try exact I; try exact L.
   destruct L as [F <-], R as [G <-]. simpl. rewrite less_of_values by assumption. case Rlt_bool; split; trivial.
 Qed.
 
-Lemma unless_stands : forall doubt l r l' r', stands_answer l l' -> stands_answer r r' ->
-  stands_answer (unless machine doubt l r) (unless rounded doubt l' r').
+(* Without certified tolerances nothing is in doubt. *)
+Lemma unless_stands : forall certified doubt l r l' r', (certified = false -> doubt = false) -> stands_said certified l l' -> stands_said certified r r' ->
+  stands_said certified (unless machine doubt l r) (unless rounded doubt l' r').
 Proof.
-  intros doubt [|s|s|s] [|t|t|t] [|s'|s'|s'] [|t'|t'|t'] L R; try contradiction; try exact I; try exact R.
-  destruct L as [F <-], R as [G <-]. simpl. rewrite less_of_values by assumption. case (_ && _)%bool; [exact I|]. split; trivial.
+  intros certified doubt [|s|s|s] [|t|t|t] [|s'|s'|s'] [|t'|t'|t'] N L R; destruct certified; try contradiction; try exact I; try exact R.
+  - destruct L as [F <-], R as [G <-]. simpl. rewrite less_of_values by assumption. case (_ && _)%bool; [exact I|]. split; trivial.
+  - rewrite N by reflexivity. exact I.
 Qed.
 
-Theorem orientation_filter_3_stands : forall a b c d a' b' c' d', in_domain_3 a a' -> in_domain_3 b b' -> in_domain_3 c c' -> in_domain_3 d d' ->
-  stands_answer (orientation_filter_3 machine a b c d true) (orientation_filter_3 rounded a' b' c' d' true).
+Theorem orientation_filter_3_stands : forall certified a b c d a' b' c' d',
+  in_domain_3 a a' -> in_domain_3 b b' -> in_domain_3 c c' -> in_domain_3 d d' ->
+  stands_said certified (orientation_filter_3 machine a b c d certified) (orientation_filter_3 rounded a' b' c' d' certified).
 Proof.
-  intros a b c d a' b' c' d' A B C D. unfold orientation_filter_3. cbv zeta.
+  intros certified a b c d a' b' c' d' A B C D. unfold orientation_filter_3. cbv zeta.
   pose proof (rounded_difference_3 _ _ _ _ B A) as U. pose proof (rounded_difference_3 _ _ _ _ C A) as V.
   pose proof (rounded_difference_3 _ _ _ _ D A) as W.
   set (u := difference_3 machine b a) in *. set (v := difference_3 machine c a) in *. set (w := difference_3 machine d a) in *.
@@ -159,14 +162,14 @@ Proof.
     stands k (orientation_magnitude_3 machine u v w) (orientation_magnitude_3 rounded u' v' w')).
   { intros. apply stands_max_same; [apply stands_max_same|]; now apply stands_largest_3. }
   rewrite (stands_range_3 _ _ (magnitude _ U V W)).
-  destruct (in_range_3 rounded (orientation_magnitude_3 rounded u' v' w')) eqn:E; [|exact I].
+  destruct (in_range_3 rounded (orientation_magnitude_3 rounded u' v' w')) eqn:E; [|now destruct certified].
   apply range_3_bounds in E. destruct E as [Low High].
   assert (H := Rle_trans _ _ _ (max_ge_l _ _) High).
   apply (tighter_vector_3 _ 100) in U; [|exact (Rle_trans _ _ _ (max_ge_l _ _) H)].
   apply (tighter_vector_3 _ 100) in V; [|exact (Rle_trans _ _ _ (max_ge_r _ _) H)].
   apply (tighter_vector_3 _ 100) in W; [|exact (Rle_trans _ _ _ (max_ge_r _ _) High)].
   destruct (orientation_terms_3_stand _ _ _ _ _ _ U V W) as [Det Slab].
-  exact (decide_width_stands _ _ (magnitude _ U V W) Low _ _ _ _ Det Slab).
+  exact (decide_width_stands _ _ (magnitude _ U V W) Low _ _ _ _ _ Det Slab).
 Qed.
 
 Section empty_sphere.
@@ -185,15 +188,16 @@ Let t' := bicell rounded b' c' p' q'.
 Definition largest_norms o (t : bicell_terms o) :=
   greater o (greater o (norms o (abc_pq o t)) (norms o (ab_cpq o t))) (greater o (norms o (ca_bpq o t)) (norms o (bc_apq o t))).
 
-Lemma annuli_stand :
-  stands_answer (decide machine (insphere _ t) (largest_norms _ t) (bicell_error machine m) (bicell_norms machine m) true)
-                (decide rounded (insphere _ t') (largest_norms _ t') (bicell_error rounded m') (bicell_norms rounded m') true).
+Lemma annuli_stand : forall certified, stands_said certified
+  (decide machine (insphere _ t) (largest_norms _ t) (bicell_error machine m) (bicell_norms machine m) certified)
+  (decide rounded (insphere _ t') (largest_norms _ t') (bicell_error rounded m') (bicell_norms rounded m') certified).
 Proof.
+  intro certified.
   destruct (bicell_stands _ _ _ _ _ _ _ _ Hb Hc Hp Hq) as (Det & (K1 & K2 & K3 & K4) & _).
   destruct (norms_stand _ _ K1) as [N1 P1]. destruct (norms_stand _ _ K2) as [N2 P2].
   destruct (norms_stand _ _ K3) as [N3 P3]. destruct (norms_stand _ _ K4) as [N4 P4].
   destruct (bicell_norms_stands _ _ M M') as [N N0].
-  apply (decide_stands 507 410 (-460)).
+  apply (decide_said 507 410 (-460)).
   - lia.
   - exact Det.
   - exact (stands_max_same _ _ _ _ _ (stands_max_same _ _ _ _ _ N1 N2) (stands_max_same _ _ _ _ _ N3 N4)).
@@ -204,11 +208,11 @@ Proof.
 Qed.
 End empty_sphere.
 
-Theorem bicell_filter_stands : forall a b c p q a' b' c' p' q' cells,
+Theorem bicell_filter_stands : forall certified a b c p q a' b' c' p' q' cells,
   in_domain_3 a a' -> in_domain_3 b b' -> in_domain_3 c c' -> in_domain_3 p p' -> in_domain_3 q q' ->
-  stands_answer (bicell_filter machine a b c p q true cells) (bicell_filter rounded a' b' c' p' q' true cells).
+  stands_said certified (bicell_filter machine a b c p q certified cells) (bicell_filter rounded a' b' c' p' q' certified cells).
 Proof.
-  intros a b c p q a' b' c' p' q' cells A B C P Q. unfold bicell_filter. cbv zeta.
+  intros certified a b c p q a' b' c' p' q' cells A B C P Q. unfold bicell_filter. cbv zeta.
   apply (rounded_difference_3 _ _ _ _ B) in A as B1. apply (rounded_difference_3 _ _ _ _ C) in A as C1.
   apply (rounded_difference_3 _ _ _ _ P) in A as P1. apply (rounded_difference_3 _ _ _ _ Q) in A as Q1.
   set (vb := difference_3 machine b a) in *. set (vc := difference_3 machine c a) in *.
@@ -219,7 +223,7 @@ Proof.
     stands k (bicell_magnitude machine vb vc vp vq) (bicell_magnitude rounded wb wc wp wq)).
   { intros. apply stands_max_same; apply stands_max_same; now apply stands_largest_3. }
   rewrite (stands_range_3 _ _ (magnitude _ B1 C1 P1 Q1)).
-  destruct (in_range_3 rounded (bicell_magnitude rounded wb wc wp wq)) eqn:E; [|exact I].
+  destruct (in_range_3 rounded (bicell_magnitude rounded wb wc wp wq)) eqn:E; [|now destruct certified].
   apply range_3_bounds in E. destruct E as [Low High].
   assert (H := Rle_trans _ _ _ (max_ge_l _ _) High). assert (H' := Rle_trans _ _ _ (max_ge_r _ _) High).
   apply (tighter_vector_3 _ 100) in B1; [|exact (Rle_trans _ _ _ (max_ge_l _ _) H)].
@@ -227,10 +231,10 @@ Proof.
   apply (tighter_vector_3 _ 100) in P1; [|exact (Rle_trans _ _ _ (max_ge_l _ _) H')].
   apply (tighter_vector_3 _ 100) in Q1; [|exact (Rle_trans _ _ _ (max_ge_r _ _) H')].
   assert (M := magnitude _ B1 C1 P1 Q1). clear magnitude.
-  pose proof (annuli_stand _ _ _ _ _ _ _ _ B1 C1 P1 Q1 M Low) as Annuli.
+  pose proof (annuli_stand _ _ _ _ _ _ _ _ B1 C1 P1 Q1 M Low certified) as Annuli.
   destruct (bicell_stands _ _ _ _ _ _ _ _ B1 C1 P1 Q1) as (_ & (_ & K2 & K3 & K4) & (Dp & Lp) & (Dq & Lq)).
-  pose proof (decide_width_stands _ _ M Low _ _ _ _ Dp Lp) as Wp. pose proof (decide_width_stands _ _ M Low _ _ _ _ Dq Lq) as Wq.
+  pose proof (decide_width_stands _ _ M Low certified _ _ _ _ Dp Lp) as Wp. pose proof (decide_width_stands _ _ M Low certified _ _ _ _ Dq Lq) as Wq.
   rewrite (backward_stands _ _ M _ _ K2), (backward_stands _ _ M _ _ K3), (backward_stands _ _ M _ _ K4).
   rewrite (certainly_backward_stands _ _ M _ _ K2), (certainly_backward_stands _ _ M _ _ K3), (certainly_backward_stands _ _ M _ _ K4).
-  apply unless_stands; [exact Annuli|]. apply both_stands; [|exact Wq]. apply both_stands; [exact Annuli|exact Wp].
+  apply unless_stands; [now intros ->; destruct cells|exact Annuli|]. apply both_stands; [|exact Wq]. apply both_stands; [exact Annuli|exact Wp].
 Qed.

@@ -5,7 +5,7 @@ From Coq Require Import Reals ZArith Lia Lra Bool.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
 From Annulus Require float_model float_error float_tail float_filter.
-From Annulus Require Import operations bridge bridge_decide filter_2.
+From Annulus Require Import operations bridge bridge_decide filter_2 stages.
 Close Scope float_scope.
 Open Scope R_scope.
 
@@ -86,10 +86,14 @@ Lemma never_zero : forall b t, ~ stands_answer (zero t) (convert b).
 Proof. intros [[[|[| |]|] v]|] t A; exact A. Qed.
 
 (* Signs alone. *)
-Lemma returned_sign : forall a b, signed b -> stands_sign a (convert b) ->
-  match a with refused => True | negative _ => exists v, b = Some ((-1)%Z, v) | zero _ => False | positive _ => exists v, b = Some (1%Z, v) end.
+Definition sound_sign (b : option (Z * R)) (det : R) : Prop := forall s v, b = Some (s, v) -> s = 1%Z /\ 0 < det \/ s = (-1)%Z /\ det < 0.
+
+Lemma sound_alone : forall b certified det truth, float_filter.sound b certified det truth -> sound_sign b det.
+Proof. intros b certified det truth H s v E. generalize (H s v E). tauto. Qed.
+
+Lemma returned_sign : forall a b det, sound_sign b det -> stands_sign a (convert b) -> right_sign a det.
 Proof.
-  intros a [[s v]|] H A; [|now destruct a]. destruct (H s v eq_refl) as [-> | ->]; destruct a; try contradiction; now exists v.
+  intros a [[s v]|] det H A; [|now destruct a]. destruct (H s v eq_refl) as [[-> P]|[-> P]]; destruct a; try contradiction; exact P.
 Qed.
 
 (* A coordinate of the domain, |x| <= 2^500. *)

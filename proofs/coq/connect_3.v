@@ -64,22 +64,22 @@ Proof. intro m. unfold bicell_norms. change (constant rounded annulus_3_norms_u)
 Lemma side_error_is : forall m, side_error rounded m = float_filter.error_bound 169 (float_filter.power_3 m).
 Proof. intro m. unfold side_error. change (constant rounded annulus_3_side_u) with (value annulus_3_side_u). now rewrite v_side. Qed.
 
-Lemma decide_width_is : forall d l slabs m, l = W.largest T.F_square slabs ->
-  decide_width rounded d l m true = convert (W.decide_width d slabs m true).
+Lemma decide_width_is : forall certified d l slabs m, l = W.largest T.F_square slabs ->
+  decide_width rounded d l m certified = convert (W.decide_width d slabs m certified).
 Proof.
-  intros d l slabs m ->. unfold decide_width. rewrite decide_is, width_error_is, width_norms_is.
+  intros certified d l slabs m ->. unfold decide_width. rewrite decide_is, width_error_is, width_norms_is.
   change (constant rounded 2%float) with (value 2%float). rewrite v_two. reflexivity.
 Qed.
 
-Lemma orientation_3_is : forall a b c d,
-  orientation_filter_3 rounded (real_3 a) (real_3 b) (real_3 c) (real_3 d) true = convert (float_filter_3.orientation_filter_3 a b c d true).
+Lemma orientation_3_is : forall certified a b c d, orientation_filter_3 rounded (real_3 a) (real_3 b) (real_3 c) (real_3 d) certified =
+  convert (float_filter_3.orientation_filter_3 a b c d certified).
 Proof.
-  intros a b c d. unfold orientation_filter_3, in_range_3. cbv zeta.
+  intros certified a b c d. unfold orientation_filter_3, in_range_3. cbv zeta.
   change (less_equal rounded) with Rle_bool. change (constant rounded filter_range_3) with (value filter_range_3).
   rewrite (in_range_is filter_range_3 100) by exact value_range_3.
   unfold orientation_magnitude_3. rewrite !greater_Rmax, !largest_3_is, !difference_3_is.
   unfold float_filter_3.orientation_filter_3. cbv zeta.
-  destruct (float_filter.in_range_dec 100 _); [|reflexivity]. exact (decide_width_is _ _ _ _ (slab_is _ _ _)).
+  destruct (float_filter.in_range_dec 100 _); [|reflexivity]. exact (decide_width_is _ _ _ _ _ (slab_is _ _ _)).
 Qed.
 
 (* ---- Empty sphere ---- *)
@@ -161,6 +161,7 @@ Lemma refused_if : forall (doubt : bool) r, (if doubt then refused else convert 
 Proof. now intros [|] r. Qed.
 
 Section filter.
+Variable certified : bool.
 Variables a b c p q : T.vector R.
 Variable k : cells.
 Let vb := difference_3 rounded (real_3 b) (real_3 a).
@@ -193,30 +194,30 @@ Qed.
 
 Let annuli := float_filter.decide (T.determinant f)
   (Rmax (Rmax (S.norm_sum (T.n1 f) (T.m1 f)) (S.norm_sum (T.n2 f) (T.m2 f))) (Rmax (S.norm_sum (T.n3 f) (T.m3 f)) (S.norm_sum (T.n4 f) (T.m4 f))))
-  (float_filter.error_bound 1105 (float_filter.power_5 m)) (float_filter.error_bound 3246 (float_filter.power_4 m)) true.
+  (float_filter.error_bound 1105 (float_filter.power_5 m)) (float_filter.error_bound 3246 (float_filter.power_4 m)) certified.
 
 Lemma annuli_are : decide rounded (insphere _ t)
     (greater rounded (greater rounded (norms _ (abc_pq _ t)) (norms _ (ab_cpq _ t))) (greater rounded (norms _ (ca_bpq _ t)) (norms _ (bc_apq _ t))))
-    (bicell_error rounded m) (bicell_norms rounded m) true = convert annuli.
+    (bicell_error rounded m) (bicell_norms rounded m) certified = convert annuli.
 Proof.
   rewrite decide_is, bicell_error_is, bicell_norms_is, !greater_Rmax. unfold t.
   destruct (norms_are vb vc vp vq) as (N1 & N2 & N3 & N4). rewrite N1, N2, N3, N4, (proj1 (rounded_terms_are vb vc vp vq)). reflexivity.
 Qed.
 
-Theorem bicell_filter_is :
-  bicell_filter rounded (real_3 a) (real_3 b) (real_3 c) (real_3 p) (real_3 q) true k = convert (S.bicell_filter a b c p q true (use_of k)).
+Theorem bicell_filter_is : bicell_filter rounded (real_3 a) (real_3 b) (real_3 c) (real_3 p) (real_3 q) certified k =
+  convert (S.bicell_filter a b c p q certified (use_of k)).
 Proof.
   unfold bicell_filter, in_range_3. cbv zeta. fold vb vc vp vq. rewrite magnitude_is. fold t.
   change (less_equal rounded) with Rle_bool. change (constant rounded filter_range_3) with (value filter_range_3).
   rewrite (in_range_is filter_range_3 100) by exact value_range_3.
   unfold S.bicell_filter. fold m f. cbv zeta. fold annuli. destruct (float_filter.in_range_dec 100 m); [|reflexivity].
   rewrite annuli_are.
-  rewrite (decide_width_is _ _ _ m (cell_p_slab_is vb vc vp vq)), (decide_width_is _ _ _ m (cell_q_slab_is vb vc vp vq)).
+  rewrite (decide_width_is _ _ _ _ m (cell_p_slab_is vb vc vp vq)), (decide_width_is _ _ _ _ m (cell_q_slab_is vb vc vp vq)).
   destruct sides_are as (S2 & S3 & S4). destruct (rounded_terms_are vb vc vp vq) as (_ & _ & _ & _ & _ & Cp & Cq). fold t in Cp, Cq.
   rewrite (backward_of _ T.l2 S2), (backward_of _ T.l3 S3), (backward_of _ T.minus_l4 S4).
   rewrite (certainly_backward_of _ T.l2 S2), (certainly_backward_of _ T.l3 S3), (certainly_backward_of _ T.minus_l4 S4). rewrite Cp, Cq.
-  set (wp := W.decide_width _ (T.slabs_p _) m true). set (wq := W.decide_width _ (T.slabs_q _) m true).
-  change (W.decide_width (T.cell_p f) (T.slabs_p f) m true) with wp. change (W.decide_width (T.cell_q f) (T.slabs_q f) m true) with wq.
+  set (wp := W.decide_width _ (T.slabs_p _) m certified). set (wq := W.decide_width _ (T.slabs_q _) m certified).
+  change (W.decide_width (T.cell_p f) (T.slabs_p f) m certified) with wp. change (W.decide_width (T.cell_q f) (T.slabs_q f) m certified) with wq.
   destruct k; unfold S.cells_needed, S.in_doubt, use_of.
   - rewrite !both_not. apply unless_same.
   - destruct (S.is_backward _ _ _ _ _ T.l2 || S.is_backward _ _ _ _ _ T.l3 || S.is_backward _ _ _ _ _ T.minus_l4)%bool.

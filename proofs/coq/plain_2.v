@@ -20,40 +20,34 @@ Let ref : nat -> point_2 := fun v => at_2 (f v).
 Theorem orientation_2_plain a b c : (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
   right_sign (orientation_filter machine (f a) (f b) (f c) false) (turn_at ref a b c).
 Proof.
-  intro D. assert (Sound := float_filter_2.orientation_filter_sound (fst (ref a)) (snd (ref a)) (fst (ref b)) (snd (ref b)) (fst (ref c)) (snd (ref c)) false
-    (value_format _) (value_format _) (value_format _) (value_format _) (value_format _) (value_format _)).
-  assert (S := orientation_filter_stands false _ _ _ _ _ _ (at_domain_2 _ (D a ltac:(simpl; tauto))) (at_domain_2 _ (D b ltac:(simpl; tauto)))
+  intro D. assert (S := orientation_filter_stands false _ _ _ _ _ _ (at_domain_2 _ (D a ltac:(simpl; tauto))) (at_domain_2 _ (D b ltac:(simpl; tauto)))
     (at_domain_2 _ (D c ltac:(simpl; tauto)))).
-  rewrite orientation_is in S. assert (R := returned_sign _ _ (sound_signed _ _ _ _ Sound) S). unfold right_sign.
-  destruct (orientation_filter machine (f a) (f b) (f c) false); trivial; [|contradiction|]; destruct R as [v E];
-    destruct (Sound _ _ E) as [(N & P & _)|(N & P)]; try discriminate N; exact P.
+  rewrite orientation_is in S. refine (returned_sign _ _ _ (sound_alone _ _ _ _ _) S).
+  apply (float_filter_2.orientation_filter_sound (fst (ref a)) (snd (ref a)) (fst (ref b)) (snd (ref b)) (fst (ref c)) (snd (ref c)));
+    apply value_format.
 Qed.
 
 Theorem empty_sphere_2_plain a b p q : (forall v, In v [a; b; p; q] -> coordinates_2 (f v)) ->
   right_sign (empty_sphere_filter machine (f a) (f b) (f p) (f q) false) (incircle_at ref a b p q).
 Proof.
-  intro D. assert (Sound := float_circle_2.circle_filter_sound (fst (ref a)) (snd (ref a)) (fst (ref b)) (snd (ref b)) (fst (ref p)) (snd (ref p))
+  intro D. assert (S := empty_sphere_filter_stands false _ _ _ _ _ _ _ _ (at_domain_2 _ (D a ltac:(simpl; tauto))) (at_domain_2 _ (D b ltac:(simpl; tauto)))
+    (at_domain_2 _ (D p ltac:(simpl; tauto))) (at_domain_2 _ (D q ltac:(simpl; tauto)))).
+  assert (Sound := float_circle_2.circle_filter_sound (fst (ref a)) (snd (ref a)) (fst (ref b)) (snd (ref b)) (fst (ref p)) (snd (ref p))
     (fst (ref q)) (snd (ref q)) false (value_format _) (value_format _) (value_format _) (value_format _) (value_format _) (value_format _)
     (value_format _) (value_format _)). cbv zeta in Sound. rewrite float_certifies_2.circle_determinant in Sound.
-  assert (S := empty_sphere_filter_stands false _ _ _ _ _ _ _ _ (at_domain_2 _ (D a ltac:(simpl; tauto))) (at_domain_2 _ (D b ltac:(simpl; tauto)))
-    (at_domain_2 _ (D p ltac:(simpl; tauto))) (at_domain_2 _ (D q ltac:(simpl; tauto)))).
-  rewrite empty_sphere_is in S. assert (R := returned_sign _ _ (sound_signed _ _ _ _ Sound) S). unfold right_sign.
-  destruct (empty_sphere_filter machine (f a) (f b) (f p) (f q) false); trivial; [|contradiction|]; destruct R as [v E];
-    destruct (Sound _ _ E) as [(N & P & _)|(N & P)]; try discriminate N; exact P.
+  rewrite empty_sphere_is in S. exact (returned_sign _ _ _ (sound_alone _ _ _ _ Sound) S).
 Qed.
 
 Theorem orientation_2_floating a b c : (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
   right_sign (ladder false (orientation_filter machine (f a) (f b) (f c) false) (orientation_interval (f a) (f b) (f c)) (orientation_exact (f a) (f b) (f c)))
     (turn_at ref a b c).
 Proof.
-  intro D. apply stages_sign; [now apply orientation_2_plain|eapply right_answer_sign; now apply orientation_interval_returned|].
-  eapply right_answer_sign. apply orientation_exact_returned.
+  intro D. eapply stages_sign; [now apply orientation_2_plain|now apply orientation_interval_returned|apply orientation_exact_returned].
 Qed.
 Theorem empty_sphere_2_floating a b p q : (forall v, In v [a; b; p; q] -> coordinates_2 (f v)) ->
   right_sign (ladder false (empty_sphere_filter machine (f a) (f b) (f p) (f q) false) (empty_sphere_interval (f a) (f b) (f p) (f q))
     (empty_sphere_exact (f a) (f b) (f p) (f q))) (incircle_at ref a b p q).
 Proof.
-  intro D. apply stages_sign; [now apply empty_sphere_2_plain|eapply right_answer_sign; now apply empty_sphere_interval_returned|].
-  eapply right_answer_sign. apply empty_sphere_exact_returned.
+  intro D. eapply stages_sign; [now apply empty_sphere_2_plain|now apply empty_sphere_interval_returned|apply empty_sphere_exact_returned].
 Qed.
 End plain.

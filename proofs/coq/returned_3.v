@@ -34,7 +34,7 @@ Let x : corners := fun k => at_3 (f k).      (* where that is *)
 Let answer := orientation_filter_3 machine (f o) (f u) (f v) (f w) true.
 
 Lemma orientation_3_stage : stands_answer answer (convert (C.tetrahedron_filter x)).
-Proof. unfold C.tetrahedron_filter. rewrite <- orientation_3_is. apply orientation_filter_3_stands; apply at_domain_3, domain. Qed.
+Proof. unfold C.tetrahedron_filter. rewrite <- orientation_3_is. apply (orientation_filter_3_stands true); apply at_domain_3, domain. Qed.
 
 Theorem orientation_3_returned :
   match answer with
@@ -69,7 +69,7 @@ Let x : placement := fun k => at_3 (f k).
 Definition sphere_answer (use : cells) := bicell_filter machine (f a) (f b) (f c) (f p) (f q) true use.
 
 Lemma sphere_stage use : stands_answer (sphere_answer use) (convert (C.sphere_filter x (use_of use))).
-Proof. unfold C.sphere_filter. rewrite <- bicell_filter_is. apply bicell_filter_stands; apply at_domain_3, domain. Qed.
+Proof. unfold C.sphere_filter. rewrite <- bicell_filter_is. apply (bicell_filter_stands true); apply at_domain_3, domain. Qed.
 
 Lemma sphere_signed use : signed (C.sphere_filter x use).
 Proof. intros s r E. destruct (C.sphere_sound x (fun k => at_format_3 (f k)) use s r E) as [(S & _)|(S & _)]; auto. Qed.

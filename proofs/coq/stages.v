@@ -2,7 +2,7 @@
 (* A ladder of stages: each answers or passes the question on. When an answer is right.
 
    - stages_right    where each stage is right, so is the ladder
-   - stages_sign     the same of signs alone, where the first stage does not certify its tolerance *)
+   - stages_sign     its sign is right too where the first stage does not certify its tolerance *)
 From Coq Require Import Reals Lra Floats.
 From Annulus Require Import operations bridge filter_2.
 Close Scope float_scope.
@@ -30,8 +30,10 @@ Proof.
   { destruct a; try (now split). destruct b; now split. }
   unfold ladder. cbv zeta. destruct (or_else a (or_else b c)); trivial. now destruct tight.
 Qed.
-Theorem stages_sign a b c det : right_sign a det -> right_sign b det -> right_sign c det -> right_sign (ladder false a b c) det.
-Proof. destruct a; trivial. destruct b; trivial. destruct c; trivial. Qed.
+Theorem stages_sign a b c det v w : right_sign a det -> right_answer b det v -> right_answer c det w -> right_sign (ladder false a b c) det.
+Proof.
+  intros A B C. apply right_answer_sign in B. apply right_answer_sign in C. destruct a; trivial. destruct b; trivial. destruct c; trivial.
+Qed.
 
 Lemma right_unscaled a k det w : 0 < k -> right_answer a (k * det) w -> right_answer a det w.
 Proof.

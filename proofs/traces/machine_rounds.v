@@ -116,15 +116,15 @@ Qed.
 
 (* ---- Sums ---- *)
 
-Lemma sum_upper_stands a b f g r s : (a <= 1000)%Z -> (b <= 1000)%Z -> (-1022 <= Z.max a b)%Z -> stands a f r -> stands b g s -> stands 1002 (sum_upper f g) (float_sums.sum_upper r s).
+Lemma sum_upper_stands a f g r s : (0 <= a <= 1000)%Z -> stands a f r -> stands a g s -> stands (a + 2) (sum_upper f g) (float_sums.sum_upper r s).
 Proof.
-  intros A B C Fr Gs. assert (S := stands_wider (Z.max a b + 1) 1001 _ _ ltac:(lia) (stands_add a b _ _ _ _ ltac:(lia) Fr Gs)).
-  apply (stands_add 1001 949 _ _ _ _ ltac:(lia)); [exact S|]. exact (stands_mul 1001 (-52) _ _ _ _ ltac:(lia) S ulp52_stands).
+  intros A Fr Gs. assert (S := stands_add_same a _ _ _ _ ltac:(lia) Fr Gs). replace (a + 2)%Z with (Z.max (a + 1) (a + 1 + -52) + 1)%Z by lia.
+  apply (stands_add (a + 1) (a + 1 + -52) _ _ _ _ ltac:(lia)); [exact S|]. exact (stands_mul (a + 1) (-52) _ _ _ _ ltac:(lia) S ulp52_stands).
 Qed.
-Theorem sum_lower_stands f g r s : stands 1000 f r -> stands 1000 g s -> stands 1002 (sum_lower f g) (float_sums.sum_lower r s).
+Theorem sum_lower_stands a f g r s : (0 <= a <= 1000)%Z -> stands a f r -> stands a g s -> stands (a + 2) (sum_lower f g) (float_sums.sum_lower r s).
 Proof.
-  intros Fr Gs. assert (S := stands_add 1000 1000 _ _ _ _ ltac:(lia) Fr Gs).
-  apply (stands_sub 1001 949 _ _ _ _ ltac:(lia)); [exact S|]. exact (stands_mul 1001 (-52) _ _ _ _ ltac:(lia) S ulp52_stands).
+  intros A Fr Gs. assert (S := stands_add_same a _ _ _ _ ltac:(lia) Fr Gs). replace (a + 2)%Z with (Z.max (a + 1) (a + 1 + -52) + 1)%Z by lia.
+  apply (stands_sub (a + 1) (a + 1 + -52) _ _ _ _ ltac:(lia)); [exact S|]. exact (stands_mul (a + 1) (-52) _ _ _ _ ltac:(lia) S ulp52_stands).
 Qed.
 
 Lemma squares_pos_2 x y z t : 0 <= float_displacement.squared_distance_2 x y z t.
@@ -138,20 +138,28 @@ Proof.
   apply Rplus_le_le_0_compat; [exact (squares_pos_2 x y t v)|apply float_model.rnd_pos, Rle_0_sqr].
 Qed.
 
-Theorem reading_stands_2 b fx fy px py : stands 1000 b (real b) -> in_bounds fx -> in_bounds fy -> in_bounds px -> in_bounds py ->
-  stands 1002 (reading_at b [fx; fy] [px; py]) (reading_2 (real b) (real fx, real fy) (real px, real py)).
+Section readings.
+Variables fx fy fz px py pz : float.
+Hypotheses (Fx : in_bounds fx) (Fy : in_bounds fy) (Fz : in_bounds fz) (Px : in_bounds px) (Py : in_bounds py) (Pz : in_bounds pz).
+Variables (a : Z) (b : float).
+Hypothesis A : (505 <= a <= 1000)%Z.
+Hypothesis B : stands a b (real b).
+
+Lemma way_stands_2 : stands 505 (distance_upper [px; py] [fx; fy]) (float_displacement.distance_upper_2 (real px) (real py) (real fx) (real fy)).
 Proof.
-  intros B Fx Fy Px Py. apply (sum_upper_stands 1000 505); try lia; [exact B|]. apply distance_stands; [|apply stands_wider with 503%Z; [lia|now apply sides_stand_2]|apply squares_pos_2].
+  apply distance_stands; [|apply stands_wider with 503%Z; [lia|now apply sides_stand_2]|apply squares_pos_2].
   apply stands_wider with 1004%Z; [lia|now apply squares_stand_2].
 Qed.
-Theorem reading_stands_3 b fx fy fz px py pz : stands 1000 b (real b) ->
-  in_bounds fx -> in_bounds fy -> in_bounds fz -> in_bounds px -> in_bounds py -> in_bounds pz ->
-  stands 1002 (reading_at b [fx; fy; fz] [px; py; pz])
-    (reading_3 (real b) {| vectors.X1 := real fx; vectors.X2 := real fy; vectors.X3 := real fz |} {| vectors.X1 := real px; vectors.X2 := real py; vectors.X3 := real pz |}).
-Proof.
-  intros B Fx Fy Fz Px Py Pz. apply (sum_upper_stands 1000 505); try lia; [exact B|].
-  apply distance_stands; [now apply squares_stand_3|now apply sides_stand_3|apply squares_pos_3].
-Qed.
+Lemma way_stands_3 : stands 505 (distance_upper [px; py; pz] [fx; fy; fz])
+  (float_displacement.distance_upper_3 (real px) (real py) (real pz) (real fx) (real fy) (real fz)).
+Proof. apply distance_stands; [now apply squares_stand_3|now apply sides_stand_3|apply squares_pos_3]. Qed.
+
+Theorem reading_stands_2 : stands (a + 2) (reading_at b [fx; fy] [px; py]) (reading_2 (real b) (real fx, real fy) (real px, real py)).
+Proof. apply sum_upper_stands; [lia|exact B|]. apply stands_wider with 505%Z; [lia|exact way_stands_2]. Qed.
+Theorem reading_stands_3 : stands (a + 2) (reading_at b [fx; fy; fz] [px; py; pz])
+  (reading_3 (real b) {| vectors.X1 := real fx; vectors.X2 := real fy; vectors.X3 := real fz |} {| vectors.X1 := real px; vectors.X2 := real py; vectors.X3 := real pz |}).
+Proof. apply sum_upper_stands; [lia|exact B|]. apply stands_wider with 505%Z; [lia|exact way_stands_3]. Qed.
+End readings.
 
 (* ---- Upper halves ---- *)
 
@@ -197,9 +205,15 @@ Proof.
       split; [apply Z.div_pos; lia|]. apply Z.div_lt_upper_bound; [lia|]. unfold never in B. lia.
 Qed.
 
-Theorem value_stands e a : (0 <= e < never)%Z -> (a < 1024)%Z -> high_word.value e <= power a -> stands a (value_of e) (high_word.value e).
+Lemma value_never : high_word.value never = power 1024.
 Proof.
-  intros E A B. unfold value_of. rewrite (proj2 (Z.ltb_lt _ _) (proj2 E)).
+  unfold high_word.value, high_word.number. replace (exponent 20 (-1042) never) with 1004%Z by reflexivity.
+  replace (mantissa 20 never) with (2 ^ 20)%Z by reflexivity. change (2 ^ 20)%Z with (Zpower radix2 20). now rewrite IZR_Zpower, <- bpow_plus by lia.
+Qed.
+
+Theorem value_is e : (0 <= e < never)%Z -> stands 1024 (value_of e) (high_word.value e).
+Proof.
+  intro E. assert (B : high_word.value e < power 1024) by (rewrite <- value_never; now apply number_increases). unfold value_of. rewrite (proj2 (Z.ltb_lt _ _) (proj2 E)).
   assert (M : (0 <= mantissa 20 e < 2 ^ 21)%Z).
   { unfold mantissa. generalize (Z.mod_pos_bound e (2 ^ 20) ltac:(lia)). destruct (_ =? _)%Z; lia. }
   assert (X : (-1042 <= exponent 20 (-1042) e < 1024)%Z).
@@ -216,66 +230,64 @@ Proof.
     rewrite Z.abs_eq by lia. apply Z.lt_trans with (2 ^ 21)%Z; [lia|reflexivity]. }
   assert (In_range : (0 <= exponent 20 (-1042) e + shift < Uint63.wB)%Z).
   { change shift with 2101%Z. change Uint63.wB with 9223372036854775808%Z. lia. }
-  destruct I as [I Fin]. split; [|split; [|rewrite Rabs_pos_eq; [exact B|exact P]]]; unfold finite, value in *; rewrite ldshiftexp_equiv, Uint63.of_Z_spec,
+  destruct I as [I Fin]. split; [|split; [|rewrite Rabs_pos_eq; [now apply Rlt_le|exact P]]]; unfold finite, value in *; rewrite ldshiftexp_equiv, Uint63.of_Z_spec,
     (Z.mod_small _ _ In_range);
     replace (exponent 20 (-1042) e + shift - shift)%Z with (exponent 20 (-1042) e) by lia;
     generalize (Bldexp_correct prec emax Hprec Hmax mode_NE (Prim2B (of_uint63 (Uint63.of_Z (mantissa 20 e)))) (exponent 20 (-1042) e));
     rewrite I, (round_generic _ _ _ _ (F_value e (proj1 E))), Rlt_bool_true.
   all: try (intros (V & Q & _); first [exact V | now rewrite Q]).
-  all: apply Rle_lt_trans with (power a); [rewrite Rabs_pos_eq; [exact B|exact P]|apply bpow_lt; exact A].
+  all: rewrite Rabs_pos_eq; [exact B|exact P].
 Qed.
+Lemma value_stands e a : (0 <= e < never)%Z -> high_word.value e <= power a -> stands a (value_of e) (high_word.value e).
+Proof. intros E B. apply stands_tighter with 1024%Z; [now apply value_is|]. now rewrite Rabs_pos_eq by now apply high_word.value_pos. Qed.
 
 (* ---- What they are used for ---- *)
 
 Theorem left_stands e b : (0 <= e < never)%Z -> high_word.value e <= power 1000 -> stands 1000 b (real b) ->
   stands 1002 (left_of e b) (filter_doubles.less e (real b)).
 Proof.
-  intros E V B. assert (S := stands_sub 1000 1000 _ _ _ _ ltac:(lia) (value_stands e 1000 E ltac:(lia) V) B).
+  intros E V B. assert (S := stands_sub 1000 1000 _ _ _ _ ltac:(lia) (value_stands e 1000 E V) B).
   apply (stands_sub 1001 949 _ _ _ _ ltac:(lia)); [exact S|]. exact (stands_mul 1001 (-52) _ _ _ _ ltac:(lia) S ulp52_stands).
 Qed.
 
 Theorem overdue_stands e b : (0 <= e < never)%Z -> high_word.value e <= power 1000 -> stands 1000 b (real b) ->
   (value_of e <? b)%float = if Rlt_dec (high_word.value e) (real b) then true else false.
-Proof. intros E V B. exact (less_stands _ _ _ _ _ _ (value_stands e 1000 E ltac:(lia) V) B). Qed.
+Proof. intros E V B. exact (less_stands _ _ _ _ _ _ (value_stands e 1000 E V) B). Qed.
+
+(* What a threshold is kept as. *)
+Lemma kept_stands f r : stands 1021 f r -> stands 1021 (value_of (half_of half_mask_32 f)) (high_word.value (lower r)).
+Proof.
+  intros (Fin & Val & Bnd). rewrite half_stands, Val by exact Fin. destruct (Rlt_le_dec 0 r) as [P|P].
+  - assert (L := lower_below r ltac:(lra)). rewrite Rabs_pos_eq in Bnd by lra. apply value_stands; [|lra].
+    split; [apply lower_range|]. destruct (Z.lt_ge_cases (lower r) never) as [|G]; [assumption|exfalso].
+    assert (high_word.value never <= r) by (apply Rle_trans with (2 := L), value_le; unfold never in *; lia).
+    rewrite value_never in H. assert (power 1021 < power 1024) by (apply bpow_lt; lia). lra.
+  - rewrite lower_clips, value_0 by exact P. exact (zero_stands 1021).
+Qed.
 
 Theorem threshold_stands e b : (0 <= e < never)%Z -> high_word.value e <= power 1000 -> stands 1000 b (real b) ->
   stands 1021 (value_of (half_of half_mask_32 (squared_threshold_lower (slack e b)))) (threshold e (real b)).
 Proof.
-  intros E V B. assert (S := stands_sub 1000 1000 _ _ _ _ ltac:(lia) (value_stands e 1000 E ltac:(lia) V) B).
+  intros E V B. assert (S := stands_sub 1000 1000 _ _ _ _ ltac:(lia) (value_stands e 1000 E V) B).
   assert (K := stands_mul 1001 0 _ _ _ _ ltac:(lia) S shrink_slack_stands). change (1001 + 0)%Z with 1001%Z in K. fold (slack e b) in K.
-  assert (T : stands 1021 (squared_threshold_lower (slack e b)) (float_displacement.threshold (high_word.value e) (real b))).
-  { unfold squared_threshold_lower, float_displacement.threshold, float_displacement.squared_threshold_lower.
-    change (float_error.fmul (float_error.fsub (high_word.value e) (real b)) (1 - 8 * float_model.u)) with
-      (rnd (rnd (high_word.value e - real b) * (1 - 8 * float_model.u))).
-    rewrite (less_stands _ _ _ _ _ _ (power_stands 0x1p-450%float (-502) (-450) eq_refl eq_refl) K). destruct (Rlt_dec _ _) as [P|P]; [|apply zero_stands].
-    simpl negb. cbv iota. rewrite (less_stands _ _ _ _ _ _ (power_stands 0x1p510%float 458 510 eq_refl eq_refl) K). destruct (Rlt_dec _ _) as [Q|Q].
-    - apply stands_wider with 1020%Z; [lia|]. exact (power_stands 0x1p1020%float 968 1020 eq_refl eq_refl).
-    - assert (K' : stands 510 (slack e b) (rnd (rnd (high_word.value e - real b) * (1 - 8 * float_model.u)))).
-      { apply stands_tighter with 1001%Z; [exact K|]. rewrite Rabs_pos_eq; [lra|]. generalize (bpow_ge_0 radix2 (-450)). lra. }
-      apply stands_wider with 1020%Z; [lia|]. exact (stands_mul 1020 0 _ _ _ _ ltac:(lia) (stands_mul 510 510 _ _ _ _ ltac:(lia) K' K') shrink_squares_stands). }
-  destruct T as (Fin & Val & Bnd). rewrite half_stands by exact Fin. rewrite Val. unfold threshold.
-  set (r := float_displacement.threshold (high_word.value e) (real b)) in *. destruct (Rlt_le_dec 0 r) as [P|P].
-  - assert (L := lower_below r ltac:(lra)). rewrite Rabs_pos_eq in Bnd by lra. apply value_stands; [|lia|lra].
-    split; [apply lower_range|]. destruct (Z.lt_ge_cases (lower r) never) as [|G]; [assumption|exfalso].
-    assert (high_word.value never <= r) by (apply Rle_trans with (2 := L), value_le; unfold never in *; lia).
-    assert (power 1021 < high_word.value never); [|lra]. unfold high_word.value, high_word.number.
-    replace (exponent 20 (-1042) never) with 1004%Z by reflexivity. replace (mantissa 20 never) with (2 ^ 20)%Z by reflexivity.
-    change (2 ^ 20)%Z with (Zpower radix2 20). rewrite IZR_Zpower, <- bpow_plus by lia. apply bpow_lt. lia.
-  - rewrite lower_clips, value_0 by exact P. exact (zero_stands 1021).
+  apply kept_stands. unfold squared_threshold_lower, float_displacement.threshold, float_displacement.squared_threshold_lower.
+  change (float_error.fmul (float_error.fsub (high_word.value e) (real b)) (1 - 8 * float_model.u)) with
+    (rnd (rnd (high_word.value e - real b) * (1 - 8 * float_model.u))).
+  rewrite (less_stands _ _ _ _ _ _ (power_stands 0x1p-450%float (-502) (-450) eq_refl eq_refl) K). destruct (Rlt_dec _ _) as [P|P]; [|apply zero_stands].
+  simpl negb. cbv iota. rewrite (less_stands _ _ _ _ _ _ (power_stands 0x1p510%float 458 510 eq_refl eq_refl) K). destruct (Rlt_dec _ _) as [Q|Q].
+  - apply stands_wider with 1020%Z; [lia|]. exact (power_stands 0x1p1020%float 968 1020 eq_refl eq_refl).
+  - assert (K' : stands 510 (slack e b) (rnd (rnd (high_word.value e - real b) * (1 - 8 * float_model.u)))).
+    { apply stands_tighter with 1001%Z; [exact K|]. rewrite Rabs_pos_eq; [lra|]. generalize (bpow_ge_0 radix2 (-450)). lra. }
+    apply stands_wider with 1020%Z; [lia|]. exact (stands_mul 1020 0 _ _ _ _ ltac:(lia) (stands_mul 510 510 _ _ _ _ ltac:(lia) K' K') shrink_squares_stands).
 Qed.
 
-Theorem below_stands_2 e b fx fy px py : (0 <= e < never)%Z -> high_word.value e <= power 1000 -> stands 1000 b (real b) ->
-  in_bounds fx -> in_bounds fy -> in_bounds px -> in_bounds py ->
-  (squared_distance [px; py] [fx; fy] <? value_of (half_of half_mask_32 (squared_threshold_lower (slack e b))))%float =
-  below_2 (real fx, real fy) (real px, real py) (threshold e (real b)).
-Proof.
-  intros E V B Fx Fy Px Py. exact (less_stands _ _ _ _ _ _ (squares_stand_2 _ _ _ _ Px Py Fx Fy) (threshold_stands e b E V B)).
-Qed.
-Theorem below_stands_3 e b fx fy fz px py pz : (0 <= e < never)%Z -> high_word.value e <= power 1000 -> stands 1000 b (real b) ->
-  in_bounds fx -> in_bounds fy -> in_bounds fz -> in_bounds px -> in_bounds py -> in_bounds pz ->
-  (squared_distance [px; py; pz] [fx; fy; fz] <? value_of (half_of half_mask_32 (squared_threshold_lower (slack e b))))%float =
-  below_3 {| vectors.X1 := real fx; vectors.X2 := real fy; vectors.X3 := real fz |} {| vectors.X1 := real px; vectors.X2 := real py; vectors.X3 := real pz |}
-    (threshold e (real b)).
-Proof.
-  intros E V B Fx Fy Fz Px Py Pz. exact (less_stands _ _ _ _ _ _ (squares_stand_3 _ _ _ _ _ _ Px Py Pz Fx Fy Fz) (threshold_stands e b E V B)).
-Qed.
+Lemma any_stands f : finite f = true -> stands 1024 f (real f).
+Proof. intro F. split; [exact F|split; [reflexivity|]]. apply Rlt_le, (abs_B2R_lt_emax prec emax). Qed.
+
+Theorem below_stands_2 r fx fy px py : finite r = true -> in_bounds fx -> in_bounds fy -> in_bounds px -> in_bounds py ->
+  (squared_distance [px; py] [fx; fy] <? r)%float = below_2 (real fx, real fy) (real px, real py) (real r).
+Proof. intros R Fx Fy Px Py. exact (less_stands _ _ _ _ _ _ (squares_stand_2 _ _ _ _ Px Py Fx Fy) (any_stands r R)). Qed.
+Theorem below_stands_3 r fx fy fz px py pz : finite r = true -> in_bounds fx -> in_bounds fy -> in_bounds fz -> in_bounds px -> in_bounds py -> in_bounds pz ->
+  (squared_distance [px; py; pz] [fx; fy; fz] <? r)%float =
+  below_3 {| vectors.X1 := real fx; vectors.X2 := real fy; vectors.X3 := real fz |} {| vectors.X1 := real px; vectors.X2 := real py; vectors.X3 := real pz |} (real r).
+Proof. intros R Fx Fy Fz Px Py Pz. exact (less_stands _ _ _ _ _ _ (squares_stand_3 _ _ _ _ _ _ Px Py Pz Fx Fy Fz) (any_stands r R)). Qed.
