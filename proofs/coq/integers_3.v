@@ -25,8 +25,6 @@ Definition bicell_of (a b c p q : vector_3 o) :=
 Definition of_partition (t : bicell_terms o) (k : partition o) : width_terms o :=
   {| determinant := insphere _ t; inner := inner_3 _ k; outer := outer_3 _ k |}.
 Definition of_cell (d l : number o) : width_terms o := {| determinant := d; inner := l; outer := l |}.
-Definition annuli (t : bicell_terms o) : list (width_terms o) :=
-  [of_partition t (abc_pq _ t); of_partition t (ab_cpq _ t); of_partition t (ca_bpq _ t); of_partition t (bc_apq _ t)].
 Definition two_cells (t : bicell_terms o) : list (width_terms o) :=
   [of_cell (cell_p _ t) (cell_p_slab _ t); of_cell (cell_q _ t) (cell_q_slab _ t)].
 End over.

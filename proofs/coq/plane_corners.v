@@ -14,7 +14,6 @@ Section rounds.
 Variables (T : mesh) (m : placement).
 Hypothesis gluing : glued T.
 Hypothesis all_positive : positive m T.
-Hypothesis border_convex : convex m (border T).
 
 Definition up (u v : nat) : bool := points_up (m u) (m v).
 Notation corners := (flat_map sides (cells T)).   (* v, b, c: at v, from b to c *)

@@ -25,7 +25,6 @@ Section rounds.
 Variables (T : mesh) (m : placement).
 Hypothesis gluing : glued T.
 Hypothesis all_positive : positive m T.
-Hypothesis border_convex : convex m (border T).
 
 Notation corners := (flat_map sides (cells T)).
 Notation up := (up m).

@@ -3,7 +3,8 @@
 
    - faithful        a table is accepted, and each of its damaged copies is refused: so each is a triangulation of its points, and Delaunay
    - audited_tables  what `faithful` says of each of them
-   - a mesh that winds twice is refused, the same in order is not *)
+   - a mesh that winds twice is refused, the same in order is not
+   - examples say what damage is, and what is read of words *)
 From Coq Require Import PArray Uint63 Floats ZArith Bool List.
 From Annulus Require Import operations filter_2 filter_delaunay plane_mesh plane_audit winding_needed.
 From Annulus_traces Require Import machine replay.
@@ -65,3 +66,25 @@ Definition pentagram_table : table := {| cells := plane_mesh.cells fan;
   points := [at_point 0 10; at_point (-6) (-8); at_point 9 3; at_point (-9) 3; at_point 6 (-8); at_point 0 0]%float |}.
 Example pentagon_faithful : faithful pentagon_table = true. Proof. vm_compute. reflexivity. Qed.
 Example pentagram_refused : accepts pentagram_table = false. Proof. vm_compute. reflexivity. Qed.
+
+(* What damage is, so that none of it is left out or does nothing. *)
+Example pentagon_damaged : map cells (damaged pentagon_table) =
+  [[(5, 1, 2); (5, 2, 3); (5, 3, 4); (5, 4, 0)]; [(5, 0, 1); (5, 0, 1); (5, 1, 2); (5, 2, 3); (5, 3, 4); (5, 4, 0)];
+   [(0, 5, 1); (5, 1, 2); (5, 2, 3); (5, 3, 4); (5, 4, 0)]; [(5, 0, 2); (5, 1, 1); (5, 2, 3); (5, 3, 4); (5, 4, 0)];
+   cells pentagon_table; cells pentagon_table; cells pentagon_table] /\
+  map points (damaged pentagon_table) = let p := points pentagon_table in
+  [p; p; p; p; [at_point (-9) 3; at_point 0 10; at_point (-6) (-8); at_point 6 (-8); at_point 9 3; at_point 0 0];
+   [at_point 0 10; at_point 0 10; at_point (-6) (-8); at_point 6 (-8); at_point 9 3; at_point 0 0]; p ++ [at_point 0 10]]%float.
+Proof. split; vm_compute; reflexivity. Qed.
+Example crossed_last : crossed [(0, 1, 2); (3, 4, 2)] = [(0, 4, 2); (3, 1, 2)]. Proof. reflexivity. Qed.
+
+(* ---- Words ---- *)
+
+Definition words_of (l : list int) : array int := snd (fold_left (fun '(i, w) x => (i + 1, PArray.set w i x))%uint63 l (0%uint63, make 16 0%uint63)).
+(* The triangle (0, 0), (2, 0), (-1, 1). *)
+Definition triangle_words : array int :=
+  words_of [1; 3; 0; 0; 0x4000000000000000; 0; minus; 0x3ff0000000000000; 0x3ff0000000000000; 1; 0; 1; 2]%uint63.
+Example triangle_read : tables_of triangle_words = Some [{| points := [at_point 0 0; at_point 2 0; at_point (-1) 1]%float; cells := [(0, 1, 2)] |}].
+Proof. vm_compute. reflexivity. Qed.
+Example triangle_faithful : map (fun least => all_faithful least triangle_words) [0; 1; 2] = [true; true; false]. Proof. vm_compute. reflexivity. Qed.
+Example unreadable : all_faithful 0 (words_of [0x10000%uint63]) = false. Proof. vm_compute. reflexivity. Qed.
