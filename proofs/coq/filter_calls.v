@@ -240,28 +240,39 @@ Proof. intros G C. destruct C; trivial; now apply (changed_glued w T). Qed.
 Theorem call_vertices e y T z T' : program_call second_look e y T z T' -> keeps e T T'.
 Proof. intro C. destruct C; trivial; try (intro; reflexivity); now apply changed_keeps with w. Qed.
 
-Lemma all_present (e : nat -> event) (T : nat -> plane_mesh.mesh) : (forall i, keeps (e i) (T i) (T (S i))) ->
-  forall i v, vertex_of (T i) v <-> present (vertex_of (T O)) e i v.
+Lemma all_present n (e : nat -> event) (T : nat -> plane_mesh.mesh) : (forall i, (i < n)%nat -> keeps (e i) (T i) (T (S i))) ->
+  forall i, (i <= n)%nat -> forall v, vertex_of (T i) v <-> present (vertex_of (T O)) e i v.
 Proof.
-  intros K. induction i as [|i IH]; intro v; [reflexivity|]. rewrite (K i v). cbn [present]. destruct (e i); cbn [afterwards]; now rewrite IH.
+  intros K. induction i as [|i IH]; intros L v; [reflexivity|]. rewrite (K i L v). cbn [present].
+  destruct (e i); cbn [afterwards]; now rewrite (IH (Nat.lt_le_incl _ _ L)).
+Qed.
+
+(* After each of n calls: machine_delaunay (../traces) asks for no more than 2^49. *)
+Theorem program_delaunay_until n f m verdicts s (e : nat -> event) (y : nat -> system) (T : nat -> plane_mesh.mesh) : start f m verdicts -> (0 <= epoch s)%Z ->
+  y O = settled f m verdicts s -> glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
+  (forall i, (i < n)%nat -> program_call second_look (e i) (y i) (T i) (y (S i)) (T (S i))) ->
+  forall i, (i <= n)%nat -> triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i) /\
+    forall v, vertex_of (T i) v <-> present (vertex_of (T O)) e i v.
+Proof.
+  intros St E Y G L W C. assert (X : forall v, valid_2 (at_doubles f v)) by (intro; apply coordinates_valid, (in_domain _ _ _ St)).
+  destruct (@settle_keeps the_plane the_laws (at_doubles f) s m verdicts (fun _ => E) X (start_settles f m verdicts St)) as [V0 M0].
+  assert (K : forall i, (i <= n)%nat ->
+    right (y i) /\ glued (T i) /\ lists (algorithm_filter.mesh (of_filter (y i))) (T i) /\ winds_once (places (y i)) (border (T i))).
+  { induction i as [|i IH]; intro Le.
+    - rewrite Y. split; [exact V0|]. split; [exact G|]. split; [|exact W]. exact (eq_ind_r (fun n => lists n (T O)) L M0).
+    - destruct (IH (Nat.lt_le_incl _ _ Le)) as (Vi & Gi & Li & Wi). specialize (C i Le).
+      assert (G' := call_glued _ _ _ _ _ Gi C). assert (L' := call_lists _ _ _ _ _ Vi Gi Li C G').
+      assert (V' := call_keeps second_look second_look_sound _ _ Vi (program_call_is_call _ _ _ _ _ Vi Gi Li C G')).
+      split; [exact V'|]. split; [exact G'|]. split; [exact L'|].
+      apply (known_winds _ _ _ _ (known_after _ _ _ _ _ Vi Gi Li G' C) Wi); [apply (convex_right _ _ Vi Li)|apply (convex_right _ _ V' L')]. }
+  intros i Le. destruct (K i Le) as (Vi & Gi & [Li _] & Wi). rewrite <- and_assoc. split.
+  - apply (certificates_delaunay (T i) (algorithm_filter.mesh (of_filter (y i)))); [exact Gi|intros c; apply Li|exact (holds_right _ Vi)|exact Wi].
+  - exact (all_present n e T (fun j J => call_vertices _ _ _ _ _ (C j J)) i Le).
 Qed.
 
 Theorem program_delaunay f m verdicts s (e : nat -> event) (y : nat -> system) (T : nat -> plane_mesh.mesh) : start f m verdicts -> (0 <= epoch s)%Z ->
   y O = settled f m verdicts s -> glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
   (forall i, program_call second_look (e i) (y i) (T i) (y (S i)) (T (S i))) -> forall i, triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i) /\
     forall v, vertex_of (T i) v <-> present (vertex_of (T O)) e i v.
-Proof.
-  intros St E Y G L W C. assert (X : forall v, valid_2 (at_doubles f v)) by (intro; apply coordinates_valid, (in_domain _ _ _ St)).
-  destruct (@settle_keeps the_plane the_laws (at_doubles f) s m verdicts (fun _ => E) X (start_settles f m verdicts St)) as [V0 M0].
-  assert (K : forall i, right (y i) /\ glued (T i) /\ lists (algorithm_filter.mesh (of_filter (y i))) (T i) /\ winds_once (places (y i)) (border (T i))).
-  { induction i as [|i (Vi & Gi & Li & Wi)].
-    - rewrite Y. split; [exact V0|]. split; [exact G|]. split; [|exact W]. exact (eq_ind_r (fun n => lists n (T O)) L M0).
-    - assert (G' := call_glued _ _ _ _ _ Gi (C i)). assert (L' := call_lists _ _ _ _ _ Vi Gi Li (C i) G').
-      assert (V' := call_keeps second_look second_look_sound _ _ Vi (program_call_is_call _ _ _ _ _ Vi Gi Li (C i) G')).
-      split; [exact V'|]. split; [exact G'|]. split; [exact L'|].
-      apply (known_winds _ _ _ _ (known_after _ _ _ _ _ Vi Gi Li G' (C i)) Wi); [apply (convex_right _ _ Vi Li)|apply (convex_right _ _ V' L')]. }
-  intro i. destruct (K i) as (Vi & Gi & [Li _] & Wi). rewrite <- and_assoc. split.
-  - apply (certificates_delaunay (T i) (algorithm_filter.mesh (of_filter (y i)))); [exact Gi|intros c; apply Li|exact (holds_right _ Vi)|exact Wi].
-  - exact (all_present e T (fun j => call_vertices _ _ _ _ _ (C j)) i).
-Qed.
+Proof. intros St E Y G L W C i. exact (program_delaunay_until i f m verdicts s e y T St E Y G L W (fun j _ => C j) i (le_n i)). Qed.
 End calls.

@@ -21,7 +21,7 @@ Definition tetrahedron_of (a b c d : vector_3 o) := orientation_terms_3 o (diffe
 Definition bicell_of (a b c p q : vector_3 o) :=
   bicell o (difference_3 o b a) (difference_3 o c a) (difference_3 o p a) (difference_3 o q a).
 
-(* The half widths that make a tolerance, as terms. *)
+(* The half widths that make a tolerance, as terms; annuli are listed where they are judged, in ../link/truth_3.v. *)
 Definition of_partition (t : bicell_terms o) (k : partition o) : width_terms o :=
   {| determinant := insphere _ t; inner := inner_3 _ k; outer := outer_3 _ k |}.
 Definition of_cell (d l : number o) : width_terms o := {| determinant := d; inner := l; outer := l |}.

@@ -11,7 +11,9 @@ Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.
 
-(* With cells where one of three sides is not positive. *)
+(* The half widths that make a tolerance: of four annuli, with cells where one of three sides is not positive. *)
+Definition annuli o (t : bicell_terms o) : list (width_terms o) :=
+  [of_partition _ t (abc_pq _ t); of_partition _ t (ab_cpq _ t); of_partition _ t (ca_bpq _ t); of_partition _ t (bc_apq _ t)].
 Definition needed (t : bicell_terms integers) : bool :=
   (negb (0 <? side _ (ab_cpq _ t)) || negb (0 <? side _ (ca_bpq _ t)) || negb (0 <? side _ (bc_apq _ t)))%Z.
 Definition widths (t : bicell_terms integers) : list (width_terms integers) :=

@@ -12,7 +12,7 @@ From Annulus Require points_2 vectors plane_mesh plane_certificates space_mesh s
 From Annulus Require Import operations bridge filter_2 filter_3 connect returned_2 returned_3.
 From Annulus_traces Require Import machine machine_rounds machine_never.
 From Annulus Require Import algorithm_list high_word filter_doubles filter_world filter_plane filter_space filter_delaunay filter_delaunay_3.
-From Annulus Require Import algorithm_filter algorithm_run filter_calls.
+From Annulus Require Import algorithm_filter algorithm_run plane_listed plane_calls filter_calls.
 From Annulus_traces Require Import machine_state machine_reach machine_steps machine_writes machine_runs.
 Import ListNotations.
 Notation real := operations.value.
@@ -85,18 +85,19 @@ Notation fit := (fit capacity stamps ratio chosen metric_2 K grounded_2).
 Notation small := (small capacity stamps ratio chosen metric_2 K grounded_2).
 
 (* What a call of the program decides is judged where the machine's numbers are (program_call); what it does to them is computed with floats (done). *)
-Definition machine_call (s : @state floats) (b : bool) (T : plane_mesh.mesh) (d : @deed floats) (s' : @state floats) (b' : bool) (T' : plane_mesh.mesh) : Prop :=
+Definition machine_call (e : event) (s : @state floats) (b : bool) (T : plane_mesh.mesh) (d : @deed floats) (s' : @state floats) (b' : bool) (T' : plane_mesh.mesh) : Prop :=
   s' = done s d /\ fit d /\
-  program_call no_second_look {| of_filter := state_of s; tracks := b |} T {| of_filter := done (state_of s) (deed_of d); tracks := b' |} T'.
+  program_call no_second_look e {| of_filter := state_of s; tracks := b |} T {| of_filter := done (state_of s) (deed_of d); tracks := b' |} T'.
 
-Theorem machine_delaunay n (f : doubles) m (verdicts : list (@verdict floats)) (before : @state floats) (s : nat -> @state floats) (b : nat -> bool)
-    (d : nat -> @deed floats) (T : nat -> plane_mesh.mesh) : (Z.of_nat n < 2 ^ 49)%Z ->
+Theorem machine_delaunay n (f : doubles) m (verdicts : list (@verdict floats)) (before : @state floats) (e : nat -> event) (s : nat -> @state floats)
+    (b : nat -> bool) (d : nat -> @deed floats) (T : nat -> plane_mesh.mesh) : (Z.of_nat n < 2 ^ 49)%Z ->
   start f m (map verdict_of verdicts) -> (forall k, In k verdicts -> proper_verdict k) ->
   (0 <= epoch before)%Z -> (forall i v, small_expiry (expiry (record before i) v)) ->
   s O = settle (f : @placement floats) before m verdicts -> b O = true ->
   plane_mesh.glued (T O) -> lists m (T O) -> plane_mesh.winds_once (at_doubles f) (plane_mesh.border (T O)) ->
-  (forall i, (i < n)%nat -> machine_call (s i) (b i) (T i) (d i) (s (S i)) (b (S i)) (T (S i))) ->
-  forall i, (i <= n)%nat -> let places := fun v => at_2 (moving (s i) v) in plane_mesh.triangulation places (T i) /\ plane_mesh.delaunay places (T i).
+  (forall i, (i < n)%nat -> machine_call (e i) (s i) (b i) (T i) (d i) (s (S i)) (b (S i)) (T (S i))) ->
+  forall i, (i <= n)%nat -> let places := fun v => at_2 (moving (s i) v) in plane_mesh.triangulation places (T i) /\ plane_mesh.delaunay places (T i) /\
+    forall v, plane_mesh.vertex_of (T i) v <-> present (plane_mesh.vertex_of (T O)) e i v.
 Proof.
   intros N St V E Old S0 B0 Gl Li Wi C.
   assert (Z0 := fun B => settled_same capacity stamps ratio chosen metric_2 K grounded_2 B (f : @placement floats) before m verdicts (in_domain _ _ _ St) Old (ids _ _ _ St) V).
@@ -105,24 +106,10 @@ Proof.
     - intro B. rewrite S0. apply Z0.
     - intros j J. now destruct (C j J) as (E' & F & _).
     - apply within_reach_of. lia. }
-  (* After the n calls all is settled again and again where it began: program_delaunay is about runs without an end. *)
-  set (y := fix y (i : nat) : @system (@the_plane as_reals) := match i with
-    | O => {| of_filter := state_of (s O); tracks := b O |}
-    | S j => if (i <=? n)%nat then {| of_filter := state_of (s i); tracks := b i |} else @settled as_reals f m (map verdict_of verdicts) (of_filter (y j))
-    end).
-  set (T' := fun i => if (i <=? n)%nat then T i else T O).
-  assert (Y : forall i, (i <= n)%nat -> y i = {| of_filter := state_of (s i); tracks := b i |} /\ T' i = T i).
-  { intros i L. unfold T'. rewrite (proj2 (Nat.leb_le i n) L). split; [|reflexivity]. destruct i as [|i]; [reflexivity|]. cbn [y].
-    now rewrite (proj2 (Nat.leb_le (S i) n) L). }
-  intros i L places. destruct (Y i L) as [Yi Ti].
-  assert (H := program_delaunay no_second_look no_second_look_right f m (map verdict_of verdicts) (state_of before) y T' St E).
-  assert (Q : y O = settled f m (map verdict_of verdicts) (state_of before)) by (cbn [y]; rewrite B0, S0; unfold settled; now rewrite (proj2 (Z0 (first_reach)))).
-  specialize (H Q Gl Li Wi). rewrite <- Ti. replace places with (filter_delaunay.places (y i)) by (rewrite Yi; reflexivity). apply H. clear i L places Yi Ti H. intro j.
-  destruct (le_lt_dec (S j) n) as [L|L].
-  - destruct (Y j ltac:(lia)) as [-> ->], (Y (S j) L) as [-> ->]. rewrite (R j L). exact (proj2 (proj2 (C j L))).
-  - assert (L' : (S j <=? n)%nat = false) by (apply Nat.leb_gt; lia).
-    replace (y (S j)) with (settled f m (map verdict_of verdicts) (of_filter (y j))) by (cbn [y]; now rewrite L').
-    replace (T' (S j)) with (T O) by (unfold T'; now rewrite L'). destruct (y j) as [u t]. apply settles_all; trivial. now right.
+  set (y := fun i => {| of_filter := state_of (s i); tracks := b i |}).
+  assert (Q : y O = settled f m (map verdict_of verdicts) (state_of before)) by (unfold y; rewrite B0, S0; unfold settled; now rewrite (proj2 (Z0 (first_reach)))).
+  exact (program_delaunay_until no_second_look no_second_look_right n f m (map verdict_of verdicts) (state_of before) e y T St E Q Gl Li Wi
+    (fun i L => eq_ind_r (fun z => program_call _ _ {| of_filter := _; tracks := _ |} _ {| of_filter := z; tracks := _ |} _) (proj2 (proj2 (C i L))) (R i L))).
 Qed.
 End plane.
 
