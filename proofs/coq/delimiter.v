@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The one inequality behind every annulus, in numbers: docs/theory.md, section 2.
 
-   L |z|^2 - n.z has the value 0 at the points of A and D at those of B (bicell.v, plane.v: `level`). Moved by d such a point's
+   L |z|^2 - n.z has the value 0 at the points of A and D at those of B (bicell.v: `level`). Moved by d such a point's
    value changes by L |d|^2 - m.d, where m is its arm, with length nA on the side of A and nB on that of B. If the moves of the
    two sides add up to less than the width 2D / (nA + nB), the values of A stay below those of B. The sign of L does not
    matter, and where it is 0 the annulus is a slab. *)
