@@ -9,7 +9,7 @@ From Annulus Require vectors bicell tetrahedron counterexample filter_3.
 From Annulus Require Import operations bridge connect filter_2 filter_doubles returned_2 ladder_2 returned_3 ladder_3 signs_2 signs_3.
 From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run filter_world filter_plane.
 From Annulus Require Import space_mesh space_delaunay space_triangulation space_silhouette.
-From Annulus Require Import filter_space filter_delaunay_3.
+From Annulus Require Import filter_space filter_delaunay_3 signed_3 space_calls.
 From Annulus Require Import plane_mesh plane_triangulation plane_delaunay plane_winding plane_audit filter_delaunay plane_listed plane_calls filter_calls.
 Import ListNotations.
 Close Scope float_scope.
@@ -146,11 +146,12 @@ Proof. exact @told_evaluated_3. Qed.
 Print Assumptions verdicts_of_doubles_in_space.
 
 Theorem filter_in_space : forall (o : options) f m verdicts s z,
-  start_in_space f m verdicts -> (0 <= epoch s)%Z -> calls_in_space (settled_in_space f m verdicts s) z ->
+  start_in_space f m verdicts -> (0 <= epoch s)%Z -> space_calls (settled_in_space f m verdicts s) z ->
   (forall i c, algorithm_filter.mesh (of_filter z) i = Some c -> holds_3 no_fold_3 c (places_3 z)) /\
   forall T U L, glued_3 T -> watches_3 z T U L -> silhouette_once (places_3 z) T U L -> triangulation_3 (places_3 z) T /\ delaunay_3 (places_3 z) T.
 Proof.
-  intros o f m verdicts s z S E R. split; [exact (filter_holds_3 f m verdicts s z S E R)|]. intros T U L. exact (filter_delaunay_3 f m verdicts s z T U L S E R).
+  intros o f m verdicts s z S E R. apply space_calls_are_calls in R; trivial. split; [exact (filter_holds_3 f m verdicts s z S E R)|].
+  intros T U L. exact (filter_delaunay_3 f m verdicts s z T U L S E R).
 Qed.
 Print Assumptions filter_in_space.
 
