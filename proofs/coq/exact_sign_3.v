@@ -76,7 +76,8 @@ Proof.
   unfold exact_orientation_sign_3. cbv zeta. set (s := scale_of _). assert (G : good_scale s).
   { apply scale_good. intros i j I. rewrite !in_app_iff in I. destruct I as [I|[I|I]]; revert I; now apply pairs_3_coordinates. }
   assert (K : 0 < scale_factor s) by (apply Rmult_lt_0_compat; apply G). set (r := scale_factor s) in *.
-  set (l := [a; b; c; d]). set (k := common (numbers_3 l)). assert (S : forall v, In v l -> degrees k 1 _ _) by (intros v I; exact (integers_stand_3 l v a I ltac:(simpl; tauto))).
+  set (l := [a; b; c; d]). set (k := common (numbers_3 l)).
+  assert (S : forall v, In v l -> degrees k 1 _ _) by (intros v I; exact (integers_stand_3 l v a I ltac:(simpl; tauto))).
   apply sign_of_right with (r * r * r) (bpow radix2 k ^ 3).
   - apply Rmult_lt_0_compat; [now apply Rmult_lt_0_compat|exact K].
   - apply pow_lt, bpow_gt_0.
@@ -94,7 +95,8 @@ Proof.
   unfold exact_empty_sphere_sign_3. cbv zeta. set (s := scale_of _). assert (G : good_scale s).
   { apply scale_good. intros i j I. rewrite !in_app_iff in I. destruct I as [I|[I|[I|I]]]; revert I; now apply pairs_3_coordinates. }
   assert (K : 0 < scale_factor s) by (apply Rmult_lt_0_compat; apply G). set (r := scale_factor s) in *.
-  set (l := [a; b; c; p; q]). set (k := common (numbers_3 l)). assert (S : forall v, In v l -> degrees k 1 _ _) by (intros v I; exact (integers_stand_3 l v a I ltac:(simpl; tauto))).
+  set (l := [a; b; c; p; q]). set (k := common (numbers_3 l)).
+  assert (S : forall v, In v l -> degrees k 1 _ _) by (intros v I; exact (integers_stand_3 l v a I ltac:(simpl; tauto))).
   apply sign_of_right with (r * r * r * (r * r)) (bpow radix2 k ^ 5).
   - assert (K2 := Rmult_lt_0_compat _ _ K K). exact (Rmult_lt_0_compat _ _ (Rmult_lt_0_compat _ _ K2 K) K2).
   - apply pow_lt, bpow_gt_0.

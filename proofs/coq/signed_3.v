@@ -38,18 +38,16 @@ Definition signed_3 (f : doubles_3) (c : certificate_3) : Prop :=
 
 (* ---- It holds ---- *)
 
+(* Of five points, by vectors to the first, which keeps polynomials short. *)
+Ltac from_first a b c d e :=
+  unfold beyond_3, five, insphere_at, bicell.det, bicell.lambda_b, bicell.lambda_c, bicell.lambda_p, bicell.lambda_q, bicell.rel;
+  replace (a ⊖ b) with (vectors.zero ⊖ (b ⊖ a)) by vector; replace (c ⊖ b) with ((c ⊖ a) ⊖ (b ⊖ a)) by vector;
+  replace (d ⊖ b) with ((d ⊖ a) ⊖ (b ⊖ a)) by vector; replace (e ⊖ b) with ((e ⊖ a) ⊖ (b ⊖ a)) by vector;
+  generalize (b ⊖ a) (c ⊖ a) (d ⊖ a) (e ⊖ a); intros [] [] [] []; unfold sq, vol, vectors.dot, vectors.cross, sub, vectors.zero; cbn; ring.
 Lemma beyond_rotated a b c d p : beyond_3 b c a d p = beyond_3 a b c d p.
-Proof.
-  unfold beyond_3, five, bicell.det, bicell.lambda_b, bicell.lambda_c, bicell.lambda_p, bicell.lambda_q, bicell.rel.
-  replace (c ⊖ b) with ((c ⊖ a) ⊖ (b ⊖ a)) by vector. replace (a ⊖ b) with (vectors.zero ⊖ (b ⊖ a)) by vector. replace (p ⊖ b) with ((p ⊖ a) ⊖ (b ⊖ a)) by vector.
-  replace (d ⊖ b) with ((d ⊖ a) ⊖ (b ⊖ a)) by vector. generalize (b ⊖ a) (c ⊖ a) (d ⊖ a) (p ⊖ a). intros [] [] [] []. unfold sq, vol, vectors.dot, vectors.cross, sub, vectors.zero. cbn. ring.
-Qed.
+Proof. from_first a b c d p. Qed.
 Lemma beyond_first_two a b c d p : beyond_3 b a d c p = beyond_3 a b c d p.
-Proof.
-  unfold beyond_3, five, bicell.det, bicell.lambda_b, bicell.lambda_c, bicell.lambda_p, bicell.lambda_q, bicell.rel.
-  replace (c ⊖ b) with ((c ⊖ a) ⊖ (b ⊖ a)) by vector. replace (a ⊖ b) with (vectors.zero ⊖ (b ⊖ a)) by vector. replace (p ⊖ b) with ((p ⊖ a) ⊖ (b ⊖ a)) by vector.
-  replace (d ⊖ b) with ((d ⊖ a) ⊖ (b ⊖ a)) by vector. generalize (b ⊖ a) (c ⊖ a) (d ⊖ a) (p ⊖ a). intros [] [] [] []. unfold sq, vol, vectors.dot, vectors.cross, sub, vectors.zero. cbn. ring.
-Qed.
+Proof. from_first a b c d p. Qed.
 (* What two exchanges of corners leave alone is the same of all orders. *)
 Lemma even_orders (g : nat -> nat -> nat -> nat -> R) : (forall a b c d, g b c a d = g a b c d) -> (forall a b c d, g b a d c = g a b c d) ->
   forall a b c d t, same_cell (a, b, c, d) t -> let '(x, y, z, w) := t in g x y z w = g a b c d.
@@ -99,12 +97,7 @@ Proof.
     revert H. destruct (exact_empty_sphere_sign_3 _ _ _ _ _) as [|s|s]; simpl; intro H; [now right; symmetry|now left|]. now elim S.
 Qed.
 Lemma other_side a b c p q : insphere_at m b a c q p = insphere_at m a b c p q.
-Proof.
-  unfold insphere_at, bicell.det, bicell.lambda_b, bicell.lambda_c, bicell.lambda_p, bicell.lambda_q, bicell.rel. generalize (m a) (m b) (m c) (m p) (m q). clear.
-  intros a b c p q. replace (c ⊖ b) with ((c ⊖ a) ⊖ (b ⊖ a)) by vector. replace (a ⊖ b) with (vectors.zero ⊖ (b ⊖ a)) by vector.
-  replace (p ⊖ b) with ((p ⊖ a) ⊖ (b ⊖ a)) by vector. replace (q ⊖ b) with ((q ⊖ a) ⊖ (b ⊖ a)) by vector.
-  generalize (b ⊖ a) (c ⊖ a) (p ⊖ a) (q ⊖ a). intros [] [] [] []. unfold sq, vol, vectors.dot, vectors.cross, sub, vectors.zero. cbn. ring.
-Qed.
+Proof. unfold insphere_at. generalize (m a) (m b) (m c) (m p) (m q). clear. intros a b c p q. from_first a b c p q. Qed.
 
 Theorem signed_holds_3 c : signed_3 f c -> holds_3 no_fold_3 c m.
 Proof.

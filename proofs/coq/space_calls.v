@@ -129,7 +129,8 @@ Theorem space_calls_are_calls f m verdicts s z : start_in_space f m verdicts -> 
   calls_in_space (settled_in_space f m verdicts s) z.
 Proof.
   intros St E R. assert (V : right (settled_in_space f m verdicts s)).
-  { apply (@algorithm_run.settle_keeps the_space the_laws_3 (at_doubles_3 f) s m verdicts (fun _ => E)); [|now apply start_settles_3]. intro v. apply coordinates_valid_3, (in_domain_3 _ _ _ St). }
+  { apply (@algorithm_run.settle_keeps the_space the_laws_3 (at_doubles_3 f) s m verdicts (fun _ => E)); [|now apply start_settles_3].
+    intro v. apply coordinates_valid_3, (in_domain_3 _ _ _ St). }
   induction R as [|z u R IH C]; [apply here|]. apply further with z; [exact IH|].
   apply space_call_is_call; [|exact C]. exact (proj1 (filter_is_right no_look no_look_right _ z V IH)).
 Qed.
