@@ -1,11 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* That there are calls: what `start` and `program_call` ask can be had. Four doubles that are a kite, two triangles of it, and all that the ladder
-   answers of them, computed; one vertex moves, and the diagonal is flipped; a fifth vertex comes.
+   answers of them, computed; one vertex moves, and the diagonal is flipped; a fifth vertex comes. What comes then is in calls_made.v.
 
    - settled_right   where the ladder says yes to all certificates of a mesh, the filter can start
    - flips           the move is a call (`step`, `inside`)
-   - comes_in        and so is the insertion (`inserted`)
-   - example         what program_delaunay says of them *)
+   - comes_in        and so is the insertion (`inserted`) *)
 From Coq Require Import Reals ZArith List Bool Lra Lia FunctionalExtensionality.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
@@ -45,7 +44,6 @@ Lemma low_coordinates v : coordinates_2 (low v).
 Proof. now apply kite_coordinates. Qed.
 Lemma high_coordinates v : coordinates_2 (high v).
 Proof. now apply kite_coordinates. Qed.
-
 (* ---- What the ladder says of a mesh ---- *)
 
 Definition numbered (T : plane_mesh.mesh) (i : Z) : option certificate_2 := if (i <? 0)%Z then None else nth_error (certificates T) (Z.to_nat i).
@@ -200,53 +198,45 @@ Proof.
   destruct (Nat.eq_dec v 4) as [->|N]; [now rewrite set_same|now rewrite set_other].
 Qed.
 
+Lemma second_right : right {| of_filter := second; tracks := true |}.
+Proof.
+  assert (Ls : lists (algorithm_filter.mesh first) upright) by (rewrite (proj2 started); exact (numbered_lists low upright upright_accepted)).
+  refine (call_keeps no_second_look no_second_look_right _ _ (proj1 started) _).
+  exact (program_call_is_call no_second_look no_second_look_right nobody _ upright _ level (proj1 started) (accepted_glued low upright upright_accepted) Ls flips
+    (accepted_glued high level level_accepted)).
+Qed.
+Lemma fourth_comes v : comes 4 = comes v -> ~ vertex_of level v.
+Proof. intros E (t & I & C). injection E as <-. cbn in I. destruct I as [<-|[<-|[]]]; cbn in C; lia. Qed.
+Lemma third_evaluated : evaluates high (algorithm_filter.mesh (fold_left place (placed high (comes 4)) second)) (numbered with_fifth) [] everything_there
+  (verdicts_of high with_fifth).
+Proof. apply evaluates_all; [exact fifth_accepted|]. intros i Q. cbn [placed fold_left]. rewrite place_mesh, second_mesh. now apply (numbered_outside high level). Qed.
+Lemma third_mesh : algorithm_filter.mesh third = numbered with_fifth.
+Proof.
+  assert (Ls : lists (algorithm_filter.mesh second) level) by (rewrite second_mesh; exact (numbered_lists high level level_accepted)).
+  exact (proj1 (inserted_ends no_second_look no_second_look_right second high (comes 4) (numbered with_fifth) everything_there (verdicts_of high with_fifth) level
+    with_fifth second_right (accepted_glued high level level_accepted) Ls high_coordinates placed_moving fourth_comes third_evaluated
+    (accepted_glued high with_fifth fifth_accepted) (numbered_lists high with_fifth fifth_accepted))).
+Qed.
+
+Lemma with_fifth_keeps v : vertex_of with_fifth v <-> vertex_of level v \/ v = 4%nat.
+Proof.
+  split.
+  - intros (t & I & C). assert (v <= 4)%nat by (cbn in I; destruct I as [<-|[<-|[<-|[<-|[]]]]]; cbn in C; lia).
+    destruct (Nat.eq_dec v 4); [now right|left]. exists (if (v =? 1)%nat then (0, 1, 2) else (0, 2, 3))%nat. destruct (Nat.eqb_spec v 1); (split; [simpl; tauto|cbn; lia]).
+  - intros [(t & I & C)| ->]; [|exists (0, 2, 4)%nat; cbn; tauto]. cbn in I. destruct I as [<-|[<-|[]]]; [exists (0, 1, 2)%nat; cbn in *; tauto|].
+    destruct C as [->|[->| ->]]; [exists (0, 1, 2)%nat|exists (0, 1, 2)%nat|exists (2, 3, 4)%nat]; cbn; tauto.
+Qed.
+
 Theorem comes_in : program_call no_second_look (comes 4) {| of_filter := second; tracks := true |} level {| of_filter := third; tracks := true |} with_fifth.
 Proof.
   apply (inserted no_second_look second high (comes 4) (numbered with_fifth) everything_there (verdicts_of high with_fifth)).
   - exact high_coordinates.
   - exact placed_moving.
-  - intros v E (t & I & C). injection E as <-. cbn in I. destruct I as [<-|[<-|[]]]; cbn in C; lia.
-  - apply evaluates_all; [exact fifth_accepted|]. intros i Q. cbn [placed fold_left]. rewrite place_mesh, second_mesh. now apply (numbered_outside high level).
+  - exact fourth_comes.
+  - exact third_evaluated.
   - exact (accepted_glued high with_fifth fifth_accepted).
   - exact (numbered_lists high with_fifth fifth_accepted).
-  - intro v. change (vertex_of with_fifth v <-> vertex_of level v \/ v = 4%nat). split.
-    + intros (t & I & C). assert (v <= 4)%nat by (cbn in I; destruct I as [<-|[<-|[<-|[<-|[]]]]]; cbn in C; lia).
-      destruct (Nat.eq_dec v 4); [now right|left]. exists (if (v =? 1)%nat then (0, 1, 2) else (0, 2, 3))%nat. destruct (Nat.eqb_spec v 1); (split; [simpl; tauto|cbn; lia]).
-    + intros [(t & I & C)| ->]; [|exists (0, 2, 4)%nat; cbn; tauto]. cbn in I. destruct I as [<-|[<-|[]]]; [exists (0, 1, 2)%nat; cbn in *; tauto|].
-      destruct C as [->|[->| ->]]; [exists (0, 1, 2)%nat|exists (0, 1, 2)%nat|exists (2, 3, 4)%nat]; cbn; tauto.
+  - exact with_fifth_keeps.
   - now left.
-Qed.
-
-(* And then nobody moves. *)
-Definition event_of (i : nat) : event := match i with 1%nat => comes 4 | _ => nobody end.
-Definition system_of (i : nat) : system := match i with O => settled low (numbered upright) (verdicts_of low upright) blank
-  | 1%nat => {| of_filter := second; tracks := true |} | S (S i) => {| of_filter := Nat.iter i (@move_to the_plane (at_doubles high)) third; tracks := true |} end.
-Definition mesh_after (i : nat) : plane_mesh.mesh := match i with O => upright | 1%nat => level | _ => with_fifth end.
-
-Lemma calls_made i : program_call no_second_look (event_of i) (system_of i) (mesh_after i) (system_of (S i)) (mesh_after (S i)).
-Proof.
-  destruct i as [|[|i]]; [exact flips|exact comes_in|]. cbn [event_of system_of mesh_after Nat.iter nat_rect].
-  change (nat_rect _ third (fun _ => @move_to the_plane (at_doubles high)) i) with (Nat.iter i (@move_to the_plane (at_doubles high)) third).
-  apply (all_pass no_second_look _ high []); [exact high_coordinates| |reflexivity]. intro v. right.
-  destruct i as [|i]; cbn [Nat.iter nat_rect]; [|reflexivity]. unfold third. now rewrite stepped_moving.
-Qed.
-
-Lemma upright_winds : winds_once (at_doubles low) (border upright).
-Proof.
-  assert (H : forall v, (v < 4)%nat -> here (fun v => point_of unit (low v)) (at_doubles low) (power unit) v).
-  { intros v L. unfold here, at_doubles, at_2. do 4 (destruct v as [|v]; [now rewrite !(fun a I => proj2 (integer_value unit a I)) by reflexivity|]). lia. }
-  unfold winds_once. rewrite (filter_ext_in _ (enters_z (fun v => point_of unit (low v)))); [vm_compute; reflexivity|].
-  assert (B : forall n, In n (border upright) -> (n < 4)%nat) by (intros n N; vm_compute in N; lia).
-  intros [[u v] w] I. destruct (ridge_in _ u v w I) as (U & V & W). apply B, H in U, V, W. unfold enters, enters_z.
-  now rewrite !(up_here (fun v => point_of unit (low v)) (at_doubles low) (power unit) (bpow_gt_0 radix2 unit)).
-Qed.
-
-Theorem example : triangulation (at_doubles high) with_fifth /\ delaunay (at_doubles high) with_fifth /\
-  forall v, vertex_of with_fifth v <-> vertex_of upright v \/ v = 4%nat.
-Proof.
-  assert (D := program_delaunay no_second_look no_second_look_right low (numbered upright) (verdicts_of low upright) blank event_of system_of mesh_after
-    (settled_right low upright low_coordinates upright_accepted) (Z.le_refl 0) eq_refl (accepted_glued low upright upright_accepted)
-    (numbered_lists low upright upright_accepted) upright_winds calls_made 2%nat).
-  unfold places in D. cbn [system_of mesh_after of_filter Nat.iter nat_rect] in D. unfold third in D. rewrite stepped_moving in D. exact D.
 Qed.
 End calls.

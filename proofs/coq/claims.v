@@ -9,7 +9,7 @@ From Annulus Require vectors bicell tetrahedron counterexample filter_3.
 From Annulus Require Import operations bridge connect filter_2 filter_doubles returned_2 ladder_2 returned_3 ladder_3 signs_2 signs_3.
 From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run filter_world filter_plane.
 From Annulus Require Import space_mesh space_delaunay space_triangulation space_silhouette.
-From Annulus Require Import filter_space filter_delaunay_3.
+From Annulus Require Import filter_space filter_delaunay_3 signed_3 space_calls.
 From Annulus Require Import plane_mesh plane_triangulation plane_delaunay plane_winding plane_audit filter_delaunay plane_listed plane_calls filter_calls.
 Import ListNotations.
 Close Scope float_scope.
@@ -131,12 +131,13 @@ Print Assumptions mesh_in_space.
 
 (* ---- From doubles to Delaunay, step by step ---- *)
 
-Theorem filter_in_the_plane : forall (o : options) f m verdicts s (e : nat -> event) (y : nat -> system) (T : nat -> plane_mesh.mesh),
+Theorem filter_in_the_plane : forall (o : options) n f m verdicts s (e : nat -> event) (y : nat -> system) (T : nat -> plane_mesh.mesh),
   start f m verdicts -> (0 <= epoch s)%Z -> y O = settled f m verdicts s ->
   glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
-  (forall i, program_call no_second_look (e i) (y i) (T i) (y (S i)) (T (S i))) ->
-  forall i, triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i) /\ forall v, vertex_of (T i) v <-> present (vertex_of (T O)) e i v.
-Proof. intros o. exact (program_delaunay no_second_look no_second_look_right). Qed.
+  (forall i, (i < n)%nat -> program_call no_second_look (e i) (y i) (T i) (y (S i)) (T (S i))) ->
+  forall i, (i <= n)%nat ->
+  triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i) /\ forall v, vertex_of (T i) v <-> present (vertex_of (T O)) e i v.
+Proof. intros o. exact (program_delaunay_until no_second_look no_second_look_right). Qed.
 Print Assumptions filter_in_the_plane.
 
 Theorem verdicts_of_doubles_in_space : forall (o : options) f k, (forall v, coordinates_3 (f v)) -> its_cells_positive (at_doubles_3 f) k ->
@@ -145,11 +146,12 @@ Proof. exact @told_evaluated_3. Qed.
 Print Assumptions verdicts_of_doubles_in_space.
 
 Theorem filter_in_space : forall (o : options) f m verdicts s z,
-  start_in_space f m verdicts -> (0 <= epoch s)%Z -> calls_in_space (settled_in_space f m verdicts s) z ->
+  start_in_space f m verdicts -> (0 <= epoch s)%Z -> space_calls (settled_in_space f m verdicts s) z ->
   (forall i c, algorithm_filter.mesh (of_filter z) i = Some c -> holds_3 no_fold_3 c (places_3 z)) /\
   forall T U L, glued_3 T -> watches_3 z T U L -> silhouette_once (places_3 z) T U L -> triangulation_3 (places_3 z) T /\ delaunay_3 (places_3 z) T.
 Proof.
-  intros o f m verdicts s z S E R. split; [exact (filter_holds_3 f m verdicts s z S E R)|]. intros T U L. exact (filter_delaunay_3 f m verdicts s z T U L S E R).
+  intros o f m verdicts s z S E R. apply space_calls_are_calls in R; trivial. split; [exact (filter_holds_3 f m verdicts s z S E R)|].
+  intros T U L. exact (filter_delaunay_3 f m verdicts s z T U L S E R).
 Qed.
 Print Assumptions filter_in_space.
 

@@ -8,7 +8,7 @@
                         and are Delaunay *)
 From Coq Require Import Reals ZArith List Bool Lra Lia Permutation.
 From Annulus Require Import points_2 filter_doubles returned_2 algorithm_list algorithm_filter algorithm_look algorithm_step algorithm_run filter_world filter_plane filter_untouched.
-From Annulus Require Import plane_mesh plane_triangulation plane_certificates plane_motion filter_delaunay plane_listed plane_calls.
+From Annulus Require Import plane_mesh plane_triangulation plane_certificates plane_motion filter_delaunay signed_2 plane_listed plane_calls.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -117,14 +117,16 @@ Proof.
     apply (evaluates_repaired f _ m [] touched verdicts T'); trivial. intros i a b c Q _.
     rewrite <- Mo. exact (holds_right {| of_filter := t; tracks := true |} P i _ Q).
   - apply settles; [intro; apply coordinates_valid, (in_domain _ _ _ St)|now apply start_settles].
-  - apply everything; trivial. now apply (counted m (at_doubles f) T' G L), cells_positive.
+  - assert (H' : forall i c, m i = Some c -> holds_2 no_fold c (at_doubles f)) by (intros i c M; now apply signed_holds, (H i)).
+    apply everything; trivial. now apply (counted m (at_doubles f) T' G L), cells_positive.
   - apply everything; trivial. now apply (counted m (at_doubles f) T' G L), cells_positive.
   - assert (H' : forall i c, m i = Some c -> holds_2 no_fold c (at_doubles f)).
-    { intros i c M. destruct (H i c M) as [Q|[Q N]]; [exact Q|]. apply (holds_2_local no_fold no_fold_local c (moving s)).
+    { intros i c M. destruct (H i c M) as [Q|[Q N]]; [now apply signed_holds|]. apply (holds_2_local no_fold no_fold_local c (moving s)).
       - intros n I. symmetry. destruct (Co n) as [[<-|[]]|K]; [contradiction|exact K].
       - exact (holds_right _ V i c Q). }
     apply star with v; trivial.
     + intro n. destruct (Co n) as [[<-|[]]|K]; [now left|now right].
+    + intros i c M. left. now apply (H' i).
     + now apply (counted m (at_doubles f) T' G L), cells_positive.
   - apply stops.
 Qed.

@@ -8,7 +8,7 @@
    - program_call   what one call may be *)
 From Coq Require Import Reals ZArith List Bool.
 From Annulus Require Import points_2 filter_doubles returned_2 algorithm_list algorithm_filter algorithm_look algorithm_run filter_world filter_plane.
-From Annulus Require Import plane_mesh plane_certificates filter_delaunay plane_listed.
+From Annulus Require Import plane_mesh plane_certificates filter_delaunay signed_2 plane_listed.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -79,8 +79,8 @@ Inductive program_call : event -> system -> plane_mesh.mesh -> system -> plane_m
   | settles_all s b f e m verdicts T T' : start f m verdicts -> glued T' -> lists m T' -> keeps e T T' ->
       (T' = T /\ moving s = at_doubles f) \/ winds_once (at_doubles f) (border T') ->
       program_call e {| of_filter := s; tracks := b |} T (settled f m verdicts s) T'
-  (* by signs alone: of everything, when many moved, and then the border is walked each time *)
-  | signs_of_all s b f m T T' : (forall v, coordinates_2 (f v)) -> (forall i c, m i = Some c -> holds_2 no_fold c (at_doubles f)) ->
+  (* by signs alone (signed_2.v): of everything, when many moved, and then the border is walked each time *)
+  | signs_of_all s b f m T T' : (forall v, coordinates_2 (f v)) -> (forall i c, m i = Some c -> signed f c) ->
       glued T' -> lists m T' -> keeps nobody T T' -> winds_once (at_doubles f) (border T') ->
       program_call nobody {| of_filter := s; tracks := b |} T {| of_filter := move_to (at_doubles f) (with_mesh s m); tracks := false |} T'
   (* a rebuild, and insertion and removal without tolerances: CGAL's word for all of it *)
@@ -89,7 +89,7 @@ Inductive program_call : event -> system -> plane_mesh.mesh -> system -> plane_m
       program_call e {| of_filter := s; tracks := b |} T {| of_filter := move_to (at_doubles f) (with_mesh s m); tracks := false |} T'
   (* or of what contains the one vertex that moves *)
   | signs_of_one s f v m w T T' : (forall n, coordinates_2 (f n)) -> covered s (at_doubles f) [v] ->
-      (forall i c, m i = Some c -> holds_2 no_fold c (at_doubles f) \/ (algorithm_filter.mesh s i = Some c /\ ~ In v (points_2 c))) ->
+      (forall i c, m i = Some c -> signed f c \/ (algorithm_filter.mesh s i = Some c /\ ~ In v (points_2 c))) ->
       changed w T T' -> lists m T' -> (w = at_border -> winds_once (at_doubles f) (border T')) ->
       program_call nobody {| of_filter := s; tracks := false |} T {| of_filter := move_to (at_doubles f) (with_mesh s m); tracks := false |} T'
   | stops_tracking s T : program_call nobody {| of_filter := s; tracks := true |} T {| of_filter := s; tracks := false |} T.

@@ -11,7 +11,7 @@ From Coq Require Import Floats.
 From Annulus Require points_2 vectors plane_mesh plane_certificates space_mesh space_delaunay space_triangulation space_silhouette.
 From Annulus Require Import operations bridge filter_2 filter_3 connect returned_2 returned_3.
 From Annulus_traces Require Import machine machine_rounds machine_never.
-From Annulus Require Import algorithm_list high_word filter_doubles filter_world filter_plane filter_space filter_delaunay filter_delaunay_3.
+From Annulus Require Import algorithm_list high_word filter_doubles filter_world filter_plane filter_space filter_delaunay filter_delaunay_3 space_calls.
 From Annulus Require Import algorithm_filter algorithm_run plane_listed plane_calls filter_calls.
 From Annulus_traces Require Import machine_state machine_reach machine_steps machine_writes machine_runs.
 Import ListNotations.
@@ -130,7 +130,7 @@ Notation proper_verdict := (proper_verdict capacity stamps ratio off metric_3 K 
 Notation fit := (fit capacity stamps ratio off metric_3 K grounded_3).
 
 Definition machine_call_3 (s : @state floats) (b : bool) (d : @deed floats) (s' : @state floats) (b' : bool) : Prop :=
-  s' = done s d /\ fit d /\ @call the_space no_look {| of_filter := state_of s; tracks := b |} {| of_filter := done (state_of s) (deed_of d); tracks := b' |}.
+  s' = done s d /\ fit d /\ space_call {| of_filter := state_of s; tracks := b |} {| of_filter := done (state_of s) (deed_of d); tracks := b' |}.
 
 Theorem machine_delaunay_3 n (f : doubles_3) m (verdicts : list (@verdict floats)) (before : @state floats) (s : nat -> @state floats) (b : nat -> bool)
     (d : nat -> @deed floats) : (Z.of_nat n < 2 ^ 49)%Z ->
@@ -150,12 +150,12 @@ Proof.
     - intro B. rewrite S0. apply Z0.
     - intros j J. now destruct (C j J) as (E' & F & _).
     - apply within_reach_of. lia. }
-  assert (A : forall i, (i <= n)%nat -> calls_in_space (settled_in_space f m (map verdict_of verdicts) (state_of before)) {| of_filter := state_of (s i); tracks := b i |}).
+  assert (A : forall i, (i <= n)%nat -> space_calls (settled_in_space f m (map verdict_of verdicts) (state_of before)) {| of_filter := state_of (s i); tracks := b i |}).
   { induction i as [|i IH]; intro L.
-    - rewrite S0, B0, (proj2 (Z0 first_reach)). apply here.
-    - apply further with {| of_filter := state_of (s i); tracks := b i |}; [apply IH; lia|]. rewrite (R i ltac:(lia)). exact (proj2 (proj2 (C i ltac:(lia)))). }
-  intros i L places. split.
-  - intros j c M. exact (filter_holds_3 f m (map verdict_of verdicts) (state_of before) _ St E (A i L) j c M).
-  - intros T U W G P Q. exact (filter_delaunay_3 f m (map verdict_of verdicts) (state_of before) _ T U W St E (A i L) G P Q).
+    - rewrite S0, B0, (proj2 (Z0 first_reach)). apply at_first.
+    - apply and_then with {| of_filter := state_of (s i); tracks := b i |}; [apply IH; lia|]. rewrite (R i ltac:(lia)). exact (proj2 (proj2 (C i ltac:(lia)))). }
+  assert (Q := fun i L => space_calls_are_calls f m (map verdict_of verdicts) (state_of before) _ St E (A i L)). intros i L places. split.
+  - intros j c M. exact (filter_holds_3 f m (map verdict_of verdicts) (state_of before) _ St E (Q i L) j c M).
+  - intros T U W G P Si. exact (filter_delaunay_3 f m (map verdict_of verdicts) (state_of before) _ T U W St E (Q i L) G P Si).
 Qed.
 End space.
