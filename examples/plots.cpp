@@ -3,7 +3,7 @@
 //
 // usage: example-plots [PLOTS.json DIRECTORY]
 //
-// PLOTS.json is a list of {"file", "title", "x": {"label", "log", "lower", "upper"}, "y": likewise, "series": [{"name", "x", "y", "steps"}]};
+// PLOTS.json is a list of {"file", "title", "x": {"label", "log", "lower", "upper"}, "y": likewise, "series": [{"name", "x", "y", "steps", "error"}]};
 // everything but labels and numbers may be absent. Without arguments, a plot of square roots is written to roots.svg.
 #include <annulus/report/report_style.h>
 #include <annulus/report/svg_plot.h>
@@ -32,7 +32,7 @@ annulus::Plot plot_of(const Json& json) {
     annulus::Plot plot{json.at("title"), axis_of(json.at("x")), axis_of(json.at("y")), {}};
     for (const Json& s : json.at("series"))
         plot.series.push_back({s.at("name"), s.at("x").get<std::vector<double>>(), s.at("y").get<std::vector<double>>(),
-                               s.value("steps", false)});
+                               s.value("steps", false), s.value("error", std::vector<double>{})});
     return plot;
 }
 

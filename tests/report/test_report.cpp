@@ -187,13 +187,26 @@ TEST_CASE("plots take any values") {
         Plot plot{"t", {"x", *scale}, {"y", *scale}, {}};
         for (int i = 0; i < 3; ++i)
             plot.series.push_back({"s", *rc::gen::container<std::vector<double>>(value),
-                                   *rc::gen::container<std::vector<double>>(value), *rc::gen::arbitrary<bool>()});
+                                   *rc::gen::container<std::vector<double>>(value), *rc::gen::arbitrary<bool>(),
+                                   *rc::gen::container<std::vector<double>>(value)});
         const std::string svg = svg_plot(plot);
         RC_ASSERT(well_formed(svg));
         RC_ASSERT(!contains(svg, "nan"));
         RC_ASSERT(!contains(svg, "inf"));
         RC_ASSERT(svg.size() < 100000);
     }));
+}
+
+TEST_CASE("errors are drawn as bars, within the frame") {
+    const Plot plot{"t", {"x"}, {"y"}, {{"s", {0, 1, 2, 3}, {4, 4, 4, 4}, false, {2, 0, std::numeric_limits<double>::quiet_NaN()}}}};
+    const std::string svg = svg_plot(plot);
+    CHECK(contains(svg, "class=\"bar c0\""));
+    const auto bars = svg.substr(svg.find("class=\"bar c0\""));
+    CHECK(std::count(bars.begin(), bars.begin() + static_cast<std::ptrdiff_t>(bars.find("/>")), 'M') == 1);
+    const Plot logarithmic{"t", {"x"}, {"y", Scale::log10}, {{"s", {0, 1}, {4, 40}, false, {5, 5}}}};
+    CHECK(contains(svg_plot(logarithmic), "class=\"bar c0\""));
+    const Plot without{"t", {"x"}, {"y"}, {{"s", {0, 1}, {4, 4}}}};
+    CHECK(!contains(svg_plot(without), "class=\"bar"));
 }
 
 TEST_CASE("a plot of many points stays small") {

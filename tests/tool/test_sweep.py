@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs `annulus sweep`: what it finds. What it refuses is in test_sweep_spec.py and test_sweep_faults.py; threads,
-kills and ranks are in test_sweep_resumed.py.
+kills are in test_sweep_resumed.py, ranks in test_sweep_ranks.py.
 
 usage: test_sweep.py --tool=PATH [CLASS[.METHOD]...]
 """
@@ -158,6 +158,23 @@ class Found(SweepTest):
         lines = self.lines("out")
         self.assertEqual([line["frame"] for line in lines], [0, 3, 6, 1, 6])
         self.assertEqual(lines[2]["counts"], lines[4]["counts"])
+
+    def test_repeated_points(self):
+        """Of a file they are among `points` and `merged`, as in degeneracy.json; so are those that rounding brings together."""
+        corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (3.0, 2.0), (0.25, 0.25)]
+        self.xyz("set.xyz", corners + [(1.0, 0.0), (1.0, 0.0), (-0.0, 1.0)])
+        frames = corners, [*corners[1:], corners[2]]
+        self.write("motion.csv", "frame,id,x,y\n" + "".join(f"{f},{i},{x},{y}\n" for f, frame in enumerate(frames) for i, (x, y) in enumerate(frame)))
+        self.succeed("degeneracy", "set.xyz", "--quiet", "--output", "set")
+        self.succeed("degeneracy", "motion.csv", "--frame", 1, "--quiet", "--output", "frame")
+        self.sweep("[[grid]]\nfile = \"set.xyz\"\nrounding = [\"double\", \"grid:1.5\"]\n[[grid]]\nfile = \"motion.csv\"\nframes = 1\n", "out")
+        double, coarse, frame = self.lines("out")
+        for line, name, merged in ((double, "set", 3), (frame, "frame", 1)):
+            there = json.loads((self.here / name / "degeneracy.json").read_text(encoding="utf-8"))
+            keys = ("points", "vertices", "merged")
+            self.assertEqual([line[k] for k in keys], [there[k] for k in keys], name)
+            self.assertEqual(line["merged"], merged)
+        self.assertEqual((coarse["points"], coarse["vertices"], coarse["merged"]), (8, 4, 4))
 
     def test_flat_points(self):
         self.sweep("[[grid]]\npoints = [1, 2, 30]\nrounding = \"grid:10\"\n", "out")

@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What `annulus sweep` has been caught at: pipes, names, directories, journals, ranks that cannot take part.
+"""What `annulus sweep` has been caught at: pipes, names, directories, journals.
 
-usage: test_sweep_faults.py --tool=PATH --mpirun=PATH [CLASS[.METHOD]...]     (--mpirun=none: a build without MPI)
+usage: test_sweep_faults.py --tool=PATH [CLASS[.METHOD]...]
 """
 
 import json
 import os
 import resource
-import signal
 import subprocess
 import time
 
@@ -159,39 +158,5 @@ class Limits(test_sweep.SweepTest):
         self.assertEqual(self.results("many"), one)
 
 
-class Ranks(test_sweep.SweepTest):
-    def setUp(self):
-        super().setUp()
-        if tool.OPTIONS["mpirun"].endswith("none"):
-            self.skipTest("this build has no MPI")
-
-    def run_in(self, *directories):
-        words = [tool.OPTIONS["mpirun"], "--oversubscribe"] + (["--allow-run-as-root"] if os.getuid() == 0 else [])
-        for i, directory in enumerate(directories):
-            words += ([":"] if i > 0 else []) + ["-n", "1", "-wdir", str(self.here / directory), tool.OPTIONS["tool"], "sweep", "spec.toml",
-                                                 "--output", str(self.here / "out")]
-        run = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
-        try:
-            _, said = run.communicate(timeout=60)
-        except subprocess.TimeoutExpired:
-            os.killpg(run.pid, signal.SIGKILL)
-            run.communicate()
-            self.fail("still running")
-        return run.returncode, [line for line in said.splitlines() if line.startswith("annulus:")]
-
-    def test_a_rank_with_other_files(self):
-        for i, points in enumerate(("0 0\n1 0\n0 1\n", "0 0\n1 0\n0 2\n", None)):
-            (self.here / str(i)).mkdir()
-            self.write(f"{i}/spec.toml", "[[grid]]\nfile = \"p.xyz\"\n[[grid]]\npoints = 20\nseeds = 30\n")
-            if points is not None:
-                self.write(f"{i}/p.xyz", points)
-        for other, words in (("1", "not the same"), ("2", "spec.toml:2: 'file'")):
-            status, said = self.run_in("0", "0", other)
-            self.assertEqual((status, len(said)), (3, 1), said)
-            self.assertIn(words, said[0])
-        self.assertEqual(self.run_in("0", "0", "0"), (0, []))
-        self.results("out")
-
-
 if __name__ == "__main__":
-    tool.main(__doc__, "mpirun")
+    tool.main(__doc__)

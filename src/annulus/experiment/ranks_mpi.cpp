@@ -4,6 +4,7 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/experiment/launched.h>
+#include <annulus/experiment/launcher_watch.h>
 #include <annulus/experiment/packing.h>
 
 #include <mpi.h>
@@ -52,6 +53,7 @@ struct Desk {
 }  // namespace
 
 struct Ranks::Messages {
+    Launcher_watch watch{};
     std::vector<int> machines{};  ///< by rank
     bool shared = false;
     std::set<int> told{};  ///< which of the others know that it is over, or have gone
@@ -92,10 +94,10 @@ Ranks::Ranks() {
     const int launched = launched_processes();
     if (launched == 1) return;
     int provided = 0;
+    messages_ = std::make_unique<Messages>();  // its watch is to see what happens to the launcher from here on
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
-    messages_ = std::make_unique<Messages>();
     if (size_ == 1) {
         MPI_Finalize();
         messages_.reset();

@@ -26,10 +26,10 @@ class Lines {
   public:
     Lines(const Trial& trial, std::size_t hardest, int threads) : trial_(trial), threads_(threads), result_(hardest) {}
 
-    /// One experiment: `where` is {"step": ..} or {"frame": ..}.
+    /// One experiment: `where` is {"step": ..} or {"frame": ..}. `merged`: points that are not in x since others are at their places.
     template <int d>
-    void look(const Json& where, std::vector<Coordinates<d>> x) {
-        const std::size_t points = x.size();
+    void look(const Json& where, std::vector<Coordinates<d>> x, std::size_t merged = 0) {
+        const std::size_t points = x.size() + merged;
         round_to<d>(trial_.rounding, x);
         const Study found = study<d>(keep_distinct<d>(std::move(x)), trial_.seed, result_.hard, threads_);
         Json line{{"grid", trial_.grid + 1}, {"name", trial_.grid_name}};
@@ -106,8 +106,10 @@ void run_frames(const Trial& t, Motion_reader& reader, Frame& frame, Lines& line
     do {
         const bool named = std::find(t.frames.begin(), t.frames.end(), frame.number) != t.frames.end();
         found += named ? 1 : 0;
-        if (named || (t.every > 0 && at % t.every == 0))
-            lines.look<d>({{"frame", frame.number}}, points_of<d>(reader.name(), frame, Coincident::merge).x);
+        if (named || (t.every > 0 && at % t.every == 0)) {
+            Frame_points<d> points = points_of<d>(reader.name(), frame, Coincident::merge);
+            lines.look<d>({{"frame", frame.number}}, std::move(points.x), points.merged);
+        }
         ++at;
     } while ((t.every > 0 || found < t.frames.size()) && reader.next(frame));
     if (found < t.frames.size())
@@ -124,7 +126,11 @@ void run_file(const Trial& t, Lines& lines) {
         return dimension == 2 ? run_frames<2>(t, reader, frame, lines) : run_frames<3>(t, reader, frame, lines);
     }
     const Read_options options{.ignore_z = t.dimension == 2};
-    const auto look = [&]<int d>(const Point_file<d>& file) { lines.look<d>(Json::object(), distinct_points(file, 2)); };
+    const auto look = [&]<int d>(const Point_file<d>& file) {
+        std::vector<Coordinates<d>> x = distinct_points(file, 2);
+        const std::size_t merged = file.points.size() - x.size();
+        lines.look<d>(Json::object(), std::move(x), merged);
+    };
     if (t.dimension == 2) look(read_points<2>(t.path, options));
     else if (t.dimension == 3) look(read_points<3>(t.path, options));
     else std::visit(look, read_points_of_any_dimension(t.path, options));

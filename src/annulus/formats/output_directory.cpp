@@ -45,6 +45,17 @@ void write_all(const fs::path& file, std::string_view content) {
     if (::close(descriptor) != 0) throw last_error();  // a full disk may show only here
 }
 
+/// Waits until a file, or the names in a directory, are on the disk.
+void synchronise(const fs::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0 && errno == EACCES) return;  // a directory may be written to and not read
+    if (descriptor < 0) fail(path, "cannot be opened", last_error());
+    const bool done = ::fsync(descriptor) == 0 || errno == EINVAL;  // there are file systems that cannot
+    const std::error_code why = last_error();
+    ::close(descriptor);
+    if (!done) fail(path, "cannot be written", why);
+}
+
 /// A directory with a name of its own in `parent`, or an error.
 fs::path private_directory_in(const fs::path& parent, std::error_code& code) {
     std::string name = (parent / (std::string(private_prefix) + "XXXXXX")).string();
@@ -191,6 +202,10 @@ void Output_directory::write(std::string_view name, std::string_view content) {
 
 void Output_directory::commit() {
     if (content_.empty()) return;
+    if (!last_.empty()) {
+        for (const fs::path& name : files_) synchronise(content_ / name);
+        synchronise(content_);
+    }
     if (!exists_) {
         // A directory that has come meanwhile is replaced if it is empty or another run has put its results there.
         if (::rename(content_.c_str(), target_.c_str()) != 0) {
@@ -201,6 +216,7 @@ void Output_directory::commit() {
         replace_one_by_one();  // also where the file system cannot exchange
     }
     made_.clear();
+    if (!last_.empty()) synchronise(target_.parent_path());
     clean_up();  // what has been exchanged is there now
 }
 
@@ -239,6 +255,7 @@ void Output_directory::replace_one_by_one() {
         fs::rename(content_ / *name, target_ / *name, code);
         if (code) fail(path_ / *name, "cannot be put in its place", code);
     }
+    if (!last_.empty()) synchronise(target_);
     for (const fs::path& file : stale)
         if (file.filename() == last_) remove(file);
 }

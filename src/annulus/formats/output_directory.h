@@ -34,7 +34,8 @@ class Output_directory {
 
     /// Where somebody else writes one file, which is to be there before the commit; `name` as above. For what is written bit by bit.
     [[nodiscard]] std::filesystem::path path_of(std::string_view name);
-    /// Of earlier files this one is not taken away before all that was written is in place.
+    /// Of earlier files this one is not taken away before all that was written is in place, and on the disk: a crash of the machine leaves the
+    /// one or the other.
     void goes_last(std::string name) { last_ = std::move(name); }
     /// Takes over what was written to another one, which has nothing left.
     void take(Output_directory& other);

@@ -55,6 +55,7 @@ svg{display:block;width:100%;height:auto}
 .grid{stroke:var(--grid)}.tick,.axis{stroke:var(--soft)}
 .curve{stroke-width:2;stroke-linejoin:round;stroke-linecap:round}
 .lead{stroke-width:.8;opacity:.55;stroke-dasharray:none!important}
+.bar{fill:none;stroke-width:1.4;stroke-dasharray:none!important}
 .plot text{font-size:13px;fill:var(--soft)}
 .plot .al{font-size:13.5px;fill:var(--ink)}
 .plot .name{font-weight:600;paint-order:stroke;stroke:var(--bg);stroke-width:4px;stroke-linejoin:round;

@@ -136,6 +136,20 @@ std::optional<Pixel> draw_curve(std::string& out, const Series& series, std::siz
     return last;
 }
 
+/// Draws the bars of errors. On a logarithmic scale one that reaches below 0 goes to the border.
+void draw_errors(std::string& out, const Series& series, std::size_t index, const Frame& frame, const Axis_range& xs, const Axis_range& ys) {
+    std::string path;
+    for (std::size_t i = 0; i < std::min({series.x.size(), series.y.size(), series.error.size()}); ++i) {
+        const double y = series.y[i], error = series.error[i];
+        if (!(error > 0) || !xs.can_show(series.x[i]) || !ys.can_show(y) || !ys.can_show(y + error)) continue;
+        const auto place = [&](double end) { return frame.y(ys.can_show(end) ? std::clamp(ys.place(end), 0.0, 1.0) : 0.0); };
+        const std::string left = number(frame.x(std::clamp(xs.place(series.x[i]), 0.0, 1.0)) - 3);
+        const std::string low = number(place(y - error)), high = number(place(y + error));
+        path += "M" + left + " " + low + "h6m-3 0V" + high + "m-3 0h6";
+    }
+    if (!path.empty()) out += "<path class=\"bar c" + std::to_string(index % colours) + "\" d=\"" + path + "\"/>";
+}
+
 /// Writes the names of histograms above their peaks, clear of all bars; one that would cover another goes above it.
 void draw_peak_names(std::string& out, const Plot& plot, const std::vector<std::optional<Pixel>>& peaks,
                      const Frame& frame, const Axis_range& xs, const Axis_range& ys) {
@@ -211,6 +225,8 @@ std::string svg_plot(const Plot& plot) {
     for (const Series& s : plot.series) {
         all_x.insert(all_x.end(), s.x.begin(), s.x.end());
         all_y.insert(all_y.end(), s.y.begin(), s.y.end());
+        for (std::size_t i = 0; i < std::min(s.y.size(), s.error.size()); ++i)
+            if (s.error[i] > 0) all_y.insert(all_y.end(), {s.y[i] - s.error[i], s.y[i] + s.error[i]});
         if (!s.steps || s.y.empty()) continue;
         all_y.push_back(0);  // bars stand on zero, and their names need room above
         all_y.push_back(1.12 * *std::max_element(s.y.begin(), s.y.end()));
@@ -225,6 +241,7 @@ std::string svg_plot(const Plot& plot) {
     std::vector<std::optional<Pixel>> peaks;
     for (std::size_t i = 0; i < plot.series.size(); ++i) {
         const auto at = draw_curve(out, plot.series[i], i, frame, xs, ys);
+        draw_errors(out, plot.series[i], i, frame, xs, ys);
         ends.push_back(plot.series[i].steps ? std::nullopt : at);
         peaks.push_back(plot.series[i].steps ? at : std::nullopt);
     }

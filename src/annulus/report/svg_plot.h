@@ -26,6 +26,7 @@ struct Series {
     std::vector<double> x;
     std::vector<double> y;
     bool steps = false;  ///< a histogram: x are the bin edges, one more than y
+    std::vector<double> error{};  ///< by point, how far its bar reaches to either side; none where it is not positive, or missing
 };
 
 struct Plot {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Of bi-cells in space that are far from degenerate and still leave the filter: what it is that the filter cannot tell. Each is asked for its
+// sign alone, for the tolerance of its four annuli alone, and for all that it needs, which may take the signs of the sums of lambda.
+//
+// usage: example-wide_bicells [KIND POINTS SEED [DIGITS]]
+//
+// KIND, POINTS and SEED are those of `annulus generate`; DIGITS behind the point, to which coordinates are rounded. Without arguments a small
+// set of clusters. Wide: a width of 1e7 units in the last place of the largest coordinate, or more. docs/degeneracy.md quotes what it prints.
+#include <annulus/cgal/mesh_embedding.h>
+#include <annulus/certificate/ladder_3.h>
+#include <annulus/motion/generated_motion.h>
+#include <annulus/statistics/degeneracy.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace annulus;
+constexpr double wide = 1e7;
+
+double rounded(double x, const char* digits) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", std::atoi(digits), x);
+    return std::strtod(text, nullptr) + 0.0;
+}
+
+/// The longest distance of two of the points over the shortest.
+double stretch(const Tuple<3, 5>& t) {
+    double shortest = INFINITY, longest = 0;
+    for (std::size_t i = 0; i < t.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const auto &x = *t[i], &y = *t[j];
+            const double distance = std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
+            shortest = std::min(shortest, distance);
+            longest = std::max(longest, distance);
+        }
+    return longest / shortest;
+}
+
+/// What decides of one, in words.
+std::string ways(const Tuple<3, 5>& t) {
+    const Stage sign = empty_sphere_verdict(t, false, Cell_widths::never).stage, annuli = empty_sphere_verdict(t, true, Cell_widths::never).stage,
+                all = empty_sphere_verdict(t).stage;
+    const auto side = annuli_exact(t).side;
+    const bool zero = std::any_of(side.begin() + 1, side.end(), [](int s) { return s == 0; });
+    return std::string(name_of(all)) + "; annuli alone: " + std::string(name_of(annuli)) + "; sign alone: " + std::string(name_of(sign)) +
+           (zero ? "; a sum is exactly 0" : "");
+}
+
+int run(int argc, char** argv) {
+    const auto family = family_named(point_families, argc > 3 ? argv[1] : "clusters");
+    if (!family) return 2;
+    std::vector<Coordinates<3>> x =
+        generate<3>(*family, argc > 3 ? std::strtoul(argv[2], nullptr, 10) : 1000, argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
+    if (argc > 4)
+        for (auto& p : x)
+            for (double& c : p) c = rounded(c, argv[4]);
+    std::set<Coordinates<3>> seen;
+    std::erase_if(x, [&seen](const auto& p) { return !seen.insert(p).second; });
+
+    double largest = 0;
+    for (const auto& p : x)
+        for (const double c : p) largest = std::max(largest, std::fabs(c));
+    const double ulp = std::nextafter(largest, INFINITY) - largest;
+    Mesh_embedding<3> embedding;
+    embedding.build(x);
+    std::map<std::string, std::vector<double>> found;  // stretches
+    Degeneracy_options<3> options;
+    options.raw = [&](const Raw_certificate<3>& c) {
+        if (c.kind != Raw_certificate<3>::Kind::bicell || c.width_lower < wide * ulp) return;
+        Tuple<3, 5> t{};
+        for (std::size_t i = 0; i < t.size(); ++i) t[i] = &x[static_cast<std::size_t>(c.point[i])];
+        found[ways(t)].push_back(stretch(t));
+    };
+    (void)degeneracy(embedding.table(), x, options);
+    for (auto& [how, stretches] : found) {
+        std::sort(stretches.begin(), stretches.end());
+        std::printf("%8zu %s; longest over shortest distance: median %.3g\n", stretches.size(), how.c_str(), stretches[stretches.size() / 2]);
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "wide_bicells: %s\n", e.what());
+        return 1;
+    }
+}

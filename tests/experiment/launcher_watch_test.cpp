@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/experiment/launcher_watch.h>
+
+#include <catch2/catch.hpp>
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <optional>
+
+namespace annulus {
+namespace {
+
+/// A process starts another one, which says who it is, has a watch or none, and would then wait for ever. Does the second end with the
+/// first, which is told to go? It holds the end of a pipe: where it has ended nobody does.
+bool ends_with_its_launcher(bool watched) {
+    std::array<int, 2> alive{}, go{};
+    if (::pipe(alive.data()) != 0 || ::pipe(go.data()) != 0) return false;
+    const pid_t launcher = ::fork();
+    if (launcher == 0) {
+        ::close(go[1]);
+        if (::fork() == 0) {
+            ::close(go[0]);
+            std::optional<Launcher_watch> watch;
+            if (watched) watch.emplace();
+            const pid_t self = ::getpid();
+            [[maybe_unused]] const ssize_t said = ::write(alive[1], &self, sizeof self);
+            while (true) ::pause();
+        }
+        char c = 0;
+        [[maybe_unused]] const ssize_t told = ::read(go[0], &c, 1);
+        ::_exit(0);
+    }
+    ::close(alive[1]);
+    ::close(go[0]);
+    pid_t rank = 0;
+    const bool runs = ::read(alive[0], &rank, sizeof rank) == sizeof rank;
+    pollfd end{alive[0], POLLIN, 0};
+    const bool stays = ::poll(&end, 1, 300) == 0;  // while its launcher is there
+    ::close(go[1]);
+    ::waitpid(launcher, nullptr, 0);
+    const bool ended = ::poll(&end, 1, watched ? 10'000 : 500) == 1;
+    if (runs && !ended) ::kill(rank, SIGKILL);
+    ::close(alive[0]);
+    return runs && stays && ended;
+}
+
+TEST_CASE("a rank ends with the process that started it") {
+    CHECK(ends_with_its_launcher(true));
+    CHECK_FALSE(ends_with_its_launcher(false));
+}
+
+TEST_CASE("a watch can be taken away") {
+    { const Launcher_watch watch; }
+    SUCCEED();
+}
+
+}  // namespace
+}  // namespace annulus
