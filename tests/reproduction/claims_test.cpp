@@ -80,10 +80,72 @@ TEST_CASE("A step that was not followed counts as the next one that was") {
     CHECK(speed_up(r, "rebuild", "paper") == 4.0 / 6.25);
     CHECK(speed_up(r, "rebuild", "nobody") == 0);
     // From 2 s at 20 % within to 0.5 s at 80 %: 1 s at 60 %.
-    REQUIRE(switch_point(r));
-    CHECK(*switch_point(r) == Approx(0.6));
+    REQUIRE(switch_point(r, "paper"));
+    CHECK(*switch_point(r, "paper") == Approx(0.6));
+    CHECK(acceleration(r, "paper") == 6);
+    CHECK(longest_step(r, "paper") == 3);
+    CHECK(longest_step(r, "paper", 0.25) == 2);
+    CHECK(slower_steps(r, "paper") == 0.5);
+    CHECK(failed_share(r, "paper") == Approx(21.0 / 40));
+    CHECK(first_step_below(r, "paper", 0.2) == 3U);
+    CHECK_FALSE(first_step_below(r, "paper", 0.01));
     CHECK(failures_at(r, "paper", 4) == Approx(0.1));
     CHECK(most_renewals(r, "paper") == 1);  // the first step: ten of ten
+}
+
+TEST_CASE("The angle that a hundredth of the angles are below is read off its bin") {
+    Quality_record q;
+    q.dihedral.assign(36, 0);
+    CHECK(small_angle(q) == 0);
+    q.dihedral[2] = 5;
+    q.dihedral[10] = 995;
+    CHECK(small_angle(q) == Approx(50 + 5.0 * 5 / 995));
+    q.dihedral[2] = 20;
+    q.dihedral[10] = 980;
+    CHECK(small_angle(q) == Approx(12.5));
+}
+
+TEST_CASE("Verdicts follow the numbers") {
+    const auto verdict = [](const Reproduction& r, const std::string& start) {
+        for (const Claim& c : claims_of(r))
+            if (c.statement.starts_with(start)) return c.verdict;
+        FAIL("no claim starts with " << start);
+        return Claim_verdict::open;
+    };
+    const auto with = [](Race_record race) {
+        Reproduction r{"annulus reproduce", "here", {}, {}};
+        r.races.emplace(race.name, std::move(race));
+        return r;
+    };
+    Race_record race = made_up();
+    race.steps = 1000;  // the four that were followed stand for all
+    race.racers[1].name = "paper-printed";
+    CHECK(verdict(with(race), "It outperforms rebuilding for every") == Claim_verdict::differs);
+    for (double& s : race.racers[1].seconds) s /= 10;
+    CHECK(verdict(with(race), "It outperforms rebuilding for every") == Claim_verdict::agrees);
+    CHECK(verdict(with(race), "If all points move") == Claim_verdict::agrees);
+    race.racers[1].requeued = {15, 0, 0, 0};
+    CHECK(verdict(with(race), "If all points move") == Claim_verdict::differs);
+
+    Degeneracy_count_record first, last;
+    first.below = last.below = {1};
+    first.theta_hundredth = 0.1;
+    last.theta_hundredth = 0.2;
+    race.degeneracies = {first, last};
+    CHECK(verdict(with(race), "Tolerances become numerically more stable") == Claim_verdict::agrees);
+    race.degeneracies = {last, first};
+    CHECK(verdict(with(race), "Tolerances become numerically more stable") == Claim_verdict::differs);
+
+    Stability_record e;
+    e.bicells = 100;
+    e.edges = {0, 0.01, 0.1, 1};
+    e.counts = {0, 50, 50};
+    e.most = {0, 1e-14, 1e-14};
+    e.median = {0, 1e-15, 1e-16};
+    race.stabilities = {e};
+    CHECK(verdict(with(race), "Numerical stability is proportional to theta") == Claim_verdict::agrees);
+    race.stabilities[0].median = {0, 1e-16, 1e-16};
+    CHECK(verdict(with(race), "Numerical stability is proportional to theta") == Claim_verdict::differs);
 }
 
 TEST_CASE("Parts are found again bit for bit, by the same reproduction only") {
@@ -121,11 +183,14 @@ TEST_CASE("What is asked for is run, and nothing else") {
     CHECK(names(size).contains("nodt-sphere"));
     CHECK_FALSE(names(size).contains("nodt-man"));
     size.surfaces = true;
-    CHECK(names(size).size() == 14);
+    CHECK(names(size).size() == 28);
     size.only = {"fig6"};
     CHECK(names(size) == std::set<std::string>{"lloyd-x2"});
     size.only = {"fig11"};
     CHECK(names(size) == std::set<std::string>{"lloyd-x2", "nodt-sphere", "nodt-bunny"});
     size.only = {"fig5", "locked"};
-    CHECK(names(size) == std::set<std::string>{"points-one", "points-x2", "locked-sphere", "locked-bunny"});
+    CHECK(names(size) == std::set<std::string>{"points-one", "points-x2", "locked-sphere", "locked-sphere-5", "locked-sphere-10",
+                                               "locked-sphere-20", "locked-sphere-25", "locked-bunny"});
+    size.only = {"movers"};
+    CHECK(names(size).size() == 6);
 }

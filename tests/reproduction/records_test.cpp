@@ -20,6 +20,7 @@ Race_record small() {
     racer.seconds = {0.1, 0.2};
     for (auto list : {&Racer_record::asked, &Racer_record::failed, &Racer_record::requeued, &Racer_record::changed, &Racer_record::evaluated})
         racer.*list = {3, 4};
+    racer.streaks = {7, 6, 5, 4, 3, 2, 1};
     race.racers = {racer};
     Width_record widths;
     widths.edges = {0, 1, 2};
@@ -29,6 +30,11 @@ Race_record small() {
     count.below = {0, 1};
     count.thresholds = {1e-6, 1e-3};
     race.degeneracies = {count};
+    Stability_record stability;
+    stability.edges = {0, 1, 2};
+    stability.counts = {5, 6};
+    stability.median = stability.most = {0.25, 0.5};
+    race.stabilities = {stability};
     Picture_record picture;
     picture.x = {0, 1};
     picture.y = {1, 0};
@@ -59,7 +65,7 @@ int without_one(const nlohmann::json& whole, const nlohmann::json::json_pointer&
 TEST_CASE("A part of a reproduction comes back as it was, and is refused where it is damaged") {
     const std::string text = race_text(small());
     CHECK(race_text(parse_race(text)) == text);
-    CHECK(without_one(nlohmann::json::parse(text), nlohmann::json::json_pointer("")) == 13);
+    CHECK(without_one(nlohmann::json::parse(text), nlohmann::json::json_pointer("")) == 18);
     for (std::size_t cut = 0; cut + 2 < text.size(); cut += 7) CHECK_THROWS_AS(parse_race(text.substr(0, cut)), Error);
     for (const char* other : {"", "3", "[]", "{}", "{\"name\": 3}"}) CHECK_THROWS_AS(parse_race(other), Error);
 }

@@ -17,7 +17,8 @@ FIGURES = {f"figure-{k}.html" for k in range(5, 13)}
 def untimed(run):
     """Of a run in reproduction.json all that no clock decides."""
     run = dict(run)
-    run.pop("load")
+    for name in ("load", "motion_seconds", "operations"):
+        run.pop(name, None)
     run["strategies"] = {name: {k: v for k, v in s.items() if not k.endswith("seconds")} for name, s in run.get("strategies", {}).items()}
     return run
 
@@ -37,7 +38,7 @@ class Reproduce(tool.ToolTest):
         """Every figure has a page, every claim a verdict, every link leads somewhere, and every table has numbers."""
         self.succeed(*self.SMALL, "--output", "all")
         files = {p.name for p in (self.here / "all").iterdir()}
-        self.assertLessEqual(FIGURES | {"index.html", "claims.csv", "unsound.html", "slivers.html", "locked.html"}, files)
+        self.assertLessEqual(FIGURES | {"index.html", "claims.csv", "unsound.html", "slivers.html", "locked.html", "movers.html"}, files)
         self.assertEqual({p.name for p in self.here.iterdir()}, {"all"})  # no parts are left
         for page in (self.here / "all").glob("*.html"):
             text = page.read_text(encoding="utf-8")
@@ -50,7 +51,9 @@ class Reproduce(tool.ToolTest):
             self.assertGreater(len(rows), 1, table.name)
             self.assertEqual({len(r) for r in rows}, {len(rows[0])}, table.name)
         r = self.result("all")
-        self.assertGreaterEqual(len(r["claims"]), 30)
+        self.assertGreaterEqual(len(r["claims"]), 46)
+        open_claims = [c["claim"] if "claim" in c else c["statement"] for c in r["claims"] if not c["paper_algorithm"]]
+        self.assertLessEqual(len(open_claims), 9, open_claims)  # what needs bodies, or more than 100 iterations
         self.assertEqual({c["figure"] + ".html" for c in r["claims"]} & FIGURES, FIGURES)
         for claim in r["claims"]:
             self.assertIn(claim["verdict"], ("agrees", "goes further", "differs", "is wrong", "open"), claim)
@@ -61,6 +64,20 @@ class Reproduce(tool.ToolTest):
             self.assertGreater(attack["broken"], 0)
             self.assertEqual(attack["broken"], attack["accepted"])
             self.assertEqual(attack["audited"], attack["refuted"])
+        printed = sphere["strategies"]["paper-printed"]
+        self.assertEqual(len(printed["failed_in_a_row"]), 7)
+        self.assertGreaterEqual(printed["failed_in_a_row"][0], printed["failed_in_a_row"][1])
+        self.assertLess(printed["failed"], printed["moves"])
+        for name in ("paper-in-place", "paper-printed-hybrid", "relocate-in-place"):
+            self.assertIn(name, sphere["strategies"])
+        for rounding in sphere["rounding"]:
+            self.assertLess(0, rounding["above_exact"])
+            self.assertLess(rounding["above_exact"], rounding["bicells"])
+        for operation in sphere["operations"]:
+            self.assertGreater(operation["removal_seconds"], 0)
+        for where in ("plane", "space"):
+            some, all_of_them = (r["runs"][f"movers-{where}-{share}"]["strategies"]["paper-printed"]["failed"] for share in (1, 100))
+            self.assertLess(10 * some, all_of_them)
         for run in r["runs"].values():
             for name, strategy in run.get("strategies", {}).items():
                 if "paper" not in name:

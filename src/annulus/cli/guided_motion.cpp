@@ -37,6 +37,7 @@ Guided_nodt::Guided_nodt(const Nodt_arguments& arguments, const Common_arguments
       nodt_(scene_.motion(arguments, common.threads)) {
     mesh_.read(guide_, true, *scene_.domain, threads_);
     scene_.require_cells(arguments, mesh_.inside());
+    axis_ = mesh_.shortest_side();
 }
 
 bool Guided_nodt::next(Timestamp<3>& t) {
@@ -64,7 +65,7 @@ Mesh_step Guided_nodt::quality() {
 Picture Guided_nodt::picture(const Moving& dt, std::string caption) const {
     Mesh_3 mesh;
     mesh.read(dt, true, *scene_.domain, threads_);
-    return mesh.cut(std::move(caption));
+    return mesh.cut(std::move(caption), axis_);
 }
 
 template <class Moving>

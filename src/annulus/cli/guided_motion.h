@@ -87,6 +87,7 @@ class Guided_nodt {
     Mesh_3 mesh_;
     Nodt_memory memory_;
     Nodt_step last_;
+    std::size_t axis_ = 0;  // that pictures are cut across
     bool read_ = true;  // mesh_ is where the guide is
     bool cells_changed_ = true;
 };

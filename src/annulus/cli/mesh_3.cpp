@@ -34,17 +34,32 @@ void Mesh_3::read(const Moving_delaunay_3& dt, bool cells_changed, const Domain_
     domain_ = true;
 }
 
-Picture Mesh_3::cut(std::string caption) const {
+namespace {
+
+/// Corners of the box of the points.
+std::pair<Coordinates<3>, Coordinates<3>> box(const std::vector<Coordinates<3>>& points) {
     Coordinates<3> low{}, high{};
-    if (!points_.empty()) low = high = points_[0];
-    for (const auto& p : points_)
+    if (!points.empty()) low = high = points[0];
+    for (const auto& p : points)
         for (std::size_t k = 0; k < 3; ++k) {
             low[k] = std::min(low[k], p[k]);
             high[k] = std::max(high[k], p[k]);
         }
+    return {low, high};
+}
+
+}  // namespace
+
+std::size_t Mesh_3::shortest_side() const {
+    const auto [low, high] = box(points_);
     std::size_t axis = 2;
     for (std::size_t k = 0; k < 3; ++k)
         if (high[k] - low[k] < high[axis] - low[axis]) axis = k;
+    return axis;
+}
+
+Picture Mesh_3::cut(std::string caption, std::size_t axis) const {
+    const auto [low, high] = box(points_);
     const double at = 0.5 * (low[axis] + high[axis]);
     return cut_picture(cells(), inside(), points_, axis, at, std::move(caption) + ", cut across " + "xyz"[axis]);
 }

@@ -7,6 +7,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace annulus::cli {
@@ -28,8 +29,12 @@ class Mesh_3 {
     /// Those cells are of the domain whose circumcentre is. The cells are read again only if they have changed.
     void read(const Moving_delaunay_3& dt, bool cells_changed, const Domain_3& domain, int threads);
 
-    /// The cells of the domain, cut across the shortest side of the box of the points, through its middle: the widest view.
-    [[nodiscard]] Picture cut(std::string caption) const;
+    /// The shortest side of the box of the points: cut across it, a mesh shows its widest view.
+    [[nodiscard]] std::size_t shortest_side() const;
+    /// The cells of the domain, cut across that side, through the middle of the box.
+    [[nodiscard]] Picture cut(std::string caption) const { return cut(std::move(caption), shortest_side()); }
+    /// Across another one: pictures of a motion show it from one side.
+    [[nodiscard]] Picture cut(std::string caption, std::size_t axis) const;
 
   private:
     std::vector<Coordinates<3>> points_;

@@ -71,7 +71,8 @@ int run(const Nodt_call& a, const std::string& command) {
     scene.notes.push_back(filled(mesh, domain));
     tracker.mesh_before(measured(mesh, {}));
     Run_page<Moving_delaunay_3> page{.step = "natural ODT iteration"};
-    if (files) page.before = mesh.cut("before");
+    const std::size_t axis = mesh.shortest_side();
+    if (files) page.before = mesh.cut("before", axis);
     Frame_files<Moving_delaunay_3> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
 
@@ -101,7 +102,7 @@ int run(const Nodt_call& a, const std::string& command) {
     tracker.finish(command, a.common.seed, since(begin));
     if (files) {
         add_domain(page, mesh, tracker.record());
-        page.after = mesh.cut("after " + counted(tracker.record().iterations, "iteration"));
+        page.after = mesh.cut("after " + counted(tracker.record().iterations, "iteration"), axis);
         page.notes = scene.notes;
         page.figures = frame_figures(frames.records(), tracker.record(), false);
         page.frames = &frames;

@@ -9,6 +9,7 @@
 #include <annulus/cli/result_files.h>
 #include <annulus/formats/input_error.h>
 #include <annulus/reproduction/parts.h>
+#include <annulus/reproduction/plan.h>
 #include <annulus/reproduction/reproduction.h>
 
 #include <zlib.h>
@@ -81,6 +82,7 @@ Race_record run_part(const Part_plan& part, const Reproduce_call& a, Progress& p
     };
     Common_arguments common = a.common;
     common.quiet = true;  // notes are on the pages
+    common.seed += part.motion.draw;
     if (part.motion.dimension == 2) return race<2>(*plane_scene(part.motion, common), part.race, listener);
     return race<3>(*space_scene(part.motion, a.surfaces, common), part.race, listener);
 }
@@ -138,7 +140,7 @@ Run add_reproduce_command(CLI::App& app, const Invocation& invocation) {
         "reproduce", "Figures and claims of the paper on vertex tolerances, from runs made here, as pages");
     const auto a = std::make_shared<Reproduce_call>();
     sub->add_flag("--quick", a->size.quick, "Fewer points and iterations: two minutes, and no figures to quote");
-    sub->add_option("--only", a->size.only, "What to make, separated by commas: fig5 to fig12, slivers, locked (all)")
+    sub->add_option("--only", a->size.only, "What to make, separated by commas: fig5 to fig12, slivers, locked, movers (all)")
         ->delimiter(',')
         ->type_name("LIST")
         ->check(CLI::IsMember(reproduction_topics()));

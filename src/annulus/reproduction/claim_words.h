@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 // How claims put numbers into words.
@@ -56,7 +57,7 @@ namespace annulus {
     return present(r, {"lloyd-one", "lloyd-x2+y2", "lloyd-x2", "lloyd-sin2"});
 }
 [[nodiscard]] inline std::vector<const Race_record*> meshes(const Reproduction& r) {
-    return present(r, {"nodt-sphere", "nodt-man", "nodt-bunny", "nodt-heart"});
+    return present(r, {"nodt-sphere", "nodt-man", "nodt-bunny", "nodt-liver"});
 }
 /// A number of each.
 template <class Value>
@@ -71,10 +72,31 @@ template <class Value>
                                  std::string (*word)(double)) {
     std::string out;
     for (const Race_record* race : races) {
-        const std::string name = race->name.substr(race->name.find('-') + 1);
-        out += (out.empty() ? "" : ", ") + (name == "heart" ? "liver" : name) + " " + word(value(*race));
+        out += (out.empty() ? "" : ", ") + race->name.substr(race->name.find('-') + 1) + " " + word(value(*race));
     }
     return out.empty() ? "–" : out;
+}
+/// One that is open.
+[[nodiscard]] inline Claim claim(std::string figure, std::string statement, std::string paper) {
+    return {std::move(figure), std::move(statement), std::move(paper), "", "", Claim_verdict::open, ""};
+}
+[[nodiscard]] inline double share(double part, double all) { return all > 0 ? part / all : 0; }
+/// Some strategies' speed-up, "filter-each 2 to 3, auto 4 to 5".
+[[nodiscard]] inline std::string speeds(const std::vector<const Race_record*>& races, const char* slow,
+                                        std::initializer_list<const char*> names) {
+    std::string out;
+    for (const char* name : names)
+        out += (out.empty() ? "" : ", ") +
+               (std::string(name) == "paper" ? "the paper's tolerances and our repair" : std::string(name)) + " " +
+               range(of_each(races, [&](const auto& x) { return speed_up(x, slow, name); }), times);
+    return out;
+}
+/// At which share of moves within tolerance the printed filter begins to pay; `claimed` is the paper's.
+[[nodiscard]] Claim switch_claim(const std::vector<const Race_record*>& races, const char* figure, const char* where, double claimed);
+/// Why a filter is as fast as it is.
+[[nodiscard]] inline std::string few_fail(const std::vector<const Race_record*>& races) {
+    return "Of all moves " + range(of_each(races, [](const auto& x) { return failed_share(x, "paper-printed"); }), percent) +
+           " failed, and only these are relocated.";
 }
 [[nodiscard]] inline Claim_verdict agree_if(bool yes) { return yes ? Claim_verdict::agrees : Claim_verdict::differs; }
 /// Reached to nine tenths is agreement, twice as much is further.

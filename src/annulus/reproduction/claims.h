@@ -17,7 +17,7 @@ struct Claim {
     std::string figure;                           ///< the page with what it is about: "figure-7", "unsound"
     std::string statement;                        ///< in our words
     std::string paper;                            ///< its number
-    std::string theirs;                           ///< ours, under the paper's algorithm and tolerances
+    std::string theirs;                           ///< ours, under the paper's algorithm as printed (Printed_filter)
     std::string ours;                             ///< ours, under our strategies and tolerances
     Claim_verdict verdict = Claim_verdict::open;  ///< of `theirs`
     std::string reason;                           ///< for a difference, or what to know
@@ -28,9 +28,14 @@ struct Claim {
 /// but those of speed.
 [[nodiscard]] std::vector<Claim> claims_of(const Reproduction& reproduction);
 
-/// Its parts, appended: of sections 2 and 3, of Lloyd, of meshes.
-void append_theory_claims(const Reproduction& reproduction, std::vector<Claim>& out);
+/// Its parts, appended: whether tolerances are right, what relocating costs, how stable tolerances are; Lloyd; meshes, how fast, their
+/// statistics, and what becomes of them.
+void append_soundness_claims(const Reproduction& reproduction, std::vector<Claim>& out);
+void append_relocation_claims(const Reproduction& reproduction, std::vector<Claim>& out);
+void append_stability_claims(const Reproduction& reproduction, std::vector<Claim>& out);
 void append_lloyd_claims(const Reproduction& reproduction, std::vector<Claim>& out);
+void append_mesh_speed_claims(const Reproduction& reproduction, std::vector<Claim>& out);
 void append_mesh_claims(const Reproduction& reproduction, std::vector<Claim>& out);
+void append_quality_claims(const Reproduction& reproduction, std::vector<Claim>& out);
 
 }  // namespace annulus

@@ -7,10 +7,7 @@ namespace annulus {
 namespace {
 
 std::string ours(const std::vector<const Race_record*>& races, const char* slow) {
-    const auto with = [&](const char* name) {
-        return range(of_each(races, [&](const auto& x) { return speed_up(x, slow, name); }), times);
-    };
-    return with("filter-each") + " one vertex at a time, " + with("auto") + " whole timestamps (auto)";
+    return speeds(races, slow, {"paper", "filter-each", "auto"});
 }
 
 const Survey_record* first(const Race_record& r) { return r.surveys.empty() ? nullptr : &r.surveys.front(); }
@@ -19,88 +16,58 @@ const Survey_record* last(const Race_record& r) { return survey_at(r, r.steps); 
 
 void append_speed(const Reproduction& r, std::vector<Claim>& out) {
     const auto plane = lloyds(r);
-    Claim c{"figure-7", "Filtering Lloyd iterations is up to so many times faster than rebuilding.",
-            "up to 6",  "",
-            "",         Claim_verdict::open,
-            ""};
+    const auto theirs = [](const Race_record& race) { return speed_up(race, "rebuild", "paper-printed"); };
+    Claim c = claim("figure-7", "Filtering Lloyd iterations is up to so many times faster than rebuilding.", "up to 6");
     if (!plane.empty()) {
-        const auto x = of_each(plane, [](const auto& race) { return speed_up(race, "rebuild", "paper"); });
+        const auto x = of_each(plane, theirs);
         c.theirs = range(x, times) + " after " + grouped(plane.front()->steps) +
                    " iterations; at the last tenth of them " +
                    range(of_each(plane,
                                  [](const auto& race) {
-                                     return speed_up_between(race, "rebuild", "paper", race.steps - race.steps / 10,
-                                                             race.steps);
+                                     return speed_up_between(race, "rebuild", "paper-printed",
+                                                             race.steps - race.steps / 10, race.steps);
                                  }),
-                         times);
+                         times) +
+                   "; with a test in place (3.1) before relocation " +
+                   range(of_each(plane, [](const auto& race) { return speed_up(race, "rebuild", "paper-in-place"); }), times);
         c.ours = ours(plane, "rebuild");
         c.verdict = at_least(most(x), 6);
+        c.of_long_runs = true;
+        c.reason = few_fail(plane);
+    }
+    out.push_back(c);
+
+    c = claim("figure-7", "It outperforms rebuilding for every density.", "always");
+    if (!plane.empty()) {
+        c.theirs = listed(plane, theirs, times);
+        c.ours = listed(
+                     plane, [](const auto& race) { return speed_up(race, "rebuild", "auto"); }, times) +
+                 " (auto)";
+        c.verdict = agree_if(least(of_each(plane, theirs)) > 1);
         c.of_long_runs = true;
     }
     out.push_back(c);
 
-    c = {"figure-7", "It outperforms rebuilding for every density.", "always", "", "", Claim_verdict::open, ""};
+    c = claim("figure-7", "It is faster than relocation by at least so much, in the plane.", "4");
     if (!plane.empty()) {
-        const auto x = of_each(plane, [](const auto& race) { return speed_up(race, "rebuild", "paper"); });
-        c.theirs = listed(
-            plane, [](const auto& race) { return speed_up(race, "rebuild", "paper"); }, times);
-        c.ours = listed(
-                     plane, [](const auto& race) { return speed_up(race, "rebuild", "auto"); }, times) +
-                 " (auto)";
-        c.verdict = agree_if(least(x) > 1);
-    }
-    out.push_back(c);
-
-    c = {
-        "figure-7", "It is faster than relocation by at least so much, in the plane.", "4", "", "", Claim_verdict::open,
-        ""};
-    if (!plane.empty()) {
-        const auto x = of_each(plane, [](const auto& race) { return speed_up(race, "relocate", "paper"); });
+        const auto x = of_each(plane, [](const auto& race) { return speed_up(race, "relocate", "paper-printed"); });
         c.theirs = range(x, times);
         c.ours = ours(plane, "relocate");
         c.verdict = at_least(least(x), 4);
         c.of_long_runs = true;
-        c.reason = "Relocation is timed at some steps, on copies.";
+        c.reason = few_fail(plane) + " Relocation is timed at some steps, on copies.";
     }
     out.push_back(c);
 
-    c = {
-        "figure-7", "A step of the filter becomes cheaper as the iterations go on.", "yes", "", "", Claim_verdict::open,
-        ""};
+    c = claim("figure-7", "A step of the filter becomes cheaper as the iterations go on.", "yes");
     if (!plane.empty()) {
-        const auto gain = [](const Race_record& race, const char* name) {
-            const Racer_record* x = racer_of(race, name);
-            const std::size_t n = x ? x->seconds.size() : 0, tenth = std::max<std::size_t>(1, n / 10);
-            double early = 0, late = 0;
-            for (std::size_t k = 0; k < std::min(tenth, n); ++k) {
-                early += x->seconds[k];
-                late += x->seconds[n - 1 - k];
-            }
-            return late > 0 ? early / late : 0;
-        };
-        const auto x = of_each(plane, [&](const auto& race) { return gain(race, "paper"); });
+        const auto x = of_each(plane, [](const auto& race) { return acceleration(race, "paper-printed"); });
         c.theirs = "a step of the first tenth takes " + range(x, times) + " of the last tenth";
-        c.ours = range(of_each(plane, [&](const auto& race) { return gain(race, "auto"); }), times) + " (auto)";
+        c.ours = range(of_each(plane, [](const auto& race) { return acceleration(race, "auto"); }), times) + " (auto)";
         c.verdict = agree_if(least(x) > 1);
     }
     out.push_back(c);
-
-    c = {"figure-7", "Switching to the filter pays when so many vertices stay within their tolerance, in the plane.",
-         "75 %",     "",
-         "",         Claim_verdict::open,
-         ""};
-    std::vector<double> found;
-    for (const Race_record* race : plane)
-        if (const auto x = switch_point(*race)) found.push_back(*x);
-    if (!plane.empty()) {
-        c.theirs = found.empty() ? "the filter is never slower than rebuilding" : range(found, percent);
-        c.ours = "auto chooses by counts: no fixed share";
-        c.verdict = agree_if(!found.empty() && least(found) > 0.6 && most(found) < 0.9);
-        c.reason =
-            "The filter's repair by tests in place and flips is much cheaper than the paper's relocation, so that it "
-            "pays earlier.";
-    }
-    out.push_back(c);
+    out.push_back(switch_claim(plane, "figure-7", "in the plane", 0.75));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include <annulus/reproduction/claim_words.h>
 #include <annulus/reproduction/figures.h>
 
+#include <cstdlib>
+
 // Figures 11 and 12: failures, updates, speed-up.
 namespace annulus {
 
@@ -9,8 +11,7 @@ namespace {
 
 std::string name_of_curve(const Race_record& race) {
     if (race.name == "lloyd-x2") return "Lloyd, x²";
-    const std::string body = race.name.substr(race.name.find('-') + 1);
-    return body == "heart" ? "liver" : body;
+    return race.name.substr(race.name.find('-') + 1);
 }
 
 /// Means over a thirtieth of a decade, so that curves can be read.
@@ -91,6 +92,26 @@ Plot relocation_plot(const std::vector<const Race_record*>& races) {
     return plot;
 }
 
+/// Rebuilds that a timestamp costs, by the share of points that move.
+Plot movers_plot(const Reproduction& r, const char* where) {
+    Plot plot{std::string("Random points, ") + where,
+              {"points that move (%)", Scale::log10, {}, {}, true},
+              {"time of a timestamp (rebuilds)", Scale::log10, {}, {}, false},
+              {}};
+    for (const auto& [racer, words] : {std::pair("relocate", "relocation"), std::pair("paper-printed", "paper's filter"),
+                                       std::pair("filter-each", "one by one"), std::pair("auto", "auto")}) {
+        Series s{words, {}, {}};
+        for (const char* share : {"1", "10", "100"})
+            if (const Race_record* race = r.race(std::string("movers-") + where + "-" + share))
+                if (const double x = speed_up(*race, racer, "rebuild"); x > 0) {
+                    s.x.push_back(std::atof(share));
+                    s.y.push_back(x);
+                }
+        if (!s.x.empty()) plot.series.push_back(std::move(s));
+    }
+    return plot;
+}
+
 }  // namespace
 
 void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
@@ -98,10 +119,10 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
         "figure-11", "Figure 11: failures, and updates a failure",
         "The share of moves that the filter does not let pass, and how many tolerances are computed for each of them, "
         "along the iterations: (a, b) Lloyd with density x² and the bunny, (c, d) bunny and sphere."};
-    for (const auto& [racer, heading] : {std::pair("paper", "The paper's algorithm and tolerances"),
+    for (const auto& [racer, heading] : {std::pair("paper-printed", "The paper's algorithm as printed"),
                                          std::pair("filter-each", "Certified tolerances, one vertex at a time")}) {
         std::vector<Panel> panels;
-        const std::string suffix = std::string(racer) == "paper" ? "" : "-certified";
+        const std::string suffix = std::string(racer) == "paper-printed" ? "" : "-certified";
         const auto a = present(r, {"lloyd-x2", "nodt-bunny"}), c = present(r, {"nodt-bunny", "nodt-sphere"});
         append_plot(eleven, panels, failure_plot(a, racer), "figure-11a" + suffix + ".csv");
         append_plot(eleven, panels, update_plot(a, racer), "figure-11b" + suffix + ".csv");
@@ -111,8 +132,9 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
     }
     if (!eleven.sections.empty())
         eleven.notes.push_back(
-            "Means over steps a twelfth apart. Where few moves fail, updates a failure scatter. Certified tolerances "
-            "are not smaller in the plane; filter-each turns to signs where no tolerances pay, and a move then counts "
+            "Means over steps a twelfth apart. Where few moves fail, updates a failure scatter. Of the printed algorithm an update is a new "
+            "bi-cell, of the certified one a certificate that expired; "
+            "certified tolerances are not smaller in the plane; filter-each turns to signs where no tolerances pay, and a move then counts "
             "as failed.");
     out.push_back(std::move(eleven));
 
@@ -121,8 +143,12 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
                         "iterations of natural ODT."};
     if (const auto races = meshes(r); !races.empty()) {
         std::vector<Panel> panels;
-        append_plot(twelve, panels, speed_plot("The paper's algorithm and tolerances", races, "paper", true),
+        append_plot(twelve, panels, speed_plot("The paper's algorithm as printed", races, "paper-printed", true),
                     "figure-12.csv", "As the paper's figure.");
+        append_plot(twelve, panels, speed_plot("The same, tested in place first (3.1)", races, "paper-in-place", false),
+                    "figure-12-in-place.csv");
+        append_plot(twelve, panels, speed_plot("The paper's tolerances, our repair", races, "paper", false),
+                    "figure-12-repair.csv", "In place, else flips; reinsertion last.");
         append_plot(twelve, panels,
                     speed_plot("Certified, one vertex at a time (filter-each)", races, "filter-each", false),
                     "figure-12-filter-each.csv");
@@ -135,10 +161,20 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
             "is timed at every fourth and relocation at every 50th, on a copy that is built at the positions before "
             "it: over all of them it would take far longer than all else.");
         twelve.notes.push_back(
-            "Our queue is the paper's but for how it relocates: certificates are tested in place, flips mend what is "
-            "violated, and a vertex is taken out only where they do not. The paper's took out and put back.");
+            "The paper's algorithm as printed (3.2) relocates each vertex that fails: CGAL inserts it at its new place and "
+            "removes it from the old one. Its 3.1 tests in place beforehand, and relocates only where cells have to change. "
+            "Neither flips in space. Our repair, which flips, is no part of the paper.");
     }
     out.push_back(std::move(twelve));
+
+    Page_content movers{"movers", "When only some points move",
+                        "The paper says that rebuilding is not best when only a fraction of the points moves, since relocating m of them "
+                        "costs O(m). Uniform random points, of which a share goes a twentieth of a mean spacing at each step."};
+    std::vector<Panel> panels;
+    for (const char* where : {"plane", "space"})
+        append_plot(movers, panels, movers_plot(r, where), std::string("movers-") + where + ".csv");
+    if (!panels.empty()) movers.sections.emplace_back("Cost of a timestamp", std::move(panels));
+    out.push_back(std::move(movers));
 }
 
 }  // namespace annulus

@@ -9,7 +9,7 @@ namespace {
 
 std::string body_of(const Race_record& race) {
     const std::string name = race.name.substr(race.name.find('-') + 1);
-    return name == "heart" ? "liver (in place of the heart)" : name;
+    return name == "liver" ? "liver (in place of the heart)" : name;
 }
 
 void append_pictures(const Race_record& race, const std::vector<std::uint64_t>& steps, std::vector<Panel>& panels,
@@ -45,8 +45,7 @@ Plot over_iterations(std::string title, std::string label, const std::vector<con
               {std::move(label), Scale::linear, 0., {}, false},
               {}};
     for (const Race_record* race : races) {
-        const std::string body = race->name.substr(race->name.find('-') + 1);
-        Series s{body == "heart" ? "liver" : body, {}, {}};
+        Series s{race->name.substr(race->name.find('-') + 1), {}, {}};
         for (const Quality_record& q : race->qualities) {
             if (q.step == 0) continue;
             s.x.push_back(static_cast<double>(q.step));

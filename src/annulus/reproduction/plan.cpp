@@ -17,17 +17,33 @@ Options options_of(Strategy strategy, Tolerance_kind kind = Tolerance_kind::cert
     return o;
 }
 
-/// What everybody is compared with, the paper's algorithm, and ours. `cgal_every`, `copy_every`: what is timed at some steps only.
-std::vector<Racer_plan> racers(std::uint64_t cgal_every, std::uint64_t copy_every) {
-    using Kind = Racer_plan::Kind;
-    return {{"rebuild", Kind::cgal, {}, cgal_every, 0},
-            {"relocate", Kind::copy, options_of(Strategy::relocate), copy_every, 0},
-            {"paper", Kind::follower, options_of(Strategy::filter_each, Tolerance_kind::paper), 1, 10},
-            {"paper-hybrid", Kind::paper_hybrid, options_of(Strategy::filter_each, Tolerance_kind::paper), 1, 0},
-            {"filter-each", Kind::follower, options_of(Strategy::filter_each), 1, 0},
-            {"filter", Kind::follower, options_of(Strategy::filter), 1, 0},
-            {"filter:floating", Kind::follower, options_of(Strategy::filter, Tolerance_kind::floating), 1, 0},
-            {"auto", Kind::follower, options_of(Strategy::automatic), 1, 0}};
+using Kind = Racer_plan::Kind;
+
+Racer_plan printed(const char* name, const Printed_choice& choice, std::uint64_t audit_every, Kind kind = Kind::follower,
+                   std::uint64_t every = 1) {
+    return {name, kind, {}, every, audit_every, choice};
+}
+
+/// The paper's algorithm as it prints it, and with its weaker version of relocation.
+std::vector<Racer_plan> paper_racers(std::uint64_t audit_every) {
+    return {printed("paper-printed", {}, audit_every), printed("paper-in-place", {.in_place = true}, 0),
+            printed("paper-printed-hybrid", {}, 0, Kind::hybrid)};
+}
+
+/// What everybody is compared with, the paper's algorithms, and ours. `cgal_every`, `copy_every`: what is timed at some steps only.
+std::vector<Racer_plan> racers(std::uint64_t cgal_every, std::uint64_t copy_every, std::uint64_t audit_every) {
+    std::vector<Racer_plan> out{
+        {"rebuild", Kind::cgal, {}, cgal_every, 0},
+        printed("relocate", {.tolerances = false}, 0, Kind::copy, copy_every),
+        printed("relocate-in-place", {.tolerances = false, .in_place = true}, 0, Kind::copy, copy_every),
+        {"paper", Kind::follower, options_of(Strategy::filter_each, Tolerance_kind::paper), 1, audit_every},
+        {"paper-hybrid", Kind::hybrid, options_of(Strategy::filter_each, Tolerance_kind::paper), 1, 0},
+        {"filter-each", Kind::follower, options_of(Strategy::filter_each), 1, audit_every},
+        {"filter", Kind::follower, options_of(Strategy::filter), 1, 0},
+        {"filter:floating", Kind::follower, options_of(Strategy::filter, Tolerance_kind::floating), 1, 0},
+        {"auto", Kind::follower, options_of(Strategy::automatic), 1, audit_every}};
+    for (Racer_plan& p : paper_racers(audit_every)) out.push_back(std::move(p));
+    return out;
 }
 
 /// 1, 2, 3 .., then eight a decade.
@@ -61,7 +77,6 @@ std::uint64_t sampled(std::uint64_t steps, std::uint64_t every) {
 }
 
 void add_lloyd(const Reproduction_size& size, std::vector<Part_plan>& out) {
-    using Kind = Racer_plan::Kind;
     const std::uint64_t steps = steps_of(size, 100);
     for (const char* density : {"one", "x2"}) {
         if (!asked(size, {"fig5"})) continue;
@@ -81,15 +96,17 @@ void add_lloyd(const Reproduction_size& size, std::vector<Part_plan>& out) {
         p.race = {.name = std::string("lloyd-") + density,
                   .title = std::string("Lloyd, density ") + density,
                   .steps = steps,
-                  .racers = racers(1, sampled(steps, 10))};
+                  .racers = racers(1, sampled(steps, 10), 10)};
         p.race.racers.push_back(
             {"relocate-flips", Kind::copy, options_of(Strategy::relocate_flips), sampled(steps, 10), 0});
         p.race.racers.push_back({"filter:safe-region", Kind::follower,
                                  options_of(Strategy::filter, Tolerance_kind::certified, Second_look::safe_region), 1,
                                  0});
+        p.race.racers.push_back(printed("paper-safe-region", {.safe_region = true}, 10));
         p.race.surveys = x2 ? spread(steps) : decades(steps, true);
         p.race.distributions = decades(steps, false);
         p.race.degeneracies = decades(steps, true);
+        p.race.stabilities = p.race.operations = {1, steps + 1};
         out.push_back(p);
     }
 }
@@ -103,7 +120,7 @@ struct Body {
 constexpr Body bodies[] = {{"sphere", "sphere", "", false, 13'000, 1500},
                            {"man", "man", "man.off", true, 8000, 1000},
                            {"bunny", "bunny", "bunny00.off", false, 13'000, 1500},
-                           {"heart", "liver, in place of the heart", "liver.inr.gz", false, 10'000, 1200}};
+                           {"liver", "liver, in place of the heart", "liver.inr.gz", false, 10'000, 1200}};
 
 Part_plan body_part(const Reproduction_size& size, const Body& b) {
     Part_plan p;
@@ -126,34 +143,63 @@ void add_bodies(const Reproduction_size& size, std::vector<Part_plan>& out) {
         const std::uint64_t steps = p.race.steps;
         p.race.name = "nodt-" + name;
         p.race.title = std::string("Natural ODT, ") + b.title;
-        p.race.racers = racers(sampled(steps, 4), sampled(steps, 50));
+        p.race.racers = racers(sampled(steps, 4), sampled(steps, 50), 20);
         p.race.surveys = spread(steps);
         p.race.distributions = decades(steps, false);
         p.race.degeneracies = p.race.adversaries = decades(steps, true);
+        p.race.stabilities = p.race.operations = {1, steps + 1};
         p.race.attacks = size.quick ? 200 : 2000;
         p.race.pictures = {0, std::min<std::uint64_t>(100, steps), steps};
         out.push_back(p);
     }
 }
 
-/// Motions that nobody races on: what the mesh becomes.
+/// Motions that nobody races on: what the mesh becomes. Of the sphere, which is cheap to sample, several: other first meshes, other locks.
 void add_qualities(const Reproduction_size& size, std::vector<Part_plan>& out) {
     for (const Body& b : bodies) {
         const std::string name = b.name;
-        if (name != "sphere" && (name != "bunny" || !size.surfaces)) continue;
-        for (const bool locked : {false, true}) {
-            if (!asked(size, {locked ? "locked" : "slivers"})) continue;
+        const bool sphere = name == "sphere";
+        if (!sphere && (name != "bunny" || !size.surfaces)) continue;
+        for (std::uint64_t draw = 0; asked(size, {"slivers"}) && draw < (sphere ? 5U : 1U); ++draw) {
             Part_plan p = body_part(size, b);
-            p.race.name = (locked ? "locked-" : "graded-") + name;
-            p.race.title =
-                std::string(locked ? "Natural ODT with locks, " : "Natural ODT, variable sizing, ") + b.title;
-            p.motion.graded = !locked;
-            if (!locked && name != "sphere")
-                p.motion.vertices = std::min<std::uint64_t>(p.motion.vertices,
-                                                            4000);  // a ball is cheaper to ask how deep a vertex lies
-            p.motion.lock_degrees = locked ? 15 : 0;
+            p.race.name = "graded-" + name + (draw > 0 ? "-" + std::to_string(draw + 1) : "");
+            p.race.title = std::string("Natural ODT, variable sizing, ") + b.title +
+                           (draw > 0 ? ", first mesh " + std::to_string(draw + 1) : "");
+            p.motion.graded = true;
+            p.motion.draw = draw;
+            if (!sphere)  // a ball is cheaper to ask how deep a vertex lies
+                p.motion.vertices = std::min<std::uint64_t>(p.motion.vertices, 4000);
             out.push_back(p);
         }
+        for (const int degrees : {15, 5, 10, 20, 25}) {
+            if (!asked(size, {"locked"}) || (!sphere && degrees != 15)) continue;
+            Part_plan p = body_part(size, b);
+            p.race.name = "locked-" + name + (degrees != 15 ? "-" + std::to_string(degrees) : "");
+            p.race.title = "Natural ODT with locks of " + std::to_string(degrees) + " degrees, " + b.title;
+            p.motion.lock_degrees = degrees;
+            out.push_back(p);
+        }
+    }
+}
+
+/// Uniform points of which some go a twentieth of a spacing at a time: most of these leave their tolerance.
+template <int d>
+void add_movers(const Reproduction_size& size, std::vector<Part_plan>& out) {
+    for (const int percent : {1, 10, 100}) {
+        if (!asked(size, {"movers"})) continue;
+        Part_plan p;
+        p.motion = {.dimension = d, .vertices = size.quick ? 2000U : 10'000U, .movers = percent / 100.0, .pace = 0.05};
+        p.race.name = std::string(d == 2 ? "movers-plane-" : "movers-space-") + std::to_string(percent);
+        p.race.title = std::to_string(percent) + " % of random points move, " + (d == 2 ? "plane" : "space");
+        p.race.steps = std::min<std::uint64_t>(size.quick ? 5 : 20, steps_of(size, 5));
+        p.race.racers = {{"rebuild", Kind::cgal, {}, 1, 0},
+                         printed("relocate", {.tolerances = false}, 0),
+                         printed("relocate-in-place", {.tolerances = false, .in_place = true}, 0),
+                         printed("paper-printed", {}, 10),
+                         printed("paper-in-place", {.in_place = true}, 0),
+                         {"filter-each", Kind::follower, options_of(Strategy::filter_each), 1, 10},
+                         {"auto", Kind::follower, options_of(Strategy::automatic), 1, 10}};
+        out.push_back(p);
     }
 }
 
@@ -161,7 +207,7 @@ void add_qualities(const Reproduction_size& size, std::vector<Part_plan>& out) {
 
 const std::vector<std::string>& reproduction_topics() {
     static const std::vector<std::string> topics{"fig5",  "fig6",  "fig7",  "fig8",    "fig9",
-                                                 "fig10", "fig11", "fig12", "slivers", "locked"};
+                                                 "fig10", "fig11", "fig12", "slivers", "locked", "movers"};
     return topics;
 }
 
@@ -170,6 +216,8 @@ std::vector<Part_plan> reproduction_parts(const Reproduction_size& size) {
     add_lloyd(size, out);
     add_bodies(size, out);
     add_qualities(size, out);
+    add_movers<2>(size, out);
+    add_movers<3>(size, out);
     for (Part_plan& p : out) p.race.seed = size.seed;
     return out;
 }

@@ -2,22 +2,14 @@
 #pragma once
 
 #include <annulus/reproduction/race.h>
+#include <annulus/reproduction/size.h>
 
 #include <string>
 #include <vector>
 
 namespace annulus {
 
-/// How much is run.
-struct Reproduction_size {
-    bool quick = false;
-    std::uint64_t iterations = 0;  ///< of every motion; 0: as many as the paper's, or 100 and 60 of a quick one
-    std::uint64_t seed = 1;
-    std::vector<std::string> only{};  ///< of `reproduction_topics`; empty: all
-    bool surfaces = false;            ///< whether the paper's bodies are at hand, or what stands for them
-};
-
-/// What may be asked for by name: fig5 .. fig12, slivers, locked.
+/// What may be asked for by name: fig5 .. fig12, slivers, locked, movers.
 [[nodiscard]] const std::vector<std::string>& reproduction_topics();
 
 /// Which motion a race follows, in words that whoever makes scenes understands: densities of Lloyd as the tool names them, files by their names.
@@ -29,6 +21,9 @@ struct Motion_plan {
     bool crossing = false;  ///< the surface crosses itself
     bool graded = false;
     double lock_degrees = 0;  ///< 0: none
+    double movers = 0;        ///< uniform random points of which this share moves; 0: none of the above is so
+    double pace = 0;          ///< of these, by so many spacings
+    std::uint64_t draw = 0;   ///< another one of the same kind: is added to the seed
 };
 
 struct Part_plan {

@@ -2,6 +2,9 @@
 #include <annulus/reproduction/race.h>
 
 #include <annulus/reproduction/adversary.h>
+#include <annulus/reproduction/operations.h>
+#include <annulus/reproduction/processor_time.h>
+#include <annulus/reproduction/stability.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -76,7 +79,9 @@ class Race {
         for (std::uint64_t i = 0; i < now; ++i) {
             Points& target = block_[static_cast<std::size_t>(i)];
             target.resize(before_.size());
+            const double begin = process_seconds();
             record_.displacement.push_back(scene_.next(target) / record_.spacing);
+            record_.motion_seconds += process_seconds() - begin;
             draw(done + i + 1);
             judge(done + i + 1);
             tell(done, "motion");
@@ -103,8 +108,10 @@ class Race {
     /// At the positions before a step.
     void look(std::uint64_t step, std::span<const Coordinates<d>> x, std::span<const Coordinates<d>> next) {
         const bool distribution = plan_.distributions.contains(step), counts = plan_.degeneracies.contains(step),
-                   adversary = plan_.adversaries.contains(step);
-        if (!plan_.surveys.contains(step) && !distribution && !counts && !adversary) return;
+                   adversary = plan_.adversaries.contains(step), stability = plan_.stabilities.contains(step),
+                   operations = plan_.operations.contains(step);
+        if (!plan_.surveys.contains(step) && !distribution && !counts && !adversary && !stability && !operations)
+            return;
         tell(std::min(step, plan_.steps), "looking at step " + std::to_string(step));
         Moving_of<d> dt = paper_triangulation<d>(x);
         Width_record widths;
@@ -112,6 +119,14 @@ class Race {
         s.step = widths.step = step;
         record_.surveys.push_back(s);
         if (distribution) record_.widths.push_back(std::move(widths));
+        if (stability) {
+            record_.stabilities.push_back(measure_stability<d>(dt));
+            record_.stabilities.back().step = step;
+        }
+        if (operations) {
+            record_.operations.push_back(time_operations<d>(dt));
+            record_.operations.back().step = step;
+        }
         if (!counts && !adversary) return;
         std::vector<std::vector<Index>> unsound;
         record_.degeneracies.push_back(

@@ -17,7 +17,7 @@ struct Race_plan {
     std::uint64_t steps = 0;
     std::vector<Racer_plan> racers{};
     std::set<std::uint64_t> surveys{}, distributions{}, degeneracies{},
-        adversaries{};                   ///< before these steps; steps + 1 is after the last
+        adversaries{}, stabilities{}, operations{};  ///< before these steps; steps + 1 is after the last
     std::set<std::uint64_t> pictures{};  ///< after so many steps
     std::uint64_t quality_every = 0;     ///< steps; 0: never
     std::uint64_t attacks = 0;           ///< of an adversary, at most; 0: all

@@ -4,6 +4,8 @@
 #include <annulus/engine/displacement.h>
 #include <annulus/reproduction/processor_time.h>
 
+#include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -37,11 +39,34 @@ Racer<d>::Racer(Racer_plan plan, std::span<const Coordinates<d>> points, std::ui
 template <int d>
 void Racer<d>::build(std::span<const Coordinates<d>> points) {
     const double begin = processor_seconds();
-    dt_ = std::make_unique<Moving_of<d>>(points, plan_.options);
+    if (plan_.printed) printed_ = std::make_unique<Printed_filter<d>>(points, *plan_.printed);
+    else dt_ = std::make_unique<Moving_of<d>>(points, plan_.options);
     const double built = processor_seconds();
-    (void)dt_->settle();  // a second time, to know what it takes
+    if (dt_) (void)dt_->settle();  // a second time, to know what it takes
+    else if (plan_.printed->tolerances) printed_->precompute();
     record_.first_seconds = built - begin;
     record_.precompute_seconds = processor_seconds() - built;
+}
+
+template <int d>
+Move_report Racer<d>::move_all(std::span<const Coordinates<d>> target) {
+    return dt_ ? dt_->move_all(target) : printed_->move_all(target);
+}
+
+template <int d>
+void Racer<d>::count_streaks(std::uint64_t step) {
+    if (!printed_ || plan_.kind != Racer_plan::Kind::follower) return;
+    for (const Index i : printed_->failed()) {
+        const auto v = static_cast<std::size_t>(i);
+        streak_.resize(std::max(streak_.size(), v + 1));
+        last_failure_.resize(streak_.size());
+        streak_[v] = last_failure_[v] + 1 == step ? streak_[v] + 1 : 1;
+        last_failure_[v] = step;
+    }
+    record_.streaks.assign(std::size(streak_lengths), 0);
+    for (std::size_t v = 0; v < streak_.size(); ++v)
+        for (std::size_t k = 0; k < std::size(streak_lengths); ++k)
+            record_.streaks[k] += last_failure_[v] == step && streak_[v] >= streak_lengths[k] ? 1U : 0U;
 }
 
 template <int d>
@@ -57,7 +82,7 @@ void Racer<d>::note(std::uint64_t step, double seconds, const Move_report& repor
 
 template <int d>
 void Racer<d>::audit(std::uint64_t step) {
-    const Audit_result verdict = dt_->audit();
+    const Audit_result verdict = dt_ ? dt_->audit() : printed_->audit();
     last_audit_ = step;
     ++record_.audits;
     if (verdict.delaunay()) return;
@@ -70,13 +95,14 @@ void Racer<d>::follow(std::uint64_t step, std::span<const Coordinates<d>> before
     if (step % plan_.every != 0) return;
     switch (plan_.kind) {
         case Racer_plan::Kind::cgal: return note(step, range_insertion<d>(target), {});
-        case Racer_plan::Kind::paper_hybrid: return follow_hybrid(step, before, target);
-        case Racer_plan::Kind::copy: dt_ = std::make_unique<Moving_of<d>>(before, plan_.options); break;
+        case Racer_plan::Kind::hybrid: return follow_hybrid(step, before, target);
+        case Racer_plan::Kind::copy: build(before); break;
         case Racer_plan::Kind::follower: break;
     }
     const double begin = processor_seconds();
-    const Move_report report = dt_->move_all(target);
+    const Move_report report = move_all(target);
     note(step, processor_seconds() - begin - report.handle_seconds, report);
+    count_streaks(step);
     if (plan_.audit_every > 0 && step % plan_.audit_every == 0) audit(step);
 }
 
@@ -84,34 +110,43 @@ void Racer<d>::follow(std::uint64_t step, std::span<const Coordinates<d>> before
 template <int d>
 void Racer<d>::follow_hybrid(std::uint64_t step, std::span<const Coordinates<d>> before,
                              std::span<const Coordinates<d>> target) {
-    if (record_.switched_at == 0 && step % 4 == 1 && sample_stays(before, target)) {
-        record_.switched_at = step;
-        build(before);
+    double seconds = 0;
+    if (record_.switched_at == 0 && step % 4 == 1) {
+        const double sampled = record_.sampling_seconds;
+        const bool stays = sample_stays(before, target);
+        seconds = record_.sampling_seconds - sampled;
+        if (stays) {
+            record_.switched_at = step;
+            build(before);
+            seconds += record_.first_seconds;
+        }
     }
-    if (record_.switched_at == 0) return note(step, range_insertion<d>(target), {});
+    if (record_.switched_at == 0) return note(step, seconds + range_insertion<d>(target), {});
     const double begin = processor_seconds();
-    const Move_report report = dt_->move_all(target);
-    const double start = record_.switched_at == step ? record_.first_seconds : 0;
-    note(step, processor_seconds() - begin - report.handle_seconds + start, report);
+    const Move_report report = move_all(target);
+    note(step, seconds + processor_seconds() - begin - report.handle_seconds, report);
 }
 
+/// The tolerances of the sample are timed; that the triangulation with numbered vertices is built is not: whoever rebuilds has one.
 template <int d>
 bool Racer<d>::sample_stays(std::span<const Coordinates<d>> before, std::span<const Coordinates<d>> target) {
     constexpr int sample = 40;
     constexpr double share = d == 2 ? 0.75 : 0.55;
-    const Moving_of<d> dt = paper_triangulation<d>(before);
+    const Printed_filter<d> dt(before, {.tolerances = false});
+    const double begin = processor_seconds();
     int within = 0;
     for (int k = 0; k < sample; ++k) {
         const std::size_t v = random_() % before.size();
-        within += distance_upper<d>(target[v], before[v]) < dt.tolerance(dt.vertex(v)) ? 1 : 0;
+        within += distance_upper<d>(target[v], before[v]) < dt.tolerance(static_cast<Index>(v)) ? 1 : 0;
     }
+    record_.sampling_seconds += processor_seconds() - begin;
     return within >= share * sample;
 }
 
 template <int d>
 Racer_record Racer<d>::finish() {
     const std::uint64_t last = record_.step.empty() ? 0 : record_.step.back();
-    if (dt_ && (last_audit_ != last || record_.audits == 0)) audit(last);
+    if (is_built() && (last_audit_ != last || record_.audits == 0)) audit(last);
     return std::move(record_);
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/reproduction/printed_filter.h>
 #include <annulus/reproduction/records.h>
 #include <annulus/reproduction/survey.h>
 
 #include <memory>
+#include <optional>
 #include <random>
 #include <span>
 #include <string>
@@ -18,13 +20,14 @@ struct Racer_plan {
         cgal,      ///< CGAL's insertion of a range: the paper's rebuilding
         follower,  ///< a triangulation that goes all the way
         copy,      ///< one that is built at the positions before each step that it follows: for what is slow
-        paper_hybrid,  ///< the paper's variant (4.2): CGAL's insertion of a range until a sample stays within tolerance, then its filter
+        hybrid,    ///< the paper's variant (4.2): CGAL's insertion of a range until a sample stays within tolerance, then the filter
     };
     std::string name;
     Kind kind = Kind::follower;
     Options options{};
     std::uint64_t every = 1;        ///< steps; others are not followed. 1 for followers
     std::uint64_t audit_every = 0;  ///< steps; 0: at the end alone
+    std::optional<Printed_choice> printed{};  ///< one of the paper's algorithms as it prints them, in place of `options`
 };
 
 /// One of them under way. Times are of one thread's processor; what a follower needs to be built is timed apart.
@@ -39,6 +42,9 @@ class Racer {
 
   private:
     void build(std::span<const Coordinates<d>> points);
+    [[nodiscard]] bool is_built() const { return dt_ || printed_; }
+    [[nodiscard]] Move_report move_all(std::span<const Coordinates<d>> target);
+    void count_streaks(std::uint64_t step);
     void note(std::uint64_t step, double seconds, const Move_report& report);
     void audit(std::uint64_t step);
     void follow_hybrid(std::uint64_t step, std::span<const Coordinates<d>> before,
@@ -48,6 +54,8 @@ class Racer {
     Racer_plan plan_;
     Racer_record record_;
     std::unique_ptr<Moving_of<d>> dt_;
+    std::unique_ptr<Printed_filter<d>> printed_;
+    std::vector<std::uint64_t> streak_, last_failure_;  // by vertex: how often in a row, and the last step of these
     std::mt19937_64 random_;
     std::uint64_t last_audit_ = 0;
 };

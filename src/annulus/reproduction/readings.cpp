@@ -72,16 +72,67 @@ double speed_up_between(const Race_record& race, const std::string& slow, const 
     return s && q ? ratio(mean_between(*s, from, to), mean_between(*q, from, to)) : 0;
 }
 
-double seconds_with_relocations(const Race_record& race) {
-    const Racer_record *paper = racer_of(race, "paper"), *relocate = racer_of(race, "relocate");
-    if (!paper || !relocate || relocate->step.empty()) return 0;
-    double seconds = 0, moves = 0, changed = 0;
-    for (std::size_t k = 0; k < relocate->step.size(); ++k) {
-        seconds += relocate->seconds[k];
-        moves += static_cast<double>(relocate->failed[k]);
+double acceleration(const Race_record& race, const std::string& name) {
+    const Racer_record* r = racer_of(race, name);
+    const std::size_t n = r ? r->seconds.size() : 0, tenth = std::max<std::size_t>(1, n / 10);
+    double early = 0, late = 0;
+    for (std::size_t k = 0; k < std::min(tenth, n); ++k) {
+        early += r->seconds[k];
+        late += r->seconds[n - 1 - k];
     }
-    for (const std::uint64_t c : paper->changed) changed += static_cast<double>(c);
-    return total_seconds(race, "paper") + changed * ratio(seconds, moves);
+    return ratio(early, late);
+}
+
+double longest_step(const Race_record& race, const std::string& name, double exceeding) {
+    const Racer_record *r = racer_of(race, name), *rebuild = racer_of(race, "rebuild");
+    if (!r || !rebuild || r->seconds.empty()) return 0;
+    std::vector<double> seconds = r->seconds;
+    std::sort(seconds.begin(), seconds.end());
+    const auto left_out = static_cast<std::size_t>(exceeding * static_cast<double>(seconds.size()));
+    return ratio(seconds[seconds.size() - 1 - left_out], mean_between(*rebuild, 0, race.steps));
+}
+
+double slower_steps(const Race_record& race, const std::string& name) {
+    const Racer_record *r = racer_of(race, name), *rebuild = racer_of(race, "rebuild");
+    if (!r || !rebuild || r->seconds.empty()) return 0;
+    const double limit = mean_between(*rebuild, 0, race.steps);
+    const auto n = std::count_if(r->seconds.begin(), r->seconds.end(), [&](double s) { return s > limit; });
+    return static_cast<double>(n) / static_cast<double>(r->seconds.size());
+}
+
+double failed_share(const Race_record& race, const std::string& name) {
+    double failed = 0, asked = 0;
+    if (const Racer_record* r = racer_of(race, name))
+        for (std::size_t k = 0; k < r->step.size(); ++k) {
+            failed += static_cast<double>(r->failed[k]);
+            asked += static_cast<double>(r->asked[k]);
+        }
+    return ratio(failed, asked);
+}
+
+std::optional<std::uint64_t> first_step_below(const Race_record& race, const std::string& name, double share) {
+    const Racer_record* r = racer_of(race, name);
+    for (std::size_t k = 0; r && k < r->step.size(); ++k) {
+        double failed = 0, asked = 0;
+        for (std::size_t i = k; i < r->step.size() && r->step[i] <= r->step[k] + r->step[k] / 10; ++i) {
+            failed += static_cast<double>(r->failed[i]);
+            asked += static_cast<double>(r->asked[i]);
+        }
+        if (asked > 0 && failed <= share * asked) return r->step[k];
+    }
+    return std::nullopt;
+}
+
+double small_angle(const Quality_record& q) {
+    double all = 0, below = 0;
+    for (const std::uint64_t n : q.dihedral) all += static_cast<double>(n);
+    for (std::size_t k = 0; k < q.dihedral.size(); ++k) {
+        const auto n = static_cast<double>(q.dihedral[k]);
+        if (below + n >= 0.01 * all && n > 0)
+            return 180.0 / static_cast<double>(q.dihedral.size()) * (static_cast<double>(k) + (0.01 * all - below) / n);
+        below += n;
+    }
+    return 0;
 }
 
 double failures_at(const Race_record& race, const std::string& name, std::uint64_t step) {
@@ -99,8 +150,8 @@ double most_renewals(const Race_record& race, const std::string& name) {
     return ratio(static_cast<double>(most), static_cast<double>(race.vertices));
 }
 
-std::optional<double> switch_point(const Race_record& race) {
-    const Racer_record *paper = racer_of(race, "paper"), *rebuild = racer_of(race, "rebuild");
+std::optional<double> switch_point(const Race_record& race, const std::string& name) {
+    const Racer_record *paper = racer_of(race, name), *rebuild = racer_of(race, "rebuild");
     if (!paper || !rebuild) return std::nullopt;
     const double limit = mean_between(*rebuild, 0, race.steps);
     for (std::size_t k = 0; k < paper->step.size(); ++k) {

@@ -25,19 +25,29 @@ namespace annulus {
 [[nodiscard]] double speed_up_between(const Race_record& race, const std::string& slow, const std::string& quick,
                                       std::uint64_t from, std::uint64_t to);
 
-/// The paper's filter, had it taken out and put back every vertex whose move changes the triangulation, as it did, at the price of `relocate`:
-/// its own seconds and those. Computed.
-[[nodiscard]] double seconds_with_relocations(const Race_record& race);
+/// Mean seconds a step of the first tenth over that of the last.
+[[nodiscard]] double acceleration(const Race_record& race, const std::string& racer);
+/// Seconds of a step over those of a mean rebuild: the largest, or that which a hundredth of the steps exceeds.
+[[nodiscard]] double longest_step(const Race_record& race, const std::string& racer, double exceeding = 0);
+/// Share of the steps that took longer than a mean rebuild.
+[[nodiscard]] double slower_steps(const Race_record& race, const std::string& racer);
 
+/// Share of all moves that failed.
+[[nodiscard]] double failed_share(const Race_record& race, const std::string& racer);
 /// Share of moves that failed, a mean over a tenth of the steps up to `step`.
 [[nodiscard]] double failures_at(const Race_record& race, const std::string& racer, std::uint64_t step);
+/// The first step from which on a tenth more steps have so small a share of failures, in the mean.
+[[nodiscard]] std::optional<std::uint64_t> first_step_below(const Race_record& race, const std::string& racer, double share);
 /// Certificates evaluated for each of them.
 [[nodiscard]] double updates_at(const Race_record& race, const std::string& racer, std::uint64_t step);
 /// The most vertices whose reference was renewed in one timestamp, in vertices.
 [[nodiscard]] double most_renewals(const Race_record& race, const std::string& racer);
 
-/// Share of moves within tolerance from which on the paper's filter takes no longer than rebuilding; absent where it never does, or always.
-[[nodiscard]] std::optional<double> switch_point(const Race_record& race);
+/// Share of moves within tolerance from which on a filter takes no longer than rebuilding; absent where it never does, or always.
+[[nodiscard]] std::optional<double> switch_point(const Race_record& race, const std::string& racer);
+
+/// A hundredth of the dihedral angles are below, in degrees: linear in its bin.
+[[nodiscard]] double small_angle(const Quality_record& quality);
 
 /// Null where nothing was looked at before that step.
 [[nodiscard]] const Survey_record* survey_at(const Race_record& race, std::uint64_t step);

@@ -5,10 +5,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include <iterator>
+
 namespace annulus {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Racer_record, name, first_seconds, precompute_seconds, step, seconds, asked, failed,
-                                   requeued, changed, evaluated, audits, audits_failed, first_fault, switched_at)
+                                   requeued, changed, evaluated, audits, audits_failed, first_fault, switched_at,
+                                   sampling_seconds, streaks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Survey_record, step, displacement, width, width_deviation, paper_tolerance,
                                    certified_tolerance, bicells_a_vertex, paper_inside, certified_inside)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Width_record, step, edges, counts, total)
@@ -16,12 +19,14 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Degeneracy_count_record, step, vertices, bice
                                    thresholds, paper_above, paper_unsound, unsound_certificates, theta_hundredth,
                                    theta_median)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Adversary_record, step, certificates, broken, accepted, audited, refuted, example)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Stability_record, step, bicells, above, edges, counts, median, most)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Operation_record, step, vertices, removal, insertion)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Quality_record, step, vertices, locked, cells, slivers, dihedral_min, dihedral_max,
                                    dihedral)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Picture_record, step, caption, svg, x, y)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Race_record, name, title, dimension, vertices, steps, spacing, seconds, load,
-                                   displacement, racers, surveys, widths, degeneracies, adversaries, qualities,
-                                   pictures, notes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Race_record, name, title, dimension, vertices, steps, spacing, seconds, motion_seconds, load,
+                                   displacement, racers, surveys, widths, degeneracies, adversaries, stabilities,
+                                   operations, qualities, pictures, notes)
 
 namespace {
 
@@ -30,6 +35,11 @@ bool is_sound(const Race_record& race) {
     for (const Racer_record& r : race.racers)
         for (const std::size_t n : {r.seconds.size(), r.asked.size(), r.failed.size(), r.requeued.size(), r.changed.size(), r.evaluated.size()})
             if (n != r.step.size()) return false;
+    for (const Racer_record& r : race.racers)
+        if (!r.streaks.empty() && r.streaks.size() != std::size(streak_lengths)) return false;
+    for (const Stability_record& s : race.stabilities)
+        for (const std::size_t n : {s.edges.size() - 1, s.median.size(), s.most.size()})
+            if (n != s.counts.size()) return false;
     for (const Width_record& w : race.widths)
         if (w.edges.size() != w.counts.size() + 1) return false;
     for (const Degeneracy_count_record& g : race.degeneracies)

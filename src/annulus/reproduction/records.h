@@ -24,7 +24,11 @@ struct Racer_record {
     std::uint64_t audits = 0, audits_failed = 0;
     std::string first_fault;
     std::uint64_t switched_at = 0;  ///< hybrids: the first step that was not rebuilt; 0: none
+    double sampling_seconds = 0;    ///< hybrids: of these seconds, looking at samples
+    /// Vertices that failed at the last step and at the streak_lengths[k] - 1 before it. Of the paper's printed algorithm; else empty.
+    std::vector<std::uint64_t> streaks;
 };
+inline constexpr std::uint64_t streak_lengths[] = {1, 2, 5, 10, 25, 50, 100};
 
 /// What the paper's tolerances and ours were before a step, and how far it went.
 struct Survey_record {
@@ -65,6 +69,22 @@ struct Adversary_record {
     std::string example;                     ///< the audit's words of the first
 };
 
+/// How far plain double is from the exact half widths of standard annuli before a step, by theta.
+struct Stability_record {
+    std::uint64_t step = 0;
+    std::uint64_t bicells = 0, above = 0;  ///< finite ones; those whose number is above the exact one, by rounding
+    std::vector<double> edges;             ///< of theta, radians
+    std::vector<std::uint64_t> counts;
+    std::vector<double> median, most;  ///< relative errors; 0 where there is no bi-cell
+};
+
+/// What CGAL takes for one vertex before a step, in seconds.
+struct Operation_record {
+    std::uint64_t step = 0;
+    std::uint64_t vertices = 0;  ///< a tenth of them, taken out one after another and put back
+    double removal = 0, insertion = 0;
+};
+
 struct Quality_record {
     std::uint64_t step = 0;  ///< after so many
     std::uint64_t vertices = 0, locked = 0, cells = 0, slivers = 0;
@@ -85,6 +105,7 @@ struct Race_record {
     std::uint64_t vertices = 0, steps = 0;
     double spacing = 0;                ///< in the unit of the points
     double seconds = 0;                ///< by the clock, everything included
+    double motion_seconds = 0;         ///< of all processors, that the motion alone took
     double load = 0;                   ///< processes that wanted a processor, the mean of a minute at the end
     std::vector<double> displacement;  ///< mean, by step
     std::vector<Racer_record> racers;
@@ -92,6 +113,8 @@ struct Race_record {
     std::vector<Width_record> widths;
     std::vector<Degeneracy_count_record> degeneracies;
     std::vector<Adversary_record> adversaries;
+    std::vector<Stability_record> stabilities;
+    std::vector<Operation_record> operations;
     std::vector<Quality_record> qualities;
     std::vector<Picture_record> pictures;
     std::vector<std::string> notes;

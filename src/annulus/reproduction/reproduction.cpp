@@ -95,7 +95,7 @@ std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
         "<p>" + escaped(r.machine) + ". " + grouped(r.races.size()) + " runs, " + duration(seconds) + " by the clock; ";
     out += "load of the machine at the end of each " + readable(least_load) + " to " + readable(most_load) +
            ". Seconds on these pages are those of one thread's processor, and strategies take turns, so that others "
-           "delay all alike; ratios of such times vary by a tenth between runs, and no result depends on them.</p>\n";
+           "delay all alike; such times still vary from run to run. Verdicts about speed rest on them, no other does.</p>\n";
     if (r.size.quick)
         out +=
             "<p class=\"verdict\">A quick run: few points, few iterations. Ratios mean little; the paper's runs have "
@@ -144,7 +144,8 @@ nlohmann::ordered_json json_of(const Reproduction& r, const std::vector<Claim>& 
     for (const auto& [name, race] : r.races) {
         nlohmann::ordered_json run{{"title", race.title},       {"dimension", race.dimension},
                                    {"vertices", race.vertices}, {"iterations", race.steps},
-                                   {"spacing", race.spacing},   {"load", race.load}};
+                                   {"spacing", race.spacing},   {"load", race.load},
+                                   {"motion_seconds", race.motion_seconds}};
         for (const Racer_record& x : race.racers) {
             std::uint64_t asked = 0, failed = 0;
             for (const std::uint64_t n : x.asked) asked += n;
@@ -156,8 +157,23 @@ nlohmann::ordered_json json_of(const Reproduction& r, const std::vector<Claim>& 
                                          {"failed", failed},
                                          {"audits", x.audits},
                                          {"audits_failed", x.audits_failed},
-                                         {"switched_at", x.switched_at}};
+                                         {"switched_at", x.switched_at},
+                                         {"sampling_seconds", x.sampling_seconds}};
+            if (!x.streaks.empty()) run["strategies"][x.name]["failed_in_a_row"] = x.streaks;
         }
+        for (const auto& s : race.stabilities)
+            run["rounding"].push_back({{"before_step", s.step},
+                                       {"bicells", s.bicells},
+                                       {"above_exact", s.above},
+                                       {"theta_edges", s.edges},
+                                       {"counts", s.counts},
+                                       {"median_relative_error", s.median},
+                                       {"largest_relative_error", s.most}});
+        for (const auto& o : race.operations)
+            run["operations"].push_back({{"before_step", o.step},
+                                         {"vertices", o.vertices},
+                                         {"removal_seconds", o.removal},
+                                         {"insertion_seconds", o.insertion}});
         for (const auto& g : race.degeneracies)
             run["degeneracy"].push_back({{"before_step", g.step},
                                          {"bicells", g.bicells},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/reproduction/plan.h>
 #include <annulus/reproduction/records.h>
+#include <annulus/reproduction/size.h>
 
 #include <map>
 #include <string>

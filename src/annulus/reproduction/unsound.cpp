@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/report/svg_triangulation.h>
 #include <annulus/reproduction/claim_words.h>
 #include <annulus/reproduction/figures.h>
 #include <annulus/statistics/counterexample.h>
@@ -43,11 +44,31 @@ Csv_table counts_table(const Reproduction& r) {
 Plot share_plot(const Reproduction& r, const char* title, std::uint64_t Degeneracy_count_record::*count) {
     Plot plot{title, {"iteration", Scale::log10, {}, {}, true}, {"vertices (%)", Scale::linear, 0., {}, false}, {}};
     for (const Race_record* race : meshes(r)) {
-        Series s{race->name.substr(5) == "heart" ? "liver" : race->name.substr(5), {}, {}};
+        Series s{race->name.substr(5), {}, {}};
         for (const auto& g : race->degeneracies) {
             s.x.push_back(static_cast<double>(g.step));
             s.y.push_back(100 * static_cast<double>(g.*count) /
                           static_cast<double>(std::max<std::uint64_t>(g.vertices, 1)));
+        }
+        if (!s.x.empty()) plot.series.push_back(std::move(s));
+    }
+    return plot;
+}
+
+/// Median relative error of plain double by theta, of all runs in one dimension at the start.
+Plot stability_plot(const Reproduction& r, int dimension) {
+    Plot plot{dimension == 2 ? "Rounding, plane" : "Rounding, space",
+              {"theta (radians)", Scale::log10, {}, {}, true},
+              {"median relative error of half widths", Scale::log10, {}, {}, false},
+              {}};
+    for (const Race_record* race : dimension == 2 ? lloyds(r) : meshes(r)) {
+        if (race->stabilities.empty()) continue;
+        const Stability_record& e = race->stabilities.front();
+        Series s{race->name.substr(race->name.find('-') + 1), {}, {}};
+        for (std::size_t k = 1; k < e.counts.size(); ++k) {
+            if (e.counts[k] < 20 || !(e.median[k] > 0)) continue;
+            s.x.push_back(std::sqrt(e.edges[k] * e.edges[k + 1]));
+            s.y.push_back(e.median[k]);
         }
         if (!s.x.empty()) plot.series.push_back(std::move(s));
     }
@@ -85,6 +106,11 @@ Page_content unsound_page(const Reproduction& r) {
                 "Vertices of certificates all of whose points have too large a tolerance: they may go where it fails "
                 "and all stay within.");
     if (!panels.empty()) page.sections.emplace_back("Along the runs", std::move(panels));
+    panels.clear();
+    for (const int dimension : {2, 3})
+        append_plot(page, panels, stability_plot(r, dimension), dimension == 2 ? "unsound.rounding-plane.csv" : "unsound.rounding-space.csv",
+                    "At the start; bins of theta with twenty bi-cells at least.");
+    if (!panels.empty()) page.sections.emplace_back("Plain double against integers (the paper's figure 4)", std::move(panels));
     page.tables.emplace_back("unsound.csv", counts_table(r));
     page.notes.push_back(
         "The adversary takes each unsound certificate (2,000 at most, spread evenly) of a run at the steps of the "

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/reproduction/standard_annulus.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace annulus {
+
+/// Whether p, where vertex v of the bi-cell goes, is on the side of the standard delimiter that v has to keep (paper 2.3): inside
+/// for a vertex of the facet, outside for an opposite one; beside the middle line of a slab. The delimiter is that of the
+/// positions x. Plain double.
+[[nodiscard]] inline bool keeps_its_side(const Facet_certificate<2>& f, std::span<const Coordinates<2>> x, Index v,
+                                         const Coordinates<2>& p) {
+    const auto place = [&](std::size_t k) -> const Coordinates<2>& { return x[static_cast<std::size_t>(f.point[k])]; };
+    const auto slot = static_cast<std::size_t>(std::find(f.point.begin(), f.point.end(), v) - f.point.begin());
+    const Coordinates<2>& a = place(0);
+    const double bx = place(1)[0] - a[0], by = place(1)[1] - a[1], ax = p[0] - a[0], ay = p[1] - a[1];
+    if (f.kind != Facet_kind::empty_sphere) {
+        const double altitude = bx * (place(2)[1] - a[1]) - by * (place(2)[0] - a[0]);  // times |b - a|
+        const double mine = bx * ay - by * ax;
+        return slot == 2 ? mine > 0.5 * altitude : mine < 0.5 * altitude;
+    }
+    const double px = place(2)[0] - a[0], py = place(2)[1] - a[1], qx = place(3)[0] - a[0], qy = place(3)[1] - a[1];
+    // The centre, from a: b . c = |b|^2 / 2 and (q - p) . c = (|q|^2 - |p|^2) / 2.
+    const double ex = qx - px, ey = qy - py, k0 = 0.5 * (bx * bx + by * by),
+                 k1 = 0.5 * ((qx * qx + qy * qy) - (px * px + py * py)), det = bx * ey - by * ex;
+    const double cx = (k0 * ey - k1 * by) / det, cy = (bx * k1 - ex * k0) / det;
+    const double radius = 0.5 * (std::hypot(cx, cy) + std::hypot(px - cx, py - cy)), way = std::hypot(ax - cx, ay - cy);
+    return slot < 2 ? way < radius : way > radius;  // neither where there is no centre
+}
+
+}  // namespace annulus

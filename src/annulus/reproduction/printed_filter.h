@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/move_report.h>
+#include <annulus/mesh/audit.h>
+#include <annulus/reproduction/survey.h>
+
+#include <memory>
+#include <span>
+
+namespace annulus {
+
+/// Which of the paper's dynamic algorithms.
+struct Printed_choice {
+    bool tolerances = true;    ///< 3.2: who stays within its tolerance is only written. Otherwise the relocation algorithm
+    bool in_place = false;     ///< 3.1, the "weaker version": who fails is relocated only where cells have to change
+    bool safe_region = false;  ///< 3.2: who fails and is within its safe region is only written. In the plane
+};
+
+/// The paper's algorithms as it prints them, on nothing but CGAL's triangulation: a vertex is relocated by CGAL's insertion at its new
+/// position, from its old one, and CGAL's removal of the old one. There are no flips of our own, no mirror, no ladder; tolerances are in plain
+/// double, and in space they are unsound (docs/theory.md 3). What it does does not depend on addresses.
+///
+/// Of three the work is cheaper than the text: squares are compared, a queue holds a vertex once, and a timestamp's vertices
+/// follow each other in the order of their indices.
+template <int d>
+class Printed_filter {
+  public:
+    /// Throws what Moving_delaunay does.
+    Printed_filter(std::span<const Coordinates<d>> points, const Printed_choice& choice);
+    ~Printed_filter();
+
+    /// Every tolerance, at the fixed positions; the constructor did so. O(n).
+    void precompute();
+    /// Each vertex in turn. Throws Error(collision), after which it is good for nothing, as where points come to lie in a plane.
+    Move_report move_all(std::span<const Coordinates<d>> target);
+    /// Those whose tolerance did not let the last move pass, each once.
+    [[nodiscard]] std::span<const Index> failed() const;
+    /// Computed anew from what is around it: what sampling one vertex of a triangulation without tolerances costs.
+    [[nodiscard]] double tolerance(Index v) const;
+    /// The exact audit of its cells at the moving positions.
+    [[nodiscard]] Audit_result audit() const;
+
+  private:
+    class Work;
+    std::unique_ptr<Work> work_;
+};
+
+extern template class Printed_filter<2>;
+extern template class Printed_filter<3>;
+
+}  // namespace annulus
