@@ -19,6 +19,7 @@ constexpr Printed_choice choices[] = {{},
                                       {.in_place = true},
                                       {.tolerances = false},
                                       {.tolerances = false, .in_place = true},
+                                      {.tolerances = false, .flips = true},
                                       {.safe_region = true}};
 
 /// A few steps of small moves, audited after each.
@@ -35,6 +36,7 @@ void follow(const Printed_choice& choice, double pace, bool audited) {
         CHECK(r.moves.within_tolerance + r.moves.kept_in_place + r.moves.reinserted == r.moves.asked);
         CHECK(r.moves.flipped + r.moves.rebuilt == 0);
         if (!choice.tolerances) CHECK((r.evaluated == 0 && r.moves.within_tolerance == 0 && r.requeued == 0));
+        if (choice.flips && pace < 0.01) CHECK(filter.audit().delaunay());
         if (!choice.in_place && !choice.safe_region) CHECK(r.moves.kept_in_place == 0);
         if (audited) CHECK(filter.audit().delaunay());
     }

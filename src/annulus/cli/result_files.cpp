@@ -53,7 +53,7 @@ std::string directory_of(const Common_arguments& a, bool interrupted) {
 /// A page of `reproduce` or a table beside it: figure-7.html, figure-7a.csv.
 bool is_of_reproduction(std::string_view name) {
     const bool known = name == "index.html" || name == "claims.csv" || name.starts_with("unsound.") || name.starts_with("figure-") ||
-                       name.starts_with("slivers.") || name.starts_with("locked.");
+                       name.starts_with("slivers.") || name.starts_with("locked.") || name.starts_with("movers.") || name.starts_with("movers-");
     return known && (name.ends_with(".html") || name.ends_with(".csv"));
 }
 

@@ -146,7 +146,8 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
                  range(of_each(plane, [](const auto& race) { return speed_up(race, "filter:safe-region", "filter"); }), times) +
                  " times as long (filter, plane)";
         c.verdict = agree_if(least(x) >= 0.97);
-        c.reason = least(x) >= 0.97 ? "" : "It spares relocations, which are dear beside the test of some twelve circles; tests in place spare more.";
+        c.reason = least(x) >= 0.97 ? "A vertex beyond its tolerance and within its safe region keeps its reference, and is tested again at each further step."
+                                    : "It spares relocations, which are dear beside the test of some twelve circles; tests in place spare more.";
     }
     out.push_back(c);
     append_removal(r, out);

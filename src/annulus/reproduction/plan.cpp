@@ -98,7 +98,7 @@ void add_lloyd(const Reproduction_size& size, std::vector<Part_plan>& out) {
                   .steps = steps,
                   .racers = racers(1, sampled(steps, 10), 10)};
         p.race.racers.push_back(
-            {"relocate-flips", Kind::copy, options_of(Strategy::relocate_flips), sampled(steps, 10), 0});
+            printed("relocate-flips", {.tolerances = false, .flips = true}, 0, Kind::copy, sampled(steps, 10)));
         p.race.racers.push_back({"filter:safe-region", Kind::follower,
                                  options_of(Strategy::filter, Tolerance_kind::certified, Second_look::safe_region), 1,
                                  0});

@@ -14,6 +14,7 @@ namespace annulus {
 struct Printed_choice {
     bool tolerances = true;    ///< 3.2: who stays within its tolerance is only written. Otherwise the relocation algorithm
     bool in_place = false;     ///< 3.1, the "weaker version": who fails is relocated only where cells have to change
+    bool flips = false;        ///< 3.1, the plane: flips where no cell around a vertex inverts. Without tolerances only
     bool safe_region = false;  ///< 3.2: who fails and is within its safe region is only written. In the plane
 };
 
