@@ -123,6 +123,14 @@ TEST_CASE("Verdicts follow the numbers") {
     CHECK(verdict(with(race), "It outperforms rebuilding for every") == Claim_verdict::differs);
     for (double& s : race.racers[1].seconds) s /= 10;
     CHECK(verdict(with(race), "It outperforms rebuilding for every") == Claim_verdict::agrees);
+    Reproduction whole = with(race);
+    Race_record movers = made_up();
+    movers.name = "movers-plane-1";  // twenty steps, however long the others are
+    whole.races.emplace(movers.name, movers);
+    CHECK(verdict(whole, "It outperforms rebuilding for every") == Claim_verdict::agrees);
+    movers.name = "nodt-sphere";
+    whole.races.emplace(movers.name, movers);
+    CHECK(verdict(whole, "It outperforms rebuilding for every") == Claim_verdict::open);
     CHECK(verdict(with(race), "If all points move") == Claim_verdict::agrees);
     race.racers[1].requeued = {15, 0, 0, 0};
     CHECK(verdict(with(race), "If all points move") == Claim_verdict::differs);
