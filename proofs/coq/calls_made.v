@@ -59,9 +59,11 @@ Proof. vm_compute. reflexivity. Qed.
 Lemma level_signed i c : numbered level i = Some c -> signed round c.
 Proof.
   intro M. assert (I : In c (certificates level)) by (apply (numbered_lists high level level_accepted); now exists i).
-  cbv in I. repeat (destruct I as [<-|I]; [|]); try contradiction; cbn [signed];
-    try (eexists; split; [left; reflexivity|]); try (left; vm_compute; reflexivity); try (left; left; vm_compute; reflexivity).
-  - left. right. vm_compute. discriminate.
+  cbv in I. repeat (destruct I as [<-|I]; [lazymatch goal with
+    | |- signed _ (cell _ _ _) => eexists; split; [left; reflexivity|left; vm_compute; reflexivity]
+    | |- signed _ (ridge _ _ _) => eexists; split; [left; reflexivity|left; left; vm_compute; reflexivity]
+    | |- signed _ (circle _ _ _ _) => left; right; vm_compute; discriminate end|]).
+  contradiction.
 Qed.
 Theorem by_signs : program_call no_second_look nobody {| of_filter := fourth; tracks := true |} level {| of_filter := fifth; tracks := false |} level.
 Proof.

@@ -8,10 +8,10 @@ namespace annulus {
 inline constexpr const char* report_style = R"css(
 :root{color-scheme:light dark;--bg:#fdfdfb;--ink:#1d2126;--soft:#5b636c;--rule:#dcdfe2;--grid:#e9ebed;--edge:#8a949e;
 --bad:#a82a00;--good:#00684a;
---c0:#0067a3;--c1:#c04f00;--c2:#007a59;--c3:#a3518a;--c4:#8a6500;--c5:#2b87b8;--c6:#4a4f55}
+--c0:#0067a3;--c1:#c04f00;--c2:#007a59;--c3:#a3518a;--c4:#8a6500;--c5:#6f55c6;--c6:#4a4f55}
 @media(prefers-color-scheme:dark){:root{--bg:#15181b;--ink:#e4e7ea;--soft:#9aa4ae;--rule:#343a40;--grid:#262b30;
 --edge:#6d7782;--bad:#ff9166;--good:#4ccfa2;
---c0:#5fb4ea;--c1:#f08a4b;--c2:#3fc79b;--c3:#df9cc6;--c4:#e0b64a;--c5:#9ad4f2;--c6:#b5bcc4}}
+--c0:#5fb4ea;--c1:#f08a4b;--c2:#3fc79b;--c3:#df9cc6;--c4:#e0b64a;--c5:#b9a8f7;--c6:#b5bcc4}}
 *{box-sizing:border-box}
 body{margin:0;background:var(--bg);color:var(--ink);font:16px/1.55 system-ui,-apple-system,"Segoe UI",Roboto,
 "Helvetica Neue",Arial,sans-serif;-webkit-text-size-adjust:100%}
