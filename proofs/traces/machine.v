@@ -40,8 +40,13 @@ Definition half_of (mask : Z) (x : float) : Z :=
   | S754_infinity false => never
   | _ => 0%Z
   end.
+(* Mantissa and exponent of high_word.v, by bits: a division of that size takes Coq twenty times as long (value_of_bits, machine_rounds.v). *)
 Definition value_of (b : Z) : float :=
-  if (b <? never)%Z then ldshiftexp (of_uint63 (Uint63.of_Z (mantissa 20 b))) (Uint63.of_Z (exponent 20 (-1042) b + shift)) else infinity.
+  if (b <? never)%Z then
+    let upper := Z.shiftr b 20 in
+    let lower := Z.land b 0xfffff in
+    ldshiftexp (of_uint63 (Uint63.of_Z (if (upper =? 0)%Z then lower else 0x100000 + lower))) (Uint63.of_Z (Z.max 1 upper - 1 + -1042 + shift))
+  else infinity.
 
 (* ---- odometers.h, odometers_commit.cpp ---- *)
 

@@ -211,9 +211,13 @@ Proof.
   replace (mantissa 20 never) with (2 ^ 20)%Z by reflexivity. change (2 ^ 20)%Z with (Zpower radix2 20). now rewrite IZR_Zpower, <- bpow_plus by lia.
 Qed.
 
+Lemma value_of_bits b :
+  value_of b = if (b <? never)%Z then ldshiftexp (of_uint63 (Uint63.of_Z (mantissa 20 b))) (Uint63.of_Z (exponent 20 (-1042) b + shift)) else infinity.
+Proof. unfold mantissa, exponent. now rewrite <- Z.shiftr_div_pow2, <- Z.land_ones by easy. Qed.
+
 Theorem value_is e : (0 <= e < never)%Z -> stands 1024 (value_of e) (high_word.value e).
 Proof.
-  intro E. assert (B : high_word.value e < power 1024) by (rewrite <- value_never; now apply number_increases). unfold value_of. rewrite (proj2 (Z.ltb_lt _ _) (proj2 E)).
+  intro E. assert (B : high_word.value e < power 1024) by (rewrite <- value_never; now apply number_increases). rewrite value_of_bits, (proj2 (Z.ltb_lt _ _) (proj2 E)).
   assert (M : (0 <= mantissa 20 e < 2 ^ 21)%Z).
   { unfold mantissa. generalize (Z.mod_pos_bound e (2 ^ 20) ltac:(lia)). destruct (_ =? _)%Z; lia. }
   assert (X : (-1042 <= exponent 20 (-1042) e < 1024)%Z).
