@@ -76,7 +76,7 @@ Lemma dependence : sum (lambda x) = 0.
 Proof. unfold sum. simpl. ring. Qed.
 
 Lemma dependence_rel : vsum (fun i => lambda x i ⊙ rel x i) = zero.
-Proof. unfold vsum. open_numbers x. vector. Qed.
+Proof. unfold vsum. rewrite rel_a. generalize (lambda x a). open_numbers x. vector. Qed.
 
 Lemma dependence_points : vsum (fun i => lambda x i ⊙ x i) = zero.
 Proof.
@@ -129,9 +129,22 @@ Qed.
 (* lambda_i |z|^2 - U_i.z is constant on the four points other than i, and larger by det at x_i. *)
 Definition one (B : vertex -> bool) i := if B i then det x else 0.
 
+Lemma centre_dot u v w z : twice_centre u v w · z = sq u * vol z v w - sq v * vol z u w + sq w * vol z u v.
+Proof. unfold twice_centre. generalize (sq u) (sq v) (sq w). vector. Qed.
+
 Lemma sphere i j : i <> a ->
   lambda x i * sq (rel x j) - U x i · rel x j = if match i, j with a, a | b, b | c, c | p, p | q, q => true | _, _ => false end then det x else 0.
-Proof. intros ia. destruct i, j; try (now elim ia); cbn match; rewrite ?rel_a; open_numbers x; vector. Qed.
+Proof.
+  assert (Z : sq zero = 0 /\ forall v, v · zero = 0) by (split; vector). destruct Z as (Z & Z').
+  assert (M : forall v w, ((-1) ⊙ v) · w = - (v · w)) by vector.
+  assert (S : forall u v w, vol u v w = - vol v u w) by vector. assert (T : forall u v w, vol u v w = vol v w u) by vector.
+  assert (E : forall u w, vol u u w = 0 /\ vol u w u = 0) by (split; vector).
+  intros ia. destruct i; [now elim ia| | | |]; unfold det; cbn [lambda U];
+    unfold lambda_b, lambda_c, lambda_p, lambda_q, U_b, U_c, U_p, U_q; rewrite ?M;
+    (destruct j; cbn match; [rewrite rel_a, Z, Z'; ring| | | |]);
+    rewrite centre_dot, ?(fun u w => proj1 (E u w)), ?(fun u w => proj2 (E u w)), ?(T (rel x q)), ?(T (rel x p) (rel x b) (rel x c)),
+      ?(S (rel x p)), ?(S (rel x c) (rel x b)); ring.
+Qed.
 
 Lemma sphere_a j : lambda x a * sq (rel x j) - U x a · rel x j = match j with a => 0 | _ => - det x end.
 Proof.
@@ -148,10 +161,13 @@ Theorem level B j : Lam x B * sq (rel x j) - N x B · rel x j = one B j - one B 
 Proof.
   assert (E : Lam x B * sq (rel x j) - N x B · rel x j =
     sum (among B (fun i => lambda x i * sq (rel x j) - U x i · rel x j))).
-  { unfold Lam, N, sum, vsum, among, vamong. generalize (lambda x) (U x) (rel x j). intros l u v.
-    destruct (B a), (B b), (B c), (B p), (B q); cbv beta iota; vector. }
+  { assert (D : forall i, among B (fun i => lambda x i * sq (rel x j) - U x i · rel x j) i =
+      among B (lambda x) i * sq (rel x j) - vamong B (U x) i · rel x j) by (intro; unfold among, vamong; destruct (B i); vector).
+    unfold Lam, N, sum, vsum. rewrite !D. generalize (among B (lambda x)) (vamong B (U x)) (sq (rel x j)) (rel x j). vector. }
   rewrite E. unfold sum, among, one. rewrite sphere_a, !sphere by discriminate.
-  destruct j; simpl; destruct (B a), (B b), (B c), (B p), (B q); ring.
+  assert (Z : forall t : bool, (if t then 0 else 0) = 0) by now intros [].
+  assert (M : forall t : bool, (if t then - det x else 0) = - if t then det x else 0) by (intros []; ring).
+  destruct j; cbn match; rewrite ?Z, ?M; ring.
 Qed.
 End facts.
 

@@ -130,6 +130,9 @@ Hypothesis Hp : stands_vector 120 p p'.
 Hypothesis Hq : stands_vector 120 q q'.
 Hypothesis He : stands_vector 120 e e'.
 
+(* Its two numbers get names, so that what is built from them stays short. *)
+Ltac named H := match type of H with stands _ ?m ?n => let f := fresh in let r := fresh in set (f := m) in H; set (r := n) in H end.
+
 Lemma annulus_terms_stand :
   let t := annulus_terms machine b p q e in let t' := annulus_terms rounded b' p' q' e' in
   stands 484 (determinant _ t) (determinant _ t') /\
@@ -137,31 +140,31 @@ Lemma annulus_terms_stand :
 Proof.
   destruct Hb as [bx by'], Hp as [px py], Hq as [qx qy], He as [ex ey].
   pose proof (stands_sub 240 240 _ _ _ _ ltac:(lia) (stands_mul 120 120 _ _ _ _ ltac:(lia) bx qy)
-                                                    (stands_mul 120 120 _ _ _ _ ltac:(lia) by' qx)) as ob.
+                                                    (stands_mul 120 120 _ _ _ _ ltac:(lia) by' qx)) as ob; named ob.
   pose proof (stands_sub 240 240 _ _ _ _ ltac:(lia) (stands_mul 120 120 _ _ _ _ ltac:(lia) by' px)
-                                                    (stands_mul 120 120 _ _ _ _ ltac:(lia) bx py)) as oa.
-  pose proof (stands_add 241 241 _ _ _ _ ltac:(lia) ob oa) as D.
-  pose proof (stands_sub 121 120 _ _ _ _ ltac:(lia) (stands_add 120 120 _ _ _ _ ltac:(lia) qx px) bx) as gx.
-  pose proof (stands_sub 121 120 _ _ _ _ ltac:(lia) (stands_add 120 120 _ _ _ _ ltac:(lia) qy py) by') as gy.
+                                                    (stands_mul 120 120 _ _ _ _ ltac:(lia) bx py)) as oa; named oa.
+  pose proof (stands_add 241 241 _ _ _ _ ltac:(lia) ob oa) as D; named D.
+  pose proof (stands_sub 121 120 _ _ _ _ ltac:(lia) (stands_add 120 120 _ _ _ _ ltac:(lia) qx px) bx) as gx; named gx.
+  pose proof (stands_sub 121 120 _ _ _ _ ltac:(lia) (stands_add 120 120 _ _ _ _ ltac:(lia) qy py) by') as gy; named gy.
   pose proof (stands_add 242 242 _ _ _ _ ltac:(lia) (stands_mul 120 122 _ _ _ _ ltac:(lia) ex gx)
-                                                    (stands_mul 120 122 _ _ _ _ ltac:(lia) ey gy)) as s.
+                                                    (stands_mul 120 122 _ _ _ _ ltac:(lia) ey gy)) as s; named s.
   pose proof (stands_sub 362 363 _ _ _ _ ltac:(lia) (stands_mul 242 120 _ _ _ _ ltac:(lia) D bx)
-                                                    (stands_mul 243 120 _ _ _ _ ltac:(lia) s by')) as nx.
+                                                    (stands_mul 243 120 _ _ _ _ ltac:(lia) s by')) as nx; named nx.
   pose proof (stands_add 362 363 _ _ _ _ ltac:(lia) (stands_mul 242 120 _ _ _ _ ltac:(lia) D by')
-                                                    (stands_mul 243 120 _ _ _ _ ltac:(lia) s bx)) as ny.
-  pose proof (stands_add 242 242 _ _ _ _ ltac:(lia) D D) as twice_D.
-  pose proof (stands_sub 364 363 _ _ _ _ ltac:(lia) nx (stands_mul 243 120 _ _ _ _ ltac:(lia) twice_D px)) as mx.
-  pose proof (stands_sub 364 363 _ _ _ _ ltac:(lia) ny (stands_mul 243 120 _ _ _ _ ltac:(lia) twice_D py)) as my.
+                                                    (stands_mul 243 120 _ _ _ _ ltac:(lia) s bx)) as ny; named ny.
+  pose proof (stands_add 242 242 _ _ _ _ ltac:(lia) D D) as twice_D; named twice_D.
+  pose proof (stands_sub 364 363 _ _ _ _ ltac:(lia) nx (stands_mul 243 120 _ _ _ _ ltac:(lia) twice_D px)) as mx; named mx.
+  pose proof (stands_sub 364 363 _ _ _ _ ltac:(lia) ny (stands_mul 243 120 _ _ _ _ ltac:(lia) twice_D py)) as my; named my.
   pose proof (stands_add 241 241 _ _ _ _ ltac:(lia)
     (stands_mul 120 121 _ _ _ _ ltac:(lia) px (stands_sub 120 120 _ _ _ _ ltac:(lia) px bx))
-    (stands_mul 120 121 _ _ _ _ ltac:(lia) py (stands_sub 120 120 _ _ _ _ ltac:(lia) py by'))) as kp.
+    (stands_mul 120 121 _ _ _ _ ltac:(lia) py (stands_sub 120 120 _ _ _ _ ltac:(lia) py by'))) as kp; named kp.
   pose proof (stands_add 241 241 _ _ _ _ ltac:(lia)
     (stands_mul 120 121 _ _ _ _ ltac:(lia) qx (stands_sub 120 120 _ _ _ _ ltac:(lia) qx bx))
-    (stands_mul 120 121 _ _ _ _ ltac:(lia) qy (stands_sub 120 120 _ _ _ _ ltac:(lia) qy by'))) as kq.
+    (stands_mul 120 121 _ _ _ _ ltac:(lia) qy (stands_sub 120 120 _ _ _ _ ltac:(lia) qy by'))) as kq; named kq.
   pose proof (stands_add 483 483 _ _ _ _ ltac:(lia) (stands_mul 242 241 _ _ _ _ ltac:(lia) kp ob)
-                                                    (stands_mul 242 241 _ _ _ _ ltac:(lia) kq oa)) as incircle.
-  pose proof (stands_squares 364 _ _ _ _ ltac:(lia) nx ny) as [inn Pi].
-  pose proof (stands_squares 365 _ _ _ _ ltac:(lia) mx my) as [out Po].
+                                                    (stands_mul 242 241 _ _ _ _ ltac:(lia) kq oa)) as incircle; named incircle.
+  pose proof (stands_squares 364 _ _ _ _ ltac:(lia) nx ny) as [inn Pi]; named inn.
+  pose proof (stands_squares 365 _ _ _ _ ltac:(lia) mx my) as [out Po]; named out.
   split; [exact incircle|split; split; [|exact Pi| |exact Po]].
   - apply stands_wider with 729%Z; [lia|exact inn].
   - exact out.
@@ -221,8 +224,7 @@ Proof.
   assert (K : stands (-49) orientation_2_u (value orientation_2_u)) by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
   apply (stands_wider _ 732) in I; [|lia].
   destruct (stands_twice_root _ _ I Pi) as [Rt Pt].
-  apply (decide_said 484 367 (-537)); try assumption.
-  - lia.
+  apply (decide_said 484 367 (-537)); [lia| |exact Rt|..].
   - apply stands_wider with (2 := D). lia.
   - apply stands_wider with (-49 + 240)%Z; [lia|].
     exact (stands_mul (-49) 240 _ _ _ _ ltac:(lia) K (stands_mul 120 120 _ _ _ _ ltac:(lia) M' M')).
@@ -266,8 +268,7 @@ Proof.
     by (eapply stands_constant; [reflexivity| |]; vm_compute; easy).
   apply (stands_wider _ 732) in I; [|lia]. apply (stands_wider _ 732) in O; [|lia].
   destruct (stands_roots _ _ _ _ I O Pi Po) as [Rt Pt].
-  apply (decide_said 484 367 (-537)); try assumption.
-  - lia.
+  apply (decide_said 484 367 (-537)); [lia|exact D|exact Rt|..].
   - apply stands_wider with (-45 + 480)%Z; [lia|].
     exact (stands_mul (-45) 480 _ _ _ _ ltac:(lia) Ki (stands_mul 240 240 _ _ _ _ ltac:(lia) M2 M2)).
   - apply stands_wider with (-44 + 360)%Z; [lia|].

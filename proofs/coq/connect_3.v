@@ -71,6 +71,12 @@ Proof.
   change (constant rounded 2%float) with (value 2%float). rewrite v_two. reflexivity.
 Qed.
 
+Lemma tetrahedron_is : forall u v w m certified, let t := orientation_terms_3 rounded u v w in
+  decide_width rounded (determinant _ t) (inner _ t) m certified =
+  convert (W.decide_width (T.F_tetrahedron (terms_vector u) (terms_vector v) (terms_vector w))
+    (T.F_slabs (terms_vector u) (terms_vector v) (terms_vector w)) m certified).
+Proof. intros. exact (decide_width_is _ _ _ _ _ (slab_is _ _ _)). Qed.
+
 Lemma orientation_3_is : forall certified a b c d, orientation_filter_3 rounded (real_3 a) (real_3 b) (real_3 c) (real_3 d) certified =
   convert (float_filter_3.orientation_filter_3 a b c d certified).
 Proof.
@@ -79,7 +85,7 @@ Proof.
   rewrite (in_range_is filter_range_3 100) by exact value_range_3.
   unfold orientation_magnitude_3. rewrite !greater_Rmax, !largest_3_is, !difference_3_is.
   unfold float_filter_3.orientation_filter_3. cbv zeta.
-  destruct (float_filter.in_range_dec 100 _); [|reflexivity]. exact (decide_width_is _ _ _ _ _ (slab_is _ _ _)).
+  destruct (float_filter.in_range_dec 100 _); [|reflexivity]. rewrite tetrahedron_is, !difference_3_is. reflexivity.
 Qed.
 
 (* ---- Empty sphere ---- *)
@@ -201,7 +207,8 @@ Lemma annuli_are : decide rounded (insphere _ t)
     (bicell_error rounded m) (bicell_norms rounded m) certified = convert annuli.
 Proof.
   rewrite decide_is, bicell_error_is, bicell_norms_is, !greater_Rmax. unfold t.
-  destruct (norms_are vb vc vp vq) as (N1 & N2 & N3 & N4). rewrite N1, N2, N3, N4, (proj1 (rounded_terms_are vb vc vp vq)). reflexivity.
+  destruct (norms_are vb vc vp vq) as (N1 & N2 & N3 & N4). rewrite N1, N2, N3, N4, (proj1 (rounded_terms_are vb vc vp vq)). unfold vb, vc, vp, vq.
+  rewrite !difference_3_is. reflexivity.
 Qed.
 
 Theorem bicell_filter_is : bicell_filter rounded (real_3 a) (real_3 b) (real_3 c) (real_3 p) (real_3 q) certified k =

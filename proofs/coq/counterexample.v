@@ -82,8 +82,17 @@ Qed.
 Lemma around_N k : N (around f k) pq = (2 * s3 * h * (r * r - h * h)) ⊙ around f k c ⊕ (- (4 * s3 * h * r * r)) ⊙ North f /\
   N (around f k) cpq = (- (6 * s3 * h * r * r)) ⊙ North f.
 Proof.
-  unfold N, vsum, vamong, pq, cpq. simpl U.
-  destruct k; unfold f, r; split; apply vec_eq; figure.
+  rewrite (proj2 (abc_pq _)), (proj2 (ab_cpq _)). unfold U_c, U_p, U_q.
+  assert (B : rel (around f k) b = V 0 0 (- 2 * h)) by (destruct k; unfold f; apply vec_eq; open_figure; ring).
+  set (A1 := V (2 * m) 0 (- h)). set (A2 := V (- m) (m * s3) (- h)). set (A3 := V (- m) (- (m * s3)) (- h)).
+  assert (E1 : P1 f ⊖ North f = A1) by (unfold f; apply vec_eq; open_figure; unfold A1; ring).
+  assert (E2 : P2 f ⊖ North f = A2) by (unfold f; apply vec_eq; open_figure; unfold A2; ring).
+  assert (E3 : P3 f ⊖ North f = A3) by (unfold f; apply vec_eq; open_figure; unfold A3; ring).
+  assert (S1 : sq A1 = r * r + h * h) by (unfold A1, r; coordinates; ring).
+  assert (S2 : sq A2 = r * r + h * h) by (unfold A2, r; coordinates; ring [s3_sq]).
+  assert (S3 : sq A3 = r * r + h * h) by (unfold A3, r; coordinates; ring [s3_sq]).
+  rewrite B. destruct k; unfold rel, around, bicell, twice_centre; rewrite E1, E2, E3, S1, S2, S3;
+    unfold f, r, bipyramid, A1, A2, A3; cbn [North South P1 P2 P3]; split; apply vec_eq; coordinates; ring [s3_sq].
 Qed.
 
 Lemma points_sq k : sq (around f k c) = r * r /\ sq (North f) = h * h /\ around f k c · North f = 0.

@@ -36,8 +36,10 @@ Theorem least_first_turned a b c d : NoDup [a; b; c; d] ->
 Proof.
   intro N. assert (a <> b /\ a <> c /\ a <> d /\ b <> c /\ b <> d /\ c <> d) as (? & ? & ? & ? & ? & ?).
   { rewrite !NoDup_cons_iff in N. simpl in N. intuition congruence. }
+  assert (E : forall k l, k <> l -> (l <=? k)%nat = negb (k <=? l)%nat) by (intros; destruct (Nat.leb_spec l k), (Nat.leb_spec k l); trivial; lia).
   unfold least_first_3, least_second.
-  split; repeat match goal with |- context [(?x <=? ?y)%nat] => destruct (Nat.leb_spec x y); cbn [andb]; try (exfalso; lia) end; reflexivity.
+  rewrite (E a b), (E a c), (E a d), (E b c), (E b d), (E c d) by assumption.
+  repeat match goal with |- context [(?k <=? ?l)%nat] => destruct (Nat.leb_spec k l); cbn [andb negb]; try (split; reflexivity) end; exfalso; lia.
 Qed.
 
 Lemma least_first_cell a b c d : exists a' b' c' d', least_first_3 a b c d = cell_3 a' b' c' d'.

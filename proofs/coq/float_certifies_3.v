@@ -35,27 +35,71 @@ Let t := T.R_bicell (numbers (rel x b)) (numbers (rel x c)) (numbers (rel x p)) 
 Lemma truth_is : S.bicell_truth (numbers (x a)) (numbers (x b)) (numbers (x c)) (numbers (x p)) (numbers (x q)) = t.
 Proof. reflexivity. Qed.
 
-Ltac coordinates_of_terms :=
-  unfold arm, t, T.R_bicell, T.bicell_terms, numbers, N, Lam, sum, vsum, among, vamong, pq, cpq, bpq, apq;
-  cbv beta iota zeta delta [T.determinant T.n1 T.n2 T.n3 T.n4 T.m1 T.m2 T.m3 T.m4 T.l1 T.l2 T.l3 T.minus_l4 T.cell_p T.cell_q
-    T.cross T.dot T.square T.squared T.vadd T.vsub T.vopp T.combination T.minus_twice T.x T.y T.z];
-  unfold det, lambda, lambda_b, lambda_c, lambda_p, lambda_q, U, U_b, U_c, U_p, U_q, twice_centre;
-  generalize (rel x b) (rel x c) (rel x p) (rel x q); intros [? ? ?] [? ? ?] [? ? ?] [? ? ?]; coordinates.
+(* The terms as they are computed, in the operations of geometry. *)
+Let B := rel x b. Let C := rel x c. Let P := rel x p. Let Q := rel x q.
 
-Lemma determinant_is : T.determinant t = det x. Proof. coordinates_of_terms; ring. Qed.
-Lemma cells_are : T.cell_p t = lambda x q /\ T.cell_q t = lambda x p. Proof. split; coordinates_of_terms; ring. Qed.
+Lemma combination_is u v w : T.combination R Rplus Rminus Rmult (sq u) (numbers (v ✕ w)) (sq v) (numbers (u ✕ w)) (sq w) (numbers (u ✕ v)) =
+  numbers (twice_centre u v w).
+Proof.
+  unfold twice_centre. generalize (sq u) (sq v) (sq w). destruct u, v, w. intros. unfold numbers, T.combination. coordinates.
+  cbn [T.x T.y T.z]. f_equal; ring.
+Qed.
+Lemma minus_is u v : T.vsub R Rminus (numbers u) (numbers v) = numbers (u ⊕ (-1) ⊙ v).
+Proof. destruct u, v. unfold numbers, T.vsub. coordinates. cbn [T.x T.y T.z]. f_equal; ring. Qed.
+Lemma minus_twice_is D i : T.minus_twice R Rplus Rminus Rmult (numbers (N x D)) (Lam x D) (numbers (rel x i)) = numbers (arm x D i).
+Proof. unfold numbers, T.minus_twice, arm. generalize (N x D) (Lam x D) (rel x i). intros. coordinates. cbn [T.x T.y T.z]. f_equal; ring. Qed.
+Lemma third_is : vol B Q P = lambda_c x.
+Proof. unfold lambda_c. fold B P Q. generalize B P Q. vector. Qed.
+
+Lemma determinant_is : T.determinant t = det x.
+Proof.
+  change (T.determinant t) with (vol C P Q * sq B + vol B Q P * sq C + (vol B C Q * sq P - vol B C P * sq Q)).
+  rewrite third_is. unfold det, lambda_b, lambda_p, lambda_q. fold B C P Q. ring.
+Qed.
+Lemma cells_are : T.cell_p t = lambda x q /\ T.cell_q t = lambda x p. Proof. now split. Qed.
+Lemma l1_is : T.l1 t = Lam x pq.
+Proof. change (T.l1 t) with (vol B C Q - vol B C P). rewrite (proj1 (abc_pq x)). unfold lambda_p, lambda_q. fold B C P Q. ring. Qed.
 Lemma sides_are : T.l2 t = Lam x cpq /\ T.l3 t = Lam x bpq /\ T.minus_l4 t = Lam x apq.
-Proof. repeat split; [| | rewrite (proj1 (bc_apq x))]; coordinates_of_terms; ring. Qed.
+Proof.
+  change (T.l2 t) with (T.l1 t + vol B Q P). change (T.l3 t) with (T.l1 t + lambda_b x). change (T.minus_l4 t) with (- (lambda_b x + vol B Q P)).
+  rewrite l1_is, third_is, (proj1 (abc_pq x)), (proj1 (ab_cpq x)), (proj1 (ca_bpq x)), (proj1 (bc_apq x)). repeat split; ring.
+Qed.
+
 Lemma arms_pq : T.n1 t = numbers (N x pq) /\ T.m1 t = numbers (arm x pq p).
-Proof. split; coordinates_of_terms; f_equal; ring. Qed.
+Proof.
+  assert (E : T.n1 t = numbers (N x pq)).
+  { rewrite (proj2 (abc_pq x)). unfold U_p, U_q. rewrite <- minus_is, <- !combination_is. reflexivity. }
+  split; [exact E|]. change (T.m1 t) with (T.minus_twice R Rplus Rminus Rmult (T.n1 t) (T.l1 t) (numbers P)).
+  rewrite E, l1_is. apply minus_twice_is.
+Qed.
 Lemma arms_cpq : T.n2 t = numbers (N x cpq) /\ T.m2 t = numbers (arm x cpq c).
-Proof. split; coordinates_of_terms; f_equal; ring. Qed.
+Proof.
+  assert (E : T.n2 t = numbers (N x cpq)).
+  { transitivity (numbers (N x pq ⊕ U_c x)).
+    - unfold U_c. rewrite <- minus_is, <- (proj1 arms_pq), <- combination_is. reflexivity.
+    - rewrite (proj2 (abc_pq x)), (proj2 (ab_cpq x)). f_equal. generalize (U_p x) (U_q x) (U_c x). vector. }
+  split; [exact E|]. change (T.m2 t) with (T.minus_twice R Rplus Rminus Rmult (T.n2 t) (T.l2 t) (numbers C)).
+  rewrite E, (proj1 sides_are). apply minus_twice_is.
+Qed.
 Lemma arms_bpq : T.n3 t = numbers (N x bpq) /\ T.m3 t = numbers (arm x bpq b).
-Proof. split; coordinates_of_terms; f_equal; ring. Qed.
+Proof.
+  assert (E : T.n3 t = numbers (N x bpq)).
+  { transitivity (T.vadd R Rplus (numbers (N x pq)) (numbers (U_b x))).
+    - unfold U_b. rewrite <- (proj1 arms_pq), <- combination_is. reflexivity.
+    - rewrite (proj2 (abc_pq x)), (proj2 (ca_bpq x)). generalize (U_p x) (U_q x) (U_b x). intros. unfold T.vadd, numbers. coordinates.
+      cbn [T.x T.y T.z]. f_equal; ring. }
+  split; [exact E|]. change (T.m3 t) with (T.minus_twice R Rplus Rminus Rmult (T.n3 t) (T.l3 t) (numbers B)).
+  rewrite E, (proj1 (proj2 sides_are)). apply minus_twice_is.
+Qed.
 Lemma arms_apq : T.n4 t = numbers ((-1) ⊙ N x apq) /\ T.m4 t = numbers ((-1) ⊙ arm x apq b).
 Proof.
-  split; [coordinates_of_terms; f_equal; ring|]. unfold arm. rewrite (proj1 (bc_apq x)), (proj2 (bc_apq x)).
-  coordinates_of_terms; f_equal; ring.
+  assert (E : T.n4 t = numbers ((-1) ⊙ N x apq)).
+  { transitivity (numbers (U_b x ⊕ U_c x)).
+    - unfold U_b, U_c. rewrite <- minus_is, <- !combination_is. reflexivity.
+    - rewrite (proj2 (bc_apq x)). f_equal. generalize (U_b x) (U_c x). vector. }
+  split; [exact E|]. change (T.m4 t) with (T.minus_twice R Rplus Rminus Rmult (T.n4 t) (lambda_b x + vol B Q P) (numbers B)).
+  rewrite E, third_is. unfold arm. rewrite (proj1 (bc_apq x)). unfold T.minus_twice, numbers. fold B. generalize (N x apq) (lambda_b x) (lambda_c x) B.
+  intros. coordinates. cbn [T.x T.y T.z]. f_equal; ring.
 Qed.
 End bicell.
 

@@ -124,15 +124,15 @@ Lemma annuli_positive b c p q : let t := R_bicell b c p q in
   (0 < determinant t -> 0 < R_norm (n3 t) + R_norm (m3 t)) /\
   (0 < determinant t -> 0 < R_norm (n4 t) + R_norm (m4 t)).
 Proof.
-  intro t. split; [| split; [| split]].
-  - apply (norms_positive _ _ p _ (-1)). unfold t, R_bicell, bicell_terms.
-    cbv [determinant n1 m1 x y z vadd vsub vopp cross dot square squared combination minus_twice]. ring.
-  - apply (norms_positive _ _ c _ (-1)). unfold t, R_bicell, bicell_terms.
-    cbv [determinant n2 m2 x y z vadd vsub vopp cross dot square squared combination minus_twice]. ring.
-  - apply (norms_positive _ _ b _ (-1)). unfold t, R_bicell, bicell_terms.
-    cbv [determinant n3 m3 x y z vadd vsub vopp cross dot square squared combination minus_twice]. ring.
-  - apply (norms_positive _ _ b _ (-1)). unfold t, R_bicell, bicell_terms.
-    cbv [determinant n4 m4 x y z vadd vsub vopp cross dot square squared combination minus_twice]. ring.
+  intro t. assert (K : forall v n l, determinant t = l * square R Rplus Rmult v - dot R Rplus Rmult n v ->
+    0 < determinant t -> 0 < R_norm n + R_norm (minus_twice R Rplus Rminus Rmult n l v)).
+  { intros v n l E. apply (norms_positive _ _ v _ (-1)). rewrite E. cbv [minus_twice square squared dot x y z]. ring. }
+  split; [apply (K p (n1 t) (l1 t))|split; [apply (K c (n2 t) (l2 t))|split; [apply (K b (n3 t) (l3 t))|]]].
+  4: change (m4 t) with (minus_twice R Rplus Rminus Rmult (n4 t) (dot R Rplus Rmult (cross R Rminus Rmult c p) q +
+    dot R Rplus Rmult (cross R Rminus Rmult b q) p) b); apply K.
+  all: unfold t, R_bicell, bicell_terms; cbv [determinant n1 n2 n3 n4 l1 l2 l3];
+    generalize (square R Rplus Rmult b) (square R Rplus Rmult c) (square R Rplus Rmult p) (square R Rplus Rmult q);
+    destruct b as [b1 b2 b3], c as [c1 c2 c3], p as [p1 p2 p3], q as [q1 q2 q3]; intros; cbv [x y z vadd vsub cross dot combination]; ring.
 Qed.
 
 Lemma forall2_4 {A B} (Q : A -> B -> Prop) a b c d a' b' c' d' :

@@ -61,13 +61,20 @@ Proof.
   intros c v w v' w' [A B] [C D]. split; simpl; rewrite minus_IZR; [rewrite A, C|rewrite B, D]; ring.
 Qed.
 
+Lemma add_scaled k r s m n : r = IZR m * k -> s = IZR n * k -> r + s = IZR (m + n) * k.
+Proof. intros -> ->. rewrite plus_IZR. ring. Qed.
+Lemma sub_scaled k r s m n : r = IZR m * k -> s = IZR n * k -> r - s = IZR (m - n) * k.
+Proof. intros -> ->. rewrite minus_IZR. ring. Qed.
+Lemma mul_scaled k l r s m n : r = IZR m * k -> s = IZR n * l -> r * s = IZR (m * n) * (k * l).
+Proof. intros -> ->. rewrite mult_IZR. ring. Qed.
+
 Lemma annulus_scaled : forall c b p q e b' p' q' e',
   scaled_vector c b b' -> scaled_vector c p p' -> scaled_vector c q q' -> scaled_vector c e e' ->
   scaled_terms c (c * c * c) (annulus_terms integers b p q e) (annulus_terms reals b' p' q' e').
 Proof.
   intros c b p q e b' p' q' e' [Bx By] [Px Py] [Qx Qy] [Ex Ey].
-  unfold scaled_terms, annulus_terms, squared. simpl. rewrite Bx, By, Px, Py, Qx, Qy, Ex, Ey.
-  repeat split; repeat rewrite ?plus_IZR, ?minus_IZR, ?mult_IZR; ring.
+  unfold scaled_terms, annulus_terms, squared. simpl. replace (c * (c * c * c)) with (c * c * (c * c)) by ring.
+  repeat split; repeat first [assumption|apply mul_scaled|apply sub_scaled|apply add_scaled].
 Qed.
 
 Lemma Rmax_scaled : forall c m n, 0 <= c -> Rmax (IZR m * c) (IZR n * c) = IZR (Z.max m n) * c.

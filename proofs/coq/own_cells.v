@@ -15,6 +15,22 @@ Ltac numbers := cbv beta iota delta [det Lam N sum vsum among vamong pq cpq bpq 
 
 Ltac side := match goal with |- @eq bool _ _ => reflexivity | |- @eq vec _ _ => apply vec_eq; numbers | _ => numbers end.
 
+(* Its parts, each from smaller ones. *)
+Lemma reference_rel : rel reference b = V (-102) (-117) (-14) /\ rel reference c = V 103 100 8 /\
+  rel reference p = V (-10) 42 9 /\ rel reference q = V (-41) 2 11.
+Proof. repeat split; side. Qed.
+Lemma reference_lambda : lambda_b reference = 33448 /\ lambda_c reference = 38813 /\ lambda_p reference = 85 /\ lambda_q reference = 14273.
+Proof.
+  destruct reference_rel as (B & C & P & Q). unfold lambda_b, lambda_c, lambda_p, lambda_q. rewrite B, C, P, Q. repeat split; numbers.
+Qed.
+Lemma reference_U : U_b reference = V 8089016 (-4331304) 36429032 /\
+  U_c reference = V (-12393281) 7678823 (-41216899) /\
+  U_p reference = V 53194567 (-71678193) 211317013 /\
+  U_q reference = V (-24214421) 47548627 (-245713951).
+Proof.
+  destruct reference_rel as (B & C & P & Q). unfold U_b, U_c, U_p, U_q. rewrite B, C, P, Q. repeat split; side.
+Qed.
+
 Lemma wide B i j L n K1 K2 : B i = false -> B j = true -> Lam reference B = L -> N reference B = n -> 0 <= K1 -> 0 <= K2 ->
   sq (n ⊖ (2 * L) ⊙ rel reference i) <= K1 * K1 -> sq (n ⊖ (2 * L) ⊙ rel reference j) <= K2 * K2 ->
   10 * (K1 + K2) < 1640741984 -> 10 < half_width reference B i j.
@@ -36,11 +52,20 @@ Theorem own_cells_needed : exists x y s,
   0 < lambda y p /\ 0 < lambda y q /\ det y < 0.            (* the cells positive again, the sphere not empty *)
 Proof.
   exists reference, moved_to, 10. repeat match goal with |- _ /\ _ => split end; try numbers.
-  - unfold annuli_half_width. repeat apply Rmin_glb_lt.
-    + apply (wide pq a p 14358 (V 28980146 (-24129566) (-34396938)) 51041495 51956379); side.
-    + apply (wide cpq a c 53171 (V 16586865 (-16450743) (-75613837)) 79140403 81315208); side.
-    + apply (wide bpq a b 47806 (V 37069162 (-28460870) 2032094) 46778984 50020222); side.
-    + apply (wide apq b a (-72261) (V 4304265 (-3347519) 4787867) 22954366 7256463); side.
+  - destruct reference_rel as (Rb & Rc & Rp & Rq). destruct reference_lambda as (Lb & Lc & Lp & Lq). destruct reference_U as (Ub & Uc & Up & Uq).
+    assert (Ra := rel_a reference). unfold annuli_half_width. repeat apply Rmin_glb_lt.
+    + apply (wide pq a p 14358 (V 28980146 (-24129566) (-34396938)) 51041495 51956379);
+        [reflexivity|reflexivity|rewrite (proj1 (abc_pq _)), ?Lb, ?Lc, ?Lp, ?Lq|rewrite (proj2 (abc_pq _)), ?Ub, ?Uc, ?Up, ?Uq; apply vec_eq|..];
+        rewrite ?Ra, ?Rb, ?Rc, ?Rp, ?Rq; numbers.
+    + apply (wide cpq a c 53171 (V 16586865 (-16450743) (-75613837)) 79140403 81315208);
+        [reflexivity|reflexivity|rewrite (proj1 (ab_cpq _)), ?Lb, ?Lc, ?Lp, ?Lq|rewrite (proj2 (ab_cpq _)), ?Ub, ?Uc, ?Up, ?Uq; apply vec_eq|..];
+        rewrite ?Ra, ?Rb, ?Rc, ?Rp, ?Rq; numbers.
+    + apply (wide bpq a b 47806 (V 37069162 (-28460870) 2032094) 46778984 50020222);
+        [reflexivity|reflexivity|rewrite (proj1 (ca_bpq _)), ?Lb, ?Lc, ?Lp, ?Lq|rewrite (proj2 (ca_bpq _)), ?Ub, ?Uc, ?Up, ?Uq; apply vec_eq|..];
+        rewrite ?Ra, ?Rb, ?Rc, ?Rp, ?Rq; numbers.
+    + apply (wide apq b a (-72261) (V 4304265 (-3347519) 4787867) 22954366 7256463);
+        [reflexivity|reflexivity|rewrite (proj1 (bc_apq _)), ?Lb, ?Lc, ?Lp, ?Lq|rewrite (proj2 (bc_apq _)), ?Ub, ?Uc, ?Up, ?Uq; apply vec_eq|..];
+        rewrite ?Ra, ?Rb, ?Rc, ?Rp, ?Rq; numbers.
   - intro k. unfold norm. rewrite <- (sqrt_square 10) by lra. apply sqrt_lt_1_alt.
     split; [apply sq_nonneg|]. destruct k; numbers.
 Qed.

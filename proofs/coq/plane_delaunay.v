@@ -80,8 +80,8 @@ Proof.
   intro P. set (k := fold m (fun v => if Nat.eq_dec v z then 1 else 0) a b p q).
   apply (small_impl (fun e => 0 < (1 - e) * incircle_at m a b p q + e * (incircle_at m a b p q - k))); [|now apply small_positive].
   intros e _ H. replace (fold m (lowered z e) a b p q) with (incircle_at m a b p q - e * k); [lra|].
-  rewrite <- fold_incircle. unfold k, fold, lowered, lift.
-  destruct (Nat.eq_dec a z), (Nat.eq_dec b z), (Nat.eq_dec p z), (Nat.eq_dec q z); ring.
+  assert (E : forall v, (if Nat.eq_dec v z then e else 0) = e * (if Nat.eq_dec v z then 1 else 0)) by (intro v; destruct (Nat.eq_dec v z); ring).
+  rewrite <- fold_incircle. unfold k, fold, lowered, lift. rewrite !E. ring.
 Qed.
 
 Theorem plane_delaunay_strict : (forall a b p q, In (a, b, p, q) (bicells T) -> 0 < incircle_at m a b p q) ->

@@ -29,12 +29,18 @@ Variable x : placement.
 
 Lemma rel_scaled i : rel (scaled x) i = k ⊙ rel x i.
 Proof. unfold rel, scaled. vector. Qed.
+Lemma vol_scaled r s t : vol (k ⊙ r) (k ⊙ s) (k ⊙ t) = k3 * vol r s t.
+Proof. unfold k3. vector. Qed.
+Lemma sq_scaled r : sq (k ⊙ r) = k * k * sq r.
+Proof. vector. Qed.
+Lemma cross_longer r s : (k ⊙ r) ✕ (k ⊙ s) = (k * k) ⊙ (r ✕ s).
+Proof. vector. Qed.
 Lemma lambda_scaled i : lambda (scaled x) i = k3 * lambda x i.
-Proof. unfold k3. destruct i; unfold lambda, lambda_b, lambda_c, lambda_p, lambda_q; rewrite !rel_scaled; generalize (rel x b) (rel x c) (rel x p) (rel x q); vector. Qed.
+Proof. destruct i; unfold lambda, lambda_b, lambda_c, lambda_p, lambda_q; rewrite !rel_scaled, !vol_scaled; ring. Qed.
 Lemma det_scaled : det (scaled x) = k * k4 * det x.
-Proof. unfold k4, det, lambda_b, lambda_c, lambda_p, lambda_q. rewrite !rel_scaled. generalize (rel x b) (rel x c) (rel x p) (rel x q). vector. Qed.
+Proof. unfold k4, det, lambda_b, lambda_c, lambda_p, lambda_q. rewrite !rel_scaled, !vol_scaled, !sq_scaled. unfold k3. ring. Qed.
 Lemma twice_centre_scaled r s t : twice_centre (k ⊙ r) (k ⊙ s) (k ⊙ t) = k4 ⊙ twice_centre r s t.
-Proof. unfold twice_centre, k4. vector. Qed.
+Proof. unfold twice_centre, k4. rewrite !sq_scaled, !cross_longer. generalize (sq r) (sq s) (sq t) (s ✕ t) (t ✕ r) (r ✕ s). vector. Qed.
 Lemma U_scaled i : U (scaled x) i = k4 ⊙ U x i.
 Proof.
   destruct i; unfold U, U_b, U_c, U_p, U_q; rewrite !rel_scaled, !twice_centre_scaled; generalize k4 (twice_centre (rel x c) (rel x p) (rel x q))

@@ -36,6 +36,26 @@ Proof. unfold half. rewrite Ropp_involutive. lra. Qed.
 Lemma half_nonzero x : x <> 0 -> half x = pos x - 1 / 2.
 Proof. intro N. unfold half, pos. destruct (Rdichotomy _ _ N), (Rlt_dec 0 x), (Rlt_dec 0 (- x)); lra. Qed.
 
+(* Two facets at an edge e f of a cell, their heights at x and at y; then all pairs of facets of a cell, as side_of has them. *)
+Lemma at_edge e f g h x y : orient e f g x * orient e f h y - orient e f g y * orient e f h x = orient e f g h * orient x y e f.
+Proof.
+  transitivity (orient e f g h * orient e f x y); [unfold orient; generalize (f ⊖ e) (g ⊖ e) (h ⊖ e) (x ⊖ e) (y ⊖ e)|f_equal; unfold orient]; vector.
+Qed.
+Lemma orient_turn a b c x : orient b c a x = orient a b c x.
+Proof. unfold orient. vector. Qed.
+Ltac facet e f g := rewrite ?(orient_turn e g f), ?(orient_turn f e g), ?(orient_turn f g e), ?(orient_turn e f g), ?(orient_swap e f g).
+
+Lemma at_edges a b c d x y (S := orient a b c d) (O := orient b d c) (U := orient a c d) (V := orient a d b) (W := orient a b c) :
+  O x * U y - O y * U x = - (S * orient x y d c) /\ O x * V y - O y * V x = - (S * orient x y b d) /\
+  O x * W y - O y * W x = - (S * orient x y c b) /\ U x * V y - U y * V x = - (S * orient x y d a) /\
+  U x * W y - U y * W x = - (S * orient x y a c) /\ V x * W y - V y * W x = - (S * orient x y b a).
+Proof.
+  assert (So : O a = S) by (unfold O, S, orient; vector). assert (Su : U b = S) by (unfold U, S, orient; vector).
+  assert (Sv : V c = S) by (unfold V, S, orient; vector). unfold S, O, U, V, W in *.
+  generalize (at_edge d c b a x y) (at_edge b d c a x y) (at_edge c b d a x y) (at_edge d a c b x y) (at_edge a c d b x y) (at_edge b a d c x y).
+  facet b d c. facet a c d. facet a d b. facet a b c. rewrite So, Su, Sv. intros. repeat split; lra.
+Qed.
+
 Section placed.
 Variables (T : mesh_3) (m : placement_3).
 
@@ -104,12 +124,14 @@ Proof.
   assert (E : forall q p r q' p' r', q' = - (orient (m a) (m b) (m c) (m d) * q) -> p' = - (orient (m a) (m b) (m c) (m d) * p) ->
     r' = - (orient (m a) (m b) (m c) (m d) * r) -> one_side q' p' r' = one_side q p r)
     by (intros q p r q' p' r' -> -> ->; rewrite one_side_neg; now apply one_side_scale).
-  unfold hit, others, order, wedge, pair, bary, facet_height, line.
+  unfold hit, others, order, wedge, pair, bary, facet_height.
+  destruct (at_edges (m a) (m b) (m c) (m d) x y) as (OU & OV & OW & UV & UW & VW). fold (line x y d c) (line x y b d) (line x y c b) in OU, OV, OW.
+  fold (line x y d a) (line x y a c) (line x y b a) in UV, UW, VW.
   destruct i; cbn [side_of fst snd].
-  - symmetry. rewrite <- one_side_swap. symmetry. apply E; unfold orient; generalize (m a) (m b) (m c) (m d); clear; vector.
-  - symmetry. rewrite <- one_side_turn. symmetry. apply E; unfold orient; generalize (m a) (m b) (m c) (m d); clear; vector.
-  - symmetry. rewrite <- one_side_swap. symmetry. apply E; unfold orient; generalize (m a) (m b) (m c) (m d); clear; vector.
-  - symmetry. rewrite <- one_side_turn. symmetry. apply E; unfold orient; generalize (m a) (m b) (m c) (m d); clear; vector.
+  - rewrite <- (one_side_swap (line x y b d)). apply E; assumption.
+  - rewrite <- (one_side_turn (line x y a c)). apply E; try assumption; rewrite line_swap; lra.
+  - rewrite <- (one_side_swap (line x y a d)). apply E; try assumption; rewrite line_swap; lra.
+  - rewrite <- (one_side_turn (line x y a b)). apply E; try assumption; rewrite line_swap; lra.
 Qed.
 
 Lemma cell_steps t x y : 0 < size t -> general_position t x y ->

@@ -61,7 +61,8 @@ Proof.
   intros a b c d. unfold plane_3.
   replace (size m (b, c, a, d)) with (size m (a, b, c, d)) by (unfold size, orient; vector).
   replace (size m (a, c, d, b)) with (size m (a, b, c, d)) by (unfold size, orient; vector).
-  unfold bary, facet_height, side_of, point_of, Rdiv. split; f_equal; unfold orient; vector.
+  unfold bary, facet_height, side_of, point_of, Rdiv. facet (m b) (m d) (m c). facet (m a) (m c) (m d). facet (m a) (m d) (m b). facet (m a) (m b) (m c).
+  split; ring.
 Qed.
 
 (* Across a bi-cell planes differ by a multiple of the height above its facet. *)

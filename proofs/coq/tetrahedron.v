@@ -29,11 +29,14 @@ Definition normal (B : corner -> bool) :=
 Theorem slab (B : corner -> bool) k : B o = false -> normal B · x k = normal B · x o + (if B k then volume else 0).
 Proof.
   intro H. replace (normal B · x k) with (normal B · x o + normal B · (x k ⊖ x o)) by (generalize (normal B); vector).
-  f_equal. unfold normal. destruct k.
-  - rewrite H. replace (x o ⊖ x o) with zero by vector. vector.
-  - unfold volume. simpl area. fold xu. generalize xu xv xw. destruct (B u), (B v), (B w); vector.
-  - unfold volume. simpl area. fold xv. generalize xu xv xw. destruct (B u), (B v), (B w); vector.
-  - unfold volume. simpl area. fold xw. generalize xu xv xw. destruct (B u), (B v), (B w); vector.
+  assert (A : forall m n z, (m ⊕ n) · z = m · z + n · z) by vector.
+  assert (C : forall (t : bool) n z, (if t then n else zero) · z = if t then n · z else 0) by (intros [] n z; [reflexivity|vector]).
+  assert (Z : forall (t : bool) r, r = 0 -> (if t then r else 0) = 0) by now intros [].
+  f_equal. unfold normal. rewrite !A, !C. simpl area. unfold volume. destruct k; [|fold xu|fold xv|fold xw].
+  - rewrite H. replace (x o ⊖ x o) with zero by vector. rewrite !Z by vector. ring.
+  - rewrite (Z (B v)), (Z (B w)) by vector. replace (xv ✕ xw · xu) with (vol xu xv xw) by vector. ring.
+  - rewrite (Z (B u)), (Z (B w)) by vector. replace (xw ✕ xu · xv) with (vol xu xv xw) by vector. ring.
+  - rewrite (Z (B u)), (Z (B v)) by vector. unfold vol. ring.
 Qed.
 
 (* The seven, written out. *)
@@ -46,14 +49,10 @@ Definition half_width_simplex := volume / (2 * largest).
 Lemma normal_le_largest B : norm (normal B) <= largest.
 Proof.
   unfold normal, largest. simpl area. generalize (xu ✕ xv) (xv ✕ xw) (xw ✕ xu). intros uv vw wu.
-  destruct (B u), (B v), (B w);
-    match goal with |- norm ?n <= _ =>
-      first [ replace n with (uv ⊕ vw ⊕ wu) by vector | replace n with (wu ⊕ uv) by vector
-            | replace n with (uv ⊕ vw) by vector | replace n with (vw ⊕ wu) by vector
-            | replace n with uv by vector | replace n with vw by vector | replace n with wu by vector
-            | replace n with (0 ⊙ uv) by vector; rewrite norm_scale, Rabs_R0, Rmult_0_l;
-              apply Rle_trans with (1 := norm_nonneg uv) ]
-    end; leaf.
+  destruct (B u), (B v), (B w); match goal with |- norm ?n <= _ => set (N := n) end;
+    [replace N with (uv ⊕ vw ⊕ wu)|replace N with (vw ⊕ wu)|replace N with (uv ⊕ vw)|replace N with vw|
+     replace N with (wu ⊕ uv)|replace N with wu|replace N with uv|]; subst N; try vector; try leaf.
+  replace (zero ⊕ zero ⊕ zero) with (0 ⊙ uv) by vector. rewrite norm_scale, Rabs_R0, Rmult_0_l. apply Rle_trans with (1 := norm_nonneg uv). leaf.
 Qed.
 
 Lemma largest_is_one : exists B k, B o = false /\ B k = true /\ norm (normal B) = largest.
