@@ -198,8 +198,8 @@ Definition mend_ (y : system) : reader system :=
 (* The record of certificate i as an operation left it. *)
 Definition kept_record (t : state) (i : Z) (points : list Z) (o : option (float * float * float)) : known :=
   {| of_points := points; expiries := map (fun v => (v, expiry (record t i) v)) points; kept_tolerance := tolerance (record t i); circle := o |}.
-Definition after (y : system) (t : state) (i : Z) (points : list Z) o : system :=
-  with_certificates (with_vertices y (keep t points (vertices y)) (waiting y ++ rev (anchored t)) (size points)) (add i (kept_record t i points o) (certificates y)).
+Definition after (y : system) (t : state) (i : Z) (k : known) : system :=
+  with_certificates (with_vertices y (keep t (of_points k) (vertices y)) (waiting y ++ rev (anchored t)) (size (of_points k))) (add i k (certificates y)).
 
 (* A certificate that is gone, or a ridge by now, is not renewed. *)
 Definition dead (y : system) (n : Z * certificate * renewal) : bool :=
@@ -226,9 +226,10 @@ Definition renew (y : system) : reader system :=
       let of_now := by_point (combine points (values n)) in
       let k := match k with unequal _ _ => unequal of_now (fun _ => 0%R) | safe _ => safe of_now end in
       let t := commit_renewal (x_of y) (now y) (i, c, k) in
+      let kept := kept_record t i points (circles y i) in
       must 12 (match find i (certificates y) with Some k => all2 Z.eqb (of_points k) points | None => false end &&
-               forallb (fun '(v, (e, r)) => (expiry (record t i) v =? e) && same (room (at_ t v)) (value_of r)) l)
-      (ret (with_open (after y t i points (circles y i)) (suspects y) others))
+               all2 (fun '(v, (e, r)) '(_, e') => (e' =? e) && same (room (at_ t v)) (value_of r)) l (expiries kept))
+      (ret (with_open (after y t i kept) (suspects y) others))
   end.
 
 Definition write (y : system) : reader system :=
@@ -243,8 +244,9 @@ Definition write (y : system) : reader system :=
   let renewed_before := forallb (dead y) (renewed y) in
   let y := with_certificates y (add i {| of_points := points; expiries := []; kept_tolerance := 0; circle := None |} (certificates y)) in
   let t := if settling y then write_fresh (x_of y) (now y) k else commit_evaluated (x_of y) (now y) k in
-  must 13 (renewed_before && forallb (fun '(v, (b, e)) => same (base (at_ t v)) b && (expiry (record t i) v =? e)) l)
-  (let z := after y t i points o in ret (with_open z (without (suspects z) [i]) [])).
+  let kept := kept_record t i points o in
+  must 13 (renewed_before && all2 (fun '(v, (b, e)) '(_, e') => same (base (at_ t v)) b && (e' =? e)) l (expiries kept))
+  (let z := after y t i kept in ret (with_open z (without (suspects z) [i]) [])).
 
 Definition finish_ (y : system) : reader system :=
   v <- number; rebased <- number; round <- many number; b <- real_number; t <- number; '(r, es) <- expiries_told;
