@@ -38,16 +38,17 @@ Proof. reflexivity. Qed.
 (* The terms as they are computed, in the operations of geometry. *)
 Let B := rel x b. Let C := rel x c. Let P := rel x p. Let Q := rel x q.
 
+Ltac componentwise := unfold numbers, T.combination, T.vadd, T.vsub, T.minus_twice; coordinates; cbn [T.x T.y T.z]; f_equal; ring.
+
 Lemma combination_is u v w : T.combination R Rplus Rminus Rmult (sq u) (numbers (v ✕ w)) (sq v) (numbers (u ✕ w)) (sq w) (numbers (u ✕ v)) =
   numbers (twice_centre u v w).
 Proof.
-  unfold twice_centre. generalize (sq u) (sq v) (sq w). destruct u, v, w. intros. unfold numbers, T.combination. coordinates.
-  cbn [T.x T.y T.z]. f_equal; ring.
+  unfold twice_centre. generalize (sq u) (sq v) (sq w). destruct u, v, w. intros. componentwise.
 Qed.
 Lemma minus_is u v : T.vsub R Rminus (numbers u) (numbers v) = numbers (u ⊕ (-1) ⊙ v).
-Proof. destruct u, v. unfold numbers, T.vsub. coordinates. cbn [T.x T.y T.z]. f_equal; ring. Qed.
+Proof. destruct u, v. componentwise. Qed.
 Lemma minus_twice_is D i : T.minus_twice R Rplus Rminus Rmult (numbers (N x D)) (Lam x D) (numbers (rel x i)) = numbers (arm x D i).
-Proof. unfold numbers, T.minus_twice, arm. generalize (N x D) (Lam x D) (rel x i). intros. coordinates. cbn [T.x T.y T.z]. f_equal; ring. Qed.
+Proof. unfold arm. generalize (N x D) (Lam x D) (rel x i). intros. componentwise. Qed.
 Lemma third_is : vol B Q P = lambda_c x.
 Proof. unfold lambda_c. fold B P Q. generalize B P Q. vector. Qed.
 
@@ -86,8 +87,7 @@ Proof.
   assert (E : T.n3 t = numbers (N x bpq)).
   { transitivity (T.vadd R Rplus (numbers (N x pq)) (numbers (U_b x))).
     - unfold U_b. rewrite <- (proj1 arms_pq), <- combination_is. reflexivity.
-    - rewrite (proj2 (abc_pq x)), (proj2 (ca_bpq x)). generalize (U_p x) (U_q x) (U_b x). intros. unfold T.vadd, numbers. coordinates.
-      cbn [T.x T.y T.z]. f_equal; ring. }
+    - rewrite (proj2 (abc_pq x)), (proj2 (ca_bpq x)). generalize (U_p x) (U_q x) (U_b x). intros. componentwise. }
   split; [exact E|]. change (T.m3 t) with (T.minus_twice R Rplus Rminus Rmult (T.n3 t) (T.l3 t) (numbers B)).
   rewrite E, (proj1 (proj2 sides_are)). apply minus_twice_is.
 Qed.
@@ -98,8 +98,8 @@ Proof.
     - unfold U_b, U_c. rewrite <- minus_is, <- !combination_is. reflexivity.
     - rewrite (proj2 (bc_apq x)). f_equal. generalize (U_b x) (U_c x). vector. }
   split; [exact E|]. change (T.m4 t) with (T.minus_twice R Rplus Rminus Rmult (T.n4 t) (lambda_b x + vol B Q P) (numbers B)).
-  rewrite E, third_is. unfold arm. rewrite (proj1 (bc_apq x)). unfold T.minus_twice, numbers. fold B. generalize (N x apq) (lambda_b x) (lambda_c x) B.
-  intros. coordinates. cbn [T.x T.y T.z]. f_equal; ring.
+  rewrite E, third_is. unfold arm. rewrite (proj1 (bc_apq x)). fold B. generalize (N x apq) (lambda_b x) (lambda_c x) B.
+  intros. componentwise.
 Qed.
 End bicell.
 

@@ -55,18 +55,16 @@ Definition scaled_terms (c g : R) (t : width_terms integers) (t' : width_terms r
   determinant _ t' = IZR (determinant _ t) * (c * g) /\
   inner _ t' = IZR (inner _ t) * (g * g) /\ outer _ t' = IZR (outer _ t) * (g * g).
 
-Lemma scaled_difference : forall c v w v' w', scaled_vector c v v' -> scaled_vector c w w' ->
-  scaled_vector c (difference integers v w) (difference reals v' w').
-Proof.
-  intros c v w v' w' [A B] [C D]. split; simpl; rewrite minus_IZR; [rewrite A, C|rewrite B, D]; ring.
-Qed.
-
 Lemma add_scaled k r s m n : r = IZR m * k -> s = IZR n * k -> r + s = IZR (m + n) * k.
 Proof. intros -> ->. rewrite plus_IZR. ring. Qed.
 Lemma sub_scaled k r s m n : r = IZR m * k -> s = IZR n * k -> r - s = IZR (m - n) * k.
 Proof. intros -> ->. rewrite minus_IZR. ring. Qed.
 Lemma mul_scaled k l r s m n : r = IZR m * k -> s = IZR n * l -> r * s = IZR (m * n) * (k * l).
 Proof. intros -> ->. rewrite mult_IZR. ring. Qed.
+
+Lemma scaled_difference : forall c v w v' w', scaled_vector c v v' -> scaled_vector c w w' ->
+  scaled_vector c (difference integers v w) (difference reals v' w').
+Proof. intros c v w v' w' [A B] [C D]. split; now apply sub_scaled. Qed.
 
 Lemma annulus_scaled : forall c b p q e b' p' q' e',
   scaled_vector c b b' -> scaled_vector c p p' -> scaled_vector c q q' -> scaled_vector c e e' ->

@@ -38,11 +38,11 @@ Definition degrees (n : nat) (v : vector_3 integers) (w : vector_3 reals) : Prop
   degree n (x3 _ v) (x3 _ w) /\ degree n (y3 _ v) (y3 _ w) /\ degree n (z3 _ v) (z3 _ w).
 
 Lemma d_add : forall n z w r s, degree n z r -> degree n w s -> degree n (add integers z w) (add reals r s).
-Proof. unfold degree. simpl. intros n z w r s -> ->. rewrite plus_IZR. ring. Qed.
+Proof. intros n z w r s. exact (add_scaled (c ^ n) r s z w). Qed.
 Lemma d_sub : forall n z w r s, degree n z r -> degree n w s -> degree n (sub integers z w) (sub reals r s).
-Proof. unfold degree. simpl. intros n z w r s -> ->. rewrite minus_IZR. ring. Qed.
+Proof. intros n z w r s. exact (sub_scaled (c ^ n) r s z w). Qed.
 Lemma d_mul : forall n m z w r s, degree n z r -> degree m w s -> degree (n + m) (mul integers z w) (mul reals r s).
-Proof. unfold degree. simpl. intros n m z w r s -> ->. rewrite mult_IZR, pow_add. ring. Qed.
+Proof. unfold degree. intros n m z w r s. rewrite pow_add. exact (mul_scaled (c ^ n) (c ^ m) r s z w). Qed.
 Lemma d_square : forall n z r, degree n z r -> degree (n + n) (square integers z) (square reals r).
 Proof. intros. now apply d_mul. Qed.
 Lemma d_opp : forall n z r, degree n z r -> degree n (opposite integers z) (opposite reals r).

@@ -53,19 +53,13 @@ Theorem own_cells_needed : exists x y s,
 Proof.
   exists reference, moved_to, 10. repeat match goal with |- _ /\ _ => split end; try numbers.
   - destruct reference_rel as (Rb & Rc & Rp & Rq). destruct reference_lambda as (Lb & Lc & Lp & Lq). destruct reference_U as (Ub & Uc & Up & Uq).
-    assert (Ra := rel_a reference). unfold annuli_half_width. repeat apply Rmin_glb_lt.
-    + apply (wide pq a p 14358 (V 28980146 (-24129566) (-34396938)) 51041495 51956379);
-        [reflexivity|reflexivity|rewrite (proj1 (abc_pq _)), ?Lb, ?Lc, ?Lp, ?Lq|rewrite (proj2 (abc_pq _)), ?Ub, ?Uc, ?Up, ?Uq; apply vec_eq|..];
-        rewrite ?Ra, ?Rb, ?Rc, ?Rp, ?Rq; numbers.
-    + apply (wide cpq a c 53171 (V 16586865 (-16450743) (-75613837)) 79140403 81315208);
-        [reflexivity|reflexivity|rewrite (proj1 (ab_cpq _)), ?Lb, ?Lc, ?Lp, ?Lq|rewrite (proj2 (ab_cpq _)), ?Ub, ?Uc, ?Up, ?Uq; apply vec_eq|..];
-        rewrite ?Ra, ?Rb, ?Rc, ?Rp, ?Rq; numbers.
-    + apply (wide bpq a b 47806 (V 37069162 (-28460870) 2032094) 46778984 50020222);
-        [reflexivity|reflexivity|rewrite (proj1 (ca_bpq _)), ?Lb, ?Lc, ?Lp, ?Lq|rewrite (proj2 (ca_bpq _)), ?Ub, ?Uc, ?Up, ?Uq; apply vec_eq|..];
-        rewrite ?Ra, ?Rb, ?Rc, ?Rp, ?Rq; numbers.
-    + apply (wide apq b a (-72261) (V 4304265 (-3347519) 4787867) 22954366 7256463);
-        [reflexivity|reflexivity|rewrite (proj1 (bc_apq _)), ?Lb, ?Lc, ?Lp, ?Lq|rewrite (proj2 (bc_apq _)), ?Ub, ?Uc, ?Up, ?Uq; apply vec_eq|..];
-        rewrite ?Ra, ?Rb, ?Rc, ?Rp, ?Rq; numbers.
+    assert (Ra := rel_a reference). unfold annuli_half_width.
+    repeat apply Rmin_glb_lt;
+      [apply (wide pq a p 14358 (V 28980146 (-24129566) (-34396938)) 51041495 51956379); [reflexivity|reflexivity|rewrite (proj1 (abc_pq _))|rewrite (proj2 (abc_pq _))|..]
+      |apply (wide cpq a c 53171 (V 16586865 (-16450743) (-75613837)) 79140403 81315208); [reflexivity|reflexivity|rewrite (proj1 (ab_cpq _))|rewrite (proj2 (ab_cpq _))|..]
+      |apply (wide bpq a b 47806 (V 37069162 (-28460870) 2032094) 46778984 50020222); [reflexivity|reflexivity|rewrite (proj1 (ca_bpq _))|rewrite (proj2 (ca_bpq _))|..]
+      |apply (wide apq b a (-72261) (V 4304265 (-3347519) 4787867) 22954366 7256463); [reflexivity|reflexivity|rewrite (proj1 (bc_apq _))|rewrite (proj2 (bc_apq _))|..]];
+      rewrite ?Lb, ?Lc, ?Lp, ?Lq, ?Ub, ?Uc, ?Up, ?Uq; try apply vec_eq; rewrite ?Ra, ?Rb, ?Rc, ?Rp, ?Rq; numbers.
   - intro k. unfold norm. rewrite <- (sqrt_square 10) by lra. apply sqrt_lt_1_alt.
     split; [apply sq_nonneg|]. destruct k; numbers.
 Qed.

@@ -41,6 +41,12 @@ Definition glued (T : mesh) : Prop :=
   Permutation (flat_map sides (cells T)) (flat_map shared_sides (bicells T) ++ outer T) /\
   Permutation (map edge (outer T)) (ring (border T)).
 
+(* Two lists that are written out have the same elements, none of them twice. *)
+Ltac is_among := first [left; reflexivity|right; is_among].
+Ltac all_different := let H := fresh in repeat (constructor; [intro H; repeat (destruct H as [H|H]; [discriminate|]); exact H|]); constructor.
+Ltac same_elements := let s := fresh in let H := fresh in apply NoDup_Permutation_bis; [simpl; all_different|apply le_n|
+  intros s H; simpl in H; repeat (destruct H as [H|H]; [subst s; simpl; is_among|]); destruct H].
+
 Definition corner (v : nat) (t : nat * nat * nat) : Prop := let '(a, b, c) := t in v = a \/ v = b \/ v = c.
 Definition vertex_of (T : mesh) (v : nat) : Prop := exists t, In t (cells T) /\ corner v t.
 

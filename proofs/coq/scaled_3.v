@@ -72,7 +72,7 @@ Let k2 := k * k.
 Lemma volume_scaled : volume (scaled y) = k3 * volume y.
 Proof. unfold volume, scaled, k3. generalize (y o) (y u) (y v) (y w). vector. Qed.
 Lemma cross_scaled i j h : (scaled y i ⊖ scaled y h) ✕ (scaled y j ⊖ scaled y h) = k2 ⊙ ((y i ⊖ y h) ✕ (y j ⊖ y h)).
-Proof. unfold scaled, k2. generalize (y i) (y j) (y h). vector. Qed.
+Proof. unfold k2. rewrite <- cross_longer. unfold scaled. f_equal; vector. Qed.
 Lemma largest_scaled : largest (scaled y) = k2 * largest y.
 Proof.
   destruct powers_positive as (P & _ & _). unfold largest. rewrite !cross_scaled.

@@ -78,6 +78,9 @@ Proof.
   - exists 1. split; [lra|]. intros e E. replace (0 + e * 0 + e * e * c) with (e * e * c) by ring. repeat apply Rmult_lt_0_compat; lra.
 Qed.
 
+(* Every comparison of numbers whose order is known. *)
+Ltac decide_order := repeat ((destruct (Rlt_dec _ _) || destruct (Req_EM_T _ _)); trivial; try (exfalso; lra)).
+
 Section seen.
 Variable m : placement_3.
 Notation image e := (image (e * e) e m).
@@ -106,14 +109,14 @@ Proof.
   unfold plane_mesh.points_up, points_up_3, space_sheets.image, seen. cbn [fst snd]. generalize (m u) (m v). intros x y.
   destruct (Rtotal_order (X2 x) (X2 y)) as [H|[H|H]].
   - apply (small_impl (fun e => 0 < polynomial [X2 y - X2 x; X3 x - X3 y] e)); [|apply polynomial_positive; lra].
-    intros e _ P. simpl in P. repeat ((destruct (Rlt_dec _ _) || destruct (Req_EM_T _ _)); trivial; try (exfalso; lra)).
+    intros e _ P. simpl in P. decide_order.
   - exists 1. split; [lra|]. intros e E. assert (P : forall r, (0 < r -> 0 < e * r) /\ (r < 0 -> e * r < 0)) by (intro r; split; intro; nra).
     generalize (P (X3 y - X3 x)). intro Q. destruct (Rtotal_order (X3 x) (X3 y)) as [K|[K|K]].
-    + repeat ((destruct (Rlt_dec _ _) || destruct (Req_EM_T _ _)); trivial; try (exfalso; lra)).
-    + rewrite <- K. repeat ((destruct (Rlt_dec _ _) || destruct (Req_EM_T _ _)); trivial; try (exfalso; lra)).
-    + repeat ((destruct (Rlt_dec _ _) || destruct (Req_EM_T _ _)); trivial; try (exfalso; lra)).
+    + decide_order.
+    + rewrite <- K. decide_order.
+    + decide_order.
   - apply (small_impl (fun e => 0 < polynomial [X2 x - X2 y; X3 y - X3 x] e)); [|apply polynomial_positive; lra].
-    intros e _ P. simpl in P. repeat ((destruct (Rlt_dec _ _) || destruct (Req_EM_T _ _)); trivial; try (exfalso; lra)).
+    intros e _ P. simpl in P. decide_order.
 Qed.
 
 Lemma turns_seen u v w : turns_left m u v w -> small (fun e => plane_mesh.convex_at (image e) u v w).

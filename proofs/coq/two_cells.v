@@ -18,16 +18,11 @@ Definition places : placement_3 := fun n => nth n [V 0 0 0; V 4 0 0; V 0 4 0; V 
 
 Ltac compute_signs := unfold facet_height, orient; coordinates; simpl; lra.
 
-Ltac all_different := let H := fresh in repeat (constructor; [intro H; repeat (destruct H as [H|H]; [discriminate|]); exact H|]); constructor.
-Ltac is_among := first [left; reflexivity|right; is_among].
-
 Lemma two_cells_glued : glued_3 two_cells.
 Proof.
   exists (flat_map sides (cells two_cells)). split.
   - simpl. repeat (constructor; [constructor|]). constructor.
-  - apply NoDup_Permutation_bis; [|apply le_n|].
-    + simpl. all_different.
-    + intros s. simpl. tauto.
+  - plane_mesh.same_elements.
 Qed.
 
 Lemma two_cells_positive : positive_3 places two_cells.
@@ -45,22 +40,19 @@ Definition lower_sheet : plane_mesh.mesh := {|
   plane_mesh.outer := [(0, 1, 4); (1, 2, 4); (2, 0, 4)];
   plane_mesh.border := [0; 1; 2] |}%nat.
 
-Ltac same_elements := apply NoDup_Permutation_bis; [simpl; all_different|apply le_n|
-  intros s H; simpl in H; repeat (destruct H as [H|H]; [subst s; simpl; is_among|]); destruct H].
-
 Lemma two_cells_ridges : ridges_convex places upper_sheet lower_sheet.
 Proof. split; intros a b x y S; simpl in S; repeat destruct S as [S|S]; try contradiction; injection S as <- <- <- <-; compute_signs. Qed.
 
 Theorem two_cells_silhouette : silhouette_once places two_cells upper_sheet lower_sheet.
 Proof.
   split.
-  - split; same_elements.
-  - split; same_elements.
+  - split; plane_mesh.same_elements.
+  - split; plane_mesh.same_elements.
   - reflexivity.
   - apply Permutation_refl.
   - intros a b c S. left. simpl in S. repeat destruct S as [S|S]; try contradiction; injection S as <- <- <-; unfold normal_of; coordinates; simpl; lra.
   - intros u v w S. left. left. simpl in S. repeat destruct S as [S|S]; try contradiction; injection S as <- <- <-; unfold normal_of; coordinates; simpl; lra.
-  - unfold enters_3, points_up_3. simpl. repeat ((destruct (Rlt_dec _ _) || destruct (Req_EM_T _ _)); try (exfalso; lra)); reflexivity.
+  - unfold enters_3, points_up_3. simpl. decide_order.
 Qed.
 
 Theorem two_cells_delaunay : delaunay_3 places two_cells.

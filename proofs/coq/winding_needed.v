@@ -19,14 +19,8 @@ Definition fan : mesh := {|
 Definition pentagon : placement := fun v => nth v [(0, 10); (-9, 3); (-6, -8); (6, -8); (9, 3)] (0, 0).
 Definition pentagram : placement := fun v => nth v [(0, 10); (-6, -8); (9, 3); (-9, 3); (6, -8)] (0, 0).
 
-Ltac is_among := first [left; reflexivity|right; is_among].
-
 Lemma fan_glued : glued fan.
-Proof.
-  split; [|apply Permutation_refl]. apply NoDup_Permutation_bis; [|apply Nat.le_refl|].
-  - repeat (constructor; [intro H; repeat (destruct H as [H|H]; [discriminate|]); exact H|]). constructor.
-  - intros s H. repeat (destruct H as [H|H]; [subst s; is_among|]). destruct H.
-Qed.
+Proof. split; [same_elements|apply Permutation_refl]. Qed.
 
 Ltac each_of_fan H := simpl in H; repeat match type of H with _ \/ _ => destruct H as [H|H] end; try contradiction; injection H; intros; subst.
 
