@@ -27,13 +27,10 @@ Lemma constants_2 :
   within (mx E_annulus) 3 12 246 = true /\ within (my E_annulus) 3 12 246 = true.
 Proof. do 4 (apply conj; [vm_compute; reflexivity |]). vm_compute. reflexivity. Qed.
 
-(* The least integers that this analysis proves: 9 (orientation), 177, 67, 121. One less is refused. *)
+(* The least integers that this analysis proves, in u. *)
 Lemma constants_2_least :
-  map (fun e => (error_below hints_2 (fst (fst e)) (snd (fst e)) (32 * one) (32 * one) (snd e * unit_roundoff),
-                 error_below hints_2 (fst (fst e)) (snd (fst e)) (32 * one) (32 * one) ((snd e - 1) * unit_roundoff)))
-      [(E_orientation, 2%nat, 9%Z); (incircle E_annulus, 4%nat, 177%Z); (nx E_annulus, 3%nat, 67%Z);
-       (ny E_annulus, 3%nat, 67%Z); (mx E_annulus, 3%nat, 121%Z); (my E_annulus, 3%nat, 121%Z)]
-  = repeat (true, false) 6.
+  map (least_error hints_2) [E_orientation; incircle E_annulus; nx E_annulus; ny E_annulus; mx E_annulus; my E_annulus]
+  = map Some [9; 177; 67; 67; 121; 121]%Z.
 Proof. vm_compute. reflexivity. Qed.
 
 Section hints.

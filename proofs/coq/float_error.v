@@ -111,6 +111,9 @@ Definition error_below (h : hints) (e : expr) (k : nat) (X C E : Z) : bool :=
   | None => false
   end.
 
+(* The least integer that the error is proved to be below, times the unit roundoff. *)
+Definition least_error (h : hints) (e : expr) : option Z := option_map (fun b => up (er b) 47) (bound h e).
+
 (* Like injection, but without simplifying the integers. *)
 Lemma some_eq {A} (a b : A) : Some a = Some b -> a = b.
 Proof. congruence. Qed.

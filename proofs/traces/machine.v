@@ -6,7 +6,7 @@
 
    What a tour goes round, cells and facets in the order of the mesh, is not the filter's to decide: the replay enters it in the mesh, under
    -1 and below (`around`), where no certificate has its number. *)
-From Coq Require Import Reals ZArith List Bool Floats.
+From Coq Require Import Uint63 Reals ZArith List Bool Floats.
 From Annulus Require Import algorithm_list high_word algorithm_filter.
 Import ListNotations.
 Open Scope Z_scope.
@@ -33,14 +33,17 @@ Definition sum_upper (a b : float) : float := let s := a + b in s + s * ulp52.
 
 (* ---- high_word.h ---- *)
 
-(* The bits of a positive number are its mantissa and exponent, be it subnormal or not. *)
+(* The upper half of the bits of a positive number, be it subnormal or not: its mantissa and exponent, by operations of the machine. Those of
+   Prim2SF say the same and take Coq eight times as long (half_of_bits, machine_bits.v). *)
 Definition half_of (mask : Z) (x : float) : Z :=
-  match Prim2SF x with
-  | S754_finite false m e => Z.land (Z.shiftr (Z.shiftl (e + 1074) 52 + Zpos m) 32) mask
-  | S754_infinity false => never
-  | _ => 0%Z
-  end.
-(* Mantissa and exponent of high_word.v, by bits: a division of that size takes Coq twenty times as long (value_of_bits, machine_rounds.v). *)
+  if 0 <? x then
+    if x <? infinity then
+      let (f, e) := frshiftexp x in
+      let m := normfr_mantissa f in
+      Z.land (Uint63.to_Z (if (1080 <=? e)%uint63 then ((e - 1080) << 20 + (m >> 32))%uint63 else (m >> (1112 - e))%uint63)) mask
+    else never
+  else 0%Z.
+(* Mantissa and exponent of high_word.v, by bits: a division of that size takes Coq twenty times as long (value_of_bits, machine_bits.v). *)
 Definition value_of (b : Z) : float :=
   if (b <? never)%Z then
     let upper := Z.shiftr b 20 in

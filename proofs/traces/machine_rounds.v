@@ -18,7 +18,7 @@ From Coq Require Import Floats.
 From Annulus Require float_model float_error float_tail float_sums float_displacement.
 From Annulus Require Import algorithm_list high_word filter_doubles.
 From Annulus Require Import operations bridge.
-From Annulus_traces Require Import machine.
+From Annulus_traces Require Import machine machine_bits.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.
@@ -163,26 +163,14 @@ End readings.
 
 (* ---- Upper halves ---- *)
 
-Lemma digits m k : (SpecFloat.digits2_pos m <= k)%positive -> (Zpos m < 2 ^ Zpos k)%Z.
-Proof.
-  intro H. assert (C := Digits.Zdigits_correct radix2 (Zpos m)). rewrite <- Digits.Zpos_digits2_pos in C. destruct C as [_ C].
-  apply Z.lt_le_trans with (1 := C). apply Z.pow_le_mono_r; [reflexivity|]. exact H.
-Qed.
-Lemma digits_least m k : (0 < k)%Z -> Zpos (SpecFloat.digits2_pos m) = k -> (2 ^ (k - 1) <= Zpos m)%Z.
-Proof.
-  intros K H. assert (C := Digits.Zdigits_correct radix2 (Zpos m)). rewrite <- Digits.Zpos_digits2_pos, H in C. exact (proj1 C).
-Qed.
-
 (* Mantissa and exponent of a positive float make its bits. *)
 Lemma bits_of f m e : Prim2SF f = S754_finite false m e -> let b := ((e + 1074) * 2 ^ 52 + Zpos m)%Z in
   (0 < b < never * 2 ^ 32)%Z /\ double b = real f.
 Proof.
-  intros H b. assert (V := Prim2SF_valid f). rewrite H in V. apply andb_prop in V. destruct V as [C E]. apply Zle_bool_imp_le in E.
-  apply Zeq_bool_eq in C. unfold SpecFloat.fexp, SpecFloat.emin in C. change prec with 53%Z in C, E. change emax with 1024%Z in C, E.
-  assert (D : (Zpos m < 2 ^ 53)%Z) by (apply (digits m 53); lia). rewrite (real_of f m e H). unfold double, high_word.number, mantissa, exponent.
-  destruct (Z.lt_ge_cases (Zpos m) (2 ^ 52)) as [L|G].
+  intros H b. destruct (canonical_of f false m e H) as (N & E & L0). assert (D := digits m 53 N : (Zpos m < 2 ^ 53)%Z).
+  rewrite (real_of f m e H). unfold double, high_word.number, mantissa, exponent. destruct (Z.lt_ge_cases (Zpos m) (2 ^ 52)) as [L|G].
   - assert (e = -1074)%Z as ->.
-    { destruct (Z.eq_dec e (-1074)) as [|N]; [assumption|exfalso].
+    { apply L0. destruct (Z.lt_ge_cases (Zpos (digits2_pos m)) 53) as [|G]; [assumption|exfalso].
       assert (S := digits_least m 53 ltac:(lia) ltac:(lia)). change (53 - 1)%Z with 52%Z in S. lia. }
     unfold b. replace ((-1074 + 1074) * 2 ^ 52 + Zpos m)%Z with (Zpos m) by lia. split; [unfold never; lia|].
     rewrite Z.div_small, Z.mod_small by lia. reflexivity.
@@ -194,13 +182,13 @@ Qed.
 
 Theorem half_stands f : finite f = true -> half_of half_mask_32 f = lower (real f).
 Proof.
-  intro Fin. unfold half_of. destruct (Prim2SF f) as [s|s| |s m e] eqn:H.
-  - rewrite lower_clips; [reflexivity|]. unfold real, Prim2B. rewrite B2R_SF2B, H. apply Rle_refl.
+  intro Fin. rewrite half_of_bits. destruct (Prim2SF f) as [s|s| |s m e] eqn:H.
+  - rewrite lower_clips; [now destruct s|]. unfold real, Prim2B. rewrite B2R_SF2B, H. apply Rle_refl.
   - exfalso. unfold finite, Prim2B in Fin. rewrite is_finite_SF2B, H in Fin. discriminate.
   - exfalso. unfold finite, Prim2B in Fin. rewrite is_finite_SF2B, H in Fin. discriminate.
   - destruct s.
     + rewrite lower_clips; [reflexivity|]. unfold real, Prim2B. rewrite B2R_SF2B, H. apply F2R_le_0. easy.
-    + destruct (bits_of f m e H) as [B <-]. rewrite truncated by exact B. rewrite Z.shiftl_mul_pow2, Z.shiftr_div_pow2 by lia.
+    + destruct (bits_of f m e H) as [B <-]. rewrite truncated by exact B.
       unfold half_mask_32. rewrite <- (Z.ones_equiv 32 : Z.ones 32 = 2 ^ 32 - 1)%Z, Z.land_ones by lia. apply Z.mod_small.
       split; [apply Z.div_pos; lia|]. apply Z.div_lt_upper_bound; [lia|]. unfold never in B. lia.
 Qed.
@@ -210,10 +198,6 @@ Proof.
   unfold high_word.value, high_word.number. replace (exponent 20 (-1042) never) with 1004%Z by reflexivity.
   replace (mantissa 20 never) with (2 ^ 20)%Z by reflexivity. change (2 ^ 20)%Z with (Zpower radix2 20). now rewrite IZR_Zpower, <- bpow_plus by lia.
 Qed.
-
-Lemma value_of_bits b :
-  value_of b = if (b <? never)%Z then ldshiftexp (of_uint63 (Uint63.of_Z (mantissa 20 b))) (Uint63.of_Z (exponent 20 (-1042) b + shift)) else infinity.
-Proof. unfold mantissa, exponent. now rewrite <- Z.shiftr_div_pow2, <- Z.land_ones by easy. Qed.
 
 Theorem value_is e : (0 <= e < never)%Z -> stands 1024 (value_of e) (high_word.value e).
 Proof.
