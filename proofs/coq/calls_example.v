@@ -31,14 +31,14 @@ Definition with_fifth := mesh_of [(0, 1, 2); (0, 2, 4); (2, 3, 4); (3, 0, 4)]%na
 
 (* As integers. *)
 Definition unit : Z := (-60)%Z.
-Lemma small_coordinate a : is_integer unit a = true -> (Z.abs (integer unit a) <=? 2 ^ 67)%Z = true -> coordinate a.
+Lemma small_coordinate a : is_integer unit (Prim2SF a) = true -> (Z.abs (integer unit (Prim2SF a)) <=? 2 ^ 67)%Z = true -> coordinate a.
 Proof.
   intros I L. destruct (integer_value unit a I) as [F V]. split; [exact F|]. apply Z.leb_le, IZR_le in L. rewrite abs_IZR, (IZR_Zpower radix2) in L by lia.
   rewrite V, Rabs_mult, (Rabs_pos_eq (power unit)) by apply bpow_ge_0. apply Rle_trans with (power unit * power 67).
   - apply Rmult_le_compat_l; [apply bpow_ge_0|exact L].
   - rewrite <- bpow_plus. now apply bpow_le.
 Qed.
-Lemma kite_coordinates top : is_integer unit top = true -> (Z.abs (integer unit top) <=? 2 ^ 67)%Z = true -> forall v, coordinates_2 (kite top v).
+Lemma kite_coordinates top : is_integer unit (Prim2SF top) = true -> (Z.abs (integer unit (Prim2SF top)) <=? 2 ^ 67)%Z = true -> forall v, coordinates_2 (kite top v).
 Proof. intros I L v. do 4 (destruct v as [|v]; [split; apply small_coordinate; trivial; reflexivity|]). split; apply small_coordinate; reflexivity. Qed.
 Lemma low_coordinates v : coordinates_2 (low v).
 Proof. now apply kite_coordinates. Qed.

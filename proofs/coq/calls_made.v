@@ -37,15 +37,15 @@ Proof.
   - now left.
 Qed.
 
-Lemma winds_on (f : doubles) T n : (forall v, (v < n)%nat -> is_integer unit (x _ (f v)) = true /\ is_integer unit (y _ (f v)) = true) ->
-  (forall v, In v (border T) -> (v < n)%nat) -> length (filter (enters_z (fun v => point_of unit (f v))) (ridges (border T))) = 1%nat ->
+Lemma winds_on (f : doubles) T n : (forall v, (v < n)%nat -> is_integer unit (Prim2SF (x _ (f v))) = true /\ is_integer unit (Prim2SF (y _ (f v))) = true) ->
+  (forall v, In v (border T) -> (v < n)%nat) -> length (filter (enters_z (fun v => point_of unit (read (f v)))) (ridges (border T))) = 1%nat ->
   winds_once (at_doubles f) (border T).
 Proof.
-  intros I B W. assert (H : forall v, (v < n)%nat -> here (fun v => point_of unit (f v)) (at_doubles f) (power unit) v).
+  intros I B W. assert (H : forall v, (v < n)%nat -> here (fun v => point_of unit (read (f v))) (at_doubles f) (power unit) v).
   { intros v L. destruct (I v L) as [X Y]. apply integer_value in X, Y. unfold here, at_doubles, at_2. now rewrite (proj2 X), (proj2 Y). }
-  unfold winds_once. rewrite (filter_ext_in _ (enters_z (fun v => point_of unit (f v)))); [exact W|].
+  unfold winds_once. rewrite (filter_ext_in _ (enters_z (fun v => point_of unit (read (f v))))); [exact W|].
   intros [[u v] w] R. destruct (ridge_in _ u v w R) as (U & V & X). apply B, H in U, V, X. unfold enters, enters_z.
-  now rewrite !(up_here (fun v => point_of unit (f v)) (at_doubles f) (power unit) (bpow_gt_0 radix2 unit)).
+  now rewrite !(up_here (fun v => point_of unit (read (f v))) (at_doubles f) (power unit) (bpow_gt_0 radix2 unit)).
 Qed.
 Lemma upright_winds : winds_once (at_doubles low) (border upright).
 Proof. apply (winds_on low upright 4); [|intros v I; vm_compute in I; lia|reflexivity]. intros v L. do 4 (destruct v as [|v]; [split; reflexivity|]). lia. Qed.

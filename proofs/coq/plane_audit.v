@@ -187,13 +187,13 @@ End judge.
 
 (* ---- Doubles ---- *)
 
-(* A double as an integer times 2^e, where it is one. *)
-Definition integer (e : Z) (x : float) : Z := match Prim2SF x with S754_finite s m f => (cond_Zopp s (Zpos m) * 2 ^ (f - e))%Z | _ => 0%Z end.
-Definition is_integer (e : Z) (x : float) : bool :=
-  match Prim2SF x with S754_zero _ => true | S754_finite _ _ f => (e <=? f)%Z | _ => false end.
-Definition exponent (x : float) (e : Z) : Z := match Prim2SF x with S754_finite _ _ f => Z.min f e | _ => e end.
+(* A double as an integer times 2^e, where it is one. Coq reads mantissa and exponent of each coordinate once: that takes it long. *)
+Definition integer (e : Z) (x : spec_float) : Z := match x with S754_finite s m f => (cond_Zopp s (Zpos m) * 2 ^ (f - e))%Z | _ => 0%Z end.
+Definition is_integer (e : Z) (x : spec_float) : bool :=
+  match x with S754_zero _ => true | S754_finite _ _ f => (e <=? f)%Z | _ => false end.
+Definition exponent (x : spec_float) (e : Z) : Z := match x with S754_finite _ _ f => Z.min f e | _ => e end.
 
-Lemma integer_value e x : is_integer e x = true -> finite x = true /\ value x = power e * IZR (integer e x).
+Lemma integer_value e x : is_integer e (Prim2SF x) = true -> finite x = true /\ value x = power e * IZR (integer e (Prim2SF x)).
 Proof.
   unfold is_integer, integer, finite, value. rewrite <- SF2R_B2SF, <- is_finite_SF_B2SF, B2SF_Prim2B.
   destruct (Prim2SF x) as [s| | |s m f]; try discriminate; intro H; (split; [reflexivity|]); cbn [SF2R]; [ring|]. apply Z.leb_le in H.
@@ -201,27 +201,29 @@ Proof.
   replace f with (e + (f - e))%Z at 1 by lia. rewrite bpow_plus. ring.
 Qed.
 
-Definition coordinates_of (n : nat) (f : doubles) : list float := flat_map (fun v => [x _ (f v); y _ (f v)]) (seq 0 n).
-Definition point_of (e : Z) (p : filter_2.vector machine) : point_z := (integer e (x _ p), integer e (y _ p)).
+Definition read (p : filter_2.vector machine) : spec_float * spec_float := (Prim2SF (x _ p), Prim2SF (y _ p)).
+Definition coordinates_of (l : list (spec_float * spec_float)) : list spec_float := flat_map (fun p => [fst p; snd p]) l.
+Definition point_of (e : Z) (p : spec_float * spec_float) : point_z := (integer e (fst p), integer e (snd p)).
 Definition all_used (n : nat) (cells : list (nat * nat * nat)) : bool :=
   forallb (fun v => existsb (fun t => let '(a, b, c) := t in ((v =? a) || (v =? b) || (v =? c))%nat) cells) (seq 0 n).
 
 (* Vertices are 0 to n - 1. *)
 Definition audited (n : nat) (f : doubles) (cells : list (nat * nat * nat)) : bool :=
-  let e := fold_right exponent 1024%Z (coordinates_of n f) in
-  let points := map (fun v => point_of e (f v)) (seq 0 n) in
+  let places := map (fun v => read (f v)) (seq 0 n) in
+  let e := fold_right exponent 1024%Z (coordinates_of places) in
+  let points := map (point_of e) places in
   let z v := nth v points (0, 0)%Z in
   let T := mesh_of cells in
-  forallb (is_integer e) (coordinates_of n f) &&& all_used n cells &&& inside_n n T &&& even T &&& judged z T.
+  forallb (is_integer e) (coordinates_of places) &&& all_used n cells &&& inside_n n T &&& even T &&& judged z T.
 
 Theorem audited_delaunay n f cells : audited n f cells = true -> exists T, plane_mesh.cells T = cells /\
   (forall v, vertex_of T v <-> (v < n)%nat) /\ (forall v, (v < n)%nat -> finite (x _ (f v)) = true /\ finite (y _ (f v)) = true) /\
   triangulation (at_doubles f) T /\ delaunay (at_doubles f) T.
 Proof.
-  unfold audited. set (e := fold_right _ _ _). set (points := map _ _). rewrite <- !andb_lazy_alt, !andb_true_iff. intros [[[[I U] N] E] J].
+  unfold audited. set (places := map _ _). set (e := fold_right _ _ _). set (points := map (point_of e) places). rewrite <- !andb_lazy_alt, !andb_true_iff. intros [[[[I U] N] E] J].
   rewrite forallb_forall in I. exists (mesh_of cells). split; [reflexivity|].
-  assert (Own : forall v, (v < n)%nat -> is_integer e (x _ (f v)) = true /\ is_integer e (y _ (f v)) = true).
-  { intros v V. split; apply I, in_flat_map; exists v; (split; [apply in_seq; lia|]); simpl; tauto. }
+  assert (Own : forall v, (v < n)%nat -> is_integer e (Prim2SF (x _ (f v))) = true /\ is_integer e (Prim2SF (y _ (f v))) = true).
+  { intros v V. split; apply I, in_flat_map; exists (read (f v)); (split; [apply in_map_iff; exists v; split; [reflexivity|apply in_seq; lia]|]); simpl; tauto. }
   split; [|split; [intros v V; split; apply (integer_value e); now apply Own|]].
   - intro v. split.
     + intros ([[a b] c] & K & Q). unfold inside_n, below_n in N. rewrite !andb_true_iff, !forallb_forall in N. destruct N as [[Nc _] _].
@@ -231,6 +233,6 @@ Proof.
       rewrite !orb_true_iff, !Nat.eqb_eq in Q. tauto.
   - apply (judged_delaunay (fun v => nth v points (0, 0)%Z) (at_doubles f) (power e) (bpow_gt_0 radix2 e) n); trivial; [|now apply glued_by_edges].
     intros v V. unfold here, at_doubles, at_2. destruct (Own v V) as [X Y]. rewrite (proj2 (integer_value e _ X)), (proj2 (integer_value e _ Y)).
-    unfold points. rewrite (nth_indep _ _ (point_of e (f 0%nat))) by now rewrite map_length, seq_length.
-    rewrite (map_nth (fun v => point_of e (f v))), seq_nth by exact V. reflexivity.
+    unfold points, places. rewrite map_map, (nth_indep _ _ (point_of e (read (f 0%nat)))) by now rewrite map_length, seq_length.
+    rewrite (map_nth (fun v => point_of e (read (f v)))), seq_nth by exact V. reflexivity.
 Qed.
