@@ -8,7 +8,7 @@
    - anchor_advance, put_at_advance    two that do
    - write_at_good  a certificate written at x, with what each point is allowed from there, is good *)
 Require Import Reals Lra Lia ZArith List Bool.
-From Annulus Require Import algorithm_list high_word algorithm_filter.
+From Annulus Require Import algorithm_listed high_word algorithm_filter.
 Import ListNotations.
 Open Scope R_scope.
 

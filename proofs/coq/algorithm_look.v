@@ -9,7 +9,7 @@
    - second_look_right, second_look_promised    what second looks have to find out, and what follows
    - examine_settles   of a vertex that was looked at every certificate is a suspect, renewed, or not reached and listed *)
 Require Import Reals Lra Lia ZArith List Bool.
-From Annulus Require Import algorithm_list high_word algorithm_filter algorithm_keep algorithm_commit.
+From Annulus Require Import algorithm_listed high_word algorithm_filter algorithm_keep algorithm_commit algorithm_rebase.
 Import ListNotations.
 Open Scope R_scope.
 

@@ -13,7 +13,7 @@
    The oracle is any function: which certificates are evaluated, at the moving or at the fixed positions, flipped or reinserted, does
    not matter here. So this is true of the paper's algorithm (fixed positions, relocation) and of ours. *)
 Require Import List Arith Bool Lia Reals Lra.
-From Annulus Require Import updated.
+From Annulus Require Import updated list_counts.
 Import ListNotations.
 Open Scope nat_scope.
 
@@ -96,14 +96,6 @@ Record tidy (s : state) : Prop := {
 
 Lemma passes_at_rest : forall s v, moving s v = fixed s v -> passes s v = true.
 Proof. intros s v H. unfold passes. now destruct (same_position (moving s v) (fixed s v)). Qed.
-
-Lemma NoDup_snoc : forall (l : list vertex) v, NoDup l -> ~ In v l -> NoDup (l ++ [v]).
-Proof.
-  intros l v N. induction N as [|x l X N IH]; intro H; [constructor; [easy|constructor]|].
-  simpl. constructor.
-  - rewrite in_app_iff. intros [A|[A|[]]]; [contradiction|subst; apply H; now left].
-  - apply IH. intro A. apply H. now right.
-Qed.
 
 Lemma lower_positions : forall s u, moving (lower s u) = moving s /\ fixed (lower s u) = fixed s.
 Proof. intros s [v t]. unfold lower. destruct (below t (epsilon s v)); [|easy]. now destruct (orb _ _). Qed.
@@ -190,9 +182,7 @@ Proof.
 Qed.
 
 Theorem at_most_n : forall rounds s t done, tidy s -> run rounds s = (t, done) -> length done <= n.
-Proof.
-  intros rounds s t done T E. apply NoDup_incl_length; [exact (proj1 (each_once _ _ _ _ T E))|]. intros v _. apply complete.
-Qed.
+Proof. intros rounds s t done T E. apply NoDup_incl_length; [exact (proj1 (each_once _ _ _ _ T E))|]. intros v _. apply complete. Qed.
 
 Theorem queue_runs_dry : forall s t done, tidy s -> run (S n) s = (t, done) -> queue t = [].
 Proof.
@@ -244,26 +234,6 @@ Qed.
 (* Counting. *)
 Definition off (s : state) (v : vertex) : bool := if same_position (moving s v) (fixed s v) then false else true.
 Definition number_off (s : state) : nat := length (filter (off s) vertices).
-
-Lemma filter_partition : forall (f g h : vertex -> bool) l, (forall v, In v l -> f v = true -> g v = true \/ h v = true) ->
-  length (filter f l) <= length (filter g l) + length (filter h l).
-Proof.
-  intros f g h l. induction l as [|v l IH]; intro H; simpl; [lia|].
-  assert (K := IH (fun w W => H w (or_intror W))). specialize (H v (or_introl eq_refl)).
-  destruct (f v), (g v), (h v); simpl; first [lia|destruct H; easy].
-Qed.
-
-Lemma filter_disjoint : forall (f g h : vertex -> bool) l,
-  (forall v, In v l -> g v = true -> f v = true) -> (forall v, In v l -> h v = true -> f v = true) ->
-  (forall v, In v l -> ~ (g v = true /\ h v = true)) ->
-  length (filter g l) + length (filter h l) <= length (filter f l).
-Proof.
-  intros f g h l. induction l as [|v l IH]; intros G H D; simpl; [lia|].
-  assert (K := IH (fun w W => G w (or_intror W)) (fun w W => H w (or_intror W)) (fun w W => D w (or_intror W))).
-  specialize (G v (or_introl eq_refl)). specialize (H v (or_introl eq_refl)). specialize (D v (or_introl eq_refl)).
-  destruct (f v), (g v), (h v); simpl; first [lia|exfalso; first
-    [now apply D|specialize (G eq_refl); discriminate|specialize (H eq_refl); discriminate]].
-Qed.
 
 Definition among (l : list vertex) (v : vertex) : bool := if in_dec same_vertex v l then true else false.
 Lemma length_among : forall l, NoDup l -> length (filter (among l) vertices) = length l.
@@ -317,9 +287,7 @@ Proof.
 Qed.
 
 Lemma number_off_le : forall s, number_off s <= n.
-Proof.
-  intro s. apply NoDup_incl_length; [apply NoDup_filter, distinct|]. intros v H. apply filter_In in H. apply H.
-Qed.
+Proof. intro s. apply NoDup_incl_length; [apply NoDup_filter, distinct|]. intros v H. apply filter_In in H. apply H. Qed.
 
 (* The paper's 2n, and what it amounts to in the long run. *)
 Corollary timestamp : forall moves s t k, settled s -> length moves <= n -> calls s moves = (t, k) -> k <= 2 * n.

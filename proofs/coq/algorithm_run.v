@@ -7,7 +7,7 @@
 
    With one vertex as mover a step is one of `filter-each` (move_one): the others are where they were. *)
 Require Import Reals Lra Lia ZArith List Bool.
-From Annulus Require Import algorithm_list high_word algorithm_filter algorithm_keep algorithm_commit algorithm_look algorithm_step.
+From Annulus Require Import algorithm_listed high_word algorithm_filter algorithm_keep algorithm_commit algorithm_look algorithm_step.
 Import ListNotations.
 Open Scope R_scope.
 

@@ -6,7 +6,7 @@
    - undone            if Repair fails, odometers and lists are what they were
    - committed         after commit the invariant holds at the new positions: all certificates hold *)
 Require Import Reals Lra Lia ZArith List Bool.
-From Annulus Require Import algorithm_list high_word algorithm_filter algorithm_keep algorithm_commit algorithm_look.
+From Annulus Require Import algorithm_listed high_word algorithm_filter algorithm_keep algorithm_commit algorithm_rebase algorithm_look.
 Import ListNotations.
 Open Scope R_scope.
 

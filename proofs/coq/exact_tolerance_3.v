@@ -4,7 +4,7 @@
    annulus_attained   all five points can be moved by exactly the half width to one sphere, or one plane where Lam = 0: det becomes 0
    tolerance_exact    where the cells are at least as wide as the annuli, tolerance_3 is the largest number with its property *)
 Require Import Reals Lra Psatz.
-From Annulus Require Import sign_tolerance_3.
+From Annulus Require Import sign_tolerance_3 bicell_slab.
 Open Scope R_scope.
 
 (* At distance |rho - |v|| from v there is a vector of length rho. *)

@@ -4,7 +4,7 @@
    incircle / (|N| + |M|), for all coordinates of the format. *)
 Require Import Reals Lra Psatz ZArith List.
 From Flocq Require Import Core.
-From Annulus Require Import float_model float_error float_terms_2 float_tail float_filter.
+From Annulus Require Import float_model float_error_sound float_terms_2 float_tail float_filter.
 Import ListNotations.
 Open Scope R_scope.
 

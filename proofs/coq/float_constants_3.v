@@ -2,7 +2,7 @@
 (* Error bounds of the terms of width_terms_3.h: the constants of bounds.h for space, and that smaller ones are refused. *)
 Require Import Reals Lra Psatz ZArith List.
 From Flocq Require Import Core.
-From Annulus Require Import float_model float_error float_filter float_terms_3.
+From Annulus Require Import float_model float_error_sound float_filter float_terms_3.
 Import ListNotations.
 Open Scope R_scope.
 

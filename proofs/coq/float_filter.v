@@ -3,7 +3,7 @@
    error bounds C u m^k that are themselves computed in floating point. *)
 Require Import Reals Lra Psatz ZArith List.
 From Flocq Require Import Core Mult_error.
-From Annulus Require Import float_model float_error float_tail.
+From Annulus Require Import float_model float_error_sound float_tail.
 Import ListNotations.
 Open Scope R_scope.
 

@@ -3,7 +3,7 @@
    right, tolerances at most the exact half width. Also what float_sphere_3.v needs of computed differences. *)
 Require Import Reals Lra Psatz ZArith List.
 From Flocq Require Import Core.
-From Annulus Require Import float_model float_error float_tail float_filter float_terms_3 float_constants_3 float_width_3.
+From Annulus Require Import float_model float_error_sound float_tail float_filter float_terms_3 float_constants_3 float_width_3.
 Import ListNotations.
 Open Scope R_scope.
 

@@ -6,7 +6,7 @@
    - sign_certain    so a computed value beyond its error bound, itself computed, has the right sign *)
 From Coq Require Import Reals Lra Lia ZArith List.
 From Flocq Require Import Core.
-From Annulus Require Import float_model float_error float_filter operations.
+From Annulus Require Import float_model float_error_sound float_filter operations.
 Import ListNotations.
 Open Scope R_scope.
 

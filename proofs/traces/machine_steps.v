@@ -10,7 +10,7 @@ From Coq Require Import Floats.
 From Annulus Require float_model float_sums connect.
 From Annulus Require Import operations bridge.
 From Annulus_traces Require Import machine machine_rounds machine_never.
-From Annulus Require Import algorithm_list high_word filter_doubles filter_world algorithm_filter.
+From Annulus Require Import algorithm_listed high_word filter_doubles filter_world algorithm_filter.
 From Annulus_traces Require Import machine_state.
 Import ListNotations.
 Notation real := operations.value.

@@ -250,10 +250,8 @@ Definition write (y : system) : reader system :=
 
 Definition finish_ (y : system) : reader system :=
   v <- number; rebased <- number; round <- many number; b <- real_number; t <- number; '(r, es) <- expiries_told;
-  let s := state_of y v round in
-  let o := at_ s v in
-  let u := finish s v in
-  let o' := at_ u v in
+  let s := state_of y v round in let o := at_ s v in
+  let u := finish s v in let o' := at_ u v in
   must 14 (match waiting y with w :: _ => w =? v | [] => false end &&
            Bool.eqb (worn (base o) (listing o)) (rebased =? 1) && same (base o') b && same (room o') (value_of t) && same_expiries (listing o') r es)
   (let its := filter (fun i => has s i v) round in
@@ -278,10 +276,7 @@ Definition event (e : Z) (y : system) : reader system :=
   | _ => must e false (ret y)
   end.
 Fixpoint events (fuel : nat) (y : system) : reader system :=
-  match fuel with
-  | O => ret y
-  | S fuel => e <- number; if e =? 0 then ret y else z <- event e y; events fuel z
-  end.
+  match fuel with O => ret y | S fuel => e <- number; if e =? 0 then ret y else z <- event e y; events fuel z end.
 End history.
 
 (* A history: dimension, horizons, second looks, events to the end. Decisions. *)
