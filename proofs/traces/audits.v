@@ -7,7 +7,7 @@
    - examples say what damage is, and what is read of words *)
 From Coq Require Import PArray Uint63 Floats ZArith Bool List.
 From Annulus Require Import operations filter_2 filter_delaunay plane_mesh plane_audit winding_needed.
-From Annulus_traces Require Import machine replay.
+From Annulus_traces Require Import machine words replay.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope nat_scope.
@@ -19,7 +19,7 @@ Record table := { points : list point; cells : list (nat * nat * nat) }.
 Definition of_list (l : list point) : doubles := fun v => nth v l origin.
 Definition accepts (t : table) : bool := audited (length (points t)) (of_list (points t)) (cells t).
 
-Definition index : reader nat := n <- replay.number; ret (Z.to_nat n).
+Definition index : reader nat := n <- words.number; ret (Z.to_nat n).
 Definition point_read : reader point := a <- real_number; b <- real_number; ret (at_point a b).
 Definition cell_read : reader (nat * nat * nat) := a <- index; b <- index; c <- index; ret (a, b, c).
 Definition table_read : reader table := p <- many point_read; c <- many cell_read; ret {| points := p; cells := c |}.

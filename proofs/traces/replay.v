@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* What the engine told of a history (trace.h), replayed: the program of algorithm_filter.v, run on the numbers of the machine (machine.v), has to
-   decide the same, bit for bit. What is given is where vertices go, which certificates Repair evaluated with what tolerance or took away,
+   decide the same, bit for bit. What is given is where vertices go, which certificates Repair evaluated or took away,
    and what a tour goes round. What is computed and compared:
 
    - test       who passes the test of a step and who fails                                     find_failed, passes
@@ -9,50 +9,22 @@
    - examine    of each of these: what is taken from its list, whether there is a tour, suspects, what second looks renew and
                 with which numbers, the list that is left                                       examine
    - undo       what a call that fails takes back                                               undo_anchoring
+   - write      the tolerance of a certificate that was evaluated                               same_tolerance (verdicts.v)
    - renew, write   expiries, bases and thresholds of the points of a certificate                       commit_renewal, commit_evaluated, write_fresh
    - finish     whether a vertex is rebased, its base, threshold and list                       finish
    - settle, place  thresholds and lists after a settling; a new vertex                         set_room, place
    - over       every suspect was evaluated or is gone; no certificate is without a record
+   - asked      vertices are where they were tested
+
+   A step that was begun has come to an end, and everyone who failed was looked at, before the next is tested or begun (`progress`); a call that
+   failed has left nobody anchored. While no tolerances are kept, nothing is tested.
 
    The state is the replay's own: nothing of it is read from the trace. *)
 From Coq Require Import PArray Uint63 Floats Reals ZArith Bool FMapPositive List.
 From Annulus Require Import algorithm_list high_word algorithm_filter.
-From Annulus_traces Require Import machine.
+From Annulus_traces Require Import machine words verdicts.
 Import ListNotations.
 Open Scope Z_scope.
-
-(* ---- Reading words ---- *)
-
-Inductive outcome (A : Type) := Good (a : A) (at_word : int) | Bad (at_word : int) (event : Z).
-Arguments Good {A}. Arguments Bad {A}.
-Definition reader A := array int -> int -> outcome A.
-Definition ret {A} (a : A) : reader A := fun _ i => Good a i.
-Definition bind {A B} (m : reader A) (f : A -> reader B) : reader B :=
-  fun w i => match m w i with Good a j => f a w j | Bad j e => Bad j e end.
-Notation "x <- m ; k" := (bind m (fun x => k)) (at level 60, m at level 59, right associativity).
-Notation "' p <- m ; k" := (bind m (fun x => let p := x in k)) (at level 60, p pattern, m at level 59, right associativity).
-Definition must {B} (e : Z) (b : bool) (k : reader B) : reader B := fun w i => if b then k w i else Bad i e.
-
-Definition word : reader int := fun w i => Good w.[i]%uint63 (i + 1)%uint63.
-Definition number : reader Z := n <- word; ret (to_Z n).
-Fixpoint times {A} (n : nat) (m : reader A) : reader (list A) :=
-  match n with O => ret [] | S n => a <- m; l <- times n m; ret (a :: l) end.
-Definition many {A} (m : reader A) : reader (list A) :=
-  fun w i => let n := w.[i]%uint63 in if (n <? 0x10000)%uint63 then times (Z.to_nat (to_Z n)) m w (i + 1)%uint63 else Bad i 0.
-Definition pair {A B} (m : reader A) (k : reader B) : reader (A * B) := a <- m; b <- k; ret (a, b).
-
-Definition float_of (w : int) : float :=
-  let m := (w land 0xfffffffffffff)%uint63 in
-  let e := (w >> 52)%uint63 in
-  if (e =? 2047)%uint63 then (if (m =? 0)%uint63 then infinity else nan)
-  else if (e =? 0)%uint63 then ldshiftexp (of_uint63 m) 1027%uint63                          (* 2^-1074: shift is 2101 *)
-  else ldshiftexp (of_uint63 (m lor 0x10000000000000)%uint63) (e + 1026)%uint63.
-Definition minus : int := 0x7fffffffffffffff%uint63.
-Definition real_number : reader float := w <- word; if (w =? minus)%uint63 then v <- word; ret (- float_of v)%float else ret (float_of w).
-
-Definition same (a b : float) : bool := PrimFloat.Leibniz.eqb a b.
-Fixpoint all2 {A B} (f : A -> B -> bool) (a : list A) (b : list B) : bool :=
-  match a, b with [], [] => true | x :: a, y :: b => f x y && all2 f a b | _, _ => false end.
 
 (* ---- The state ---- *)
 
@@ -63,6 +35,9 @@ Variables (dimension : nat) (h : horizons) (looks : second_looks).
 Definition place_of : reader machine.point := times dimension real_number.
 
 Record known := { of_points : list Z; expiries : list (Z * Z); kept_tolerance : float; circle : option (float * float * float) }.
+(* Where a step is. open: vertices failed, or cells changed, and what became of it is not told; unlooked: anchored, to be looked at; tracks: there are tolerances. *)
+Record progress := { open : bool; unlooked : list Z; tracks : bool }.
+Definition at_rest : progress := {| open := false; unlooked := []; tracks := true |}.
 Record system := {
   vertices : PositiveMap.t odometer;
   certificates : PositiveMap.t known;
@@ -74,10 +49,11 @@ Record system := {
   before : PositiveMap.t odometer;       (* when the step began *)
   waiting : list Z;                      (* anchored in this step and not finished *)
   suspects : list Z;
+  course : progress;
   renewed : renewals;
   decisions : Z }.
 Definition nothing : system := {| vertices := PositiveMap.empty _; certificates := PositiveMap.empty _; goal := PositiveMap.empty _; lives := [];
-  stamped := 0; settling := false; failed := []; before := PositiveMap.empty _; waiting := []; suspects := []; renewed := []; decisions := 0 |}.
+  stamped := 0; settling := false; failed := []; before := PositiveMap.empty _; waiting := []; suspects := []; course := at_rest; renewed := []; decisions := 0 |}.
 
 Definition key (i : Z) : positive := Z.to_pos (i + 1).
 Definition find {A} (i : Z) (m : PositiveMap.t A) : option A := PositiveMap.find (key i) m.
@@ -104,23 +80,28 @@ Definition now (y : system) : state := state_of y 0 [].
 (* What an operation did to these vertices. *)
 Definition keep (t : state) (vs : list Z) (m : PositiveMap.t odometer) : PositiveMap.t odometer := fold_left (fun m v => add v (at_ t v) m) vs m.
 Definition with_vertices (y : system) m w n : system := {| vertices := m; certificates := certificates y; goal := goal y; lives := lives y;
-  stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := w; suspects := suspects y;
+  stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := w; suspects := suspects y; course := course y;
   renewed := renewed y; decisions := decisions y + n |}.
 Definition with_certificates (y : system) c : system := {| vertices := vertices y; certificates := c; goal := goal y; lives := lives y;
-  stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := suspects y;
+  stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := suspects y; course := course y;
   renewed := renewed y; decisions := decisions y |}.
 Definition with_open (y : system) s r : system := {| vertices := vertices y; certificates := certificates y; goal := goal y; lives := lives y;
-  stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := s;
+  stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := s; course := course y;
   renewed := r; decisions := decisions y |}.
+Definition with_course (y : system) c : system := {| vertices := vertices y; certificates := certificates y; goal := goal y; lives := lives y;
+  stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := suspects y; course := c;
+  renewed := renewed y; decisions := decisions y |}.
+Definition to_look_at (y : system) (l : list Z) : system := with_course y {| open := open (course y); unlooked := l; tracks := tracks (course y) |}.
+Definition nobody (l : list Z) : bool := match l with [] => true | _ => false end.
 Definition with_goals (y : system) g l : system := {| vertices := vertices y; certificates := certificates y; goal := g; lives := l;
-  stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := suspects y;
+  stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := suspects y; course := course y;
   renewed := renewed y; decisions := decisions y |}.
 Definition with_step (y : system) e f b n : system := {| vertices := vertices y; certificates := certificates y; goal := goal y; lives := lives y;
-  stamped := e; settling := settling y; failed := f; before := b; waiting := waiting y; suspects := suspects y;
+  stamped := e; settling := settling y; failed := f; before := b; waiting := waiting y; suspects := suspects y; course := course y;
   renewed := renewed y; decisions := decisions y + n |}.
 Definition beginning (y : system) (b : bool) : system := {| vertices := if b then PositiveMap.empty _ else vertices y;
   certificates := if b then PositiveMap.empty _ else certificates y; goal := if b then PositiveMap.empty _ else goal y; lives := if b then [] else lives y;
-  stamped := stamped y; settling := b; failed := []; before := PositiveMap.empty _; waiting := []; suspects := []; renewed := [];
+  stamped := stamped y; settling := b; failed := []; before := PositiveMap.empty _; waiting := []; suspects := []; course := at_rest; renewed := [];
   decisions := decisions y |}.
 
 Definition same_expiries (l : expiry_list) (r : Z) (es : list Z) : bool :=
@@ -148,13 +129,15 @@ Definition settle_ (y : system) : reader system :=
 Definition test (y : system) : reader system :=
   mover <- number; told <- many number;
   let movers := if mover =? 0 then lives y else [mover - 1] in
-  must 6 (all2 Z.eqb (find_failed (now y) (x_of y) movers) told) (ret (with_step y (stamped y) told (before y) (size movers))).
+  must 6 (tracks (course y) && negb (open (course y)) && all2 Z.eqb (find_failed (now y) (x_of y) movers) told)
+  (ret (with_course (with_step y (stamped y) told (before y) (size movers)) {| open := negb (nobody told); unlooked := []; tracks := true |})).
 
 Definition stamp_ (y : system) : reader system :=
   e <- number;
   let t := begin_anchoring (now y) in
   let m := if stamped y =? stamps then PositiveMap.mapi (fun k _ => at_ t (Zpos k - 1)) (vertices y) else vertices y in
-  must 7 (epoch t =? e) (ret (with_open (with_step (with_vertices y m [] 1) e (failed y) m 0) [] [])).
+  must 7 ((epoch t =? e) && nobody (waiting y) && nobody (suspects y) && nobody (unlooked (course y)))
+  (ret (with_course (with_open (with_step (with_vertices y m [] 1) e (failed y) m 0) [] []) {| open := true; unlooked := []; tracks := true |})).
 
 Definition anchor_one (y : option system) (told : Z * float) : option system :=
   match y with
@@ -167,7 +150,7 @@ Definition anchor_one (y : option system) (told : Z * float) : option system :=
 Definition anchor_ (y : system) : reader system :=
   l <- many (pair number real_number);
   must 8 (all2 Z.eqb (map fst l) (failed y))
-  (match fold_left anchor_one l (Some y) with Some z => ret z | None => must 8 false (ret y) end).
+  (match fold_left anchor_one l (Some y) with Some z => ret (to_look_at z (map fst l)) | None => must 8 false (ret y) end).
 
 (* Of a renewal, the numbers of the points in their order. *)
 Definition values (n : Z * certificate * renewal) : list float :=
@@ -181,19 +164,19 @@ Definition examine_ (y : system) : reader system :=
   let reading := half (base (at_ s v)) in
   let visited := if rest l0 <=? reading then [] else fst (take reading l0) in
   let '(l, named', looked') := examine (look_again h looks (circles y)) s (x_of y) v in
-  must 9 (same_expiries l r es && all2 Z.eqb (rev named') named &&
+  must 9 (match unlooked (course y) with w :: _ => w =? v | [] => false end && same_expiries l r es && all2 Z.eqb (rev named') named &&
           all2 (fun n t => (fst (fst n) =? fst t) && all2 same (values n) (snd t)) (rev looked') looked)
   (let m := add v (set_listing (at_ s v) l) (vertices y) in
-   ret (with_open (with_vertices y m (waiting y) (1 + size visited + size round)) (suspects y ++ named) (renewed y ++ rev looked'))).
+   ret (with_open (with_vertices (to_look_at y (tl (unlooked (course y)))) m (waiting y) (1 + size visited + size round)) (suspects y ++ named) (renewed y ++ rev looked'))).
 
 Definition undo_ (y : system) : reader system :=
   let t := undo_anchoring {| moving := x_of y; at_ := odometer_in (before y) y; mesh := mesh (now y); record := record (now y); epoch := stamped y; anchored := [] |}
     (now y) (failed y) in
-  ret (with_open (with_vertices y (keep t (failed y) (vertices y)) [] 1) [] []).
+  ret (with_course (with_open (with_vertices y (keep t (failed y) (vertices y)) [] 1) [] []) at_rest).
 
 Definition mend_ (y : system) : reader system :=
   l <- many number;
-  ret (with_open (with_certificates y (fold_left (fun m i => PositiveMap.remove (key i) m) l (certificates y))) (without (suspects y) l) (renewed y)).
+  must 11 (nobody (unlooked (course y))) (ret (with_open (with_certificates y (fold_left (fun m i => PositiveMap.remove (key i) m) l (certificates y))) (without (suspects y) l) (renewed y))).
 
 (* The record of certificate i as an operation left it. *)
 Definition kept_record (t : state) (i : Z) (points : list Z) (o : option (float * float * float)) : known :=
@@ -245,7 +228,7 @@ Definition write (y : system) : reader system :=
   let y := with_certificates y (add i {| of_points := points; expiries := []; kept_tolerance := 0; circle := None |} (certificates y)) in
   let t := if settling y then write_fresh (x_of y) (now y) k else commit_evaluated (x_of y) (now y) k in
   let kept := kept_record t i points o in
-  must 13 (renewed_before && all2 (fun '(v, (b, e)) '(_, e') => same (base (at_ t v)) b && (e' =? e)) l (expiries kept))
+  must 13 (renewed_before && same_tolerance (decisions y mod 97 =? 0) (map (x_of y) points) tol && all2 (fun '(v, (b, e)) '(_, e') => same (base (at_ t v)) b && (e' =? e)) l (expiries kept))
   (let z := after y t i kept in ret (with_open z (without (suspects z) [i]) [])).
 
 Definition finish_ (y : system) : reader system :=
@@ -262,7 +245,18 @@ Definition over (y : system) : reader system :=
   n <- number;
   must 15 (match waiting y, suspects y with [], [] => true | _, _ => false end && forallb (dead y) (renewed y) &&
            (Z.of_nat (PositiveMap.cardinal (certificates y)) =? n))
-  (ret (with_open y [] [])).
+  (ret (with_course (with_open y [] []) at_rest)).
+
+(* No tolerances any longer, so none is tested until all is evaluated anew; a call that ended in an error, which left no vertex anchored. *)
+Definition untracked_ (y : system) : reader system :=
+  ret (with_course (with_open (with_vertices y (vertices y) [] 0) [] []) {| open := false; unlooked := []; tracks := false |}).
+Definition failed_ (y : system) : reader system :=
+  let c := course y in
+  must 18 (nobody (waiting y) && nobody (unlooked c)) (ret (with_course y {| open := false; unlooked := []; tracks := tracks c |})).
+(* A call that succeeded: vertices are where it was asked to have them, and that is where they were tested. *)
+Definition asked_ (y : system) : reader system :=
+  l <- many (pair number place_of);
+  must 19 (negb (tracks (course y)) || forallb (fun '(v, p) => all2 same (x_of y v) p) l) (ret y).
 
 Definition place_ (y : system) : reader system :=
   v <- number; p <- place_of;
@@ -273,6 +267,7 @@ Definition event (e : Z) (y : system) : reader system :=
   match e with
   | 2 => places y | 3 => gone y | 4 => ret (beginning y true) | 5 => settle_ y | 6 => test y | 7 => stamp_ y | 8 => anchor_ y
   | 9 => examine_ y | 10 => undo_ y | 11 => mend_ y | 12 => renew y | 13 => write y | 14 => finish_ y | 15 => over y | 16 => place_ y
+  | 17 => untracked_ y | 18 => failed_ y | 19 => asked_ y
   | _ => must e false (ret y)
   end.
 Fixpoint events (fuel : nat) (y : system) : reader system :=

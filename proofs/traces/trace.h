@@ -34,6 +34,9 @@ struct Trace {
         finish,        ///< vertex; 0 or 1: whether it was rebased; what that went round; base, threshold, list
         over,          ///< how many certificates there are: the step is over
         place,         ///< vertex, position: it is new
+        untracked,     ///< a step without tolerances
+        failed,        ///< a call ended in an error (traces.cpp)
+        asked,         ///< a call succeeded that was to bring these vertices to these positions (traces.cpp)
     };
     static constexpr std::uint64_t minus = (std::uint64_t{1} << 63) - 1;
 
@@ -150,7 +153,12 @@ struct Trace {
         numbers(o.vertex_[at(v)].fixed);
     }
     template <int d>
+    static void untracking(const Odometers<d>& o) {
+        if (on && !o.kept()) word(untracked);
+    }
+    template <int d>
     static void tested(const Odometers<d>& o, const Step<d>& step) {
+        untracking(o);
         if (!on || !o.kept()) return;
         tell_positions(o, step.x);
         word(test);
@@ -160,6 +168,7 @@ struct Trace {
     }
     template <int d>
     static void passed(const Odometers<d>& o, Index v, const Coordinates<d>& p) {
+        untracking(o);
         if (!on || !o.kept()) return;
         told<d>.position[at(v)] = p;
         word(places);

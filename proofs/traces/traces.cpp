@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -81,14 +82,38 @@ struct History {
         const std::uint64_t calls = hops ? 40 : below(16) == 0 ? 60 : 4 + below(12);
         for (std::uint64_t k = 0; k < calls; ++k) {
             try {
-                if (hops && below(8) != 0) mesh.move(0, somewhere());
+                if (hops && below(8) != 0) move(mesh, 0, somewhere());
                 else call(mesh, pace, blows ? wind : Point{});
             } catch (const Error&) {
                 ++count["failed calls"];
+                Trace::word(Trace::failed);
             }
             if constexpr (d == 2)
                 if (k % 4 == 3 || k + 1 == calls) tell_table(mesh);
         }
+    }
+
+    // Moves, and that they were asked for, once they have been made: of vertices that live.
+    static void tell_asked(Mesh& mesh, std::span<const Index> who, std::span<const Point> where) {
+        std::map<Index, Point> asked;
+        for (std::size_t k = 0; k < who.size(); ++k)
+            if (mesh.vertex(static_cast<std::size_t>(who[k])) != typename Mesh::Vertex_handle()) asked[who[k]] = where[k];
+        Trace::word(Trace::asked);
+        Trace::word(asked.size());
+        for (const auto& [v, p] : asked) {
+            Trace::vertex(v);
+            Trace::numbers(p);
+        }
+    }
+    static void move(Mesh& mesh, Index v, const Point& p) {
+        mesh.move(v, p);
+        tell_asked(mesh, std::span(&v, 1), std::span(&p, 1));
+    }
+    static void move_all(Mesh& mesh, const std::vector<Point>& x) {
+        mesh.move_all(x);
+        std::vector<Index> all(x.size());
+        std::iota(all.begin(), all.end(), Index{0});
+        tell_asked(mesh, all, x);
     }
 
     /// How many points and their coordinates, how many cells and their corners; nothing while all points are on a line.
@@ -121,21 +146,21 @@ struct History {
                 return;
             }
             case 2: mesh.settle(); return;
-            case 3: mesh.move(someone(), x[static_cast<std::size_t>(someone())]); return;  // collides, as a rule
+            case 3: move(mesh, someone(), x[static_cast<std::size_t>(someone())]); return;  // collides, as a rule
             case 4: {  // all to where one is, or nowhere
                 x[static_cast<std::size_t>(someone())] = x[static_cast<std::size_t>(someone())];
                 if (below(3) == 0) x[static_cast<std::size_t>(someone())][0] = below(2) == 0 ? std::nan("") : 0x1p1000;
-                mesh.move_all(x);
+                move_all(mesh, x);
                 return;
             }
             case 5: {  // far
-                mesh.move(someone(), somewhere());
+                move(mesh, someone(), somewhere());
                 return;
             }
             case 6: case 7: case 8: case 9: case 10: case 11: {
                 const Index v = someone();
                 wander(x[static_cast<std::size_t>(v)], pace * std::ldexp(1.0, static_cast<int>(below(6)) - 2));
-                mesh.move(v, x[static_cast<std::size_t>(v)]);
+                move(mesh, v, x[static_cast<std::size_t>(v)]);
                 return;
             }
             case 12: case 13: {
@@ -143,6 +168,7 @@ struct History {
                 std::vector<Point> where{x[static_cast<std::size_t>(who[0])], x[static_cast<std::size_t>(who[1])]};
                 for (Point& p : where) wander(p, pace);
                 mesh.move(who, where);
+                tell_asked(mesh, who, where);
                 return;
             }
             default: {
@@ -152,7 +178,7 @@ struct History {
                     for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) p[k] += wind[k];
                     if (below(share) == 0) wander(p, way);
                 }
-                mesh.move_all(x);
+                move_all(mesh, x);
                 return;
             }
         }

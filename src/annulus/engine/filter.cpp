@@ -103,6 +103,7 @@ template <int d>
 void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
     if (!embedding_.mirrored()) {
         require_domain(x);
+        ANNULUS_TRACED(untracking(odometers_));
         rebuild_all(x, next_is_mended(x), report);
         return;
     }
