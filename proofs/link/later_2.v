@@ -1,66 +1,73 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Rows of the interval and the exact stage: both are replayed, and judged by the truth. *)
+(* Rows of the interval and the exact stage: both are replayed, and judged by the truth. Beside them stands what the ladder of all stages answers of
+   the same points in the modes `fast` and `tight` (batch.h); it is replayed too, and ladders.v says that it is the ladder of coq/. *)
 From Coq Require Import List Floats Bool String.
-From Annulus Require Import operations filter_2 integers_2 interval_2 exact_2.
+From Annulus Require Import operations filter_2 stages integers_2 interval_2 exact_2.
 From Annulus_link Require Import replay_2 truth_2.
 Import ListNotations.
 
 (* A row is judged by two tests; the second one says what it is worth. Tests are variables here: a conversion that tried to
    evaluate them would not end. *)
-Inductive orientation_2_later := Later_orientation_2 (ax ay bx by' cx cy : float) (interval exact : answer float).
-Inductive empty_sphere_2_later := Later_empty_sphere_2 (ax ay bx by' px py qx qy : float) (interval exact : answer float).
-(* The published table: what all three stages say of a bi-cell with a name. *)
-Inductive named_2 := Named_2 (name : string) (ax ay bx by' px py qx qy : float) (filter interval exact : answer float).
+Inductive orientation_2_later := Later_orientation_2 (ax ay bx by' cx cy : float) (interval exact fast tight : answer float).
+Inductive empty_sphere_2_later := Later_empty_sphere_2 (ax ay bx by' px py qx qy : float) (interval exact fast tight : answer float).
+(* The published table: what all three stages and the ladder say of a bi-cell with a name. *)
+Inductive named_2 := Named_2 (name : string) (ax ay bx by' px py qx qy : float) (filter interval exact fast tight : answer float).
+
+(* What the ladder answers of these answers of its stages. *)
+Definition same_ladder (f i e fast tight : answer float) := same_answer (ladder false f i e) fast && same_answer (ladder true f i e) tight.
+(* Replayed answers f, i, e of the stages, of which i', e' and those of the ladder were printed. *)
+Definition same_stages (f i e i' e' fast tight : answer float) := (same_answer i i' && same_answer e e') && same_ladder f i e fast tight.
 
 Section tests.
-Variable f3 : float -> float -> float -> float -> float -> float -> answer float -> answer float -> bool.
-Variable f4 g4 : float -> float -> float -> float -> float -> float -> float -> float -> answer float -> answer float -> bool.
+Variable f3 : float -> float -> float -> float -> float -> float -> answer float -> answer float -> answer float -> answer float -> bool.
+Variable f4 : float -> float -> float -> float -> float -> float -> float -> float -> answer float -> answer float -> answer float -> answer float -> bool.
+Variable g4 : float -> float -> float -> float -> float -> float -> float -> float -> answer float -> answer float -> bool.
 Variable h4 : float -> float -> float -> float -> float -> float -> float -> float -> answer float -> answer float -> bool.
 Variable g3 : float -> float -> float -> float -> float -> float -> answer float -> answer float -> bool.
 
 Definition on_orientation (r : orientation_2_later) :=
-  let (ax, ay, bx, by', cx, cy, i, e) := r in f3 ax ay bx by' cx cy i e && g3 ax ay bx by' cx cy i e.
+  let (ax, ay, bx, by', cx, cy, i, e, fast, tight) := r in f3 ax ay bx by' cx cy i e fast tight && g3 ax ay bx by' cx cy i e.
 Definition on_empty_sphere (r : empty_sphere_2_later) :=
-  let (ax, ay, bx, by', px, py, qx, qy, i, e) := r in f4 ax ay bx by' px py qx qy i e && g4 ax ay bx by' px py qx qy i e.
+  let (ax, ay, bx, by', px, py, qx, qy, i, e, fast, tight) := r in f4 ax ay bx by' px py qx qy i e fast tight && g4 ax ay bx by' px py qx qy i e.
 Definition on_named (r : named_2) :=
-  let (_, ax, ay, bx, by', px, py, qx, qy, f, i, e) := r in
-  h4 ax ay bx by' px py qx qy f i && (g4 ax ay bx by' px py qx qy f e && g4 ax ay bx by' px py qx qy i e).
+  let (_, ax, ay, bx, by', px, py, qx, qy, f, i, e, fast, tight) := r in
+  (h4 ax ay bx by' px py qx qy f i && same_ladder f i e fast tight) && (g4 ax ay bx by' px py qx qy f e && g4 ax ay bx by' px py qx qy i e).
 
 Variable P3 : float -> float -> float -> float -> float -> float -> answer float -> answer float -> Prop.
 Variable P4 : float -> float -> float -> float -> float -> float -> float -> float -> answer float -> answer float -> Prop.
 Hypothesis G3 : forall ax ay bx by' cx cy i e, g3 ax ay bx by' cx cy i e = true -> P3 ax ay bx by' cx cy i e.
 Hypothesis G4 : forall ax ay bx by' px py qx qy i e, g4 ax ay bx by' px py qx qy i e = true -> P4 ax ay bx by' px py qx qy i e.
 
-Definition worth_orientation (r : orientation_2_later) : Prop := let (ax, ay, bx, by', cx, cy, i, e) := r in P3 ax ay bx by' cx cy i e.
+Definition worth_orientation (r : orientation_2_later) : Prop := let (ax, ay, bx, by', cx, cy, i, e, _, _) := r in P3 ax ay bx by' cx cy i e.
 Definition worth_empty_sphere (r : empty_sphere_2_later) : Prop :=
-  let (ax, ay, bx, by', px, py, qx, qy, i, e) := r in P4 ax ay bx by' px py qx qy i e.
+  let (ax, ay, bx, by', px, py, qx, qy, i, e, _, _) := r in P4 ax ay bx by' px py qx qy i e.
 Definition worth_named (r : named_2) : Prop :=
-  let (_, ax, ay, bx, by', px, py, qx, qy, f, i, e) := r in P4 ax ay bx by' px py qx qy f e /\ P4 ax ay bx by' px py qx qy i e.
+  let (_, ax, ay, bx, by', px, py, qx, qy, f, i, e, _, _) := r in P4 ax ay bx by' px py qx qy f e /\ P4 ax ay bx by' px py qx qy i e.
 
 Lemma orientation_worth : forall r, on_orientation r = true -> worth_orientation r.
-Proof. intros [ax ay bx by' cx cy i e] H. apply andb_prop in H. apply G3, H. Qed.
+Proof. intros [ax ay bx by' cx cy i e fast tight] H. apply andb_prop in H. apply G3, H. Qed.
 Lemma empty_sphere_worth : forall r, on_empty_sphere r = true -> worth_empty_sphere r.
-Proof. intros [ax ay bx by' px py qx qy i e] H. apply andb_prop in H. apply G4, H. Qed.
+Proof. intros [ax ay bx by' px py qx qy i e fast tight] H. apply andb_prop in H. apply G4, H. Qed.
 Lemma named_worth : forall r, on_named r = true -> worth_named r.
 Proof.
-  intros [name ax ay bx by' px py qx qy f i e] H. apply andb_prop in H. destruct H as [_ H]. apply andb_prop in H.
+  intros [name ax ay bx by' px py qx qy f i e fast tight] H. apply andb_prop in H. destruct H as [_ H]. apply andb_prop in H.
   destruct H. split; apply G4; assumption.
 Qed.
 End tests.
 
-(* The interval and the exact stage, replayed; for the table filter and intervals. *)
-Definition both_orientation ax ay bx by' cx cy (i e : answer float) :=
-  same_answer (orientation_interval (point ax ay) (point bx by') (point cx cy)) i &&
-  same_answer (orientation_exact (point ax ay) (point bx by') (point cx cy)) e.
-Definition both_annulus ax ay bx by' px py qx qy (i e : answer float) :=
-  same_answer (empty_sphere_interval (point ax ay) (point bx by') (point px py) (point qx qy)) i &&
-  same_answer (empty_sphere_exact (point ax ay) (point bx by') (point px py) (point qx qy)) e.
+(* The interval and the exact stage and the ladder, replayed; for the table filter and intervals. *)
+Definition stages_orientation ax ay bx by' cx cy (i e fast tight : answer float) :=
+  let a := point ax ay in let b := point bx by' in let c := point cx cy in
+  same_stages (orientation_filter machine a b c true) (orientation_interval a b c) (orientation_exact a b c) i e fast tight.
+Definition stages_annulus ax ay bx by' px py qx qy (i e fast tight : answer float) :=
+  let a := point ax ay in let b := point bx by' in let p := point px py in let q := point qx qy in
+  same_stages (empty_sphere_filter machine a b p q true) (empty_sphere_interval a b p q) (empty_sphere_exact a b p q) i e fast tight.
 Definition filter_and_interval ax ay bx by' px py qx qy (f i : answer float) :=
   same_answer (empty_sphere_filter machine (point ax ay) (point bx by') (point px py) (point qx qy) true) f &&
   same_answer (empty_sphere_interval (point ax ay) (point bx by') (point px py) (point qx qy)) i.
 
-Definition agrees_orientation_2_later := on_orientation both_orientation judge_orientation.
-Definition agrees_empty_sphere_2_later := on_empty_sphere both_annulus judge_annulus.
+Definition agrees_orientation_2_later := on_orientation stages_orientation judge_orientation.
+Definition agrees_empty_sphere_2_later := on_empty_sphere stages_annulus judge_annulus.
 Definition agrees_named_2 := on_named judge_annulus filter_and_interval.
 
 (* The first answer is sound, the second sharp: judge_orientation_spec, judge_annulus_spec. *)
@@ -70,8 +77,8 @@ Definition true_annulus ax ay bx by' px py qx qy (i e : answer float) :=
   let t := annulus_of reals (real_point ax ay) (real_point bx by') (real_point px py) (real_point qx qy) in soundly t i /\ sharply t e.
 
 Definition orientation_2_later_certified : forall r, agrees_orientation_2_later r = true -> worth_orientation true_orientation r :=
-  orientation_worth both_orientation judge_orientation true_orientation judge_orientation_spec.
+  orientation_worth stages_orientation judge_orientation true_orientation judge_orientation_spec.
 Definition empty_sphere_2_later_certified : forall r, agrees_empty_sphere_2_later r = true -> worth_empty_sphere true_annulus r :=
-  empty_sphere_worth both_annulus judge_annulus true_annulus judge_annulus_spec.
+  empty_sphere_worth stages_annulus judge_annulus true_annulus judge_annulus_spec.
 Definition named_2_certified : forall r, agrees_named_2 r = true -> worth_named true_annulus r :=
   named_worth judge_annulus filter_and_interval true_annulus judge_annulus_spec.
