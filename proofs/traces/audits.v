@@ -7,13 +7,12 @@
    - examples say what damage is, and what is read of words *)
 From Coq Require Import PArray Uint63 Floats ZArith Bool List.
 From Annulus Require Import operations filter_2 filter_delaunay plane_mesh plane_audit winding_needed.
-From Annulus_traces Require Import machine words replay.
+From Annulus_traces Require Import machine words verdicts replay.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope nat_scope.
 
 Definition point := filter_2.vector operations.machine.
-Definition at_point (a b : float) : point := {| filter_2.x := a : operations.number operations.machine; filter_2.y := b |}.
 Definition origin : point := at_point 0%float 0%float.
 Record table := { points : list point; cells : list (nat * nat * nat) }.
 Definition of_list (l : list point) : doubles := fun v => nth v l origin.

@@ -9,7 +9,7 @@ From Annulus Require operations.
 From Annulus_traces Require Import machine words.
 Import ListNotations.
 
-Definition point_2 (a b : float) : filter_2.vector operations.machine := {| filter_2.x := a : operations.number operations.machine; filter_2.y := b |}.
+Definition at_point (a b : float) : filter_2.vector operations.machine := {| filter_2.x := a : operations.number operations.machine; filter_2.y := b |}.
 Definition point_3 (a b c : float) : vector_3 operations.machine := {| x3 := a : operations.number operations.machine; y3 := b; z3 := c |}.
 
 (* The later stage is a function, since Coq's machine computes what it is given at once. *)
@@ -22,10 +22,10 @@ Definition is_that (intervals : bool) (first : answer float) (later : unit -> an
 Definition same_tolerance (intervals : bool) (l : list machine.point) (t : float) : bool :=
   match l with
   | [[ax; ay]; [bx; by']; [cx; cy]] =>
-      let a := point_2 ax ay in let b := point_2 bx by' in let c := point_2 cx cy in
+      let a := at_point ax ay in let b := at_point bx by' in let c := at_point cx cy in
       is_that intervals (orientation_filter operations.machine a b c true) (fun _ => orientation_interval a b c) t
   | [[ax; ay]; [bx; by']; [px; py]; [qx; qy]] =>
-      let a := point_2 ax ay in let b := point_2 bx by' in let p := point_2 px py in let q := point_2 qx qy in
+      let a := at_point ax ay in let b := at_point bx by' in let p := at_point px py in let q := at_point qx qy in
       is_that intervals (empty_sphere_filter operations.machine a b p q true) (fun _ => empty_sphere_interval a b p q) t
   | [[ax; ay; az]; [bx; by'; bz]; [cx; cy; cz]; [dx; dy; dz]] =>
       let a := point_3 ax ay az in let b := point_3 bx by' bz in let c := point_3 cx cy cz in let d := point_3 dx dy dz in
