@@ -107,8 +107,8 @@ import annulus, os, signal, threading, time
 def interrupt():
     time.sleep(0.5)
     os.kill(os.getpid(), signal.SIGINT)
-threading.Thread(target=interrupt).start()
 try:
+    threading.Thread(target=interrupt).start()
     annulus.lloyd(2000, 10**7)
 except KeyboardInterrupt:
     print("interrupted")
@@ -129,8 +129,8 @@ def interrupt():
     while time.clock_gettime(mine) < before + 0.05:
         time.sleep(1e-3)
     os.kill(os.getpid(), signal.SIGINT)
-threading.Thread(target=interrupt).start()
 try:
+    threading.Thread(target=interrupt).start()
     for _ in range(100):
         dt.move(x + 1)
         dt.move(x)

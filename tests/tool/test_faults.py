@@ -108,11 +108,8 @@ class Signals(ToolTest):
     LONG = ["lloyd", "--points", "300", "--iterations", "100000000", "--audit", "0"]
 
     def start(self, *words):
-        def default_action():  # whoever runs the tests may ignore the signal, as nohup and shells do for their children
-            for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-                signal.signal(number, signal.SIG_DFL)
         run = subprocess.Popen([OPTIONS["tool"], *map(str, words)], cwd=self.here, stdin=subprocess.DEVNULL,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=default_action)
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.addCleanup(lambda: (run.kill(), run.communicate()))
         return run
 

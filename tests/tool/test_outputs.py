@@ -186,8 +186,8 @@ class Outputs(ToolTest):
     def test_an_unwritable_directory_is_known_before_the_run(self):
         self.write("taken", "here already")
         motion = ["lloyd", "--points", "3000", "--iterations", "1000000"]
-        self.refuse(3, *motion, "--output", "taken", timeout=10)
-        self.refuse(3, "compare", "--output", "taken", "--", *motion, timeout=10)
+        self.refuse(3, *motion, "--output", "taken")
+        self.refuse(3, "compare", "--output", "taken", "--", *motion)
 
     def test_directory_without_permission(self):
         locked = self.here / "locked"

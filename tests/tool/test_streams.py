@@ -2,11 +2,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs `annulus` on files that are read while it runs: pipes, packed ones, long ones, broken ones. usage: test_streams.py --tool=PATH [CLASS[.METHOD]...]"""
 
+import fcntl
 import gzip
 import os
 import signal
+import struct
 import subprocess
+import termios
 import time
+from pathlib import Path
 
 import tool
 
@@ -95,16 +99,24 @@ class Streams(tool.ToolTest):
         self.write("a.xyz", "2\n\n0 0\n1 0\n2\n\n0 0\n")
         self.refuse(3, "replay", "a.xyz", "--output", "out")
 
+    def until_it_waits(self, run):
+        """Until all that was written to its pipe was read, and it has been asleep for a while."""
+        asleep = 0
+        while asleep < 10:
+            self.assertIsNone(run.poll())
+            time.sleep(0.02)
+            left, = struct.unpack("i", fcntl.ioctl(run.stdin, termios.FIONREAD, bytes(4)))
+            state = Path(f"/proc/{run.pid}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()[0]
+            asleep = asleep + 1 if left == 0 and state == "S" else 0
+
     def test_an_interrupted_pipe(self):
         """The run waits for a pipe that has no more to say and no end."""
-        def default_action():
-            signal.signal(signal.SIGINT, signal.SIG_DFL)
         run = subprocess.Popen([tool.OPTIONS["tool"], "replay", "-", "--format", "xyz", "--output", "out"], cwd=self.here,
-                               stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=default_action)
+                               stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.addCleanup(lambda: (run.kill(), run.communicate()))
         run.stdin.write((XYZ + "9\n").encode())
         run.stdin.flush()
-        time.sleep(2)
+        self.until_it_waits(run)
         run.send_signal(signal.SIGINT)
         out, err = run.communicate(timeout=60)  # its other end goes, as on a terminal
         self.assertEqual((run.returncode, out), (-signal.SIGINT, b""))

@@ -53,18 +53,15 @@ def ranks_of(launcher):
 
 class Killed(Stopped):
     def until_all_are_gone(self, run, ranks):
-        """Ranks do not outlive one of them, nor mpirun. Open MPI's mpirun (4.1.4) may itself wait for ever for a lock of its own, in
-        PMIx_server_finalize, when all of them are gone: that is not ours, and it is ended here."""
+        """Ranks do not outlive one of them, nor mpirun; nor does mpirun outlive them."""
         begin = time.monotonic()
         while left := [p for p in ranks.values() if (stat_of(p) or (0, "Z"))[1] != "Z"]:
             self.assertLess(time.monotonic() - begin, 30, f"still running: {left}")
             time.sleep(0.02)
         try:
-            run.communicate(timeout=20)
+            run.communicate(timeout=60)
         except subprocess.TimeoutExpired:
-            print("mpirun itself does not end", file=sys.stderr)
-            run.kill()
-            run.communicate()
+            self.fail("mpirun does not end")
 
     def kill(self, kept, victim):
         """Starts three ranks, waits until the journal has some more lines, and kills one of them, or mpirun. False: all was done before."""
@@ -72,11 +69,14 @@ class Killed(Stopped):
         self.addCleanup(lambda: run.poll() is None and run.kill())
         self.wait_for_lines(run, kept + 4)
         ranks = ranks_of(run.pid)
-        if run.poll() is not None:
-            run.communicate()
+        if sorted(ranks) != [0, 1, 2] or run.poll() is not None:  # they may have come to their end in the meantime, and nothing else
+            self.until_all_are_gone(run, ranks)
+            self.assertEqual(run.returncode, 0)
             return False
-        self.assertEqual(sorted(ranks), [0, 1, 2])
-        os.kill(run.pid if victim == "mpirun" else ranks[victim], signal.SIGKILL)
+        try:
+            os.kill(run.pid if victim == "mpirun" else ranks[victim], signal.SIGKILL)
+        except ProcessLookupError:
+            pass
         self.until_all_are_gone(run, ranks)
         return run.returncode != 0
 
@@ -157,4 +157,7 @@ if __name__ == "__main__":
     if "--mpirun=none" in sys.argv:
         print("SKIPPED: this build has no MPI, and nothing is known of `annulus sweep` as several processes (tools/setup installs Open MPI)")
         sys.exit(SKIPPED)
+    # Open MPI 4.1 tells ranks of one another in shared memory, under a lock that a rank that is killed keeps: its mpirun then waits for ever,
+    # in PMIx_server_finalize, with no rank left. Not so where each rank has a table of its own.
+    os.environ["PMIX_MCA_gds"] = "hash"
     tool.main(__doc__, "mpirun")

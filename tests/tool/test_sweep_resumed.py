@@ -93,6 +93,7 @@ class Interrupted(Stopped):
         self.write("spec.toml", LONGER)
         run = self.start()
         self.wait_for_lines(run, 2)
+        run.send_signal(signal.SIGSTOP)  # it writes as long as we look
         self.assertIn("another sweep is writing", self.refuse_now("sweep", "spec.toml", "--output", "out"))
         run.kill()
         run.wait()

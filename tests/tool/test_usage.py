@@ -125,7 +125,7 @@ class Usage(ToolTest):
     def test_negative_counts_are_wrong_usage(self):
         for option in ("--iterations", "--audit", "--seed"):
             with self.subTest(option=option):
-                self.refuse(2, "lloyd", "--points", "10", option, "-1", timeout=5)
+                self.refuse(2, "lloyd", "--points", "10", option, "-1")
 
     def test_a_radius_that_is_no_number_is_refused(self):
         for radius in ("nan", "inf", "-inf"):

@@ -4,6 +4,7 @@
 import base64
 import json
 import os
+import signal
 import struct
 import subprocess
 import sys
@@ -114,4 +115,8 @@ def main(usage, *more):
         print(usage, file=sys.stderr)
         sys.exit(2)
     OPTIONS.update({name: os.path.abspath(path) for name, path in OPTIONS.items()})
+    # Whoever runs the tests may ignore these, as nohup and shells do for what they start in the background, and what we start would too.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
     unittest.main(argv=[sys.argv[0]] + [a for a in sys.argv[1:] if not a.startswith(ours)])
