@@ -37,11 +37,12 @@ bool equal(const std::optional<Verdict>& l, const std::optional<Verdict>& r) {
     return l.has_value() == r.has_value() && (!l || equal(*l, *r));
 }
 
-/// r is l with every length multiplied by 2^exponent, unless that rounds.
+/// r is l with every length multiplied by 2^exponent, unless that rounds, be it up to the least normal number.
 bool scales(const Verdict& l, const Verdict& r, int exponent) {
     const double expected = std::ldexp(l.tolerance, exponent);
     if (l.sign != r.sign) return false;
-    if (std::fpclassify(expected) == FP_NORMAL && std::fpclassify(l.tolerance) == FP_NORMAL)
+    const bool rounds = std::ldexp(expected, -exponent) != l.tolerance;
+    if (!rounds && std::fpclassify(expected) == FP_NORMAL && std::fpclassify(l.tolerance) == FP_NORMAL)
         return r.tolerance == expected;
     return std::fabs(r.tolerance - expected) <= std::ldexp(1.0, -1074) + std::ldexp(1.0, exponent - 1074);
 }
@@ -135,6 +136,18 @@ TEST_CASE("a power of two times the coordinates is a power of two times the tole
                       t);
             }
     }));
+}
+
+TEST_CASE("a tolerance a bit below a power of two times so much is a bit less among subnormal numbers, too", "[certificate]") {
+    // Its tolerance is the number before 2^446.
+    const Triangle t{{0x0p+0, 0x1.fffffffffffffp+499}, {0x1p+500, 0x1p+500}, {0x0p+0, 0x1p+500}};
+    const Verdict v = orientation_exact(t.tuple());
+    REQUIRE(v.tolerance == std::nextafter(0x1p446, 0.0));
+    for (int exponent = -1460; exponent >= -1515; --exponent) {
+        INFO("exponent " << exponent);
+        CHECK(scales(v, orientation_exact(scaled(t, exponent).tuple()), exponent));
+    }
+    CHECK(orientation_exact(scaled(t, -1468).tuple()).tolerance == std::nextafter(0x1p-1022, 0.0));
 }
 
 TEST_CASE("an exact translation changes nothing in any stage", "[certificate]") {
