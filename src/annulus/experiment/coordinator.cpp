@@ -4,6 +4,7 @@
 #include <annulus/formats/decimal.h>
 #include <annulus/formats/input_error.h>
 
+#include <stdexcept>
 #include <string>
 
 namespace annulus {
@@ -62,7 +63,10 @@ Trial_result run_named(const Trial& t, std::size_t hardest, int threads) {
         if (t.motion && t.motion->kind == Trial_motion::Kind::generated) where += " " + decimal(t.motion->pace);
         if (t.rounding.kind != Rounding::Kind::plain) where += ", " + t.rounding.name;
         throw Error(e.code(), where + ": " + e.what());
+    } catch (const std::runtime_error&) {  // oneTBB, where the system gives it no thread
+        if (threads == 1) throw;
     }
+    return run_named(t, hardest, 1);
 }
 
 std::optional<Schedule::Job> Coordinator::wait_for_job(int machine) {

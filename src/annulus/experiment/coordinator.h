@@ -5,12 +5,14 @@
 #include <annulus/experiment/journal.h>
 #include <annulus/experiment/spec.h>
 
+#include <algorithm>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <optional>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -60,16 +62,22 @@ class Coordinator {
     std::exception_ptr fault_;
 };
 
-/// run(), but an error that names no file says of which trial it is.
+/// run(), but an error that names no file says of which trial it is, and where threads cannot be had one does as well.
 [[nodiscard]] Trial_result run_named(const Trial& trial, std::size_t hardest, int threads);
 
 /// Threads of one process that compute what `take` gives them, until it gives nothing: take() -> optional<Job>, done(job, result),
-/// failed(job, exception). All three are called from these threads.
+/// failed(job, exception). All three are called from these threads. Where the system does not give so many, fewer do as well: no more
+/// then than the machine has processors, so that what they need is left, addresses for one.
 class Workers {
   public:
     template <class Take, class Done, class Failed>
     Workers(int threads, const Spec& spec, Take take, Done done, Failed failed) {
-        const auto work = [=, &spec] {
+        // Nobody begins before it is known how many there are, and before what others had is given back.
+        std::promise<std::size_t> known;
+        std::promise<void> begin;
+        const auto work = [=, &spec, count = known.get_future().share(), begun = begin.get_future().share()](std::size_t self) {
+            if (self >= count.get()) return;
+            begun.wait();
             while (const std::optional<Schedule::Job> job = take()) {
                 try {
                     done(*job, run_named(spec.trials[job->trial], spec.hardest, job->threads));
@@ -78,11 +86,19 @@ class Workers {
                 }
             }
         };
+        thread_.reserve(static_cast<std::size_t>(threads));
+        std::exception_ptr refused;
         try {
-            for (int i = 0; i < threads; ++i) thread_.emplace_back(work);
-        } catch (const std::system_error&) {  // fewer do as well
-            if (thread_.empty()) throw;
+            while (thread_.size() < static_cast<std::size_t>(threads)) thread_.emplace_back(work, thread_.size());
+        } catch (...) {
+            refused = std::current_exception();
         }
+        const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+        const std::size_t kept = refused ? std::min((thread_.size() + 7) / 8, processors) : thread_.size();
+        known.set_value(kept);
+        thread_.erase(thread_.begin() + static_cast<std::ptrdiff_t>(kept), thread_.end());
+        begin.set_value();
+        if (thread_.empty() && refused) std::rethrow_exception(refused);
     }
 
   private:
