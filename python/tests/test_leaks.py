@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 
-def resident():
-    """Bytes of memory that are ours alone: the system takes pages of programs and libraries away and brings them back as it likes."""
+def own_memory():
+    """Bytes that stand in no file: the system takes pages of programs and libraries away and brings them back as it likes."""
     with open("/proc/self/smaps_rollup", encoding="ascii") as f:
         return next(1024 * int(line.split()[1]) for line in f if line.startswith("Anonymous:"))
 
@@ -43,7 +43,7 @@ def test_a_thousand_steps(d):
         everything(dt, x + 0.01 * rng.standard_normal(x.shape), rng)
         if step % 100 == 99:
             gc.collect()
-            sizes.append(resident())
+            sizes.append(own_memory())
     # After the first few hundred it stays where it is; a leak of one position a step would be a megabyte.
     assert sizes[-1] - sizes[3] < 400_000, sizes
 
@@ -58,7 +58,7 @@ def test_objects_go(call):
     for _ in range(40):
         call()
         gc.collect()
-        sizes.append(resident())
+        sizes.append(own_memory())
     assert sizes[-1] - sizes[15] < 3_000_000, sizes
 
 

@@ -157,7 +157,7 @@ if __name__ == "__main__":
     if "--mpirun=none" in sys.argv:
         print("SKIPPED: this build has no MPI, and nothing is known of `annulus sweep` as several processes (tools/setup installs Open MPI)")
         sys.exit(SKIPPED)
-    # Open MPI 4.1 tells ranks of one another in shared memory, under a lock that a rank that is killed keeps: its mpirun then waits for ever,
-    # in PMIx_server_finalize, with no rank left. Not so where each rank has a table of its own.
+    # Where ranks know of one another by shared memory, mpirun of Open MPI 4.1 may wait for ever, in PMIx_server_finalize and with no rank
+    # left, after one was killed. Not so where each has tables of its own (tests/ATTACKS.md, find 16).
     os.environ["PMIX_MCA_gds"] = "hash"
     tool.main(__doc__, "mpirun")
