@@ -15,10 +15,8 @@ if(PROJECT_IS_TOP_LEVEL)
     endif()
 endif()
 
-if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE} ${CMAKE_CXX_FLAGS_RELWITHDEBINFO}" MATCHES
-   "-ffast-math|-Ofast|-funsafe-math-optimizations|-fassociative-math|-freciprocal-math")
-    message(FATAL_ERROR "annulus proves its answers under IEEE arithmetic: build it without ${CMAKE_MATCH_0}")
-endif()
+include(annulus-flags)
+annulus_refuse_all_flags()
 
 # All of it is instrumented, the library included, so that one build serves tests and fuzzing; the fuzz targets add
 # libFuzzer's main when they link.
@@ -34,9 +32,11 @@ if(ANNULUS_BUILD_FUZZ)
     add_link_options(-fsanitize=${annulus_sanitizers})
 endif()
 
-# Linked privately by the project's own targets. Other people's headers come from imported targets, which CMake treats
-# as system headers, so they do not warn.
+# Linked privately by the project's own targets, and empty in a parent project, which has warnings of its own. Other people's headers come
+# from imported targets, which CMake treats as system headers, so they do not warn.
 add_library(annulus_warnings INTERFACE)
-target_compile_options(annulus_warnings INTERFACE
-    $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-Wall;-Wextra;-Wshadow;-Wconversion>
-    $<$<AND:$<BOOL:${ANNULUS_WERROR}>,$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>>:-Werror>)
+if(PROJECT_IS_TOP_LEVEL)
+    target_compile_options(annulus_warnings INTERFACE
+        $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-Wall;-Wextra;-Wshadow;-Wconversion>
+        $<$<AND:$<BOOL:${ANNULUS_WERROR}>,$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>>:-Werror>)
+endif()

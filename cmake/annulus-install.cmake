@@ -6,7 +6,9 @@ include(CMakePackageConfigHelpers)
 set(annulus_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/annulus")
 
 install(TARGETS annulus EXPORT annulusTargets COMPONENT development)
-install(TARGETS annulus-toolkit EXPORT annulusToolkitTargets COMPONENT development)
+if(TARGET annulus-toolkit)
+    install(TARGETS annulus-toolkit EXPORT annulusToolkitTargets COMPONENT development)
+endif()
 if(TARGET annulus-c)
     install(TARGETS annulus-c EXPORT annulusCTargets
             LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
@@ -21,7 +23,9 @@ endif()
 install(DIRECTORY src/annulus/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/annulus" COMPONENT development
         FILES_MATCHING PATTERN "*.h" PATTERN cli EXCLUDE PATTERN c EXCLUDE PATTERN experiment EXCLUDE)
 install(EXPORT annulusTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}" COMPONENT development)
-install(EXPORT annulusToolkitTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}" COMPONENT development)
+if(TARGET annulus-toolkit)
+    install(EXPORT annulusToolkitTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}" COMPONENT development)
+endif()
 
 configure_package_config_file(cmake/annulusConfig.cmake.in annulusConfig.cmake
                               INSTALL_DESTINATION "${annulus_package_dir}")
@@ -34,6 +38,7 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/annulusConfig.cmake"
 # ---- The tool, its man pages and completion, which are made from its own --help --------------------
 if(TARGET annulus-cli)
     install(TARGETS annulus-cli COMPONENT tool)
+    install(TARGETS annulus-sweep annulus-reproduce DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/annulus" COMPONENT tool)
     find_package(Python3 COMPONENTS Interpreter QUIET)
     if(Python3_Interpreter_FOUND AND NOT CMAKE_CROSSCOMPILING AND NOT ANNULUS_BUILD_FUZZ)
         set(annulus_share "${CMAKE_CURRENT_BINARY_DIR}/share")
@@ -41,7 +46,7 @@ if(TARGET annulus-cli)
             OUTPUT "${annulus_share}/man/man1/annulus.1.gz"
             COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tools/describe-tool" "--tool=$<TARGET_FILE:annulus-cli>"
                     "--output=${annulus_share}"
-            DEPENDS annulus-cli tools/describe-tool docs/tool.md
+            DEPENDS annulus-programs tools/describe-tool docs/tool.md
             COMMENT "Man pages and completion"
             VERBATIM)
         add_custom_target(annulus-description ALL DEPENDS "${annulus_share}/man/man1/annulus.1.gz")

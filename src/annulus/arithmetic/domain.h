@@ -4,7 +4,9 @@
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/arithmetic/error.h>
 
-#include <cmath>
+#include <bit>
+#include <cstdint>
+#include <limits>
 
 namespace annulus {
 
@@ -15,8 +17,12 @@ namespace annulus {
 /// differences scaled by a power of two, so they neither overflow nor underflow at either end of the domain.
 inline constexpr double coordinate_limit = 0x1p500;
 
-/// True when x is a number inside the coordinate domain (false for NaN and infinities).
-[[nodiscard]] inline bool in_domain(double x) noexcept { return std::fabs(x) <= coordinate_limit; }
+/// The bits of x without its sign: the order of magnitudes, with infinity and every NaN above all numbers.
+[[nodiscard]] constexpr std::uint64_t magnitude_bits(double x) noexcept { return std::bit_cast<std::uint64_t>(x) << 1; }
+
+/// True when x is a number inside the coordinate domain (false for NaN and infinities). Compares bits, so that no flag of a
+/// caller's compiler can take a NaN for a number.
+[[nodiscard]] constexpr bool in_domain(double x) noexcept { return magnitude_bits(x) <= magnitude_bits(coordinate_limit); }
 
 template <std::size_t d>
 [[nodiscard]] inline bool in_domain(const std::array<double, d>& x) noexcept {
@@ -30,7 +36,7 @@ template <std::size_t d>
 inline void require_in_domain(const std::array<double, d>& x) {
     if (in_domain(x)) return;
     for (const double c : x)
-        if (!std::isfinite(c)) throw Error(Error_code::not_finite, "a coordinate is not a finite number");
+        if (magnitude_bits(c) >= magnitude_bits(std::numeric_limits<double>::infinity())) throw Error(Error_code::not_finite, "a coordinate is not a finite number");
     throw Error(Error_code::out_of_domain, "a coordinate is larger than 2^500 in magnitude");
 }
 

@@ -26,6 +26,17 @@ bool fused() {
     return opaque(a * b + c) != 0.0;
 }
 
+bool reassociated() {
+    const double a = opaque(1.0);
+    const double b = opaque(0x1p-60);
+    return opaque((a + b) - a) != 0.0;
+}
+
+bool nan_unseen() {
+    const double nan = opaque(std::numeric_limits<double>::quiet_NaN());
+    return nan == nan || !(nan != nan) || nan <= 1.0;
+}
+
 bool directed_rounding_works() {
     // The operands are read anew under each guard: compilers know nothing of rounding modes and would divide once.
     double up = 0.0;
@@ -53,7 +64,11 @@ std::string environment_fault() {
     if (std::fegetround() != FE_TONEAREST) return "the rounding mode is not round-to-nearest";
     if (!directed_rounding_works()) return "directed rounding has no effect";
     if (fused()) return "a*b + c is contracted into a fused multiply-add (compile with -ffp-contract=off)";
-    if (subnormals_flushed()) return "subnormal numbers are flushed to zero (FTZ or DAZ is set)";
+    if (reassociated()) return "sums are reassociated (compile without -fassociative-math)";
+    if (nan_unseen()) return "a NaN compares as a number (compile without -ffinite-math-only)";
+    if (subnormals_flushed())
+        return "subnormal numbers are flushed to zero: FTZ or DAZ is set in this thread, as a library linked with -ffast-math does when it "
+               "is loaded; clear both before calling annulus (on x86: _mm_setcsr(_mm_getcsr() & ~0x8040u))";
     return {};
 }
 

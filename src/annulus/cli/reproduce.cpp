@@ -3,6 +3,7 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
+#include <annulus/cli/companion.h>
 #include <annulus/cli/interruption.h>
 #include <annulus/cli/progress.h>
 #include <annulus/cli/reproduction_scenes.h>
@@ -136,8 +137,7 @@ int run(Reproduce_call a, const std::string& command) {
 }  // namespace
 
 Run add_reproduce_command(CLI::App& app, const Invocation& invocation) {
-    auto* sub = app.add_subcommand(
-        "reproduce", "Figures and claims of the paper on vertex tolerances, from runs made here, as pages");
+    auto* sub = app.add_subcommand("reproduce", reproduce_summary);
     const auto a = std::make_shared<Reproduce_call>();
     sub->add_flag("--quick", a->size.quick, "Fewer points and iterations: two minutes, and no figures to quote");
     sub->add_option("--only", a->size.only, "What to make, separated by commas: fig5 to fig12, slivers, locked, movers (all)")

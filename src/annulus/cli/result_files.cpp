@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/result_files.h>
-#include <annulus/experiment/sweep_files.h>
+#include <annulus/experiment/sweep_names.h>
 #include <annulus/formats/directory_lock.h>
 
 #include <algorithm>

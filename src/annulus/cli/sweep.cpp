@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
+#include <annulus/cli/companion.h>
 #include <annulus/cli/progress.h>
 #include <annulus/cli/result_files.h>
 #include <annulus/experiment/coordinator.h>
@@ -210,7 +211,7 @@ int run_other(const Sweep_call& a, Ranks& ranks) {
 }  // namespace
 
 Run add_sweep_command(CLI::App& app, const Invocation&) {
-    auto* sub = app.add_subcommand("sweep", "Degeneracy of many generated or recorded inputs, as a file specifies; on several machines under MPI");
+    auto* sub = app.add_subcommand("sweep", sweep_summary);
     const auto a = std::make_shared<Sweep_call>();
     sub->add_option("SPEC", a->file, "What to study: grids of experiments, in TOML (docs/formats.md)")->required();
     sub->add_flag("--check", a->check, "Read SPEC, say how many trials there are, and stop");

@@ -5,8 +5,6 @@
 #include <annulus/formats/text_output.h>
 #include <annulus/formats/write_json.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace annulus {
@@ -58,10 +56,6 @@ Json sums_json(const Spec& spec, const std::vector<Grid_point>& points) {
 }
 
 }  // namespace
-
-bool is_sweep_file(std::string_view name) {
-    return name == journal_name || std::find(sweep_results.begin(), sweep_results.end(), name) != sweep_results.end();
-}
 
 void write_sweep(const Spec& spec, std::string_view text, const Journal& journal, const std::vector<std::optional<std::size_t>>& entry,
                  const Hard_inputs& hard, Output_directory& out) {

@@ -14,7 +14,7 @@ namespace annulus {
 
 namespace {
 
-constexpr std::array stages{Stage::filter, Stage::interval, Stage::exact};
+constexpr std::array counted_stages{Stage::filter, Stage::interval, Stage::exact};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string with_stage(const std::string& name, Stage stage) { return name + "." + std::string(name_of(stage)); }
@@ -26,7 +26,7 @@ std::vector<Scale_of> all_scales() {
         all.push_back({name, "mean spacings", lengths.histogram});
     all.push_back({"tolerance.paper_over_exact", "1", Vertex_counts{}.paper_ratio});
     all.push_back({"theta", "radians", Histogram::linear(0, std::numbers::pi / 2, 36)});
-    for (const Stage stage : stages) {
+    for (const Stage stage : counted_stages) {
         all.push_back({with_stage("theta_log", stage), "radians", Histogram::log10(1e-12, 10, 52)});
         all.push_back({with_stage("bicells.width_ulps", stage), "ulps of the largest coordinate", Histogram::log10(1e-8, 1e20, 112)});
         all.push_back({with_stage("cells.width_ulps", stage), "ulps of the largest coordinate", Histogram::log10(1e-8, 1e20, 112)});
@@ -125,9 +125,9 @@ Tally tally_of(const Degeneracy& d) {
 
 Certificate_tally::Certificate_tally(double resolution)
     : resolution_(resolution),
-      theta_(stages.size(), scale("theta_log.filter")),
-      width_(stages.size(), scale("bicells.width_ulps.filter")),
-      cell_width_(stages.size(), scale("cells.width_ulps.filter")),
+      theta_(counted_stages.size(), scale("theta_log.filter")),
+      width_(counted_stages.size(), scale("bicells.width_ulps.filter")),
+      cell_width_(counted_stages.size(), scale("cells.width_ulps.filter")),
       least_(infinity),
       least_positive_(infinity) {}
 
@@ -144,7 +144,7 @@ void Certificate_tally::add_cell(double width, Stage stage) {
 
 void Certificate_tally::add_to(Tally& tally, double spacing) const {
     Tally more;
-    for (const Stage stage : stages) {
+    for (const Stage stage : counted_stages) {
         const auto s = static_cast<std::size_t>(stage);
         more.histograms[with_stage("theta_log", stage)] = bins_of(theta_[s]);
         more.histograms[with_stage("bicells.width_ulps", stage)] = bins_of(width_[s]);

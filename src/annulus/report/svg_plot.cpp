@@ -123,8 +123,8 @@ std::optional<Pixel> draw_curve(std::string& out, const Series& series, std::siz
     };
     const std::size_t size = std::min(series.x.size(), series.y.size());
     for (std::size_t i = 0; i < size; ++i) {
-        const bool shown = xs.can_show(series.x[i]) && ys.can_show(series.y[i]);
-        if (!shown) {
+        const bool drawable = xs.can_show(series.x[i]) && ys.can_show(series.y[i]);
+        if (!drawable) {
             finish();
             continue;
         }

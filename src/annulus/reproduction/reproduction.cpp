@@ -48,9 +48,9 @@ std::string page_html(const Page_content& page, const std::vector<Claim>& claims
                     }
                     rows.push_back(std::move(row));
                 }
-                std::vector<std::string> head = table.header;
-                for (std::string& h : head) std::replace(h.begin(), h.end(), '_', ' ');
-                append_table(out, head, rows);
+                std::vector<std::string> header = table.header;
+                for (std::string& h : header) std::replace(h.begin(), h.end(), '_', ' ');
+                append_table(out, header, rows);
                 out += "<p>" + link(name, name) + "</p>\n";
             }
     const bool any = std::any_of(claims.begin(), claims.end(), [&](const Claim& c) { return c.figure == page.name; });

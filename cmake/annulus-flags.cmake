@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Flags under which double arithmetic is not IEEE arithmetic. The proofs say nothing about a build with one of them, so the configuration
+# stops. What a compiler sets without a flag here is found by <annulus/arithmetic/environment.h>: macros, and a test at run time.
+#
+# Flags that the library sets itself, behind whatever comes from outside, are not in the list: -ffp-contract, -frounding-math.
+
+# Stops where `flags`, a string or a list, has one of them. `origin` names the variable or property.
+function(annulus_refuse_flags flags origin)
+    string(REPLACE ";" " " words "${flags}")
+    set(refused
+        "-ffast-math" "-Ofast" "-funsafe-math-optimizations" "-menable-unsafe-fp-math" "-ffinite-math-only" "-fno-honor-nans"
+        "-fno-honor-infinities" "-fassociative-math" "-freciprocal-math" "-fno-signed-zeros" "-fsingle-precision-constant"
+        "-fapprox-func" "-mrecip[^ ]*" "-mfpmath=[^ ]*387[^ ]*" "-mpc(32|64)" "-mdaz-ftz" "-fdenormal-fp-math[^ ]*"
+        "-ffp-model=(fast|aggressive)" "-ffp-eval-method=(double|extended)" "-fexcess-precision=fast" "-fp-model[ =]fast[^ ]*"
+        "/fp:fast")
+    list(JOIN refused "|" any)
+    if(" ${words} " MATCHES "[ >:,](${any})[ >]")
+        message(FATAL_ERROR "annulus proves its answers under IEEE arithmetic: build it without ${CMAKE_MATCH_1} (in ${origin})")
+    endif()
+endfunction()
+
+# Every place from which a flag reaches our files: the variables for C++, those of each build type, and what add_compile_options of
+# this and of a parent project has set.
+function(annulus_refuse_all_flags)
+    annulus_refuse_flags("${CMAKE_CXX_FLAGS}" CMAKE_CXX_FLAGS)
+    foreach(type IN ITEMS DEBUG RELEASE RELWITHDEBINFO MINSIZEREL)
+        annulus_refuse_flags("${CMAKE_CXX_FLAGS_${type}}" "CMAKE_CXX_FLAGS_${type}")
+    endforeach()
+    get_directory_property(options COMPILE_OPTIONS)
+    annulus_refuse_flags("${options}" add_compile_options)
+endfunction()

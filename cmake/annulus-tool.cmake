@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Three programs. `annulus` starts the two others for `annulus sweep` and `annulus reproduce`: most users of the tool need neither, and
+# what reads specifications, MPI, and the study of the paper are theirs alone.
+find_package(CLI11 2.1 REQUIRED)
+find_package(tomlplusplus 3.3 REQUIRED)
+if(ANNULUS_MPI STREQUAL "AUTO")
+    find_package(MPI QUIET COMPONENTS CXX)
+elseif(ANNULUS_MPI)
+    find_package(MPI REQUIRED COMPONENTS CXX)
+endif()
+
+# ---- The room experiment, of annulus-sweep -------------------------------------------------------
+file(GLOB annulus_experiment_sources CONFIGURE_DEPENDS src/annulus/experiment/*.cpp)
+if(ANNULUS_MPI AND MPI_CXX_FOUND)
+    list(FILTER annulus_experiment_sources EXCLUDE REGEX "/ranks_alone.cpp$")
+else()
+    list(FILTER annulus_experiment_sources EXCLUDE REGEX "/ranks_mpi.cpp$")
+endif()
+add_library(annulus-experiment STATIC EXCLUDE_FROM_ALL ${annulus_experiment_sources})
+annulus_describe(annulus-experiment PRIVATE)
+target_link_libraries(annulus-experiment PUBLIC annulus-toolkit PRIVATE tomlplusplus::tomlplusplus)
+if(ANNULUS_MPI AND MPI_CXX_FOUND)
+    target_compile_definitions(annulus-experiment PRIVATE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
+    target_link_libraries(annulus-experiment PRIVATE MPI::MPI_CXX)
+endif()
+annulus_unite(annulus-experiment experiment "/experiment/[a-z_]*[.]cpp$")
+
+# ---- The programs --------------------------------------------------------------------------------
+function(annulus_program target)
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+    target_compile_definitions(${target} PRIVATE ANNULUS_VERSION="${PROJECT_VERSION}")
+    target_link_libraries(${target} PUBLIC annulus::toolkit CLI11::CLI11 annulus_warnings)
+    annulus_unite(${target} ${target} "/cli/[a-z_0-9]*[.]cpp$")
+endfunction()
+
+file(GLOB annulus_cli_sources CONFIGURE_DEPENDS src/annulus/cli/*.cpp)
+set(annulus_sweep_sources src/annulus/cli/sweep.cpp src/annulus/cli/sweep_main.cpp)
+set(annulus_reproduce_sources src/annulus/cli/reproduce.cpp src/annulus/cli/reproduce_main.cpp
+    src/annulus/cli/reproduction_scenes.cpp)
+# What they share: arguments and files, and the scenes, of which sweep has none.
+set(annulus_frame_sources ${annulus_cli_sources})
+list(FILTER annulus_frame_sources INCLUDE REGEX "/(arguments|interruption|process|progress|result_files|tool)[.]cpp$")
+set(annulus_scene_sources ${annulus_cli_sources})
+list(FILTER annulus_scene_sources INCLUDE REGEX
+     "/(files|frame_files|guided_motion|lloyd_scene|mesh_3|nodt_scene|replay_scene|tracker)[.]cpp$")
+list(FILTER annulus_cli_sources EXCLUDE REGEX
+     "/(sweep|sweep_main|reproduce|reproduce_main|reproduction_scenes|arguments|interruption|process|progress|result_files|tool)[.]cpp$")
+list(REMOVE_ITEM annulus_cli_sources ${annulus_scene_sources})
+
+add_library(annulus-frame STATIC EXCLUDE_FROM_ALL ${annulus_frame_sources})
+add_library(annulus-scenes STATIC EXCLUDE_FROM_ALL ${annulus_scene_sources})
+add_executable(annulus-cli ${annulus_cli_sources})
+add_executable(annulus-sweep ${annulus_sweep_sources})
+add_executable(annulus-reproduce ${annulus_reproduce_sources})
+foreach(target IN ITEMS annulus-frame annulus-scenes annulus-cli annulus-sweep annulus-reproduce)
+    annulus_program(${target})
+endforeach()
+target_link_libraries(annulus-scenes PUBLIC annulus-frame)
+target_link_libraries(annulus-cli PRIVATE annulus-scenes annulus-frame)
+target_link_libraries(annulus-sweep PRIVATE annulus-frame annulus-experiment)
+target_link_libraries(annulus-reproduce PRIVATE annulus-scenes annulus-frame)
+set_target_properties(annulus-cli PROPERTIES OUTPUT_NAME annulus)
+# Where installed companions lie, seen from the directory above that of `annulus`.
+target_compile_definitions(annulus-cli PRIVATE ANNULUS_LIBEXEC="${CMAKE_INSTALL_LIBEXECDIR}/annulus")
+add_custom_target(annulus-programs DEPENDS annulus-cli annulus-sweep annulus-reproduce)
