@@ -226,7 +226,7 @@ class Pages(unittest.TestCase):
 
 def built_tool():
     for command in (["cmake", "--preset", "release"],
-                    ["cmake", "--build", "--preset", "release", "--target", "annulus-cli"]):
+                    ["cmake", "--build", "--preset", "release", "--target", "annulus-programs"]):
         built = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
         if built.returncode != 0:
             sys.exit(built.stdout + built.stderr + f"tests/pages: {' '.join(command)} failed")
