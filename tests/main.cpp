@@ -3,9 +3,9 @@
 // set ANNULUS_TEST_SEED to it. `--rng-seed` and a `seed=` in RC_PARAMS go before it. ANNULUS_TEST_MULTIPLIER makes every
 // property and every loop over repeats(n) so many times longer or shorter; a `max_success=` in RC_PARAMS goes before it.
 #define CATCH_CONFIG_RUNNER
+#include <support/catch.h>
 #include <support/repeats.h>
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
@@ -46,7 +46,11 @@ int main(int argc, char* argv[]) {
     if (usage_error != 0) return usage_error;
 
     const Catch::ConfigData& config = session.configData();
+#if CATCH_VERSION_MAJOR >= 3
+    const bool lists = config.listTests || config.listTags || config.listReporters || config.listListeners;
+#else
     const bool lists = config.listTests || config.listTags || config.listReporters || config.listTestNamesOnly;
+#endif
     if (!lists && !config.showHelp && !config.libIdentify) {
         give_rapidcheck_its_parameters(seed);
         std::cout << "seeds: ANNULUS_TEST_SEED=" << seed << " (--rng-seed " << config.rngSeed << ", RC_PARAMS=\""

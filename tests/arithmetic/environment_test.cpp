@@ -10,7 +10,7 @@
 #include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/arithmetic/stage.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <cfenv>
 #include <cmath>

@@ -2,13 +2,13 @@
 // Doubles as integers, and the one rounded operation of the exact stage.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 
 #include <annulus/arithmetic/exact.h>
 
 #include <gmpxx.h>
 #include <mpfr.h>
 #include <rapidcheck.h>
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <limits>

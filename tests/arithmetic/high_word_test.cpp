@@ -2,10 +2,9 @@
 // Half of a double: what it keeps, and on which side of the truth.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 
 #include <annulus/arithmetic/high_word.h>
-
-#include <catch2/catch.hpp>
 
 #include <bit>
 #include <cmath>

@@ -2,13 +2,13 @@
 // The one interval policy: what it encloses is checked with rational numbers.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 
 #include <annulus/arithmetic/interval.h>
 #include <annulus/arithmetic/rounding_guard.h>
 
 #include <gmpxx.h>
 #include <rapidcheck.h>
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <array>

@@ -2,10 +2,9 @@
 // Memory that runs out in a call of the C interface is a status; the mesh is as it was, and goes on.
 #include <annulus/annulus.h>
 
+#include <support/catch.h>
 #include <support/failing_new.h>
 #include <support/meshes.h>
-
-#include <catch2/catch.hpp>
 
 #include <functional>
 #include <string>

@@ -2,13 +2,12 @@
 // A batch gives what single calls give, bit for bit, and the modes give what they promise.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/oracle.h>
 #include <support/oracle_3.h>
 #include <support/stages_3.h>
 
 #include <annulus/certificate/ladder.h>
-
-#include <catch2/catch.hpp>
 
 #include <cfenv>
 #include <cmath>

@@ -5,13 +5,13 @@
 #include "worst_cases.h"
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/stages_3.h>
 
 #include <annulus/certificate/bounds.h>
 
 #include <CGAL/Interval_nt.h>
 #include <gmpxx.h>
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <array>
@@ -44,7 +44,7 @@ TEST_CASE("the filter in space is never off by more than its bounds", "[certific
 }
 
 TEST_CASE("the filter in space is never off by more than its bounds, sought by climbing", "[certificate][space]") {
-    Random random(Catch::rngSeed());
+    Random random(run_seed());
     for (const auto& [name, somewhere] : {std::tuple{"orientation_3", 3.0}, std::tuple{"orientation_3_norms", 0.0},
                                           std::tuple{"annulus_3_insphere", 5.0}, std::tuple{"annulus_3_norms", 5.0},
                                           std::tuple{"annulus_3_side", 3.0}}) {

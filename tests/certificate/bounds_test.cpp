@@ -8,10 +8,10 @@
 #include "worst_cases.h"
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/stages.h>
 
 #include <annulus/certificate/bounds.h>
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <limits>
@@ -49,7 +49,7 @@ TEST_CASE("the filter is never off by more than its bounds", "[certificate]") {
 }
 
 TEST_CASE("the filter is never off by more than its bounds, sought by climbing", "[certificate]") {
-    Random random(Catch::rngSeed());
+    Random random(run_seed());
     for (const auto& [name, steps, somewhere] :
          {std::tuple{"orientation_2", 8000, 2.0}, std::tuple{"orientation_2 roots", 1000, 0.0},
           std::tuple{"annulus_2_incircle", 6000, 4.0}, std::tuple{"annulus_2_norms", 6000, 4.0}}) {

@@ -2,13 +2,12 @@
 // The sphere of a cell where its error bounds decide: next to where a sign changes, and at the ends of their range.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/stages_3.h>
 
 #include <annulus/certificate/bounds.h>
 #include <annulus/certificate/circumsphere_3.h>
 #include <annulus/certificate/orientation_sign.h>
-
-#include <catch2/catch.hpp>
 
 #include <array>
 #include <cmath>

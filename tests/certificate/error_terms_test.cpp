@@ -4,13 +4,13 @@
 // is missing elsewhere (bounds_test.cpp): those are compared with the quotient that the proofs speak of.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/stages_3.h>
 
 #include <annulus/certificate/bounds.h>
 #include <annulus/certificate/circumcircle_2.h>
 
 #include <gmpxx.h>
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/certificate/half_width.h>
 #include <annulus/certificate/ladder.h>
+#include <support/catch.h>
 #include <support/oracle_3.h>
 #include <support/repeats.h>
-
-#include <catch2/catch.hpp>
 
 #include <cmath>
 

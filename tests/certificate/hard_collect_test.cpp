@@ -2,11 +2,10 @@
 // Hard inputs of all families, and inputs at the limits of the stages: hidden; tests/data/hard/collect runs it.
 #include "hard_case.h"
 
+#include <support/catch.h>
 #include <support/generators_3.h>
 
 #include <annulus/certificate/margin.h>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>

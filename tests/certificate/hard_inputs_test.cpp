@@ -2,7 +2,7 @@
 // The ladder on the hard inputs that are kept in tests/data/hard, beside exact answers which the library had no part in.
 #include "hard_case.h"
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <algorithm>
 #include <cstdlib>

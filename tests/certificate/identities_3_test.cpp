@@ -3,9 +3,8 @@
 // translations that are exact. What must: nothing else is looked at.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/stages_3.h>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,8 @@
 // What must not change when the same certificate is asked in another way.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/stages.h>
-
-#include <catch2/catch.hpp>
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/certificate/interval_stage.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 using namespace annulus;
 

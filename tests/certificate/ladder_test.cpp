@@ -2,10 +2,9 @@
 // Each stage beside the next, and the ladder made of them.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/repeats.h>
 #include <support/stages.h>
-
-#include <catch2/catch.hpp>
 
 #include <cfenv>
 #include <cmath>

@@ -3,12 +3,11 @@
 // go a little farther, the worst way, do.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/oracle.h>
 #include <support/stages.h>
 
 #include <gmpxx.h>
-
-#include <catch2/catch.hpp>
 
 #include <cmath>
 

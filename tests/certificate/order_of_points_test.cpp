@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A certificate is of its points, in whatever order a mesh happens to name them: six orders make the same bi-cell of space.
 #include <support/cases.h>
+#include <support/catch.h>
 
 #include <annulus/certificate/ladder.h>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <array>

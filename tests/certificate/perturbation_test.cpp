@@ -2,12 +2,11 @@
 // The symbolic perturbation beside CGAL's own.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/stages.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
-#include <catch2/catch.hpp>
 
 #include <vector>
 

@@ -11,7 +11,7 @@
 #include <annulus/certificate/ladder.h>
 #include <annulus/certificate/tolerances.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <bit>
 #include <cmath>

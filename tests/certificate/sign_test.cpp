@@ -2,13 +2,12 @@
 // Every stage that answers has the exact sign; the exact one always answers, with 0 just where the points are degenerate.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/stages.h>
 
 #include <annulus/certificate/circumcircle_2.h>
 #include <annulus/certificate/exact_sign.h>
 #include <annulus/certificate/orientation_sign.h>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <array>

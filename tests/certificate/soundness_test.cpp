@@ -2,10 +2,9 @@
 // No stage ever gives a tolerance above half the width, whatever the input.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/oracle.h>
 #include <support/stages.h>
-
-#include <catch2/catch.hpp>
 
 #include <cmath>
 

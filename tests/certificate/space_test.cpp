@@ -2,6 +2,7 @@
 // The stages of the ladder in space: sound against rational numbers and MPFI, tight, one beside the next, in their range.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/oracle_3.h>
 #include <support/repeats.h>
 #include <support/stages_3.h>
@@ -11,8 +12,6 @@
 #include <annulus/certificate/orientation_sign.h>
 #include <annulus/certificate/bounds.h>
 #include <annulus/certificate/circumsphere_3.h>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>

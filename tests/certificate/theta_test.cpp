@@ -2,13 +2,13 @@
 // The angle of a bi-cell beside MPFR's.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/stages.h>
 
 #include <annulus/certificate/theta.h>
 
 #include <gmpxx.h>
 #include <mpfr.h>
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -2,12 +2,11 @@
 // No stage that answers gives away more than it says: a tolerance of 0 would be sound too.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/oracle.h>
 #include <support/stages.h>
 
 #include <annulus/certificate/bounds.h>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // The kept worst cases are as bad as they were, bit for bit, and within the bounds.
 #include "worst_cases.h"
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <cstdlib>
 
@@ -27,7 +27,7 @@ TEST_CASE("The worst cases kept of every climb reach what they reached, and no m
 }
 
 TEST_CASE("Climbs from the kept worst cases and from anywhere print what is worse", "[.climb]") {
-    Random random(Catch::rngSeed());
+    Random random(run_seed());
     const char* given = std::getenv("ANNULUS_CLIMB_STEPS");
     const int steps = given != nullptr ? std::atoi(given) : 20000;
     for (const Climb& climb : climbs()) {

@@ -4,6 +4,7 @@
 // is room for a ten-thousandth of any tolerance.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/certificates_of.h>
 #include <support/generators_3.h>
 #include <support/repeats.h>
@@ -12,8 +13,6 @@
 #include <support/stages.h>
 
 #include <annulus/certificate/ladder.h>
-
-#include <catch2/catch.hpp>
 
 #include <cstdio>
 

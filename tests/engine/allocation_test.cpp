@@ -6,11 +6,10 @@
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 
+#include <support/catch.h>
 #include <support/failing_new.h>
 #include <support/generators.h>
 #include <support/repeats.h>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -207,7 +206,7 @@ std::string starve_at(std::uint64_t n, const Setting& setting, const Call<d>& ca
 template <int d>
 std::string starve_at_every_allocation(const Setting& setting, const Call<d>& call, Memory memory) {
     const auto share = static_cast<std::uint64_t>(repeats(d == 2 ? 40 : 10));
-    Random random(Catch::rngSeed());
+    Random random(run_seed());
     bool done = false;
     for (std::uint64_t n = 0; !done; n += 1 + random() % (1 + 5 * n / share)) {
         std::string words;

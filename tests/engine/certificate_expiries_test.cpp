@@ -5,10 +5,9 @@
 
 #include <annulus/cgal/embedding_2.h>
 #include <annulus/cgal/embedding_3.h>
+#include <support/catch.h>
 #include <support/generators.h>
 #include <support/session_3.h>
-
-#include <catch2/catch.hpp>
 
 #include <map>
 #include <type_traits>

@@ -2,10 +2,9 @@
 // A vertex' list of expiries beside a table of all of them.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 
 #include <annulus/engine/expiry_list.h>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -4,14 +4,13 @@
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <limits>
 #include <memory>
 #include <random>
+#include <support/catch.h>
 #include <support/repeats.h>
 #include <tuple>
 #include <type_traits>

@@ -4,9 +4,8 @@
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
 
+#include <support/catch.h>
 #include <support/failing_new.h>
-
-#include <catch2/catch.hpp>
 
 #include <random>
 #include <type_traits>

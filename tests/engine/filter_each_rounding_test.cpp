@@ -3,8 +3,9 @@
 
 #include <engine/filter_session.h>
 
+#include <support/catch.h>
+
 #include <rapidcheck.h>
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <vector>

@@ -2,12 +2,11 @@
 // filter-each gives tolerances up while they do not pay, and takes them up again; it is Delaunay all the while.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/repeats.h>
 
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <vector>

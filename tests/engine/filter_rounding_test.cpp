@@ -5,8 +5,9 @@
 
 #include <engine/filter_session.h>
 
+#include <support/catch.h>
+
 #include <rapidcheck.h>
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>

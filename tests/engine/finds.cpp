@@ -2,7 +2,7 @@
 // Programs that once went wrong: what fuzz/moves_2.cpp and the property tests printed, made small.
 #include <common/operation.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 using namespace annulus;
 using namespace annulus::oracle;

@@ -3,9 +3,8 @@
 #include <annulus/cgal/insertion_order.h>
 
 #include <support/cases.h>
+#include <support/catch.h>
 #include <support/generators.h>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -4,10 +4,9 @@
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 
+#include <support/catch.h>
 #include <support/motions.h>
 #include <support/repeats.h>
-
-#include <catch2/catch.hpp>
 
 #include <bit>
 #include <memory>

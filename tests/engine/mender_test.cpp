@@ -6,8 +6,7 @@
 
 #include "../../bench/motions/families.h"
 #include <support/cases.h>
-
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <map>
 

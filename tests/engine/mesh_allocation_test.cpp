@@ -2,10 +2,9 @@
 // Memory that runs out in a call of Moving_mesh: positions, indices and cells are as they were, and so is what comes after.
 #include <annulus/moving_mesh.h>
 
+#include <support/catch.h>
 #include <support/failing_new.h>
 #include <support/meshes.h>
-
-#include <catch2/catch.hpp>
 
 #include <functional>
 #include <string_view>

@@ -4,10 +4,9 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/moving_mesh.h>
 
+#include <support/catch.h>
 #include <support/generators.h>
 #include <support/meshes.h>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <map>

@@ -7,7 +7,7 @@
 
 #include "../../bench/motions/families.h"
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <type_traits>
 #include <vector>

@@ -146,7 +146,7 @@ TEMPLATE_TEST_CASE_SIG(
 
 TEMPLATE_TEST_CASE_SIG("Programs reach every way out of every stage, dimension", "[relocation][coverage]", ((int d), d),
                        2, 3) {
-    Random random(Catch::rngSeed());
+    Random random(run_seed());
     Coverage coverage;
     for (int run = 0; run < 3000 && !reached_everything<d>(coverage); ++run)
         for (const Setting& setting : certified_settings_of<d>()) {

@@ -3,6 +3,7 @@
 // are made of is proved in proofs/coq/float_sums.v and float_displacement.v; the known values are those of the formulas there.
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
 
 #include <annulus/certificate/delimiter.h>
 #include <annulus/engine/displacement.h>
@@ -10,7 +11,6 @@
 
 #include <gmpxx.h>
 #include <rapidcheck.h>
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <limits>

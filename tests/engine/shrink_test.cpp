@@ -4,10 +4,9 @@
 #include <common/decode.h>
 #include <common/shrink.h>
 
+#include <support/catch.h>
 #include <support/generators.h>
 #include <support/repeats.h>
-
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -147,7 +146,7 @@ TEST_CASE("Shrinking ends when nothing may go, and after as many runs as it is g
 
 TEMPLATE_TEST_CASE_SIG("Any bytes are a program, legal for the most part, and every setting has its bytes, dimension",
                        "[fuzz]", ((int d), d), 2, 3) {
-    Random random(Catch::rngSeed());
+    Random random(run_seed());
     Coverage coverage;
     std::set<std::string> settings;
     const auto runs = std::max(16U, static_cast<unsigned>(repeats(d == 2 ? 192 : 64)));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a tolerance promises in space: hand-computed values, the paper's counterexample, and moves just inside.
+#include <support/catch.h>
 #include <support/session_3.h>
 
 #include <support/arbitrary.h>
@@ -7,8 +8,6 @@
 #include <support/small_sets.h>
 
 #include <annulus/certificate/ladder_3.h>
-
-#include <catch2/catch.hpp>
 
 #include <cmath>
 

@@ -10,9 +10,8 @@
 
 #include "../../bench/motions/families.h"
 #include <motion/shapes.h>
+#include <support/catch.h>
 #include <support/motions.h>
-
-#include <catch2/catch.hpp>
 
 #include <latch>
 #include <thread>

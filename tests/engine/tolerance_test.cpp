@@ -4,9 +4,9 @@
 
 #include <rapidcheck.h>
 #include <support/arbitrary.h>
+#include <support/catch.h>
 #include <support/harm.h>
 #include <support/small_sets.h>
-#include <catch2/catch.hpp>
 
 using namespace annulus;
 using namespace annulus::oracle;

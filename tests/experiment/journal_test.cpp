@@ -4,7 +4,7 @@
 
 #include <formats/temporary_directory.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <filesystem>
 #include <fstream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/experiment/launcher_watch.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <poll.h>
 #include <signal.h>

@@ -2,9 +2,9 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/experiment/rounding.h>
 
+#include <support/catch.h>
 #include <support/repeats.h>
 
-#include <catch2/catch.hpp>
 #include <gmpxx.h>
 
 #include <cmath>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/experiment/schedule.h>
 
+#include <support/catch.h>
 #include <support/repeats.h>
-
-#include <catch2/catch.hpp>
 
 #include <map>
 #include <numeric>

@@ -2,9 +2,8 @@
 #include <annulus/experiment/sums.h>
 #include <annulus/experiment/tally.h>
 
+#include <support/catch.h>
 #include <support/repeats.h>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>

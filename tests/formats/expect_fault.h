@@ -3,7 +3,7 @@
 
 #include <annulus/formats/input_error.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <cstdint>
 #include <filesystem>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <support/catch.h>
+
 #include <zlib.h>
-#include <catch2/catch.hpp>
 
 #include <string>
 

@@ -3,8 +3,9 @@
 #include <annulus/statistics/histogram.h>
 #include <annulus/statistics/memory.h>
 
+#include <support/catch.h>
+
 #include <rapidcheck.h>
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>

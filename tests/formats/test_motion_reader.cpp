@@ -9,7 +9,7 @@
 #include <annulus/formats/write_frames.h>
 #include <annulus/motion/generated_motion.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <sys/stat.h>
 

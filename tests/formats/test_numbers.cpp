@@ -7,8 +7,9 @@
 #include <annulus/formats/text_input.h>
 #include <annulus/formats/write_mesh.h>
 
+#include <support/catch.h>
+
 #include <rapidcheck.h>
-#include <catch2/catch.hpp>
 
 #include <bit>
 #include <cmath>

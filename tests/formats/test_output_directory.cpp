@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <csignal>
 #include <fstream>

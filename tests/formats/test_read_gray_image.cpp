@@ -5,9 +5,10 @@
 
 #include <annulus/formats/read_gray_image.h>
 
+#include <support/catch.h>
+
 #include <png.h>
 #include <zlib.h>
-#include <catch2/catch.hpp>
 
 #include <cstdlib>
 #include <string>

@@ -5,7 +5,7 @@
 
 #include <annulus/formats/read_image.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <annulus/formats/read_mesh.h>
 #include <annulus/formats/write_mesh.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <limits>
 

@@ -4,7 +4,7 @@
 
 #include <annulus/formats/read_points.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <algorithm>
 #include <bit>

@@ -5,7 +5,7 @@
 
 #include <annulus/formats/read_surface.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <algorithm>
 #include <bit>

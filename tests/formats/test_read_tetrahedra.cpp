@@ -5,7 +5,7 @@
 #include <annulus/formats/read_tetrahedra.h>
 #include <annulus/motion/surface_3.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <map>
 

@@ -12,7 +12,7 @@
 
 #include <zlib.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <array>
 #include <cstring>

@@ -2,12 +2,11 @@
 #include <annulus/mesh/audit.h>
 #include <annulus/cgal/types_3.h>
 
+#include <support/catch.h>
 #include <support/point_sets_3.h>
 #include <support/session_3.h>
 
 #include <support/arbitrary.h>
-
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <limits>

@@ -3,7 +3,7 @@
 // looked at.
 #include <annulus/mesh/audit.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 using annulus::audit;
 using annulus::Audit_input;

@@ -2,7 +2,7 @@
 // Whether infinity is one: of one simplex, and of two that share nothing but it, each of whose borders winds once.
 #include <annulus/mesh/border.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <array>
 #include <vector>

@@ -6,7 +6,7 @@
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <bit>
 #include <span>

@@ -3,9 +3,8 @@
 #include <annulus/cgal/embedding_2.h>
 #include <annulus/cgal/embedding_3.h>
 
+#include <support/catch.h>
 #include <support/point_sets_3.h>
-
-#include <catch2/catch.hpp>
 
 #include <concepts>
 #include <set>

@@ -2,9 +2,8 @@
 // Neighbours of cells that are listed are those of the table.
 #include <annulus/mesh/mesh_cells.h>
 #include <annulus/moving_mesh.h>
+#include <support/catch.h>
 #include <support/repeats.h>
-
-#include <catch2/catch.hpp>
 
 #include <random>
 

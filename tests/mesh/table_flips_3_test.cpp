@@ -6,9 +6,8 @@
 #include <annulus/mesh/distinct_facets.h>
 #include <annulus/mesh/table_flips_3.h>
 
+#include <support/catch.h>
 #include <support/session_3.h>
-
-#include <catch2/catch.hpp>
 
 using namespace annulus;
 using namespace annulus::testing;

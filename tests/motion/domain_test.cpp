@@ -4,8 +4,9 @@
 #include <annulus/motion/moments_2.h>
 #include <annulus/motion/sampling_2.h>
 
+#include <support/catch.h>
+
 #include <rapidcheck.h>
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <limits>

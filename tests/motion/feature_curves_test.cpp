@@ -4,7 +4,7 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/motion/curve_motion.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,7 @@
 #include <annulus/motion/sampling_2.h>
 #include <annulus/motion/stippling.h>
 
-#include <catch2/catch.hpp>
-
+#include <support/catch.h>
 #include <support/repeats.h>
 #include <algorithm>
 #include <cmath>

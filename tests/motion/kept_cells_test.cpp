@@ -7,7 +7,7 @@
 #include <annulus/motion/surface_3.h>
 #include <annulus/moving_delaunay_3.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <algorithm>
 #include <bit>

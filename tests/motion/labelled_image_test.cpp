@@ -4,7 +4,7 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/motion/labelled_image.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <cmath>
 #include <numbers>

@@ -4,8 +4,7 @@
 #include <annulus/motion/gauss_legendre.h>
 #include <annulus/motion/moments_2.h>
 
-#include <catch2/catch.hpp>
-
+#include <support/catch.h>
 #include <support/repeats.h>
 #include <cmath>
 #include <cstdio>

@@ -5,8 +5,7 @@
 #include <annulus/motion/density_2.h>
 #include <annulus/motion/moments_2.h>
 
-#include <catch2/catch.hpp>
-
+#include <support/catch.h>
 #include <support/repeats.h>
 #include <cmath>
 #include <numbers>

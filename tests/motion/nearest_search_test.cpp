@@ -3,9 +3,8 @@
 #include <annulus/motion/nearest_search.h>
 
 #include <support/cases.h>
+#include <support/catch.h>
 #include <support/generators.h>
-
-#include <catch2/catch.hpp>
 
 #include <array>
 #include <new>

@@ -10,7 +10,7 @@
 #include <annulus/motion/surface_stars.h>
 #include <annulus/moving_delaunay_3.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <annulus/motion/stars_2.h>
 #include <annulus/moving_delaunay_2.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <algorithm>
 #include <random>

@@ -6,7 +6,7 @@
 #include <annulus/motion/surface_3.h>
 #include <annulus/motion/surface_faults.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -221,7 +221,7 @@ TEST_CASE("a surface that crosses itself is refused, unless it may", "[motion][s
     for (const double depth : {0.4, 0.6}) {
         const Triangle_surface crossing = dented(depth);  // triangles that share corners, too
         CHECK(crossing_triangles(crossing));
-        CHECK_THROWS_WITH(Surface_3(crossing), Catch::StartsWith("it crosses or touches itself near ("));
+        CHECK_THROWS_WITH(Surface_3(crossing), Catch::Matchers::StartsWith("it crosses or touches itself near ("));
         CHECK_NOTHROW(Surface_3(crossing, true));
     }
     // One on the other: all edges are in two triangles.

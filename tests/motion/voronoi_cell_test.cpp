@@ -6,8 +6,9 @@
 #include <annulus/motion/sampling_2.h>
 #include <annulus/motion/voronoi_cell_2.h>
 
+#include <support/catch.h>
+
 #include <rapidcheck.h>
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>

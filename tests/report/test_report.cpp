@@ -7,8 +7,9 @@
 #include <annulus/formats/markup.h>
 #include <annulus/report/report.h>
 
+#include <support/catch.h>
+
 #include <rapidcheck.h>
-#include <catch2/catch.hpp>
 
 #include <clocale>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <annulus/reproduction/adversary.h>
 #include <annulus/statistics/counterexample.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <cmath>
 #include <random>

@@ -7,7 +7,7 @@
 #include <annulus/reproduction/plan.h>
 #include <annulus/reproduction/readings.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <unistd.h>
 

@@ -7,7 +7,7 @@
 #include <annulus/reproduction/printed_filter.h>
 #include <annulus/reproduction/stability.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <numeric>
 

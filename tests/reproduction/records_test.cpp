@@ -2,7 +2,8 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/reproduction/records.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
+
 #include <nlohmann/json.hpp>
 
 #include <string>

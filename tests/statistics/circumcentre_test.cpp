@@ -2,10 +2,9 @@
 // Circumcentres against rational numbers: |centre - x|^2 is the same for every corner, solved by Cramer's rule there.
 #include <annulus/arithmetic/error.h>
 #include <annulus/statistics/circumcentre.h>
+#include <support/catch.h>
 #include <support/generators_3.h>
 #include <support/repeats.h>
-
-#include <catch2/catch.hpp>
 
 #include <gmpxx.h>
 

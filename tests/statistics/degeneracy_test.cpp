@@ -2,11 +2,10 @@
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/statistics/degeneracy.h>
+#include <support/catch.h>
 #include <support/oracle_3.h>
 #include <support/point_sets_3.h>
 #include <support/repeats.h>
-
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <numbers>

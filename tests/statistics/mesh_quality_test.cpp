@@ -2,7 +2,7 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/statistics/mesh_quality.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 using namespace annulus;
 

@@ -2,9 +2,8 @@
 // Who became whose neighbour, against the edges of triangulations that are built anew.
 #include <annulus/moving_mesh.h>
 #include <annulus/statistics/neighbour_changes.h>
+#include <support/catch.h>
 #include <support/repeats.h>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>

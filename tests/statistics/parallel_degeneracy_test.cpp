@@ -5,7 +5,7 @@
 #include <annulus/motion/generated_points.h>
 #include <annulus/statistics/degeneracy.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <numeric>
 #include <stdexcept>

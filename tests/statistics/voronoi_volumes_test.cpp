@@ -5,11 +5,10 @@
 #include <annulus/statistics/voronoi_exact.h>
 #include <annulus/statistics/voronoi_volumes.h>
 #include <statistics/voronoi_oracle.h>
+#include <support/catch.h>
 #include <support/meshes.h>
 #include <support/point_sets_3.h>
 #include <support/repeats.h>
-
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <limits>

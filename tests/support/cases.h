@@ -3,10 +3,9 @@
 
 // Loops over random cases, without RapidCheck: what fails prints its seed, and programs shrink by themselves.
 
+#include <support/catch.h>
 #include <support/generators.h>
 #include <support/point_sets_3.h>
-
-#include <catch2/catch.hpp>
 
 #include <cstdlib>
 #include <string>
@@ -27,7 +26,7 @@ namespace annulus::testing {
 /// check(random) for about n random generators, whose seeds follow from that of the run.
 template <class Check>
 void for_each_seed(int n, Check check) {
-    Random seeds(Catch::rngSeed());
+    Random seeds(run_seed());
     for (int k = scaled_cases(n); k > 0; --k) {
         const std::uint64_t seed = seeds();
         INFO("case of seed " << seed);

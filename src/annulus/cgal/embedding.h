@@ -10,6 +10,7 @@
 #include <annulus/mesh/measures.h>
 #include <annulus/mesh/replace_cells.h>
 
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,10 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     using Vertex_handle = typename Traits::Vertex_handle;
     using Cell_handle = typename Traits::Cell_handle;
     using Points = Cell_points<d>;
+    /// What neighbours() fills; incomplete in space. Not a constraint on neighbours(): g++ 13 and older leave constraints out of the
+    /// names of functions and newer compilers put them in, and a program of one could not be linked with a library of the other.
+    struct No_neighbour_lists;
+    using Neighbour_lists = std::conditional_t<d == 2, Neighbours_2, No_neighbour_lists>;
 
     [[nodiscard]] static Coordinates<d> coordinates(const Point& p) { return Traits::coordinates(p); }
     [[nodiscard]] static Point point(const Coordinates<d>& x) { return Traits::point(x); }
@@ -89,8 +94,8 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     /// (padded with `none`).
     template <class Visit>
     void for_each_finite_cell(Visit visit) const;
-    /// Neighbour lists of every vertex. O(n).
-    void neighbours(Neighbours_2& out) const requires(Traits::dimension == 2);
+    /// Neighbour lists of every vertex, in the plane. O(n).
+    void neighbours(Neighbour_lists& out) const;
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }

@@ -72,7 +72,8 @@ class Moving_delaunay {
     Move_report move(std::span<const Index> indices, std::span<const Coordinates<d>> points) { return engine_->move(indices, points); }
     /// The same for a range of pairs (vertex handle, point).
     template <std::input_iterator It>
-    Move_report move(It first, It last) requires requires { Point(first->second); Vertex_handle(first->first); } {
+    requires requires(It pair) { Point(pair->second); Vertex_handle(pair->first); }
+    Move_report move(It first, It last) {
         std::vector<Index> indices;
         std::vector<Coordinates<d>> points;
         for (; first != last; ++first) {

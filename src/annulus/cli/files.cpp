@@ -122,7 +122,8 @@ void print_summary(const Tracker<Moving>& tracker) {
     }
     std::printf("certificates   %llu decided: filter %llu, interval %llu, exact %llu\n", count(r.arithmetic.total()),
                 count(r.arithmetic.filter), count(r.arithmetic.interval), count(r.arithmetic.exact));
-    std::printf("memory         %.1f MB at the peak\n", static_cast<double>(r.memory_peak_bytes) / 1e6);
+    if (r.memory_peak_bytes == 0) std::printf("memory         unknown: the system does not say\n");
+    else std::printf("memory         %.1f MB at the peak\n", static_cast<double>(r.memory_peak_bytes) / 1e6);
     if (r.audit.checked == 0) {
         std::printf("audit          none\n");
     } else if (r.audit.failed == 0) {

@@ -12,6 +12,7 @@
 #include <annulus/reproduction/parts.h>
 #include <annulus/reproduction/plan.h>
 #include <annulus/reproduction/reproduction.h>
+#include <annulus/statistics/processor.h>
 
 #include <zlib.h>
 
@@ -38,19 +39,12 @@ struct Reproduce_call {
 constexpr const char* surface_files[] = {"man.off", "bunny00.off", "liver.inr.gz"};
 
 std::string machine() {
-    std::string model = "unknown processor", line;
-    std::ifstream cpus("/proc/cpuinfo");
-    while (std::getline(cpus, line))
-        if (line.starts_with("model name")) {
-            model = line.substr(line.find(':') + 2);
-            break;
-        }
 #if defined(__clang__)
     const std::string compiler = "clang " __clang_version__;
 #else
     const std::string compiler = "g++ " __VERSION__;
 #endif
-    return model + ", " + counted(std::thread::hardware_concurrency(), "processor") + ", " + compiler;
+    return processor_name() + ", " + counted(std::thread::hardware_concurrency(), "processor") + ", " + compiler;
 }
 
 /// CRC-32 of all of them.

@@ -19,7 +19,10 @@ std::string entry_of(std::size_t trial, int rank, const Trial_result& result, co
         text += result.lines[i];
     }
     text += "],\"hard\":" + nlohmann::ordered_json(hard.json()).dump();
-    const nlohmann::ordered_json cost{{"rank", rank}, {"seconds", result.seconds}, {"peak_bytes", result.peak_bytes}};
+    using Json = nlohmann::ordered_json;
+    const Json cost{{"rank", rank},
+                    {"seconds", result.seconds},
+                    {"peak_bytes", result.peak_bytes == 0 ? Json() : Json(result.peak_bytes)}};
     text += ",\"cost\":" + cost.dump() + "}";
     return text;
 }

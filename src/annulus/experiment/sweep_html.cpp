@@ -73,7 +73,8 @@ Series cumulative(std::string name, const Bins& bins, const Histogram& scale) {
 
 /// Of the certificates in each bin, the percentage that a stage decided.
 Series share_of_stage(const Tally& t, const std::string& name, const char* stage) {
-    const Histogram& edges = scale(name + "." + stage);
+    const std::string whole_name = name + "." + stage;  // g++ 13 takes a temporary for what the scale may refer to
+    const Histogram& edges = scale(whole_name);
     Series s{stage, {}, {}};
     for (std::size_t i = 0; i + 1 < edges.edges().size(); ++i) {
         std::uint64_t all = 0, part = 0;

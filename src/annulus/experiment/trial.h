@@ -52,7 +52,7 @@ struct Trial_result {
     std::vector<std::string> lines{};  ///< JSON, one for each experiment, in the order of steps or frames; without line ends
     Hard_inputs hard;
     double seconds = 0;             ///< it took
-    std::uint64_t peak_bytes = 0;   ///< that this process had resident at most until then
+    std::uint64_t peak_bytes = 0;   ///< that this process had resident at most until then; 0 when unknown
 };
 
 /// Runs one: what it finds depends on the trial alone, and not on `threads`, which work on Lloyd's iteration, natural ODT and certificates. `hardest`

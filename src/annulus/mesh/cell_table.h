@@ -84,38 +84,39 @@ class Cell_table {
     /// Calls visit(h) for each corner h whose vertex is v, which may be `infinite`. O(degree); counter-clockwise in 2D, in
     /// no particular order in 3D. `visit` must not change the table.
     template <class Visit>
-    void for_each_corner(Index v, Visit visit) const requires(d == 3) {
-        boost::container::small_vector<Corner_index, 64> star;
-        Small_set<Cell_index, Index_hash> met(no_cell);
-        const auto enter = [&](Cell_index c) {
-            __builtin_prefetch(&twin_[corner(c, 0)]);
-            __builtin_prefetch(&vertex_[corner(c, 0)]);
-            if (met.insert(c)) star.push_back(corner(c, 0));
-        };
-        enter(cell_of(v == infinite ? corner_of_infinity() : corner_of(v)));
-        for (std::size_t k = 0; k < star.size(); ++k) {
-            const Cell_index c = cell_of(star[k]);
-            // Its slot without branches, which nobody could predict.
-            const auto is = [&](int i) { return vertex(corner(c, i)) == v ? 1 : 0; };
-            const int slot = is(1) + 2 * is(2) + 3 * is(3);
-            star[k] = corner(c, slot);
-            for (int i = 1; i <= d; ++i) enter(cell_of(twin(corner(c, (slot + i) & 3))));
+    void for_each_corner(Index v, Visit visit) const {
+        if constexpr (d == 2) {
+            const Corner_index first = corner_of(v);
+            Corner_index h = first;
+            do {
+                assert(vertex(h) == v);
+                visit(h);
+                h = next_around(h);
+            } while (h != first);
+        } else {
+            boost::container::small_vector<Corner_index, 64> star;
+            Small_set<Cell_index, Index_hash> met(no_cell);
+            const auto enter = [&](Cell_index c) {
+                __builtin_prefetch(&twin_[corner(c, 0)]);
+                __builtin_prefetch(&vertex_[corner(c, 0)]);
+                if (met.insert(c)) star.push_back(corner(c, 0));
+            };
+            enter(cell_of(v == infinite ? corner_of_infinity() : corner_of(v)));
+            for (std::size_t k = 0; k < star.size(); ++k) {
+                const Cell_index c = cell_of(star[k]);
+                // Its slot without branches, which nobody could predict.
+                const auto is = [&](int i) { return vertex(corner(c, i)) == v ? 1 : 0; };
+                const int slot = is(1) + 2 * is(2) + 3 * is(3);
+                star[k] = corner(c, slot);
+                for (int i = 1; i <= d; ++i) enter(cell_of(twin(corner(c, (slot + i) & 3))));
+            }
+            for (const Corner_index h : star) visit(h);
         }
-        for (const Corner_index h : star) visit(h);
-    }
-    template <class Visit>
-    void for_each_corner(Index v, Visit visit) const requires(d == 2) {
-        const Corner_index first = corner_of(v);
-        Corner_index h = first;
-        do {
-            assert(vertex(h) == v);
-            visit(h);
-            h = next_around(h);
-        } while (h != first);
     }
 
     /// 2D: the corner of the same vertex in the next triangle counter-clockwise.
-    [[nodiscard]] Corner_index next_around(Corner_index h) const requires(d == 2) {
+    [[nodiscard]] Corner_index next_around(Corner_index h) const {
+        static_assert(d == 2);
         const Corner_index t = twin(ccw(h));
         return ccw(t);
     }
@@ -165,11 +166,12 @@ class Cell_table {
 
     /// 2D: replaces the edge opposite to corner h by the other diagonal of its bi-cell, corner for corner as CGAL's
     /// `flip(face, i)` does. Precondition: the opposite vertices are not adjacent.
-    void flip(Corner_index h) requires(d == 2);
+    void flip(Corner_index h);
 
     /// 3D: the next cell around an edge. h and k are the two corners of one cell whose vertices are not on the edge; on
     /// return they are those of the cell across the facet opposite to k, and k is again the one to go on with.
-    void turn(Corner_index& h, Corner_index& k) const requires(d == 3) {
+    void turn(Corner_index& h, Corner_index& k) const {
+        static_assert(d == 3);
         const Corner_index t = twin(k);
         const Cell_index c = cell_of(t);
         const int i = slot(c, vertex(h));
@@ -235,7 +237,8 @@ void Cell_table<d>::free_cell(Cell_index c) {
 }
 
 template <int d>
-void Cell_table<d>::flip(Corner_index h) requires(d == 2) {
+void Cell_table<d>::flip(Corner_index h) {
+    static_assert(d == 2);
     const Corner_index t = twin(h);
     touch(cell_of(h));
     touch(cell_of(t));

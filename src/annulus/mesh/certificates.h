@@ -159,8 +159,8 @@ template <int d>
 
 /// The first k of `point`, where they are in x.
 template <int d, std::size_t k, std::size_t n>
-[[nodiscard]] Tuple<d, static_cast<int>(k)> tuple(const std::array<Index, n>& point,
-                                                  std::span<const Coordinates<d>> x) requires(k <= n) {
+requires(k <= n)
+[[nodiscard]] Tuple<d, static_cast<int>(k)> tuple(const std::array<Index, n>& point, std::span<const Coordinates<d>> x) {
     Tuple<d, static_cast<int>(k)> t{};
     for (std::size_t i = 0; i < k; ++i) t[i] = &x[static_cast<std::size_t>(point[i])];
     return t;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/motion/cgal_versions.h>
 #include <annulus/motion/domain_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -30,9 +31,9 @@ class Mesh_domain_3 {
     using Has_features = CGAL::Tag_false;
     using Subdomain_index = int;
     using Surface_patch_index = std::pair<int, int>;  // another type than numbers of curves and corners
-    using Index = boost::variant<Subdomain_index, Surface_patch_index>;
-    using Subdomain = boost::optional<Subdomain_index>;
-    using Surface_patch = boost::optional<Surface_patch_index>;
+    using Index = Cgal_variant<Subdomain_index, Surface_patch_index>;
+    using Subdomain = Cgal_optional<Subdomain_index>;
+    using Surface_patch = Cgal_optional<Surface_patch_index>;
     using Intersection = std::tuple<Point_3, Index, int>;
     static constexpr Subdomain_index solid = 1;
     static constexpr Surface_patch_index skin{1, 0};
@@ -82,7 +83,7 @@ class Mesh_domain_3 {
         template <class Query>
         Intersection clipped(const Query& q) const {
             const auto part = CGAL::intersection(q, domain.clip());
-            const Segment_3* s = part ? boost::get<Segment_3>(&*part) : nullptr;
+            const Segment_3* s = part ? alternative<Segment_3>(*part) : nullptr;
             return s != nullptr ? (*this)(*s) : Intersection(CGAL::ORIGIN, Index(), 0);
         }
     };

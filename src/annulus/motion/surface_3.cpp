@@ -2,16 +2,21 @@
 #include <annulus/motion/surface_3.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/motion/cgal_versions.h>
 #include <annulus/motion/nearest_search.h>
 #include <annulus/motion/surface_faults.h>
 #include <annulus/motion/voxel_marks.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
 
 #include <algorithm>
 #include <charconv>
@@ -45,7 +50,12 @@ struct Guarded_kernel : K {
     };
     [[nodiscard]] Construct_projected_point_3 construct_projected_point_3_object() const { return {}; }
 };
-using Aabb_tree = CGAL::AABB_tree<CGAL::AABB_traits<Guarded_kernel, Primitive>>;
+#if CGAL_VERSION_NR >= 1060000000
+using Aabb_traits = CGAL::AABB_traits_3<Guarded_kernel, Primitive>;
+#else
+using Aabb_traits = CGAL::AABB_traits<Guarded_kernel, Primitive>;
+#endif
+using Aabb_tree = CGAL::AABB_tree<Aabb_traits>;
 using Side = CGAL::Side_of_triangle_mesh<Mesh, K, CGAL::Default, Aabb_tree>;
 
 /// What a ball meets: triangles whose boxes are within a distance of its centre, and how far these are.
@@ -58,7 +68,7 @@ struct Listing {
         return std::sqrt(squared_gap(ball.centre, std::array{b.xmin(), b.ymin(), b.zmin()}, std::array{b.xmax(), b.ymax(), b.zmax()}));
     }
     [[nodiscard]] static constexpr bool go_further() { return true; }
-    [[nodiscard]] bool do_intersect(const Query& ball, const CGAL::AABB_node<CGAL::AABB_traits<Guarded_kernel, Primitive>>& node) const {
+    [[nodiscard]] bool do_intersect(const Query& ball, const CGAL::AABB_node<Aabb_traits>& node) const {
         return gap(ball, node.bbox()) <= ball.reach;
     }
     void intersection(const Query& ball, const Primitive& primitive) {
@@ -246,7 +256,7 @@ std::optional<Coordinates<3>> Surface_3::crossing(const Coordinates<3>& a, const
     if (!is_finite(a) || !is_finite(b)) return std::nullopt;
     const auto hit = tree_->tree.any_intersection(K::Segment_3(cgal(a), cgal(b)));
     if (!hit) return std::nullopt;
-    if (const K::Point_3* p = boost::get<K::Point_3>(&hit->first)) {
+    if (const K::Point_3* p = alternative<K::Point_3>(hit->first)) {
         Coordinates<3> c = ours(*p);
         // That they meet is exact, where they do is not: nearly in the plane of the triangle it may be anywhere or no number.
         for (std::size_t k = 0; k < 3; ++k)
@@ -255,7 +265,7 @@ std::optional<Coordinates<3>> Surface_3::crossing(const Coordinates<3>& a, const
         // On a segment that is long compared with the surface the rounding of a crossing is, too: back onto the surface.
         return project(c);
     }
-    if (const K::Segment_3* s = boost::get<K::Segment_3>(&hit->first))
+    if (const K::Segment_3* s = alternative<K::Segment_3>(hit->first))
         return ours(CGAL::midpoint(s->source(), s->target()));
     return std::nullopt;
 }

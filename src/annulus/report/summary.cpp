@@ -61,7 +61,7 @@ Json summary_json(const Run_record& run) {
     json["audit"] = Json{{"checked", run.audit.checked}, {"failed", run.audit.failed}};
     json["version"] = ANNULUS_VERSION;
     if (run.interrupted) json["interrupted"] = true;
-    json["memory"] = Json{{"peak_bytes", run.memory_peak_bytes}};
+    json["memory"] = Json{{"peak_bytes", run.memory_peak_bytes == 0 ? Json() : Json(run.memory_peak_bytes)}};
     json["mean_spacing"] = run.mean_spacing;
     if (run.mesh_before) {
         Json& mesh = json["mesh"];

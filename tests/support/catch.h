@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Catch2, 2 or 3, under the names that both have, or that are given to both here. Tests include this and nothing of Catch2's.
+#if __has_include(<catch2/catch_all.hpp>)
+#include <catch2/catch_all.hpp>
+#else
+#include <catch2/catch.hpp>
+#endif
+
+#include <cstdint>
+
+#if CATCH_VERSION_MAJOR >= 3
+using Catch::Approx;
+#endif
+
+namespace annulus {
+
+/// The seed of this run of the tests, which main prints.
+inline std::uint32_t run_seed() {
+#if CATCH_VERSION_MAJOR >= 3
+    return Catch::getSeed();
+#else
+    return Catch::rngSeed();
+#endif
+}
+
+}  // namespace annulus
