@@ -33,6 +33,11 @@ class Error(ValueError):
             more vertices or cells than indices can name
         ``bad_input``
             a file, a surface or a domain that is none
+    vertices : tuple of int
+        Indices of the vertices concerned, as far as they are known. Of a ``collision`` both, the smaller one first:
+        rows of the input where a triangulation is made, the one vertex that is there already where a point is
+        inserted, and none where two points to be inserted are equal: the message has their rows. Else the vertex
+        or point whose position or index is refused.
 
     Notes
     -----
@@ -40,10 +45,12 @@ class Error(ValueError):
     """
 
     code: str
+    vertices: tuple[int, ...]
 
-    def __init__(self, message: str, code: str) -> None:
+    def __init__(self, message: str, code: str, vertices: tuple[int, ...] = ()) -> None:
         super().__init__(message)
         self.code = code
+        self.vertices = tuple(vertices)
 
-    def __reduce__(self) -> tuple[type[Error], tuple[str, str]]:
-        return type(self), (str(self), self.code)
+    def __reduce__(self) -> tuple[type[Error], tuple[str, str, tuple[int, ...]]]:
+        return type(self), (str(self), self.code, self.vertices)

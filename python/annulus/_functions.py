@@ -85,8 +85,9 @@ def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one
         Under which centroids are taken: ``one``, ``x2+y2``, ``x2`` or ``sin2`` (of the distance from the
         origin, in radians).
     domain : str or array_like, shape (m, 2), optional
-        To which cells are cut: ``disc``, ``square`` or the corners of a convex polygon, in order. Without it
-        the disc for points that are sampled, the convex hull for those that are given.
+        To which cells are cut: ``disc``, ``square`` or the corners of a convex polygon, in order, either way
+        round. The first may be repeated at the end, others too, and corners may lie on edges: the result is
+        the same, bit for bit. Without it the disc for points that are sampled, the convex hull for those that are given.
     radius : float, optional
         Of the disc, or half the side of the square: 1, or 2 pi for ``sin2``.
     strategy, tolerance, merge_duplicates, threads, seed

@@ -9,6 +9,7 @@
 #include <annulus/cgal/mesh_embedding.h>
 #include <annulus/report/degeneracy_report.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace annulus::python {
@@ -23,13 +24,15 @@ template <int d>
 std::vector<Coordinates<d>> distinct(std::span<const Coordinates<d>> points, bool merge_duplicates) {
     std::vector<Coordinates<d>> out;
     Point_set<d> seen{std::span<const Coordinates<d>>{}};
+    const auto first_at = [&](std::size_t i) { return std::find(points.begin(), points.end(), points[i]) - points.begin(); };
     for (std::size_t i = 0; i < points.size(); ++i) {
-        require_in_domain(points[i]);
+        require_in_domain(points[i], "point", static_cast<std::int64_t>(i));
         if (seen.add(points[i])) out.push_back(points[i]);
         else if (!merge_duplicates)
-            throw Error(
-                Error_code::collision,
-                "point " + std::to_string(i) + " is where an earlier one is (merge_duplicates=True counts such once)");
+            throw Error(Error_code::collision,
+                        "points " + std::to_string(first_at(i)) + " and " + std::to_string(i) +
+                            " have the same position (merge_duplicates=True counts such once)",
+                        {static_cast<std::int64_t>(first_at(i)), static_cast<std::int64_t>(i)});
     }
     return out;
 }

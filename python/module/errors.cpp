@@ -36,7 +36,9 @@ void raise(const Error& e) {
         const auto words = py::reinterpret_steal<py::object>(
             PyUnicode_DecodeUTF8(what.data(), static_cast<Py_ssize_t>(what.size()), "backslashreplace"));
         if (!words) throw py::error_already_set();
-        const py::object error = type(words, py::str(std::string(name_of(e.code()))));
+        py::tuple vertices(e.vertices().size());
+        for (std::size_t k = 0; k < e.vertices().size(); ++k) vertices[k] = py::int_(e.vertices()[k]);
+        const py::object error = type(words, py::str(std::string(name_of(e.code()))), vertices);
         PyErr_SetObject(type.ptr(), error.ptr());
     } catch (py::error_already_set& failed) {
         failed.restore();

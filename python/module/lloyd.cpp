@@ -28,23 +28,17 @@ std::optional<Domain_2> domain_of(const py::object& domain, double radius) {
                     "domain '" + name + "' is none; there are disc, square, and the corners of a convex polygon");
     }
     const Points_in<2> corners(domain, "domain");
-    std::vector<Coordinates<2>> c(corners.span().begin(), corners.span().end());
-    for (const auto& p : c) require_in_domain(p);
-    double area = 0;  // twice, signed
-    for (std::size_t i = 0; i < c.size(); ++i) {
-        const auto& p = c[i];
-        const auto& q = c[(i + 1) % c.size()];
-        area += p[0] * q[1] - p[1] * q[0];
-    }
-    if (area < 0) std::reverse(c.begin(), c.end());
-    return Domain_2::polygon(c);
+    for (std::size_t i = 0; i < corners.span().size(); ++i)
+        require_in_domain(corners.span()[i], "corner", static_cast<std::int64_t>(i));
+    return Domain_2::polygon(corners.span());
 }
 
 std::vector<Coordinates<2>> points_in(const std::optional<Domain_2>& domain, std::span<const Coordinates<2>> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-        require_in_domain(points[i]);
+        require_in_domain(points[i], "point", static_cast<std::int64_t>(i));
         if (domain && !domain->contains(points[i]))
-            throw Error(Error_code::out_of_domain, "point " + std::to_string(i) + " is outside of the domain");
+            throw Error(Error_code::out_of_domain, "point " + std::to_string(i) + " is outside of the domain",
+                        {static_cast<std::int64_t>(i)});
     }
     return {points.begin(), points.end()};
 }

@@ -7,6 +7,7 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/environment.h>
+#include <annulus/engine/naming_collisions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,14 @@ Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vect
         while (taken.has(p));
     }
     return Moving_mesh<d>(std::span<const Coordinates<d>>(x), options);
+}
+
+/// Of points to be inserted two are equal: says which. They are no vertices.
+template <int d>
+[[noreturn]] void throw_equal(std::span<const Coordinates<d>> points) {
+    const auto pair = coinciding<d>(points, [](Index) { return true; });
+    throw Error(Error_code::collision, "points " + std::to_string(pair->first) + " and " + std::to_string(pair->second) +
+                                           " to be inserted have the same position");
 }
 
 }  // namespace
@@ -105,15 +114,18 @@ Move_report Mesh<d>::settle() {
 /// Throws unless the points are in the domain, and no two of them, nor one of them and a vertex, at one place. O(n).
 template <int d>
 void Mesh<d>::require_free(std::span<const Point> points) const {
-    for (const Point& p : points) require_in_domain(p);
+    for (std::size_t k = 0; k < points.size(); ++k) require_in_domain(points[k], "point", static_cast<std::int64_t>(k));
     if (points.size() < 2) return;  // the mesh finds out itself, at less
     const Point_set<d> fresh(points);
     if (fresh.size() < points.size())
-        throw Error(Error_code::collision, "two of the points to be inserted are at one place");
+        throw_equal<d>(points);
     const auto x = mesh_.points();
     for (std::size_t i = 0; i < x.size(); ++i)
         if (mesh_.is_vertex(static_cast<Index>(i)) && fresh.has(x[i]))
-            throw Error(Error_code::collision, "vertex " + std::to_string(i) + " is where a point is to be inserted");
+            throw Error(Error_code::collision,
+                        "vertex " + std::to_string(i) + " has the position of point " +
+                            std::to_string(std::find(points.begin(), points.end(), x[i]) - points.begin()) + " to be inserted",
+                        {static_cast<std::int64_t>(i)});
 }
 
 template <int d>
@@ -158,7 +170,8 @@ void Mesh<d>::remove(const std::vector<Index>& indices) {
             if (!mesh_.is_vertex(once[k]) || (k > 0 && once[k] == once[k - 1]))
                 throw Error(Error_code::unknown_vertex,
                             mesh_.is_vertex(once[k]) ? "vertex " + std::to_string(once[k]) + " is to be removed twice"
-                                                     : "no vertex has index " + std::to_string(once[k]));
+                                                     : "no vertex has index " + std::to_string(once[k]),
+                            {once[k]});
         vacant_.reserve(vacant_.size() + indices.size());
         for (const Index i : indices) remove_one(i);
         cells_.reset();

@@ -46,9 +46,57 @@ def test_codes():
             annulus.MovingDelaunay(X, **wrong)
 
 
+def bad(x, i, value):
+    out = x.copy()
+    out[i] = value
+    return out
+
+
+def at(x, i, j):
+    """Vertex i where j is."""
+    return bad(x, i, x[j])
+
+
+@pytest.mark.parametrize("strategy", ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "hybrid"])
+@pytest.mark.parametrize("d", [2, 3])
+def test_errors_name_the_vertices_concerned(d, strategy):
+    x = np.random.default_rng(d).random((40, d))
+    dt = annulus.MovingDelaunay(x, strategy)
+    both, there = "vertices {} and {} would have the same position", "vertex {} has the position of "
+    for call, expected, vertices, words in [
+            (lambda: annulus.MovingDelaunay(at(x, 9, 4), strategy), "collision", (4, 9), "points 4 and 9 have the same position"),
+            (lambda: annulus.MovingDelaunay(at(x, 3, 15), strategy), "collision", (3, 15), "points 3 and 15 have the same position"),
+            (lambda: dt.move(at(x, 9, 4)), "collision", (4, 9), both.format(4, 9)),
+            (lambda: dt.move(x[[11]], [2]), "collision", (2, 11), both.format(2, 11)),
+            (lambda: dt.move(x[[2]], [11]), "collision", (2, 11), both.format(2, 11)),
+            (lambda: dt.move(x[[8, 10, 1]], [1, 6, 8]), "collision", (6, 10), both.format(6, 10)),
+            (lambda: dt.move(x[[8, 8]], [1, 6]), "collision", (1, 6), None),
+            (lambda: dt.insert(x[[7]]), "collision", (7,), there.format(7) + "the point to be inserted"),
+            (lambda: dt.insert([x[7] + 1, x[7] + 2, x[7]]), "collision", (7,), there.format(7) + "point 2 to be inserted"),
+            (lambda: dt.insert([x[7] + 1, x[7] + 2, x[7] + 1]), "collision", (), "points 0 and 2 to be inserted have the same position"),
+            (lambda: annulus.MovingDelaunay(bad(x, 5, np.nan), strategy), "not_finite", (5,), "point 5 is not a finite number"),
+            (lambda: dt.move(bad(x, 5, np.inf)), "not_finite", (5,), "vertex 5 is not a finite number"),
+            (lambda: dt.move(bad(x, 5, 1e200)), "out_of_domain", (5,), "vertex 5 is larger"),
+            (lambda: dt.move(bad(x, 5, 1e200)[[5]], [8]), "out_of_domain", (8,), "vertex 8 is larger"),
+            (lambda: dt.insert(bad(x, 5, 1e200)), "out_of_domain", (5,), "point 5 is larger"),
+            (lambda: dt.move(x[[1]], [40]), "unknown_vertex", (40,), "no vertex has index 40"),
+            (lambda: dt.remove([40]), "unknown_vertex", (40,), "no vertex has index 40"),
+            (lambda: annulus.degeneracy(at(x, 9, 4)), "collision", (4, 9), "points 4 and 9 have the same position")]:
+        with pytest.raises(annulus.Error) as e:
+            call()
+        assert (e.value.code, e.value.vertices) == (expected, vertices), str(e.value)
+        assert words is None or words in str(e.value)
+    dt.remove([6])
+    with pytest.raises(annulus.Error) as e:
+        dt.move(x[[1]], [6])
+    assert (e.value.code, e.value.vertices) == ("unknown_vertex", (6,))
+    assert dt.audit()
+
+
 def test_an_error_can_be_sent_elsewhere():
-    error = pickle.loads(pickle.dumps(annulus.Error("words", "usage")))
-    assert isinstance(error, annulus.Error) and str(error) == "words" and error.code == "usage"
+    for error in (annulus.Error("words", "usage"), annulus.Error("words", "collision", (3, 15))):
+        there = pickle.loads(pickle.dumps(error))
+        assert isinstance(there, annulus.Error) and (str(there), there.code, there.vertices) == ("words", error.code, error.vertices)
 
 
 def test_what_was_not_initialised():

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """degeneracy, counterexample, lloyd, nodt; beside the tool where it was built (ANNULUS_TOOL)."""
 
+import fractions
 import json
 import os
 import subprocess
@@ -108,6 +109,58 @@ def test_a_step_of_lloyd_goes_to_centroids():
         cross = p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]
         centroid = ((p + q) * cross[:, None]).sum(axis=0) / (3 * cross.sum())
         assert ours[v] == pytest.approx(centroid, abs=1e-9)
+
+
+def clipped_centroids(points, corners):
+    """Exact centroids, by fractions, of the Voronoi cells of points, cut to a polygon that turns left at each of its corners."""
+    x = [tuple(map(fractions.Fraction, p)) for p in points.tolist()]
+    for i, p in enumerate(x):
+        cell = [tuple(map(fractions.Fraction, c)) for c in corners]
+        for j, q in enumerate(x):
+            if i == j:
+                continue
+            # How much nearer to q than to p, in the half plane that stays not at all.
+            height = [(q[0] - p[0]) * (2 * c[0] - p[0] - q[0]) + (q[1] - p[1]) * (2 * c[1] - p[1] - q[1]) for c in cell]
+            kept = []
+            for k, (a, h) in enumerate(zip(cell, height)):
+                b, g = cell[(k + 1) % len(cell)], height[(k + 1) % len(cell)]
+                if h <= 0:
+                    kept.append(a)
+                if h * g < 0:
+                    t = h / (h - g)
+                    kept.append((a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])))
+            cell = kept
+        area = sx = sy = fractions.Fraction(0)
+        for (ax, ay), (bx, by) in zip(cell, cell[1:] + cell[:1]):
+            cross = ax * by - ay * bx
+            area, sx, sy = area + cross, sx + (ax + bx) * cross, sy + (ay + by) * cross
+        yield float(sx / (3 * area)), float(sy / (3 * area))
+
+
+@pytest.mark.parametrize("corners", [[(0, 0), (1, 0), (1, 1), (0, 1)], [(-0.5, 0), (1.5, -0.25), (1.25, 1.5), (0.5, 2), (-0.5, 1)], [(0, 0), (1, 0), (0, 1)]])
+def test_a_closed_ring_is_the_open_one(corners):
+    rng = np.random.default_rng(5)
+    x = rng.random((12, 2)) / 2
+    exact = np.array(list(clipped_centroids(x, corners)))
+    middle = [tuple((np.array(corners[0]) + corners[1]) / 2)]
+    first = None
+    for ring in (corners, corners + corners[:1], corners[:1] + corners + 3 * corners[:1], (corners + corners[:1])[::-1], corners[1:] + corners[:2],
+                 middle + corners[1:] + corners[:1] + middle, [c for c in corners for _ in range(3)]):
+        moved = annulus.lloyd(x, 1, domain=ring).points
+        first = moved if first is None else first
+        assert np.array_equal(first, moved), ring
+        assert np.abs(moved - exact).max() < 1e-14, ring
+    r = annulus.lloyd(2000, 5, domain=np.array(corners + corners[:1]), seed=1).points
+    assert np.array_equal(r, annulus.lloyd(2000, 5, domain=np.array(corners), seed=1).points)
+
+
+def test_what_is_wrong_with_a_domain_is_said_by_corner():
+    for corners, words in (([(0, 0), (0, 0), (1, 0), (2, 0), (1, 0.5), (2, 2), (0, 0)], "counter-clockwise and turns right at corner 4"),
+                           ([(2, 2), (1, 0.5), (2, 0), (0, 0)], "clockwise and turns left at corner 1"), ([(0, 0)] * 4, "at one place"),
+                           ([(0, 0), (2, 0), (1, 0), (1, 1)], "go back on itself, as it does at corner 1"), ([(0, 0), (1, 1), (2, 2), (0, 0)], "on one line")):
+        with pytest.raises(annulus.Error, match=words) as e:
+            annulus.lloyd(20, 1, domain=corners)
+        assert e.value.code == "bad_input"
 
 
 def test_what_lloyd_refuses():

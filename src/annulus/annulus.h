@@ -31,7 +31,7 @@ extern "C" {
 #endif
 
 // Counts what was added to this file. Nothing is ever taken away or changed within one major version of the library.
-#define ANNULUS_INTERFACE 1
+#define ANNULUS_INTERFACE 2
 
 typedef enum annulus_status {
     ANNULUS_OK = 0,
@@ -121,6 +121,11 @@ ANNULUS_API void annulus_destroy(annulus_mesh** mesh);
 // of the whole message, 0 when there has been no error. No error itself.
 ANNULUS_API size_t annulus_message(const annulus_mesh* mesh, char* buffer, size_t capacity);
 
+// Writes the indices of the vertices that the same message is about and returns how many they are, 0 to 2. After COLLISION both, the smaller one first:
+// of annulus_create numbers of points, of annulus_insert the one vertex that is there already. After UNKNOWN_VERTEX, NOT_FINITE and
+// OUT_OF_DOMAIN the vertex or point that is refused. No error itself.
+ANNULUS_API size_t annulus_message_vertices(const annulus_mesh* mesh, int32_t vertices[2]);
+
 // "collision" for ANNULUS_COLLISION, and so on; "unknown status" for what is none. Never NULL.
 ANNULUS_API const char* annulus_status_name(int status);
 
@@ -179,7 +184,8 @@ ANNULUS_API int annulus_tolerances(const annulus_mesh* mesh, size_t capacity, do
 ANNULUS_API int annulus_displacements(const annulus_mesh* mesh, size_t capacity, double* lengths);
 // Areas (dimension 2) or volumes (3) of Voronoi cells, each with a relative error of at most 2^-33, whatever the points, and how many Voronoi cells
 // touch each: the neighbours in the triangulation. Infinity where the cell is unbounded, at vertices of the hull; NaN and 0 at
-// vacant indices. Either array may be NULL. Above the largest double it is that one. A microsecond a vertex.
+// vacant indices. Either array may be NULL. A number above the largest double is that one; one below the smallest normal double has an absolute error of
+// 2^-1074 besides. A microsecond a vertex.
 // Errors: NO_TRIANGULATION, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_voronoi(const annulus_mesh* mesh, size_t capacity, double* volumes, int32_t* neighbour_counts);
 

@@ -184,9 +184,14 @@ static void check_indices_and_positions(int dimension) {
     int answer = 77;
     size_t count = 77;
     annulus_audit_result audit = {0};
+    const double origin[6] = {0};
+    int32_t named[2] = {77, 77};
+    char text[80];
     annulus_mesh* mesh = a_mesh(dimension, NULL);
+    annulus_mesh* other = NULL;
     const size_t d = (size_t)dimension;
 
+    CHECK(annulus_message_vertices(mesh, named) == 0 && named[0] == 77);
     CHECK_STATUS(annulus_remove(mesh, 1, &bad[5], &count, NULL), ANNULUS_OK);  // 5 is vacant now
     CHECK(count == 1);
     CHECK_STATUS(annulus_points(mesh, points, before), ANNULUS_OK);
@@ -202,12 +207,15 @@ static void check_indices_and_positions(int dimension) {
     }
     indices[2] = 1;
     CHECK_STATUS(annulus_remove(mesh, 3, indices, NULL, NULL), ANNULUS_UNKNOWN_VERTEX);
+    CHECK(annulus_message_vertices(mesh, named) == 1);
     CHECK_STATUS(annulus_is_vertex(mesh, 1, &answer), ANNULUS_OK);
     CHECK(answer == 1);
 
     x[3 * d] = NAN;
     CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_NOT_FINITE);
+    CHECK(annulus_message_vertices(mesh, named) == 1 && named[0] == 3);
     CHECK_STATUS(annulus_insert(mesh, 4, x, indices, &count, NULL), ANNULUS_NOT_FINITE);
+    CHECK(annulus_message_vertices(mesh, named) == 1 && named[0] == 3);
     CHECK(count == 0);
     x[3 * d] = -INFINITY;
     CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_NOT_FINITE);
@@ -215,8 +223,17 @@ static void check_indices_and_positions(int dimension) {
     CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_OUT_OF_DOMAIN);
     memcpy(x + 3 * d, x + 7 * d, d * sizeof *x);
     CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_COLLISION);
+    CHECK(annulus_message_vertices(mesh, named) == 2 && named[0] == 3 && named[1] == 7);
+    CHECK_STATUS(annulus_create(&other, dimension, points, x, NULL), ANNULUS_NOT_FINITE);
+    CHECK(annulus_message_vertices(NULL, named) == 1 && named[0] == 5);
+    CHECK_STATUS(annulus_create(&other, dimension, 2, origin, NULL), ANNULUS_COLLISION);
+    CHECK(annulus_message_vertices(NULL, named) == 2 && named[0] == 0 && named[1] == 1);
     indices[0] = 3;
     CHECK_STATUS(annulus_move(mesh, 1, indices, x + 7 * d, NULL), ANNULUS_COLLISION);
+    CHECK(annulus_message_vertices(mesh, named) == 2 && named[0] == 3 && named[1] == 7);
+    CHECK(annulus_message_vertices(mesh, NULL) == 2);
+    CHECK(annulus_message(mesh, text, sizeof text) > 0);
+    CHECK(strcmp(text, "vertices 3 and 7 would have the same position") == 0);
 
     CHECK_STATUS(annulus_points(mesh, points, after), ANNULUS_OK);
     CHECK(memcmp(before, after, d * points * sizeof *after) == 0);
@@ -229,6 +246,7 @@ static void check_indices_and_positions(int dimension) {
     memcpy(x + d, x + 7 * d, d * sizeof *x);
     CHECK_STATUS(annulus_insert(mesh, 3, x, indices, &count, NULL), ANNULUS_COLLISION);
     CHECK(count == 1 && indices[0] == 5);
+    CHECK(annulus_message_vertices(mesh, named) == 1 && named[0] == 7);
     CHECK_STATUS(annulus_vertex_count(mesh, &count), ANNULUS_OK);
     CHECK(count == points);
     CHECK_STATUS(annulus_audit(mesh, &audit), ANNULUS_OK);

@@ -4,6 +4,7 @@
 
 import csv
 import json
+import math
 import os
 import re
 import subprocess
@@ -43,6 +44,59 @@ class Outputs(ToolTest):
         for row in rows:
             parts = ("within_tolerance", "kept_in_place", "flipped", "reinserted", "rebuilt")
             self.assertEqual(int(row["asked"]), sum(int(row[p]) for p in parts))
+
+    RUNS = (("lloyd", "--points", "60", "--iterations", "7"), ("nodt", "--sphere", "--vertices", "60", "--iterations", "4"),
+            ("replay", "walk.xyz"))
+
+    def rows(self, path):
+        with open(path, encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_triangulation_seconds_are_those_of_the_steps(self):
+        """Construction and first tolerances are in no step, and apart: else strategies that keep tolerances pay for what others do not have."""
+        self.succeed("generate", "walk", "--from", "grid", "--points", "64", "--dim", "3", "--steps", "5", "--pace", "0.1", "--output", "walk.xyz")
+        for run in self.RUNS:
+            for strategy in ("auto", "filter", "rebuild", "relocate"):
+                with self.subTest(run=run, strategy=strategy):
+                    self.succeed(*run, "--strategy", strategy, "--output", "out", "--quiet", "--force")
+                    summary = self.summary("out")
+                    self.check_seconds(summary, self.rows(self.here / "out" / "iterations.csv"))
+
+    def check_seconds(self, summary, rows):
+        self.assertEqual(set(summary["seconds"]), {"triangulation", "motion", "total"})
+        self.assertGreater(summary["seconds_construction"], 0)
+        steps = [float(row["seconds_triangulation"]) for row in rows]
+        self.assertEqual(float(rows[0]["seconds_cumulative"]), steps[0])  # nothing before the first
+        self.assertEqual(float(rows[-1]["seconds_cumulative"]), summary["seconds"]["triangulation"])
+        self.assertAlmostEqual(math.fsum(steps), summary["seconds"]["triangulation"], delta=1e-9)
+
+    def test_what_compare_compares_are_the_steps(self):
+        self.succeed("generate", "walk", "--from", "grid", "--points", "64", "--dim", "3", "--steps", "5", "--pace", "0.1", "--output", "walk.xyz")
+        strategies = ["rebuild", "auto", "filter", "filter-each", "relocate"]
+        for run in self.RUNS:
+            with self.subTest(run=run):
+                self.succeed("compare", "--strategies", ",".join(strategies), "--output", "out", "--force", "--", *run)
+                compared = json.loads((self.here / "out" / "compare.json").read_text(encoding="utf-8"))
+                total = {}
+                for name in strategies:
+                    rows = self.rows(self.here / "out" / f"iterations-{name}.csv")
+                    self.check_seconds(compared["strategies"][name], rows)
+                    total[name] = math.fsum(float(row["seconds_triangulation"]) for row in rows)
+                for pair, ratio in compared["ratios"].items():
+                    a, b = pair.split("/")
+                    self.assertAlmostEqual(ratio, total[a] / total[b], delta=1e-6 * ratio)
+
+    def test_one_is_singular(self):
+        self.write("one.csv", "frame,id,x,y\n0,1,0.5,0.5\n1,1,0.25,0.5\n")
+        said = self.succeed("replay", "one.csv", "--output", "one").stdout
+        self.assertIn("1 vertex, 1 iteration, strategy auto", said)
+        self.assertIn("1 vertex, 1 step: auto", (self.here / "one" / "report.html").read_text(encoding="utf-8"))
+        self.write("two.csv", "frame,id,x,y\n0,1,0.5,0.5\n0,2,0.25,0.5\n")
+        self.assertIn("2 vertices, 0 iterations, strategy auto", self.succeed("replay", "two.csv").stdout)
+        said = self.succeed("lloyd", "--points", "3", "--iterations", "1").stdout
+        self.assertIn("3 vertices, 1 iteration, ", said)
+        for words in (said, *(self.succeed(*run).stdout for run in (("lloyd", "--points", "3", "--iterations", "0"), ("counterexample",)))):
+            self.assertNotRegex(words, r"(?<![\d.,])1 (vertices|iterations|points|steps|triangles|edges|frames|slivers|bi-cells|cells)\b")
 
     def test_the_first_steps_are_all_measured(self):
         self.succeed("lloyd", "--points", "60", "--iterations", "40", "--output", "out", "--quiet")

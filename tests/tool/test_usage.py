@@ -57,6 +57,17 @@ class Usage(ToolTest):
         self.assertEqual((audit["dimension"], audit["vertices"], audit["first_fault"]), (2, 20, ""))
         self.assertEqual(set(audit["faults"].values()), {0})
 
+    def test_help_says_what_seed_and_threads_do(self):
+        """Degeneracy, for one, looks at certificates in all threads it is given; who has one thread says so."""
+        said = {name: " ".join(self.succeed(name, "--help").stdout.split()) for name in SUBCOMMANDS}
+        one = {name for name in SUBCOMMANDS if "one thread is used here" in said[name]}
+        self.assertEqual(one, {"audit", "generate", "counterexample"})
+        self.assertEqual({name for name in SUBCOMMANDS if "nothing is random here" in said[name]}, {"audit", "degeneracy", "counterexample"})
+        for name in SUBCOMMANDS - one:
+            self.assertRegex(said[name], r"--threads INT:1 to 1024=1 Threads [^.]*; results do not depend on (it|them)\b", name)
+        self.assertIn("Threads that look at certificates together", said["degeneracy"])
+        self.assertIn("What to write, whatever the extension says", said["generate"])
+
     def test_help_names_every_strategy(self):
         text = self.succeed("lloyd", "--help").stdout
         for name in STRATEGIES:

@@ -39,5 +39,14 @@ inline void require_in_domain(const std::array<double, d>& x) {
         if (magnitude_bits(c) >= magnitude_bits(std::numeric_limits<double>::infinity())) throw Error(Error_code::not_finite, "a coordinate is not a finite number");
     throw Error(Error_code::out_of_domain, "a coordinate is larger than 2^500 in magnitude");
 }
+/// The same, naming what it is the position of: a "point" or "vertex", and its index.
+template <std::size_t d>
+inline void require_in_domain(const std::array<double, d>& x, const char* whose, std::int64_t i) {
+    if (in_domain(x)) return;
+    const std::string of = "a coordinate of " + std::string(whose) + " " + std::to_string(i);
+    for (const double c : x)
+        if (!std::isfinite(c)) throw Error(Error_code::not_finite, of + " is not a finite number", {i});
+    throw Error(Error_code::out_of_domain, of + " is larger than 2^500 in magnitude", {i});
+}
 
 }  // namespace annulus

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -24,11 +29,22 @@ enum class Error_code {
 class Error : public std::runtime_error {
   public:
     Error(Error_code code, const std::string& what) : std::runtime_error(what), code_(code) {}
+    /// With the vertices it is about, at most two.
+    Error(Error_code code, const std::string& what, std::initializer_list<std::int64_t> vertices)
+        : std::runtime_error(what), code_(code) {
+        for (const std::int64_t v : vertices)
+            if (count_ < vertices_.size()) vertices_[count_++] = v;
+    }
     /// The reason as a value; `what()` has it in words.
     [[nodiscard]] Error_code code() const noexcept { return code_; }
+    /// Indices of the vertices concerned, as far as they are known. Of a collision both, the smaller one first: in a construction those of
+    /// the points in the input, in an insertion the one vertex that is there already. Else the vertex whose position or index is refused.
+    [[nodiscard]] std::span<const std::int64_t> vertices() const noexcept { return {vertices_.data(), count_}; }
 
   private:
     Error_code code_;
+    std::size_t count_ = 0;
+    std::array<std::int64_t, 2> vertices_{};
 };
 
 }  // namespace annulus

@@ -44,7 +44,8 @@ class Mesh_of final : public Any_mesh {
         return mesh_.move(indices, as_points<d>(x, indices.size()));
     }
     void require_positions(const double* x, std::size_t points) const override {
-        for (const auto& p : as_points<d>(x, points)) require_in_domain(p);
+        const auto all = as_points<d>(x, points);
+        for (std::size_t k = 0; k < points; ++k) require_in_domain(all[k], "point", static_cast<std::int64_t>(k));
     }
     Index insert(const double* x, Move_report& report) override {
         cells_.reset();

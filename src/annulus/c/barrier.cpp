@@ -30,11 +30,13 @@ annulus_status status_of(Error_code code) noexcept {
 
 }  // namespace
 
-int Last_error::note(annulus_status status, const char* why) noexcept {
+int Last_error::note(annulus_status status, const char* why, std::span<const std::int64_t> vertices) noexcept {
     const std::lock_guard lock(writing_);
     const std::size_t length = std::min(std::strlen(why), text_.size() - 1);
     std::memcpy(text_.data(), why, length);
     text_[length] = '\0';
+    vertex_count_ = std::min(vertices.size(), vertices_.size());
+    for (std::size_t k = 0; k < vertex_count_; ++k) vertices_[k] = static_cast<std::int32_t>(vertices[k]);
     return status;
 }
 
@@ -49,6 +51,12 @@ std::size_t Last_error::copy(char* buffer, std::size_t capacity) const noexcept 
     return length;
 }
 
+std::size_t Last_error::copy_vertices(std::int32_t* vertices) const noexcept {
+    const std::lock_guard lock(writing_);
+    if (vertices != nullptr) std::copy_n(vertices_.begin(), vertex_count_, vertices);
+    return vertex_count_;
+}
+
 Last_error& error_of_thread() noexcept {
     static thread_local Last_error error;
     return error;
@@ -58,9 +66,9 @@ int note_exception(Last_error& error) noexcept {
     try {
         throw;
     } catch (const Refused& e) {
-        return error.note(e.status(), e.what());
+        return error.note(e.status(), e.what(), e.vertices());
     } catch (const Error& e) {
-        return error.note(status_of(e.code()), e.what());
+        return error.note(status_of(e.code()), e.what(), e.vertices());
     } catch (const std::bad_alloc&) {
         return error.note(ANNULUS_NO_MEMORY, "memory ran out");
     } catch (const std::length_error&) {

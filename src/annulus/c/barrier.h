@@ -7,8 +7,10 @@
 #include <array>
 #include <cfenv>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -19,23 +21,35 @@ namespace annulus::c {
 class Refused : public std::runtime_error {
   public:
     Refused(annulus_status status, const std::string& why) : std::runtime_error(why), status_(status) {}
+    Refused(annulus_status status, const std::string& why, Index vertex) : Refused(status, why) {
+        vertex_ = vertex;
+        names_ = true;
+    }
     [[nodiscard]] annulus_status status() const noexcept { return status_; }
+    /// The one it is about, or none.
+    [[nodiscard]] std::span<const std::int64_t> vertices() const noexcept { return {&vertex_, names_ ? 1U : 0U}; }
 
   private:
     annulus_status status_;
+    std::int64_t vertex_ = 0;
+    bool names_ = false;
 };
 
 /// What went wrong last. Never allocates: memory may have run out.
 class Last_error {
   public:
-    /// Returns the status.
-    int note(annulus_status status, const char* why) noexcept;
+    /// Returns the status. At most two vertices.
+    int note(annulus_status status, const char* why, std::span<const std::int64_t> vertices = {}) noexcept;
     /// As annulus_message.
     std::size_t copy(char* buffer, std::size_t capacity) const noexcept;
+    /// As annulus_message_vertices.
+    std::size_t copy_vertices(std::int32_t* vertices) const noexcept;
 
   private:
     mutable std::mutex writing_;  // functions that only read a mesh fail, too, and may run at once
     std::array<char, 512> text_{};
+    std::array<std::int32_t, 2> vertices_{};
+    std::size_t vertex_count_ = 0;
 };
 
 /// Of the calling thread: of calls that have no mesh.

@@ -47,6 +47,10 @@ size_t annulus_message(const annulus_mesh* mesh, char* buffer, size_t capacity) 
     return (mesh == nullptr ? error_of_thread() : mesh->error).copy(buffer, capacity);
 }
 
+size_t annulus_message_vertices(const annulus_mesh* mesh, int32_t vertices[2]) {
+    return (mesh == nullptr ? error_of_thread() : mesh->error).copy_vertices(vertices);
+}
+
 const char* annulus_status_name(int status) {
     switch (status) {
         case ANNULUS_OK: return "ok";

@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/arithmetic/error.h>
+#include <annulus/arithmetic/collision.h>
 #include <annulus/cgal/order_age.h>
 #include <annulus/cgal/spatial_sort.h>
 
@@ -107,7 +108,7 @@ class Insertion_order {
 };
 
 /// Inserts x[i] for every i of the order, the last vertex' place as hint, and calls assign(vertex, i). Throws Error(collision) naming
-/// a point whose position another has. CGAL's insertion of a range of points with info does just this; here the assigner learns of
+/// two points of one position. CGAL's insertion of a range of points with info does just this; here the assigner learns of
 /// duplicates.
 template <class Traits, class Assign>
 void insert_in_order(typename Traits::Triangulation& tr, std::span<const Coordinates<Traits::dimension>> x,
@@ -117,7 +118,7 @@ void insert_in_order(typename Traits::Triangulation& tr, std::span<const Coordin
     for (const Index i : order) {
         last = Traits::insert(tr, Traits::point(x[static_cast<std::size_t>(i)]), last);
         if (tr.number_of_vertices() == count)
-            throw Error(Error_code::collision, "point " + std::to_string(i) + " has the position of another point");
+            throw collision_of("points", "have", last->index(), i);
         ++count;
         assign(last, i);
     }

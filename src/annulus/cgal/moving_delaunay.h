@@ -119,7 +119,7 @@ class Moving_delaunay {
     [[nodiscard]] std::size_t index_bound() const { return engine_->index_bound(); }
     /// Null for a vacant index. Throws unknown_vertex beyond index_bound().
     [[nodiscard]] Vertex_handle vertex(std::size_t i) const {
-        if (i >= index_bound()) throw Error(Error_code::unknown_vertex, "no vertex has index " + std::to_string(i));
+        if (i >= index_bound()) throw Error(Error_code::unknown_vertex, "no vertex has index " + std::to_string(i), {static_cast<std::int64_t>(i)});
         return embedding_->handle(static_cast<Index>(i));
     }
     /// O(1). Throws unknown_vertex.

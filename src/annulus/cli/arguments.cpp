@@ -44,19 +44,17 @@ CLI::Validator number_within(double least, double most) {
     return {check, range.get_description(), "number"};
 }
 
-void add_common(CLI::App& app, Common_arguments& a, const std::string& files, bool motion) {
+void add_common(CLI::App& app, Common_arguments& a, const std::string& files, const Common_words& words) {
     app.add_option("-o,--output", a.output, "Write " + files + " to this directory")
         ->type_name("DIR")
         ->check([](const std::string& word) {
             return word.empty() ? std::string("the name of a directory is empty") : "";
         });
     app.add_flag("--force", a.force, "Write to a directory that holds other files than results; they stay");
-    app.add_option("--seed", a.seed, motion ? "Seed of everything random" : "Taken everywhere; nothing is random here")
+    app.add_option("--seed", a.seed, words.seed)
         ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
         ->capture_default_str();
-    app.add_option(
-           "--threads", a.threads,
-           motion ? "Threads for the motion; results do not depend on it" : "Taken everywhere; one thread is used here")
+    app.add_option("--threads", a.threads, words.threads)
         ->check(whole_number(1, 1024))
         ->capture_default_str();
     app.add_flag("-q,--quiet", a.quiet, "No progress and no summary, only errors and the exit status");

@@ -43,9 +43,15 @@ struct Tracking_arguments {
 /// From least to most: CLI::Range by itself takes NaN.
 [[nodiscard]] CLI::Validator number_within(double least, double most);
 
-/// `files` is what --output writes. Where there is no motion, --seed and --threads are taken and have no effect, so that
-/// a script may give every subcommand the same options.
-void add_common(CLI::App& app, Common_arguments& arguments, const std::string& files, bool motion = true);
+/// `files` is what --output writes. Where nothing is random or parallel, --seed and --threads are taken and have no effect, so that a script
+/// may give every subcommand the same options; --help says so: these are its words about them.
+struct Common_words {
+    std::string seed = "Seed of everything random";
+    std::string threads = "Threads for motion and triangulation; results do not depend on them";
+};
+inline const std::string no_seed = "Taken everywhere; nothing is random here";
+inline const std::string no_threads = "Taken everywhere; one thread is used here";
+void add_common(CLI::App& app, Common_arguments& arguments, const std::string& files, const Common_words& words = {});
 /// --format: what a file is, whatever its extension says.
 void add_format(CLI::App& app, std::string& format, std::span<const Format> formats);
 void add_tracking(CLI::App& app, Tracking_arguments& arguments);

@@ -89,7 +89,7 @@ Run add_audit_command(CLI::App& app, const Invocation& invocation) {
            "FILE", a->file,
            "A .mesh file with vertices and triangles, or tetrahedra (edges, triangles where all points are flat)")
         ->required();
-    add_common(*sub, a->common, "audit.json", false);
+    add_common(*sub, a->common, "audit.json", {no_seed, no_threads});
     return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }
 

@@ -81,14 +81,14 @@ void write_comparison(const Common_arguments& arguments, const Motion& motion,
 }
 
 void print(const Comparison_record& c) {
-    std::printf("%-24s %14s %12s %12s %10s\n", "strategy", "triangulation", "ns/vertex", "within tol.", "audits");
+    std::printf("%-24s %14s %12s %12s %10s %14s\n", "strategy", "triangulation", "ns/vertex", "within tol.", "audits", "construction");
     for (const Run_record& r : c.runs) {
         const auto asked = static_cast<double>(r.moves.asked > 0 ? r.moves.asked : 1);
-        std::printf("%-24s %12.3f s %12.1f %10.2f %% %6llu/%llu\n", r.strategy.c_str(), r.seconds.triangulation,
+        std::printf("%-24s %12.3f s %12.1f %10.2f %% %8llu/%llu %12.3f s\n", r.strategy.c_str(), r.seconds.triangulation,
                     r.seconds.triangulation / asked * 1e9,
                     100.0 * static_cast<double>(r.moves.within_tolerance) / asked,
                     static_cast<unsigned long long>(r.audit.checked - r.audit.failed),
-                    static_cast<unsigned long long>(r.audit.checked));
+                    static_cast<unsigned long long>(r.audit.checked), r.seconds.construction);
     }
     for (const Run_record& a : c.runs)
         for (const Run_record& b : c.runs)

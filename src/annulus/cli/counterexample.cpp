@@ -49,7 +49,7 @@ Run add_counterexample_command(CLI::App& app, const Invocation& invocation) {
         ->check(number_within(0x1p-40, 0.1))
         ->capture_default_str();
     sub->add_flag("--json", a->json, "Print JSON instead of text");
-    add_common(*sub, a->common, "counterexample.json", false);
+    add_common(*sub, a->common, "counterexample.json", {no_seed, no_threads});
     return [a, command = command_line(invocation.words)] {
         if (std::isnan(a->delta)) throw Error(Error_code::usage, "--delta: not a number");
         const Counterexample r = counterexample(a->delta);

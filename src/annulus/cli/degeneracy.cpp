@@ -277,7 +277,8 @@ Run add_degeneracy_command(CLI::App& app, const Invocation& invocation) {
     sub->add_option("--raw", a->raw, "Write every certificate to this file, a line of CSV each; .gz packs it")
         ->type_name("FILE")
         ->excludes(every);
-    add_common(*sub, a->common, "degeneracy.json and degeneracy.html", false);
+    add_common(*sub, a->common, "degeneracy.json and degeneracy.html",
+               {no_seed, "Threads that look at certificates together; results do not depend on them"});
     return [a, dimension, command = command_line(invocation.words)] {
         if (a->ignore_z && dimension->count() > 0 && a->dimension == 3)
             throw Error(Error_code::usage, "--ignore-z and --dim 3 exclude each other");

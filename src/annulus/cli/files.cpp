@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/files.h>
+
+#include <annulus/cli/counted_vertices.h>
 #include <annulus/cli/result_files.h>
 
 #include <annulus/formats/input_error.h>
@@ -50,7 +52,7 @@ Vtu_field least_angles(const std::vector<Coordinates<3>>& points, const std::vec
 }  // namespace
 
 std::string title_of(const Run_record& run, const std::string& step, const std::string& names) {
-    return grouped(run.vertices) + " vertices, " + grouped(run.iterations) + " " + step +
+    return grouped(run.vertices) + (run.vertices == 1 ? " vertex, " : " vertices, ") + grouped(run.iterations) + " " + step +
            (run.iterations == 1 ? ": " : "s: ") + names;
 }
 
@@ -91,9 +93,8 @@ void write_run(const Common_arguments& arguments, const Tracker<Moving>& tracker
 }
 
 void say_interrupted(const Common_arguments& a, std::uint64_t done_steps, std::optional<std::uint64_t> steps) {
-    const std::string of = steps ? " of " + std::to_string(*steps) : "";
-    std::fprintf(stderr, "annulus: interrupted after %llu%s steps; what was done is in %s\n",
-                 static_cast<unsigned long long>(done_steps), of.c_str(), partial(a.output).c_str());
+    const std::string after = steps ? std::to_string(done_steps) + " of " + counted(*steps, "step") : counted(done_steps, "step");
+    std::fprintf(stderr, "annulus: interrupted after %s; what was done is in %s\n", after.c_str(), partial(a.output).c_str());
 }
 
 template <class Moving>
@@ -102,11 +103,11 @@ void print_summary(const Tracker<Moving>& tracker) {
     const auto asked = static_cast<double>(r.moves.asked > 0 ? r.moves.asked : 1);
     const auto percent = [&](std::uint64_t n) { return 100.0 * static_cast<double>(n) / asked; };
     const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
-    std::printf("%llu vertices, %llu iterations, strategy %s, %s tolerances\n", count(r.vertices), count(r.iterations),
-                r.strategy.c_str(), r.tolerance.c_str());
-    std::printf("triangulation  %.3f s (%.1f ns a vertex and step), motion %.3f s, total %.3f s\n",
-                r.seconds.triangulation, r.moves.asked ? r.seconds.triangulation / asked * 1e9 : 0.0, r.seconds.motion,
-                r.seconds.total);
+    std::printf("%s, %s, strategy %s, %s tolerances\n", counted_vertices(r.vertices).c_str(),
+                counted(r.iterations, "iteration").c_str(), r.strategy.c_str(), r.tolerance.c_str());
+    std::printf("triangulation  %.3f s (%.1f ns a vertex and step), construction %.3f s, motion %.3f s, total %.3f s\n",
+                r.seconds.triangulation, r.moves.asked ? r.seconds.triangulation / asked * 1e9 : 0.0, r.seconds.construction,
+                r.seconds.motion, r.seconds.total);
     std::printf(
         "moves          within tolerance %.3f %%, kept in place %.3f %%, flipped %.3f %%, reinserted %.4f %%, "
         "rebuilt %.3f %%\n",

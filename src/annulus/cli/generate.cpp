@@ -118,11 +118,12 @@ Run add_generate_command(CLI::App& app, const Invocation&) {
         ->type_name("FILE")
         ->capture_default_str();
     add_format(*sub, a->format, frame_formats);
+    sub->get_option("--format")->description("What to write, whatever the extension says; standard output has none: xyz without this");
     sub->add_flag("--force", a->force, "Replace the file");
     sub->add_option("--seed", a->seed, "Seed of everything random")
         ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
         ->capture_default_str();
-    sub->add_option("--threads", a->threads, "Taken everywhere; one thread is used here")
+    sub->add_option("--threads", a->threads, no_threads)
         ->check(whole_number(1, 1024))
         ->capture_default_str();
     sub->add_flag("-q,--quiet", a->quiet, "No progress, only errors and the exit status");

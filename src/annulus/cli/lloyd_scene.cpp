@@ -4,6 +4,7 @@
 #include <annulus/certificate/ladder.h>
 #include <annulus/formats/read_gray_image.h>
 #include <annulus/formats/read_points.h>
+#include <annulus/motion/convex_ring_2.h>
 #include <annulus/motion/moments_2.h>
 #include <annulus/motion/sampling_2.h>
 #include <annulus/motion/voronoi_cell_2.h>
@@ -66,18 +67,11 @@ double Lloyd_scene::spacing() const { return std::sqrt(domain.area() / static_ca
 namespace {
 
 Domain_2 polygon_from(const std::string& file) {
-    Point_file<2> corners = read_points<2>(file);
-    std::vector<Coordinates<2>> c = corners.points;
-    // Either orientation is accepted; twice the signed area tells which it is.
-    double area = 0;
-    for (std::size_t i = 0; i < c.size(); ++i) {
-        const auto& p = c[i];
-        const auto& q = c[(i + 1) % c.size()];
-        area += p[0] * q[1] - p[1] * q[0];
-    }
-    if (area < 0) std::reverse(c.begin(), c.end());
+    const Point_file<2> corners = read_points<2>(file);
     try {
-        return Domain_2::polygon(c);
+        return Domain_2::polygon(corners.points);
+    } catch (const Corner_error& e) {
+        throw corners.fault(e.corner(), Error_code::bad_input, e.what(), "the corners of a convex polygon, in order");
     } catch (const Error& e) {
         throw corners.fault(0, Error_code::bad_input, e.what(), "the corners of a convex polygon, in order");
     }

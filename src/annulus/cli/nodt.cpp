@@ -93,10 +93,9 @@ int run(const Nodt_call& a, const std::string& command) {
             tracker.add_motion(since(start));
             tracker.mesh_after(measured(mesh, step));
             if (a.frames.any()) frames.frame(i);
-            char news[60];
-            std::snprintf(news, sizeof news, "%.2f %% within tolerance, %llu slivers", 100 * tracker.share_within(),
-                          static_cast<unsigned long long>(tracker.record().steps.back().mesh->slivers));
-            progress.show(i, news);
+            char news[40];
+            std::snprintf(news, sizeof news, "%.2f %% within tolerance, ", 100 * tracker.share_within());
+            progress.show(i, news + counted(tracker.record().steps.back().mesh->slivers, "sliver"));
         }
     }
     tracker.finish(command, a.common.seed, since(begin));

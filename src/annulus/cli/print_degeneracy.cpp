@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/print_degeneracy.h>
+
+#include <annulus/cli/counted_vertices.h>
 #include <annulus/formats/input_error.h>
 
 #include <algorithm>
@@ -35,12 +37,12 @@ void print(const Degeneracy& d) {
     const auto median = [](const Distribution& q) { return q.quantiles.empty() ? 0.0 : q.quantiles[5]; };
     std::printf("medians        width of bi-cells %.4g, certified tolerance %.4g, paper's tolerance %.4g, theta %.4g\n",
                 median(d.bicells.least.width), median(d.vertices.certified), median(d.vertices.paper), median(d.theta));
-    std::printf("non-convex     %llu bi-cells (%.4g %%); with %s points %llu\n", count(d.non_convex),
+    std::printf("non-convex     %s (%.4g %%); with %s points %llu\n", counted(d.non_convex, "bi-cell").c_str(),
                 percent(d.non_convex, d.bicells.least.total), d.dimension == 2 ? "three collinear" : "four coplanar",
                 count(d.flat));
     const Vertex_counts& v = d.vertices;
-    std::printf("paper          tolerance unsound at %llu vertices (%.4g %%), above the exact one at %llu (%.4g %%)\n",
-                count(v.paper_unsound), percent(v.paper_unsound, v.total), count(v.paper_above_exact),
+    std::printf("paper          tolerance unsound at %s (%.4g %%), above the exact one at %llu (%.4g %%)\n",
+                counted_vertices(v.paper_unsound).c_str(), percent(v.paper_unsound, v.total), count(v.paper_above_exact),
                 percent(v.paper_above_exact, v.total));
     Stage_counts all = d.bicells.arithmetic;
     all += d.cells.arithmetic;

@@ -1,17 +1,71 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/progress.h>
 
+#include <annulus/formats/input_error.h>
+
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
 #include <utility>
 
 namespace annulus::cli {
 
+namespace {
+
+/// A dumb terminal cannot clear a line.
+bool draws_here() {
+    const char* const terminal = std::getenv("TERM");
+    return isatty(STDERR_FILENO) == 1 && (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
+
+/// What the terminal says of itself, else the environment, else what terminals have always had.
+std::size_t columns_of_terminal() {
+    winsize size{};
+    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+    if (const char* const word = std::getenv("COLUMNS")) {
+        const std::string_view text(word);
+        std::size_t columns = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), columns);
+        if (error == std::errc() && end == text.data() + text.size() && columns > 0) return columns;
+    }
+    return 80;
+}
+
+std::string bar(double share, std::size_t width) {
+    const auto filled = static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(width));
+    return std::string(filled, '#') + std::string(width - filled, '.') + " ";
+}
+
+}  // namespace
+
+std::string Progress_line::in(std::size_t columns) const {
+    constexpr std::size_t longest = 30, shortest = 5;
+    std::string rest = steps + "  " + rate;
+    if (!news.empty()) rest += "  " + news;
+    std::string line = label + " ";
+    if (share) {
+        char percent[16];
+        std::snprintf(percent, sizeof percent, "%3.0f %%  ", 100 * std::clamp(*share, 0.0, 1.0));
+        rest = percent + rest;
+        const std::size_t taken = line.size() + rest.size() + 1;
+        if (columns >= taken + shortest) line += bar(*share, std::min(longest, columns - taken));
+    }
+    line += rest;
+    if (line.size() > columns) line.resize(columns);
+    for (char& c : line)
+        if (c < ' ' || c > '~') c = '?';
+    return line;
+}
+
 Progress::Progress(std::string label, std::uint64_t steps, bool quiet)
     : label_(std::move(label)),
       steps_(steps),
-      visible_(!quiet && isatty(STDERR_FILENO) == 1) {}
+      visible_(!quiet && draws_here()) {}
 
 Progress::~Progress() {
     if (visible_) std::fputs("\r\033[K", stderr);
@@ -24,19 +78,12 @@ void Progress::show(std::uint64_t step, const std::string& news, std::optional<d
     drawn_ = now;
     if (!share && steps_ > 0) share = static_cast<double>(step) / static_cast<double>(steps_);
     const double seconds = std::chrono::duration<double>(now - start_).count();
-    std::string bar;
-    if (share) {
-        constexpr int width = 30;
-        const int filled = static_cast<int>(*share * width);
-        for (int i = 0; i < width; ++i) bar += i < filled ? "█" : "·";
-        char percent[16];
-        std::snprintf(percent, sizeof percent, " %3.0f %%  ", 100 * *share);
-        bar += percent;
-    }
-    const std::string of = steps_ > 0 ? "/" + std::to_string(steps_) : " steps";
-    std::fprintf(stderr, "\r\033[K%s %s%llu%s  %.0f steps/s  %s", label_.c_str(), bar.c_str(),
-                 static_cast<unsigned long long>(step), of.c_str(),
-                 seconds > 0 ? static_cast<double>(step) / seconds : 0.0, news.c_str());
+    char rate[32];
+    std::snprintf(rate, sizeof rate, "%.0f steps/s", seconds > 0 ? static_cast<double>(step) / seconds : 0.0);
+    const Progress_line line{label_, steps_ > 0 ? std::to_string(step) + "/" + std::to_string(steps_) : counted(step, "step"),
+                             rate, news, share};
+    // The last column is left free: a terminal that is full to there may go to the next line.
+    std::fprintf(stderr, "\r\033[K%s", line.in(columns_of_terminal() - 1).c_str());
     std::fflush(stderr);
 }
 

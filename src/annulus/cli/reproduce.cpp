@@ -109,9 +109,10 @@ int run(Reproduce_call a, const std::string& command) {
                 progress.reset();
                 if (!a.common.quiet)
                     std::fprintf(stderr,
-                                 "annulus: interrupted; %zu of %zu parts are in %s: start again with the same "
+                                 "annulus: interrupted; %zu of %s in %s: start again with the same "
                                  "arguments to go on\n",
-                                 reproduction.races.size(), plans.size(), partial(a.common.output).c_str());
+                                 reproduction.races.size(),
+                                 plans.size() == 1 ? "1 part is" : (std::to_string(plans.size()) + " parts are").c_str(), partial(a.common.output).c_str());
                 return done;
             }
             parts.keep(*record);
@@ -146,7 +147,8 @@ Run add_reproduce_command(CLI::App& app, const Invocation& invocation) {
                     "Iterations of every motion (1000; of a quick one 100 in the plane, 60 in space)")
         ->type_name("N")
         ->check(whole_number(1, 100'000));
-    add_common(*sub, a->common, "index.html, a page for each figure, tables and reproduction.json");
+    add_common(*sub, a->common, "index.html, a page for each figure, tables and reproduction.json",
+               {.threads = "Threads for the motion, not for what is timed; results do not depend on them"});
     return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }
 

@@ -132,7 +132,8 @@ class Journal_place {
 /// At once, whatever the threads are at: what is done is in the journal.
 void stop_if_interrupted(const Coordinator& c, const Sweep_call& a) {
     if (!Interruption_guard::interrupted()) return;
-    std::fprintf(stderr, "annulus: interrupted: %zu of %zu trials are kept in %s, and the same command goes on from there\n", c.done(), c.all(),
+    std::fprintf(stderr, "annulus: interrupted: %zu of %s kept in %s, and the same command goes on from there\n", c.done(),
+                 c.all() == 1 ? "1 trial is" : (std::to_string(c.all()) + " trials are").c_str(),
                  a.common.output.c_str());
     Interruption_guard::end_if_interrupted();
 }
@@ -184,7 +185,7 @@ int run_first(const Sweep_call& a, Ranks& ranks) {
     }
     if (!a.common.quiet) {
         std::printf("trials         %zu", spec.trials.size());
-        if (before > 0) std::printf(", of which %zu were done before", before);
+        if (before > 0) std::printf(", of which %zu %s done before", before, before == 1 ? "was" : "were");
         std::printf("\nwritten to     %s\n", a.common.output.c_str());
     }
     return done;

@@ -6,6 +6,7 @@
 #include <annulus/report/report.h>
 #include <annulus/report/run_record.h>
 
+#include <chrono>
 #include <functional>
 #include <limits>
 #include <string>
@@ -27,7 +28,7 @@ class Tracker {
   public:
     static constexpr int d = Moving::dimension_of_space;
     /// Lengths are recorded in units of `spacing`. `iterations` decides where measurements are taken: at the first 20,
-    /// then about 25 a decade, and the last. The precomputation of tolerances is timed as part of `triangulation`.
+    /// then about 25 a decade, and the last. Construction and the first tolerances are timed apart from the steps, whatever the strategy.
     Tracker(std::string name, std::span<const Coordinates<d>> points, const Options& options, double spacing,
             std::uint64_t iterations, std::uint64_t audit_every, bool measure);
 
@@ -76,6 +77,7 @@ class Tracker {
 
     void hear(Move_report& report, Index arrived);
 
+    std::chrono::steady_clock::time_point begun_;  // before the triangulation is built
     Moving dt_;
     Listener listener_;
     Run_record record_;

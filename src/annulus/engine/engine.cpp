@@ -47,7 +47,7 @@ std::unique_ptr<Upkeep<d>> Engine<d>::upkeep_of(Strategy strategy) const {
 
 template <int d>
 void Engine<d>::build(std::span<const Point> points) {
-    for (const auto& p : points) require_in_domain(p);
+    for (std::size_t i = 0; i < points.size(); ++i) require_in_domain(points[i], "point", static_cast<std::int64_t>(i));
     if (points.size() > Horizons::vertices)
         throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::vertices) + " vertices");
     std::vector<Point> distinct;
@@ -105,7 +105,7 @@ bool Engine<d>::is_vertex(Index i) const {
 
 template <int d>
 void Engine<d>::require_vertex(Index i) const {
-    if (!is_vertex(i)) throw Error(Error_code::unknown_vertex, "no vertex has index " + std::to_string(i));
+    if (!is_vertex(i)) throw Error(Error_code::unknown_vertex, "no vertex has index " + std::to_string(i), {i});
 }
 
 template <int d>
@@ -189,7 +189,11 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
         const std::size_t bound = index_bound();
         if (!embedding_.insert(upkeep_->lend(std::max(bound, at(i) + 1)), i, here, changed)) {
             (void)upkeep_->lend(bound);
-            throw Error(Error_code::collision, "another vertex is at that position");
+            for (Index other = 0; at(other) < bound; ++other)
+                if (is_vertex(other) && positions()[at(other)] == here)
+                    throw Error(Error_code::collision,
+                                "vertex " + std::to_string(other) + " has the position of the point to be inserted", {other});
+            throw Error(Error_code::collision, "a vertex has the position of the point to be inserted");
         }
         upkeep_->place(i, here);
         if (before != d && embedding_.mirrored()) upkeep_->refresh_all(report);

@@ -65,6 +65,9 @@ class Engine {
     }
     template <class Call>
     void guarded(Call call, Index fresh = none);
+    /// The same, with the goals by index, all of them or those of the movers alone; a collision is thrown with the names of both vertices.
+    template <class Call>
+    void guarded_moves(std::span<const Index> movers, std::span<const Point> goals, Call call);
     void recover(std::size_t bound, Index fresh) noexcept;
     void require_whole();
     void begin(std::span<const Point> x, Move_report& report);

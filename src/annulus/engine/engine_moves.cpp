@@ -17,10 +17,10 @@ namespace annulus {
 template <int d>
 Move_report Engine<d>::move(Index i, const Point& p) {
     require_vertex(i);
-    require_in_domain(p);
+    require_in_domain(p, "vertex", i);
     Move_report report;
     const Point goal = p;  // it may be one of positions(), which change on the way
-    guarded([&] {
+    guarded_moves(std::span(&i, 1), std::span(&goal, 1), [&] {
         return_mirror(report);
         listing_changes(report, std::span(&i, 1), [&] { move_one(i, goal, report); });
     });
@@ -48,10 +48,10 @@ Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Poin
     if (indices.size() != points.size())
         throw Error(Error_code::wrong_size, std::to_string(indices.size()) + " indices, and " + std::to_string(points.size()) + " points");
     for (const Index i : indices) require_vertex(i);
-    for (const Point& p : points) require_in_domain(p);
+    for (std::size_t k = 0; k < points.size(); ++k) require_in_domain(points[k], "vertex", indices[k]);
     Move_report report;
     const std::vector<Point> goals(points.begin(), points.end());  // they may be positions(), which change on the way
-    guarded([&] {
+    guarded_moves(indices, goals, [&] {
         return_mirror(report);
         listing_changes(report, indices, [&] { move_some(indices, goals, report); });
     });
@@ -127,14 +127,14 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
     // The filter looks at every position anyway and finds out itself.
     if ((strategy_ != Strategy::filter && strategy_ != Strategy::automatic) || embedding_.dimension() != d)
         for (std::size_t i = 0; i < points.size(); ++i)
-            if (is_vertex(static_cast<Index>(i))) require_in_domain(points[i]);
+            if (is_vertex(static_cast<Index>(i))) require_in_domain(points[i], "vertex", static_cast<Index>(i));
     Move_report report;
     std::vector<Index> movers;
     if (journal_) {
         movers.resize(points.size());
         std::iota(movers.begin(), movers.end(), Index{0});
     }
-    guarded([&] {
+    guarded_moves({}, points, [&] {
         return_mirror(report);
         listing_changes(report, movers, [&] { move_everything(points, report); });
     });

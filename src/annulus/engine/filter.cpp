@@ -43,7 +43,7 @@ bool Filter<d>::find_failed(Step<d>& step) const {
 template <int d>
 void Filter<d>::require_domain(std::span<const Coordinates<d>> x) const {
     for (std::size_t v = 0; v < x.size(); ++v)
-        if (lives(v)) require_in_domain(x[v]);
+        if (lives(v)) require_in_domain(x[v], "vertex", static_cast<Index>(v));
 }
 
 /// Whether looking for what expired would already cost a good part of what repair may.

@@ -2,6 +2,7 @@
 #include <annulus/motion/domain_2.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/motion/convex_ring_2.h>
 #include <annulus/motion/moments_2.h>
 #include <annulus/motion/vector_2.h>
 
@@ -28,23 +29,6 @@ void require(bool fact, const std::string& what) {
 
 void require_length(double length, const std::string& what) {
     require(std::isfinite(length) && length >= 1e-100 && length <= 1e100, what + " must lie between 1e-100 and 1e100");
-}
-
-/// Drops corners that repeat the one before or lie between their neighbours, until there are none.
-void drop_flat_corners(Points& corners) {
-    for (bool changed = true; changed;) {
-        Points kept;
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const Coordinates<2>& before = kept.empty() ? corners.back() : kept.back();
-            const Coordinates<2> in = minus(corners[i], before);
-            const Coordinates<2> out = minus(corners[(i + 1) % corners.size()], corners[i]);
-            const double size = norm(in) * norm(out);
-            const bool flat = std::abs(cross(in, out)) <= 1e-15 * size && dot(in, out) >= 0;
-            if (!flat) kept.push_back(corners[i]);
-        }
-        changed = kept.size() != corners.size();
-        corners.swap(kept);
-    }
 }
 
 /// Distance from (0, 0) to the segment.
@@ -74,19 +58,10 @@ Domain_2 Domain_2::square(double half_side) {
 }
 
 Domain_2 Domain_2::polygon(std::span<const Coordinates<2>> given) {
-    double scale = 0;
-    for (const Coordinates<2>& p : given) {
-        require(std::isfinite(p[0]) && std::isfinite(p[1]), "a corner of a polygon is not finite");
-        scale = std::max({scale, std::abs(p[0]), std::abs(p[1])});
-    }
-    require_length(scale, "the coordinates of a polygon");
     Domain_2 domain;
     domain.kind_ = Kind::polygon;
-    Points& corners = domain.corners_;
-    corners.assign(given.begin(), given.end());
-    drop_flat_corners(corners);
-    require(corners.size() >= 3, "a polygon needs 3 corners that are not on a line");
-    double turned = 0;
+    domain.corners_ = convex_ring(given);
+    const Points& corners = domain.corners_;
     const double limit = std::numeric_limits<double>::infinity();
     domain.box_ = {{limit, limit}, {-limit, -limit}};
     domain.extent_ = {limit, 0, 0};
@@ -94,10 +69,7 @@ Domain_2 Domain_2::polygon(std::span<const Coordinates<2>> given) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Coordinates<2>& a = corners[i];
         const Coordinates<2>& b = corners[(i + 1) % corners.size()];
-        const Coordinates<2> d = minus(b, a), next = minus(corners[(i + 2) % corners.size()], b);
-        require(cross(d, next) > 0, "a polygon must be convex and counter-clockwise: it turns right at its corner " +
-                                        std::to_string(i + 2));
-        turned += std::atan2(cross(d, next), dot(d, next));
+        const Coordinates<2> d = minus(b, a);
         const Coordinates<2> normal{d[1] / norm(d), -d[0] / norm(d)};
         // The bound from both ends, so that both are on the inner side of it as far as rounding allows.
         domain.edges_.push_back({normal, std::max(dot(normal, a), dot(normal, b))});
@@ -111,12 +83,11 @@ Domain_2 Domain_2::polygon(std::span<const Coordinates<2>> given) {
         extent.r_max = std::max(extent.r_max, norm(a));
         extent.abs_x_max = std::max(extent.abs_x_max, std::abs(a[0]));
     }
-    require(turned < 3 * std::numbers::pi, "a polygon must go around once");
     if (around_zero) domain.extent_.r_min = 0;
     const Cell_2 all = domain.whole(corners[0]);
     const Moments_2 m = moments(Density::one, all.origin, all.corners);
     domain.area_ = m.mass;
-    require(m.mass > 0, "a polygon must have an area");
+    require(m.mass > 0, "a polygon must have an area, as far as rounding tells");
     domain.middle_ = {all.origin[0] + m.first[0] / m.mass, all.origin[1] + m.first[1] / m.mass};
     domain.inner_ = limit;
     for (const Half_plane_2& edge : domain.edges_)

@@ -25,9 +25,9 @@ class Domain_2 {
     [[nodiscard]] static Domain_2 disc(double radius);
     /// The square [-half_side, half_side]^2, a polygon.
     [[nodiscard]] static Domain_2 square(double half_side);
-    /// The convex polygon with these corners, counter-clockwise. Repeated corners and corners in the middle of an edge
-    /// (sine of the turn below 1e-15) are dropped; what remains must be at least 3 corners that turn left all the way,
-    /// once around. O(corners).
+    /// The convex polygon with these corners, in order, either way round, the first one again at the end or not: see `convex_ring`, which
+    /// says what is dropped and throws Corner_error, an Error(bad_input) that knows at which corner. The same bits for every such list
+    /// of the same polygon. O(corners).
     [[nodiscard]] static Domain_2 polygon(std::span<const Coordinates<2>> corners);
     /// The convex hull of points, not all on a line; every point is in it (see `contains`). O(n log n).
     [[nodiscard]] static Domain_2 convex_hull_of(std::span<const Coordinates<2>> points);

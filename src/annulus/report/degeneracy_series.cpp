@@ -96,7 +96,7 @@ std::string degeneracy_html(const Degeneracy_series& series) {
         "Vertices at which the paper's tolerance is unsound", frames, {"vertices", Scale::linear, 0., {}, false}, {}};
     unsound.series.push_back(over_frames("", series, [](const Numbers& n) { return n.paper_unsound; }));
     std::string out =
-        page_head(series.file + ": " + grouped(series.rows.size()) + " frames, how degenerate", series.command);
+        page_head(series.file + ": " + grouped(series.rows.size()) + (series.rows.size() == 1 ? " frame" : " frames") + ", how degenerate", series.command);
     append_plots(out, "Widths and tolerances",
                  {lengths("Widths of bi-cells", &Numbers::width),
                   lengths("Certified tolerances of vertices", &Numbers::tolerance),

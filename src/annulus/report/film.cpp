@@ -65,7 +65,7 @@ std::string Film::html() const {
                "</figcaption></figure>\n";
     out += "<p hidden><label>Frame <input type=\"range\" min=\"0\" max=\"" + std::to_string(pictures_.size() - 1) +
            "\" value=\"0\" step=\"1\"/></label></p>\n</div>\n<figcaption>";
-    out += pictures_.size() == frames_ ? "All " + grouped(frames_) + " frames are shown"
+    out += pictures_.size() == frames_ ? (frames_ == 1 ? "The one frame is shown" : "All " + grouped(frames_) + " frames are shown")
                                        : grouped(pictures_.size()) + " of " + grouped(frames_) +
                                              " frames are shown: one in " + grouped(stride_) + ", and the last";
     if (parts)

@@ -35,6 +35,7 @@ void append_numbers(std::string& out, const Run_record& run) {
     append_row(out, "seed", std::to_string(run.seed));
     if (run.mean_spacing > 0) append_row(out, "mean spacing", readable(run.mean_spacing));
     out += "</table><table>\n";
+    append_row(out, "construction time", duration(run.seconds.construction));
     append_row(out, "triangulation time", duration(run.seconds.triangulation));
     append_row(out, "motion time", duration(run.seconds.motion));
     append_row(out, "total time", duration(run.seconds.total));
@@ -72,7 +73,8 @@ void append_pictures(std::string& out, const Report& report) {
         if (caption[0] >= 'a' && caption[0] <= 'z') caption[0] = static_cast<char>(caption[0] - 'a' + 'A');
         if (!window.whole)
             caption += ": the " + grouped(points_in(window, picture->points)) +
-                       " vertices in a window in the middle, of " + grouped(picture->points.size());
+                       (points_in(window, picture->points) == 1 ? " vertex" : " vertices") +
+                       " in a window in the middle, of " + grouped(picture->points.size());
         append_figure(out, "", svg_triangulation(*picture, window), caption + ".");
     };
     append(report.before, "Before");
@@ -102,17 +104,18 @@ void append_comparison(std::string& out, const Comparison_record& comparison) {
                         {duration(seconds), seconds},
                         ratio(seconds, fastest->seconds.triangulation),
                         ratio(first.seconds.triangulation, seconds),
+                        {duration(run.seconds.construction), run.seconds.construction},
                         {percentage(run.moves.within_tolerance, run.moves.asked),
                          static_cast<double>(run.moves.within_tolerance) / asked},
                         {audit(run.audit), static_cast<double>(run.audit.failed)}});
     }
     append_table(out,
-                 {"strategy", "triangulation", "over fastest", escaped(first.strategy) + " over it", "within tolerance",
-                  "audits"},
+                 {"strategy", "triangulation", "over fastest", escaped(first.strategy) + " over it", "construction",
+                  "within tolerance", "audits"},
                  rows, true);
     append_plots(out, "Cumulative time", comparison_plots(comparison),
-                 "Time for keeping the triangulation and its tolerances right, without the motion, summed over the "
-                 "iterations. A curve that flattens belongs to a strategy that gains from small displacements.");
+                 "Time for keeping the triangulation and its tolerances right, without the motion and without the "
+                 "construction of the first triangulation and its tolerances, summed over the iterations. A curve that flattens belongs to a strategy that gains from small displacements.");
 }
 
 }  // namespace
@@ -122,10 +125,10 @@ std::string report_html(const Report& report) {
     std::string out = page_head(report.title, run.command);
     if (run.interrupted)
         out += "<p class=\"verdict bad\">The run was interrupted after " + grouped(run.iterations) +
-               " iterations; this is what it had.</p>\n";
+               (run.iterations == 1 ? " iteration" : " iterations") + "; this is what it had.</p>\n";
     if (run.audit.failed > 0)
         out += "<p class=\"verdict bad\">" + grouped(run.audit.failed) + " of " + grouped(run.audit.checked) +
-               " audits failed: the triangulation was not Delaunay.</p>\n";
+               (run.audit.checked == 1 ? " audit" : " audits") + " failed: the triangulation was not Delaunay.</p>\n";
     append_numbers(out, run);
     if (report.comparison) append_comparison(out, *report.comparison);
     if (report.film.empty()) append_pictures(out, report);

@@ -10,12 +10,13 @@
 
 namespace annulus {
 
-/// Wall-clock seconds of a run. `triangulation` is all the time spent keeping the triangulation and its tolerances
-/// right, and nothing else.
+/// Wall-clock seconds of a run. `triangulation` is the sum over its steps of the time spent keeping the triangulation and its tolerances
+/// right, and nothing else: the first triangulation and its tolerances are in no step, but in `construction`.
 struct Seconds_record {
     double triangulation = 0;
     double motion = 0;
     double total = 0;
+    double construction = 0;
 };
 
 /// What became of the moves asked for.
@@ -54,7 +55,7 @@ struct Iteration_record {
     std::uint64_t iteration = 0;  ///< from 1
     double seconds_triangulation = 0;
     double seconds_motion = 0;
-    double seconds_cumulative = 0;  ///< seconds_triangulation of this step and all before it
+    double seconds_cumulative = 0;  ///< seconds_triangulation of this step and all before it, construction apart
     double displacement_mean = 0;
     double displacement_max = 0;
     std::optional<double> tolerance_mean;

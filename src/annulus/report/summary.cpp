@@ -50,6 +50,7 @@ Json summary_json(const Run_record& run) {
     json["seed"] = run.seed;
     json["seconds"] = Json{
         {"triangulation", run.seconds.triangulation}, {"motion", run.seconds.motion}, {"total", run.seconds.total}};
+    json["seconds_construction"] = run.seconds.construction;
     json["moves"] = Json{{"asked", run.moves.asked},
                          {"within_tolerance", run.moves.within_tolerance},
                          {"kept_in_place", run.moves.kept_in_place},

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A collision names both vertices, and other errors the one they are about, whatever was called and under every strategy.
+#include <annulus/arithmetic/error.h>
+#include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_delaunay_3.h>
+#include <annulus/moving_mesh.h>
+
+#include <support/generators.h>
+
+#include <catch2/catch.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+using Names = std::vector<std::int64_t>;
+
+struct Told {
+    Error_code code;
+    Names vertices;
+    std::string words;
+};
+
+Told told_by(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const Error& e) {
+        return {e.code(), Names(e.vertices().begin(), e.vertices().end()), e.what()};
+    }
+    FAIL("nothing was thrown");
+    return {};
+}
+
+void check_told(const std::function<void()>& call, Error_code code, const Names& vertices, const std::string& words) {
+    const Told told = told_by(call);
+    CHECK(told.code == code);
+    CHECK(told.vertices == vertices);
+    CHECK(told.words == words);
+}
+
+template <int d>
+using Positions = std::vector<Coordinates<d>>;
+
+/// In general position, on a lattice, and on a line.
+template <int d>
+std::vector<Positions<d>> point_sets() {
+    Random random(8);
+    Positions<d> scattered(40), lattice, line;
+    for (auto& p : scattered)
+        for (double& c : p) c = between(random, 0, 1);
+    for (int k = 0; k < (d == 2 ? 36 : 64); ++k) {
+        Coordinates<d> p{};
+        const int side = d == 2 ? 6 : 4;
+        for (int i = 0, rest = k; i < d; ++i, rest /= side) p[static_cast<std::size_t>(i)] = rest % side;
+        lattice.push_back(p);
+    }
+    for (int k = 0; k < 12; ++k) {
+        Coordinates<d> p{};
+        p[0] = k;
+        line.push_back(p);
+    }
+    return {scattered, lattice, line};
+}
+
+constexpr Strategy strategies[] = {Strategy::automatic, Strategy::rebuild,     Strategy::relocate, Strategy::relocate_flips, Strategy::in_place,
+                                   Strategy::filter,    Strategy::filter_each, Strategy::hybrid};
+
+template <class Mesh, int d>
+auto point_for(const Coordinates<d>& p) {
+    if constexpr (std::is_same_v<Mesh, Moving_mesh<d>>) return p;
+    else return std::apply([](auto... c) { return typename Mesh::Point(c...); }, p);
+}
+
+template <class Mesh, int d>
+std::span<const Coordinates<d>> now(const Mesh& mesh) {
+    if constexpr (std::is_same_v<Mesh, Moving_mesh<d>>) return mesh.points();
+    else return mesh.positions();
+}
+
+template <class Mesh, int d>
+void remove(Mesh& mesh, Index i) {
+    if constexpr (std::is_same_v<Mesh, Moving_mesh<d>>) mesh.remove(i);
+    else mesh.remove(mesh.vertex(static_cast<std::size_t>(i)));
+}
+
+template <class Mesh, int d>
+void check_everything(const Positions<d>& points, const Options& options) {
+    const auto span = [](const Positions<d>& x) { return std::span<const Coordinates<d>>(x); };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Positions<d> x = points;
+    x[9] = x[4];
+    check_told([&] { Mesh mesh(span(x), options); }, Error_code::collision, {4, 9}, "points 4 and 9 have the same position");
+    x[9] = points[9];
+    x[7][1] = nan;
+    check_told([&] { Mesh mesh(span(x), options); }, Error_code::not_finite, {7}, "a coordinate of point 7 is not a finite number");
+    x = points;
+
+    Mesh mesh(span(points), options);
+    // Twice: with tolerances, where any are kept, and after the first refusals.
+    for (int round = 0; round < 2; ++round) {
+        const Error_code collision = Error_code::collision;
+        check_told([&] { (void)mesh.move(2, points[11]); }, collision, {2, 11}, "vertices 2 and 11 would have the same position");
+        check_told([&] { (void)mesh.move(11, points[2]); }, collision, {2, 11}, "vertices 2 and 11 would have the same position");
+        const Index one[] = {5};
+        check_told([&] { (void)mesh.move(one, std::span(&points[3], 1)); }, collision, {3, 5}, "vertices 3 and 5 would have the same position");
+        const Index some[] = {1, 6, 8};
+        const Positions<d> goals{points[8], points[10], points[1]};  // two change places, one is in the way
+        check_told([&] { (void)mesh.move(some, goals); }, collision, {6, 10}, "vertices 6 and 10 would have the same position");
+        const Positions<d> equal{points[8], points[8], points[1]};
+        check_told([&] { (void)mesh.move(some, equal); }, collision, {1, 6}, "vertices 1 and 6 would have the same position");
+        x = points;
+        x[10] = x[0];
+        check_told([&] { (void)mesh.move_all(span(x)); }, collision, {0, 10}, "vertices 0 and 10 would have the same position");
+        check_told([&] { (void)mesh.insert(point_for<Mesh, d>(points[7])); }, collision, {7}, "vertex 7 has the position of the point to be inserted");
+        x = points;
+        x[3][0] = 0x1p501;
+        check_told([&] { (void)mesh.move_all(span(x)); }, Error_code::out_of_domain, {3}, "a coordinate of vertex 3 is larger than 2^500 in magnitude");
+        check_told([&] { (void)mesh.move(6, x[3]); }, Error_code::out_of_domain, {6}, "a coordinate of vertex 6 is larger than 2^500 in magnitude");
+        check_told([&] { (void)mesh.move(one, std::span(&x[3], 1)); }, Error_code::out_of_domain, {5}, "a coordinate of vertex 5 is larger than 2^500 in magnitude");
+        check_told([&] { (void)mesh.move(1000, points[0]); }, Error_code::unknown_vertex, {1000}, "no vertex has index 1000");
+        CHECK(Positions<d>(now<Mesh, d>(mesh).begin(), now<Mesh, d>(mesh).end()) == points);
+        CHECK(mesh.audit().delaunay());
+    }
+    // A vertex that has gone is in nobody's way, and an index that is vacant has no name.
+    remove<Mesh, d>(mesh, 4);
+    check_told([&] { (void)mesh.move(4, points[0]); }, Error_code::unknown_vertex, {4}, "no vertex has index 4");
+    x = points;
+    x[8] = points[4];
+    (void)mesh.move_all(span(x));
+    x[9] = points[4];
+    check_told([&] { (void)mesh.move_all(span(x)); }, Error_code::collision, {8, 9}, "vertices 8 and 9 would have the same position");
+    CHECK(mesh.audit().delaunay());
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("Every collision names both vertices, dimension", "[errors]", ((int d), d), 2, 3) {
+    using Cgal = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
+    for (const Positions<d>& points : point_sets<d>())
+        for (const Strategy strategy : strategies)
+            for (const bool listing : {false, true}) {
+                Options options;
+                options.strategy = strategy;
+                options.report_changes = listing;
+                INFO(std::string(name_of(strategy)) << ", " << points.size() << " points" << (listing ? ", changes listed" : ""));
+                check_everything<Moving_mesh<d>, d>(points, options);
+                check_everything<Cgal, d>(points, options);
+            }
+}
+
+TEMPLATE_TEST_CASE_SIG("Few vertices of many, -0 for 0, and the pair that is named where several collide, dimension", "[errors]", ((int d), d), 2,
+                       3) {
+    Random random(9);
+    Positions<d> points(400);
+    for (auto& p : points)
+        for (double& c : p) c = between(random, -1, 1);
+    points[30][0] = 0.0;
+    for (const Strategy strategy : strategies) {
+        Options options;
+        options.strategy = strategy;
+        INFO(std::string(name_of(strategy)));
+        Moving_mesh<d> mesh(std::span<const Coordinates<d>>(points), options);
+        (void)mesh.settle();
+        const Index some[] = {17, 200};
+        Positions<d> goals{points[30], points[30]};
+        goals[0][0] = -0.0;
+        goals[1] = points[200];
+        check_told([&] { (void)mesh.move(some, goals); }, Error_code::collision, {17, 30}, "vertices 17 and 30 would have the same position");
+        check_told([&] { (void)mesh.insert(goals[0]); }, Error_code::collision, {30}, "vertex 30 has the position of the point to be inserted");
+        Positions<d> x = points;
+        for (std::size_t i = 100; i < 110; ++i) x[i + 50] = x[i];
+        const Told told = told_by([&] { (void)mesh.move_all(std::span<const Coordinates<d>>(x)); });
+        REQUIRE(told.vertices.size() == 2);
+        CHECK(told.vertices[0] + 50 == told.vertices[1]);
+        CHECK(x[static_cast<std::size_t>(told.vertices[0])] == x[static_cast<std::size_t>(told.vertices[1])]);
+    }
+}
