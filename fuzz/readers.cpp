@@ -88,7 +88,7 @@ void check_points(const Point_file<d>& file) {
 }
 
 void points(const fs::path& file) {
-    std::visit([](const auto& f) { check_points(f); }, read_points_of_any_dimension(file));
+    std::visit([](const auto& f) { check_points(f); }, read_points_of_any_dimension(file, {.box = {.ignored = true}}));
 }
 
 template <int d>
@@ -133,13 +133,17 @@ void check_motion(const fs::path& file, const Recorded_motion& m, const Motion_o
 
 template <Absent_frames absent>
 void motion(const fs::path& file) {
-    const Recorded_motion m = read_motion(file, {.absent = absent});
+    const Motion_options options{.absent = absent, .box = {.ignored = true}};
+    const Recorded_motion m = read_motion(file, options);
     for (std::size_t i = 1; i < m.frames.size(); ++i)
         require(m.frames[i - 1].number < m.frames[i].number, "numbers of frames ascend");
-    check_motion(file, m, {.absent = absent});
+    check_motion(file, m, options);
 }
 
-void dump(const fs::path& file) { check_motion(file, read_motion(file), {}); }
+void dump(const fs::path& file) {
+    const Motion_options options{.box = {.ignored = true}};
+    check_motion(file, read_motion(file, options), options);
+}
 
 void check_closed(const Triangle_surface& s) {
     require(finite(s.points) && distinct(s.points), "points finite and distinct");

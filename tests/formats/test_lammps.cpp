@@ -29,7 +29,7 @@ std::string frame(const std::string& timestep, const std::string& box, const std
 
 Recorded_motion accept(std::string_view content) {
     const Temporary_directory directory;
-    return read_motion(directory.file("a.lammpstrj", content));
+    return read_motion(directory.file("a.lammpstrj", content), {.box = {.ignored = true}});
 }
 
 void refuse(std::string_view content, std::uint64_t line, const std::string& fault,
@@ -85,16 +85,43 @@ TEST_CASE("LAMMPS: of several kinds of positions the plain ones, then unwrapped,
     CHECK(first(general, "xs ys zs", "0 0.5 1") == Coordinates<3>{-4, 2, 13});
 }
 
-TEST_CASE("LAMMPS: a periodic box is announced, not obeyed", "[io][lammps]") {
+TEST_CASE("LAMMPS: of several kinds of positions one that is there in full, and the same in every frame", "[io][lammps]") {
+    const Recorded_motion motion = accept(frame("0", upright, "id x y xs ys zs", "1 9 9 0.5 0 1", "2 9 9 1 1 1"));
+    CHECK(motion.has_z);
+    CHECK(motion.frames[0].position[0] == Coordinates<3>{5, -5, 4});
+    CHECK(accept(frame("0", upright, "zu x y yu xu", "3 9 9 2 1", "3 9 9 2 1")).frames[0].position[0] == Coordinates<3>{1, 2, 3});
+    CHECK_FALSE(accept(frame("0", upright, "x y xs ys", "1 2 0 0", "3 4 0 0")).has_z);
+    CHECK(accept(frame("0", upright, "x y xs ys", "1 2 0 0", "3 4 0 0")).frames[0].position[0] == Coordinates<3>{1, 2, 0});
+    for (const char* columns : {"x y zs", "x y zu", "xu yu z", "zsu xs ys"})
+        refuse(frame("0", upright, columns, "0 0 0", "1 1 1"), 9, "and of z only z");
+    refuse(frame("0", upright, "x y z", "0 0 0", "1 1 1") + frame("1", upright, "xu yu zu", "0 0 0", "1 1 1"), 20,
+           "positions are xu .. here, and x .. in frames before");
+    const Temporary_directory directory;
+    const auto points = read_points<3>(directory.file("a.dump", frame("0", upright, "id x y zs ys xs", "1 0 0 0 0 0", "2 0 0 1 1 1")));
+    CHECK(points.columns == Taken_columns{{"x", "column 6 (xs)"}, {"y", "column 5 (ys)"}, {"z", "column 4 (zs)"}});
+    CHECK_FALSE(points.ignored_box);
+}
+
+TEST_CASE("LAMMPS: a periodic box is refused, or announced and not obeyed", "[io][lammps]") {
     for (const char* sides : {"pp pp pp", "ff ff pf", "xy xz yz sm ff pp"}) {
         const std::string tilt = sides[0] == 'x' ? " 0" : "";
         const std::string box = std::string(sides) + "\n0 1" + tilt + "\n0 1" + tilt + "\n0 1" + tilt + "\n";
         const auto notes = accept(frame("0", box, "x y", "0 0", "1 1")).notes;
+        refuse(frame("0", box, "x y", "0 0", "1 1"), 5, "a periodic box");
         REQUIRE(notes.size() == 1);
         CHECK(notes[0].find(":5: BOX BOUNDS ") != std::string::npos);
         CHECK(notes[0].find("ignored") != std::string::npos);
     }
     CHECK(accept(frame("0", "ff ss mm\n0 1\n0 1\n0 1\n", "x y", "0 0", "1 1")).notes.empty());
+    // Early versions did not write how the sides are: then they are as by default.
+    refuse(frame("0", "\n0 1\n0 1\n0 1\n", "x y", "0 0", "1 1"), 5, "without a word on its sides");
+    // A later frame decides, too, and so does the only one of a set of points.
+    const std::string open = frame("0", upright, "x y", "0 0", "1 1"), closed = frame("1", "pp ff ff\n0 1\n0 1\n0 1\n", "x y", "0 0", "1 1");
+    refuse(open + closed, 16, "BOX BOUNDS pp ff ff: a periodic box");
+    const Temporary_directory directory;
+    const auto file = directory.file("a.dump", closed);
+    expect_fault(file, 5, "a periodic box", [](const auto& f) { (void)read_points<2>(f); });
+    CHECK(read_points<2>(file, {.box = {.ignored = true}}).ignored_box);
 }
 
 TEST_CASE("LAMMPS: frames without atoms are frames", "[io][lammps]") {

@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/formats/output_directory.h>
+#include <annulus/formats/text_output.h>
 
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -314,4 +315,65 @@ TEST_CASE("files written bit by bit elsewhere are taken over", "[io][output]") {
     CHECK_THROWS_AS(first.take(second), Error);
     first.commit();
     CHECK(content_of(directory.path() / "other" / "a") == "first");
+}
+
+TEST_CASE("devices, pipes and sockets are replaced by no file, nor are links to them", "[io][output]") {
+    const Temporary_directory directory;
+    const auto pipe = directory.path() / "pipe";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    const auto link = [&](const char* name, const fs::path& to) {
+        fs::create_symlink(to, directory.path() / name);
+        return directory.path() / name;
+    };
+    for (const auto& [path, kind] :
+         std::vector<std::pair<fs::path, std::string>>{{pipe, "a pipe"},
+                                                       {link("to-pipe", "pipe"), "a pipe"},
+                                                       {link("to-link", "to-pipe"), "a pipe"},
+                                                       {"/dev/null", "a device"},
+                                                       {link("to-null", "/dev/null"), "a device"}}) {
+        INFO(path);
+        CHECK(special_kind(path) == kind);
+        try {
+            Text_output out(path);
+            FAIL("was accepted");
+        } catch (const Error& error) {
+            CHECK(error.code() == Error_code::bad_input);
+            CHECK(std::string(error.what()).starts_with(path.string() + ": is " + kind));
+        }
+    }
+    CHECK(fs::is_fifo(fs::symlink_status(pipe)));
+    CHECK(directory.entries() == 4);
+    // A link to a file, and one to nothing, may go.
+    (void)directory.file("file", "old");
+    for (const auto& path : {link("to-file", "file"), link("to-nothing", "nothing"), directory.path() / "new"}) {
+        CHECK(special_kind(path).empty());
+        Text_output out(path);
+        out.write("new");
+        out.commit();
+        CHECK(content_of(path) == "new");
+    }
+    CHECK(content_of(directory.path() / "file") == "old");
+    // One that comes while the text is written stays.
+    const auto late = directory.path() / "late";
+    Text_output out(late);
+    REQUIRE(::mkfifo(late.c_str(), 0600) == 0);
+    CHECK_THROWS_AS(out.commit(), Error);
+    CHECK(fs::is_fifo(fs::symlink_status(late)));
+}
+
+TEST_CASE("a directory with a pipe in the place of a result stays as it is", "[io][output]") {
+    const Temporary_directory directory;
+    const auto path = directory.path() / "out";
+    fs::create_directory(path);
+    const auto pipe = path / "a";  // named as a result is
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    CHECK(refusal(path, true).starts_with(pipe.string() + ": is a pipe"));
+    fs::rename(pipe, path / "long-name");
+    {
+        Output_directory out(path, is_result, true);
+        out.write("long-name", "mine");
+        CHECK_THROWS_AS(out.commit(), Error);
+    }
+    CHECK(fs::is_fifo(fs::symlink_status(path / "long-name")));
+    CHECK(entries(path) == 1);
 }

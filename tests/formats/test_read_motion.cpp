@@ -122,7 +122,7 @@ TEST_CASE("extended XYZ: a point is who its id says, wherever it stands", "[io][
     CHECK(accept("a.xyz", "1\nProperties=id:S:1:pos:R:3\nabc 0 0 0\n").frames[0].id == Numbers{0});
 }
 
-TEST_CASE("a periodic box is announced, not obeyed", "[io][xyz]") {
+TEST_CASE("a periodic box is refused, or announced and not obeyed", "[io][xyz]") {
     const Temporary_directory directory;
     const std::string box = "Lattice=\"10 0 0 0 10 0 0 0 10\"";
     for (const auto& [comment, words] : std::vector<std::pair<std::string, std::string>>{
@@ -131,6 +131,11 @@ TEST_CASE("a periodic box is announced, not obeyed", "[io][xyz]") {
              {"pbc=\"F F T\"", "pbc ignored"},
              {"pbc=[false, true, false]", "pbc ignored"},
              {"PBC=\"0 0 1\" " + box, "Lattice and pbc ignored"},
+             {"cell=\"10 10 10\"", "cell ignored"},
+             {"# CELL(abcABC):  10  10  10  90 90 90  Step: 0", "CELL(abcABC) ignored"},
+             {"Box = [9, 9, 9, 90, 90, 90]", "Box ignored"},
+             {"box=\"10 10 10\" pbc=\"F F F\"", ""},
+             {"box=3 cell=water", ""},
              {box + " pbc=\"F F F\"", ""},  // then it is a box without a meaning for triangulations
              {"pbc=F", ""},
              {"Lattices=3 in words: Lattice and pbc", ""},
@@ -138,11 +143,20 @@ TEST_CASE("a periodic box is announced, not obeyed", "[io][xyz]") {
          }) {
         INFO(comment);
         const auto file = directory.file("a.xyz", frame(comment, "") + frame(comment, ""));
-        const std::vector<std::string> notes = read_motion(file).notes;
+        const Periodic_box ignored{.ignored = true};
+        const std::vector<std::string> notes = read_motion(file, {.box = ignored}).notes;
         REQUIRE(notes.size() == (words.empty() ? 0 : 1));
         if (!words.empty()) CHECK(notes[0].starts_with(file.string() + ":2: " + words));
         const auto one = directory.file("b.xyz", frame(comment, ""));
-        CHECK(read_points<3>(one).notes.size() == notes.size());
+        const auto points = read_points<3>(one, {.box = ignored});
+        CHECK(points.notes.size() == notes.size());
+        CHECK(points.ignored_box == !words.empty());
+        if (words.empty()) {
+            CHECK(read_motion(file).notes.empty());
+            continue;
+        }
+        expect_fault(file, 2, ": a periodic box", [](const auto& f) { (void)read_motion(f); });
+        expect_fault(one, 2, ": a periodic box", [](const auto& f) { (void)read_points<3>(f); });
     }
 }
 

@@ -43,14 +43,13 @@ TEST_CASE("xyz: plain lines of two or three columns") {
     CHECK(flat.lines == Lines{1, 2, 5});
     const auto solid = accept<3>("A.XYZ", "0 1 2\n3 4 5");
     CHECK(solid.points == Points_3{{0, 1, 2}, {3, 4, 5}});
-    CHECK(accept<3>("a.xyz", "1 2 3 0 0 1\n4 5 6 0 1 0\n").points == Points_3{{1, 2, 3}, {4, 5, 6}});
 }
 
 TEST_CASE("xyz: count line, comment line, elements") {
     const auto solid = accept<3>("a.xyz", "2\nwater 1 2\nO 0 0 0.5\nH 1 2 3\n");
     CHECK(solid.points == Points_3{{0, 0, 0.5}, {1, 2, 3}});
     CHECK(solid.lines == Lines{3, 4});
-    CHECK(accept<3>("a.xyz", "1\n\n6 1 2 3\n").points == Points_3{{1, 2, 3}});
+    CHECK(accept<3>("a.xyz", "1\n\n6 1.0 2 3\n").points == Points_3{{1, 2, 3}});
     CHECK(accept<3>("a.xyz", "1\n\n1 2 3\n").points == Points_3{{1, 2, 3}});
     CHECK(accept<2>("a.xyz", "1\n\nC 1 2\n").points == Points_2{{1, 2}});
     CHECK(accept<2>("a.xyz", "1\n\n1 2\n").points == Points_2{{1, 2}});
@@ -218,8 +217,6 @@ TEST_CASE("numbers that are none are refused at their line") {
     refuse<2>("a.xyz", "1 2\n--3 4\n", 2, "x is not a number");
     refuse<2>("a.xyz", "1 2\n+-3 4\n", 2, "x is not a number");
     refuse<2>("a.xyz", "1 2\n1,5 4\n", 2, "x is not a number");
-    refuse<2>("a.xyz", "1 2\r3 4\r", 1, "y is not a number: '2\\x0d3'");  // lines of old Macs
-    refuse<2>("a.csv", "1,2\r3,4\r", 1, "y is not a number");
     refuse<2>("a.xyz", "1 2\n\nnan 4\n", 3, "x is nan", Error_code::not_finite);
     refuse<2>("a.xyz", "1 2\n3 -inf\n", 2, "y is infinite", Error_code::not_finite);
     refuse<2>("a.xyz", "1 2\n3 1e309\n", 2, "too large for a double", Error_code::not_finite);

@@ -2,9 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Formats that are read, and faults in them. usage: test_inputs.py --tool=PATH [CLASS[.METHOD]...]"""
 
+import bz2
 import gzip
+import json
+import lzma
 import math
+import os
 import struct
+import subprocess
 
 import tool
 from tool import SPREAD, STRATEGIES, TRIANGLE, ToolTest
@@ -89,13 +94,29 @@ class Inputs(ToolTest):
         # id and mass are columns of numbers too: a guess takes them for coordinates.
         rows = "".join(f"{7 * i} 1.5 {x!r} {y!r} 0\n" for i, (x, y) in enumerate(SPREAD))
         self.write("a.xyz", f'5\nLattice="9 0 0 0 9 0 0 0 9" Properties="id:I:1:mass:R:1:pos:R:3"\n{rows}')
-        done = self.succeed("lloyd", "--input", "a.xyz", "--ignore-z", "--iterations", "0", "--output", "out")
+        for words in (["lloyd", "--input", "a.xyz", "--ignore-z"], ["degeneracy", "a.xyz", "--ignore-z"], ["replay", "a.xyz"],
+                      ["degeneracy", "a.xyz", "--frame", "0"], ["degeneracy", "a.xyz", "--every", "1"],
+                      ["compare", "--strategies", "filter", "--", "lloyd", "--input", "a.xyz", "--ignore-z"],
+                      ["compare", "--strategies", "filter", "--", "replay", "a.xyz"]):
+            self.assertRegex(self.refuse(3, *words), r"\Aannulus: a.xyz:2: Lattice: a periodic box, and these are not supported; expected --open")
+        done = self.succeed("lloyd", "--input", "a.xyz", "--ignore-z", "--iterations", "0", "--output", "out", "--open")
         self.assertRegex(done.stderr, r"\Aannulus: a.xyz:2: Lattice ignored: [^\n]*not supported[^\n]*\n\Z")
+        self.assertIn("columns        x: column 3 (pos), y: column 4 (pos)\n", done.stdout)
         self.assertEqual(sorted(self.mesh("out")[0]), sorted(SPREAD))
-        done = self.succeed("degeneracy", "a.xyz", "--ignore-z", "--output", "out")
+        self.assertEqual(self.summary("out")["columns"], {"x": "column 3 (pos)", "y": "column 4 (pos)"})
+        self.assertEqual(self.summary("out")["ignored"], ["box"])
+        done = self.succeed("degeneracy", "a.xyz", "--ignore-z", "--output", "counts", "--open")
         self.assertIn("5 points in dimension 2", done.stdout)
         self.assertIn("Lattice ignored", done.stderr)
-        self.succeed("compare", "--strategies", "filter", "--quiet", "--", "lloyd", "--input", "a.xyz", "--ignore-z")
+        self.succeed("degeneracy", "a.xyz", "--every", "1", "--output", "series", "--open")
+        for directory in ("counts", "series"):
+            content = json.loads((self.here / directory / "degeneracy.json").read_text(encoding="utf-8"))
+            self.assertEqual((content["ignored"], content["columns"]["y"]), (["box"], "column 4 (pos)"), directory)
+            page = (self.here / directory / "degeneracy.html").read_text(encoding="utf-8")
+            self.assertLess(page.index("Lattice ignored"), page.index("<svg" if "<svg" in page else "</main>"))
+        self.succeed("compare", "--strategies", "filter", "--quiet", "--output", "both", "--", "lloyd", "--input", "a.xyz", "--ignore-z", "--open")
+        content = json.loads((self.here / "both" / "compare.json").read_text(encoding="utf-8"))
+        self.assertEqual((content["ignored"], content["columns"]["x"]), (["box"], "column 3 (pos)"))
         for name in (("lloyd", "--input"), ("degeneracy",), ("replay",)):
             self.write("b.xyz", "1\nProperties=a:S:18446744073709551615:pos:R:3\nH 0 0 0\n")
             self.assertIn("b.xyz:2: Properties give 'a'", self.refuse(3, *name, "b.xyz"))
@@ -139,6 +160,113 @@ class Inputs(ToolTest):
                             for x, y in SPREAD])
             self.assertIn("1e-100 and 1e100", self.refuse(3, "lloyd", "--input", name, "--output", "out"))
         self.assertEqual(self.vertices_of(self.xyz("small.xyz", [(x * 1e-90, y * 1e-90) for x, y in SPREAD])), 5)
+
+
+class Columns(ToolTest):
+    """What was taken for what; and what cannot be what it would be taken for by its place."""
+
+    ATOMS = [(0.5, 0.25, 0.125), (1.5, 0.25, 0.125), (0.5, 1.25, 0.125), (0.5, 0.25, 1.125)]
+
+    def rows(self, row):
+        return "".join(row.format(*p, i=i + 1) + "\n" for i, p in enumerate(self.ATOMS))
+
+    def test_rows_that_may_mean_otherwise(self):
+        for content, line, words in (
+            (self.rows("{i} {0} {1} {2}"), 1, "has 4 columns"),                     # voro++
+            (self.rows("{i} {0} {1} {2} 0.5"), 1, "has 5 columns"),
+            ("4\nno names\n" + self.rows("{0} {1} {2} -1.5"), 3, "begins with '0.5', which is no element"),
+            ("4\nids\n" + self.rows("C {i} {0} {1} {2}"), 3, "where x is to be, holds integers"),
+            ("4\nids, types\n" + self.rows("{i} 1 {0} {1} {2}"), 3, "where x is to be, holds integers"),
+            ("4\n" + self.rows("{0} {1} {2}"), 2, "reads like a row of points in the place of the comment"),
+        ):
+            self.write("a.xyz", content)
+            for command in (["degeneracy"], ["replay"], ["lloyd", "--ignore-z", "--input"]):
+                self.assertRegex(self.refuse(3, *command, "a.xyz"), rf"\Aannulus: a.xyz:{line}: .*{words}.*; expected ")
+
+    def test_where_it_is_said_what_columns_are(self):
+        """The same four atoms, however they stand in the file, and what the tool says that it took."""
+        box = "ITEM: BOX BOUNDS ff ff ff\n0 2\n0 2\n0 2\n"
+        dump = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n4\n" + box + "ITEM: ATOMS id "
+        half = "".join(f"{i + 1} 9 9 {x / 2} {y / 2} {z / 2}\n" for i, (x, y, z) in enumerate(self.ATOMS))
+        for name, content, x in (
+            ("a.xyz", "4\n\n" + self.rows("C {0} {1} {2}"), "column 2"),
+            ("a.xyz", "4\n\n" + self.rows("8 {0} {1} {2}"), "column 2"),
+            ("a.xyz", "4\n\n" + self.rows("{0} {1} {2}"), "column 1"),
+            ("a.xyz", "4\nProperties=pos:R:3:charge:R:1\n" + self.rows("{0} {1} {2} -1.5"), "column 1 (pos)"),
+            ("a.csv", "frame,z,id,y,x\n" + self.rows("0,{2},{i},{1},{0}"), "column 5 (x)"),
+            ("a.lammpstrj", dump + "x y xs ys zs\n" + half, "column 4 (xs)"),      # in full, and not a plane
+            ("a.lammpstrj", dump + "xu yu zu\n" + self.rows("{i} {0} {1} {2}"), "column 2 (xu)"),
+        ):
+            with self.subTest(content=content):
+                self.write(name, content)
+                done = self.succeed("replay", name, "--output", "out")
+                summary = self.summary("out")
+                self.assertEqual((summary["dimension"], summary["columns"]["x"]), (3, x))
+                self.assertNotIn("ignored", summary)
+                self.assertIn("dimension      3\n", done.stdout)
+                self.assertIn(f"x: {x}, y: ", done.stdout)
+                self.assertIn(f">{x}<", (self.here / "out" / "report.html").read_text(encoding="utf-8"))
+                text = (self.here / "out" / "final.mesh").read_text(encoding="utf-8").split()
+                at = text.index("Vertices")
+                self.assertEqual([tuple(map(float, text[at + 2 + 4 * i:at + 5 + 4 * i])) for i in range(4)], self.ATOMS)
+        self.assertEqual(self.run_tool("degeneracy", "a.lammpstrj").stdout.splitlines()[1:3],
+                         ["dimension      3", "columns        x: column 2 (xu), y: column 3 (yu), z: column 4 (zu)"])
+
+    def test_more_columns_than_a_table_without_a_header_can_have(self):
+        self.write("a.csv", "1,2,3,4\n5,6,7,8\n")
+        self.assertIn("a.csv:1: has 4 columns and no header", self.refuse(3, "degeneracy", "a.csv"))
+
+
+class Kinds(ToolTest):
+    """Files that are not what their names say."""
+
+    CSV = "frame,id,x,y\n0,1,0,0\n0,2,1,0\n0,3,0,1\n"
+
+    def test_each_is_called_by_its_name(self):
+        for content, words in (
+            (self.CSV.encode("utf-16"), "is text in UTF-16"), (self.CSV.encode("utf-16-le"), "is text in UTF-16"),
+            (self.CSV.encode("utf-16-be"), "is text in UTF-16"), (self.CSV.encode("utf-32"), "is text in UTF-32"),
+            (bz2.compress(self.CSV.encode()), "is packed by bzip2"), (lzma.compress(self.CSV.encode()), "is packed by xz"),
+            (b"PK\x03\x04\x14\0\0\0", "is a zip archive"), (b"\x28\xb5\x2f\xfd\x24\x00\x00", "is packed by zstd"),
+        ):
+            for name, command in (("a.csv", ["replay"]), ("a.xyz", ["degeneracy"]), ("a.off", ["degeneracy"]), ("a.mesh", ["audit"]),
+                                  ("a.stl", ["nodt", "-n", "50", "--surface"]), ("a.png", ["lloyd", "-n", "50", "--density"]),
+                                  ("a.toml", ["sweep", "--output", "out"])):
+                self.write(name, content)
+                line = self.refuse(3, *command, name)
+                self.assertRegex(line, rf"\Aannulus: {name}(:1)?: {words}.*; expected ")
+
+    def test_gzip_and_lines_of_old_programs_are_read(self):
+        expected = None
+        for content in (self.CSV, gzip.compress(self.CSV.encode()), self.CSV.replace("\n", "\r"), self.CSV.replace("\n", "\r\n")):
+            self.write("a.csv", content if isinstance(content, bytes) else content.encode())
+            self.succeed("replay", "a.csv", "--output", "out")
+            mesh = (self.here / "out" / "final.mesh").read_bytes()
+            self.assertEqual(mesh, expected or mesh)
+            expected = mesh
+        spec = '[[grid]]\rpoints = 10\r'
+        self.write("a.toml", spec.encode())
+        self.succeed("sweep", "a.toml", "--output", "sums", "--quiet")
+
+    def test_a_file_without_end(self):
+        """Under a bound on memory that reading on would reach at once."""
+        for name, command in (("a.csv", ["replay"]), ("a.xyz", ["degeneracy"]), ("a.off", ["degeneracy"]), ("a.ply", ["degeneracy"]),
+                              ("a.mesh", ["audit"]), ("b.mesh", ["nodt", "--mesh"]), ("a.stl", ["nodt", "-n", "50", "--surface"]),
+                              ("a.obj", ["nodt", "-n", "50", "--surface"]), ("a.inr", ["nodt", "-n", "50", "--surface"]),
+                              ("a.png", ["lloyd", "-n", "50", "--density"]), ("a.pgm", ["lloyd", "-n", "50", "--density"]),
+                              ("c.xyz", ["lloyd", "-n", "50", "--domain"]), ("a.toml", ["sweep", "--output", "out"])):
+            os.symlink("/dev/zero", self.here / name)
+            self.assertIn(f"{name}: is a device", self.refuse(3, *command, name))
+        os.symlink("/dev/zero", self.here / "points.xyz")
+        self.write("b.toml", '[[grid]]\nfile = "points.xyz"\n')
+        self.assertIn("b.toml:2: 'file' is", self.refuse(3, "sweep", "b.toml", "--output", "out"))
+
+    def test_standard_input_without_end(self):
+        with open("/dev/zero", "rb") as zero:
+            done = subprocess.run([tool.OPTIONS["tool"], "sweep", "-", "--output", "out"], cwd=self.here, stdin=zero, capture_output=True, text=True,
+                                  timeout=60, check=False)
+        self.assertEqual((done.returncode, done.stdout), (3, ""))
+        self.assertRegex(done.stderr, r"\Aannulus: standard input: has more than 67108864 bytes; expected fewer\n\Z")
 
 
 class BadInputs(ToolTest):

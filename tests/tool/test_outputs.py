@@ -7,6 +7,7 @@ import json
 import math
 import os
 import re
+import socket
 import subprocess
 import xml.etree.ElementTree
 from pathlib import Path
@@ -189,6 +190,23 @@ class Outputs(ToolTest):
         (self.here / "out").mkdir()
         os.mkfifo(self.here / "out" / "summary.json")
         self.assertIn("out: holds other files", self.refuse(3, *self.RUN, "--output", "out"))
+
+    def test_a_file_replaces_no_device_pipe_or_socket(self):
+        self.xyz("points.xyz", tool.SPREAD)
+        os.mkfifo(self.here / "pipe.xyz")
+        with socket.socket(socket.AF_UNIX) as listener:
+            listener.bind(str(self.here / "socket.xyz"))
+            os.symlink("/dev/null", self.here / "null.xyz")
+            os.symlink("pipe.xyz", self.here / "link.xyz")
+            for name, kind in (("pipe.xyz", "a pipe"), ("link.xyz", "a pipe"), ("socket.xyz", "a socket"), ("null.xyz", "a device"),
+                               ("/dev/null", "a device"), ("/dev/stdout", "a pipe")):
+                for words in (["generate", "uniform", "-n", "4", "--output", name], ["degeneracy", "points.xyz", "--raw", name]):
+                    words += ["--format", "xyz"] if words[0] == "generate" else []
+                    self.assertRegex(self.refuse(3, *words, "--force"), rf"\Aannulus: {name}: is {kind}, which no file is to replace; expected ")
+        os.mkdir(self.here / "out")
+        os.mkfifo(self.here / "out" / "summary.json")
+        self.assertIn("out/summary.json: is a pipe", self.refuse(3, *self.RUN, "--output", "out", "--force"))
+        self.assertIn("x", self.succeed("generate", "uniform", "-n", "4", "--output", "-", "--format", "csv").stdout)
 
     def test_two_runs_at_once(self):
         """Into directories under one that is not there, into one that is not there, into one with a file of somebody's."""

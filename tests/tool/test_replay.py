@@ -150,13 +150,46 @@ class Replay(tool.ToolTest):
         self.assertEqual(summary["moves"]["asked"], 5 * len(points))
         self.assertEqual(summary["moves"]["within_tolerance"], 5 * len(points))
 
-    def test_a_periodic_box_is_announced_in_one_line(self):
-        frame = '3\nLattice="9 0 0 0 9 0 0 0 9" Properties=species:S:1:pos:R:3\nH 0 0 0\nH 1 0 0\nH 0 1 0\n'
-        self.write("a.xyz", frame * 3)
-        done = self.succeed("replay", "a.xyz", "--output", "out")
-        self.assertRegex(done.stderr, r"\Aannulus: a.xyz:2: Lattice ignored: [^\n]*not supported[^\n]*\n\Z")
-        self.assertIn("Lattice ignored", (self.here / "out" / "report.html").read_text(encoding="utf-8"))
-        self.assertEqual(self.succeed("replay", "a.xyz", "--quiet").stderr, "")
+    def test_a_periodic_box_is_refused_or_announced(self):
+        frame = '3\nLattice="9 0 0 0 9 0 0 0 9" {}Properties=species:S:1:pos:R:3\nH 0 0 0\nH 1 0 0\nH 0 1 0\n'
+        dump = ("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS{}\n0 9\n0 9\n0 9\nITEM: ATOMS id x y z\n"
+                "1 0 0 0\n2 1 0 0\n3 0 1 0\n")
+        for name, text, line, what in (
+            ("a.xyz", frame.format("") * 3, 2, "Lattice"), ("a.xyz", frame.format('pbc="T F F" ') * 3, 2, "Lattice and pbc"),
+            ("a.xyz", frame.format('pbc="F F F" ') + frame.format(""), 7, "Lattice"),
+            ("a.lammpstrj", dump.format(" pp pp pp") * 2, 5, "BOX BOUNDS pp pp pp"), ("a.lammpstrj", dump.format(" ff ff pp"), 5, "BOX BOUNDS ff ff pp"),
+            ("a.lammpstrj", dump.format(""), 5, "BOX BOUNDS, without a word on its sides"),
+        ):
+            with self.subTest(text=text):
+                self.write(name, text)
+                self.assertEqual(self.refuse(3, "replay", name, "--output", "out"),
+                                 f"annulus: {name}:{line}: {what}: a periodic box, and these are not supported; expected --open, "
+                                 "by which points are taken as they stand, with open boundaries")
+                done = self.succeed("replay", name, "--output", "out", "--open")
+                self.assertRegex(done.stderr, rf"\Aannulus: {name}:{line}: {what} ignored: [^\n]*open boundaries\n\Z")
+                self.assertEqual(self.summary("out")["ignored"], ["box"])
+                page = (self.here / "out" / "report.html").read_text(encoding="utf-8")
+                self.assertLess(page.index(f"{what} ignored"), page.index("<table"))  # before all else
+                self.assertEqual(self.succeed("replay", name, "--quiet", "--open").stderr, "")
+        for name, text in (("a.xyz", frame.format('pbc="F F F" ')), ("a.lammpstrj", dump.format(" ff ss mm"))):
+            self.write(name, text)
+            done = self.succeed("replay", name, "--output", "out")
+            self.assertEqual(done.stderr, "")
+            self.assertNotIn("ignored", self.summary("out"))
+
+    def test_whether_it_went_in_the_plane_or_in_space_is_said(self):
+        rows = "3\n\nH 0 0 {0}\nH 1 0 {0}\nH 0 1 {1}\n"
+        self.write("flat.xyz", rows.format(0.5, 0.5))
+        self.write("solid.xyz", rows.format(0.5, 1.5))
+        self.write("plane.xyz", "3\n\n0 0\n1 0\n0 1\n")
+        for words, said in ((["flat.xyz"], "2: z is the same everywhere: 0.5"), (["solid.xyz"], "3"), (["plane.xyz"], "2"),
+                            (["solid.xyz", "--dim", "2"], "2: --dim 2 drops z"), (["flat.xyz", "--dim", "3"], "3")):
+            done = self.succeed("replay", *words, "--output", "out")
+            self.assertIn(f"\ndimension      {said}\n", done.stdout)
+            page = (self.here / "out" / "report.html").read_text(encoding="utf-8")
+            self.assertIn(f"in {said[0]}D", page)
+            self.assertIn(said[3:], page)
+            self.assertEqual("z" in self.summary("out")["columns"], said == "3")
 
     def test_frames_without_points(self):
         cloud = {i: (i % 3 + 0.1 * (i // 3), float(i // 3)) for i in range(9)}

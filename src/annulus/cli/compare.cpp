@@ -2,6 +2,7 @@
 #include <annulus/cli/commands.h>
 #include <annulus/cli/files.h>
 #include <annulus/cli/guided_motion.h>
+#include <annulus/cli/input.h>
 #include <annulus/cli/progress.h>
 #include <annulus/cli/result_files.h>
 #include <annulus/cli/stopwatch.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -95,13 +97,15 @@ void print(const Comparison_record& c) {
             if (&a != &b && b.seconds.triangulation > 0 && a.seconds.triangulation >= b.seconds.triangulation)
                 std::printf("%s/%s %.2f\n", a.strategy.c_str(), b.strategy.c_str(),
                             a.seconds.triangulation / b.seconds.triangulation);
+    print_input(c.runs[0].input, c.runs[0].dimension);
     if (c.agree) std::printf("all strategies agree\n");
     for (const std::string& line : c.disagreements) std::printf("DISAGREE: %s\n", line.c_str());
 }
 
 template <class Motion>
 int compare(const Compare_call& a, const Invocation& invocation, Motion& motion, std::uint64_t iterations,
-            const Tracking_arguments& tracking, const Common_arguments& common, Clock::time_point begin) {
+            const Tracking_arguments& tracking, const Common_arguments& common, Clock::time_point begin,
+            const std::function<Input_record()>& input) {
     constexpr int d = Motion::Moving::dimension_of_space;
     const bool files = !a.common.output.empty();
     std::deque<Tracker<typename Motion::Moving>> trackers;
@@ -150,6 +154,7 @@ int compare(const Compare_call& a, const Invocation& invocation, Motion& motion,
     Comparison_record comparison;
     for (auto& t : trackers) {
         t.finish(command_line(invocation.words), common.seed, since(begin));
+        t.input(input());
         comparison.runs.push_back(t.record());
         comparison.interrupted = comparison.interrupted || t.record().interrupted;
     }
@@ -205,17 +210,19 @@ int run(const Compare_call& a, const Invocation& invocation) {
     if (!a.common.output.empty()) require_writable(a.common);
     if (&chosen == lloyd_command) {
         Guided_lloyd motion(lloyd, common);
-        return compare(a, invocation, motion, lloyd.iterations, tracking, common, begin);
+        return compare(a, invocation, motion, lloyd.iterations, tracking, common, begin,
+                       [&] { return motion.input(); });
     }
     if (&chosen == nodt_command) {
         Guided_nodt motion(nodt, common);
-        return compare(a, invocation, motion, nodt.iterations, tracking, common, begin);
+        return compare(a, invocation, motion, nodt.iterations, tracking, common, begin, [] { return Input_record(); });
     }
     Opened_motion motion = open_motion(replay);
     const auto follow = [&]<class Moving>(std::in_place_type_t<Moving>) {
         Replayed_frames<Moving::dimension_of_space> frames(motion, replay);
         Guided_replay<Moving> guided(frames);
-        const int status = compare(a, invocation, guided, unknown_iterations, tracking, common, begin);
+        const int status =
+            compare(a, invocation, guided, unknown_iterations, tracking, common, begin, [&] { return motion.input(); });
         common.say_notes(motion.reader.notes());
         return status;
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
+#include <annulus/cli/input.h>
 #include <annulus/cli/print_degeneracy.h>
 #include <annulus/cli/progress.h>
 #include <annulus/cli/replay_scene.h>
@@ -37,6 +38,7 @@ struct Degeneracy_call {
     int dimension = 0;  // that of the file
     bool ignore_z = false;
     std::string format;
+    bool open = false;                   // a periodic box is ignored
     std::optional<std::uint64_t> frame;  // the number of one
     std::uint64_t every = 0;             // of a motion; 0: the file is a point set, or `frame`
     std::vector<std::string> thresholds;
@@ -143,6 +145,7 @@ Degeneracy_record study(const Degeneracy_call& a, const Point_file<d>& file) {
         if (first[i] == i) place.push_back(i);
     Degeneracy_record r = study_points<d>(a, file.name, x, place);
     r.points = file.points.size();
+    r.input = input_of(file);
     return r;
 }
 
@@ -150,6 +153,7 @@ template <int d>
 Degeneracy_record study(const Degeneracy_call& a, const Motion_reader& reader, const Frame_points<d>& frame) {
     Degeneracy_record r = study_points<d>(a, reader.name(), frame.x, frame.id);
     r.points = frame.x.size() + frame.merged;
+    r.input = input_of(reader, d);
     return r;
 }
 
@@ -167,11 +171,10 @@ void write(const Degeneracy_call& a, const Content& content, const Csv_table* ta
     out.commit();
 }
 
-void finish(const Degeneracy_call& a, Degeneracy_record r, const std::string& command,
-            const std::vector<std::string>& notes) {
+void finish(const Degeneracy_call& a, Degeneracy_record r, const std::string& command) {
     r.command = command;
     a.common.say_merged(r.file, r.points - r.vertices);
-    a.common.say_notes(notes);
+    a.common.say_notes(r.input.warnings);
     write(a, r, nullptr);
     if (!a.common.quiet) print_degeneracy(r);
 }
@@ -179,7 +182,7 @@ void finish(const Degeneracy_call& a, Degeneracy_record r, const std::string& co
 /// How degenerate each N-th frame is: a curve.
 template <int d>
 void study_motion(const Degeneracy_call& a, const std::string& command, Replayed_frames<d>& frames) {
-    Degeneracy_series series{command, frames.reader().name(), d, a.thresholds, {}};
+    Degeneracy_series series{command, frames.reader().name(), d, a.thresholds, {}, {}};
     if (series.thresholds.empty())
         for (const auto& threshold : Degeneracy_options<d>().thresholds) series.thresholds.push_back(threshold.first);
     series.thresholds.emplace_back("ulp");
@@ -193,7 +196,9 @@ void study_motion(const Degeneracy_call& a, const std::string& command, Replayed
         if (!a.common.quiet) print_degeneracy(series.rows.back());
     }
     progress.reset();
-    a.common.say_notes(frames.reader().notes());
+    series.input = input_of(frames.reader(), d);
+    a.common.say_notes(series.input.warnings);
+    if (!a.common.quiet) print_input(series.input, d);
     const Csv_table table = degeneracy_table(series);
     write(a, series, &table);
 }
@@ -207,14 +212,14 @@ void study_frame(const Degeneracy_call& a, const std::string& command, Replayed_
                 throw Input_error(Error_code::too_few, frames.reader().name(), 0,
                                   "frame " + std::to_string(frame.number) + " has " + counted(frame.x.size(), "point"),
                                   "two at least");
-            return finish(a, study<d>(a, frames.reader(), frame), command, frames.reader().notes());
+            return finish(a, study<d>(a, frames.reader(), frame), command);
         }
     throw Input_error(Error_code::bad_input, frames.reader().name(), 0, "has no frame " + std::to_string(*a.frame),
                       "a number that the file has (in .xyz frames are counted from 0)");
 }
 
 void run_motion(const Degeneracy_call& a, const std::string& command) {
-    Replay_arguments replay{a.file, a.ignore_z ? 2 : a.dimension, "merge", "skip", a.format};
+    Replay_arguments replay{a.file, a.ignore_z ? 2 : a.dimension, "merge", "skip", a.format, a.open};
     Opened_motion motion = open_motion(replay);
     const auto with = [&]<int d>(std::integral_constant<int, d>) {
         Replayed_frames<d> frames(motion, replay);
@@ -227,6 +232,7 @@ void run_motion(const Degeneracy_call& a, const std::string& command) {
 
 int run(const Degeneracy_call& a, const std::string& command) {
     (void)thresholds_of(a.thresholds);
+    if (!a.raw.empty()) require_replaceable(a.raw);
     std::error_code ignored;
     if (!a.raw.empty() && !a.common.force && std::filesystem::exists(std::filesystem::symlink_status(a.raw, ignored)))
         throw Error(Error_code::usage, a.raw + " is there already; --force replaces it");
@@ -234,13 +240,12 @@ int run(const Degeneracy_call& a, const std::string& command) {
     if (a.of_motion()) {
         run_motion(a, command);
     } else {
-        const Read_options options{.ignore_z = a.ignore_z, .format = a.format};
+        const Read_options options{.ignore_z = a.ignore_z, .format = a.format, .box = {.ignored = a.open}};
         std::variant<Point_file<2>, Point_file<3>> file;
         if (a.dimension == 2) file = read_points<2>(a.file, options);
         else if (a.dimension == 3) file = read_points<3>(a.file, options);
         else file = read_points_of_any_dimension(a.file, options);
-        std::visit([&]<int d>(const Point_file<d>& points) { finish(a, study<d>(a, points), command, points.notes); },
-                   file);
+        std::visit([&]<int d>(const Point_file<d>& points) { finish(a, study<d>(a, points), command); }, file);
     }
     if (!a.common.quiet && !a.common.output.empty()) std::printf("written to     %s\n", a.common.output.c_str());
     return done;
@@ -261,6 +266,7 @@ Run add_degeneracy_command(CLI::App& app, const Invocation& invocation) {
                           ->type_name("D")
                           ->check(whole_number(2, 3));
     sub->add_flag("--ignore-z", a->ignore_z, "Drop the z coordinate of the file");
+    add_open(*sub, a->open);
     auto* frame =
         sub->add_option("--frame", a->frame, "The frame of a motion that the file calls N (.xyz: counted from 0)")
             ->type_name("N")

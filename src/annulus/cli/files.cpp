@@ -2,6 +2,7 @@
 #include <annulus/cli/files.h>
 
 #include <annulus/cli/counted_vertices.h>
+#include <annulus/cli/input.h>
 #include <annulus/cli/result_files.h>
 
 #include <annulus/formats/input_error.h>
@@ -113,6 +114,7 @@ void print_summary(const Tracker<Moving>& tracker) {
         "rebuilt %.3f %%\n",
         percent(r.moves.within_tolerance), percent(r.moves.kept_in_place), percent(r.moves.flipped),
         percent(r.moves.reinserted), percent(r.moves.rebuilt));
+    print_input(r.input, r.dimension);
     if (r.mesh_before && !r.steps.empty() && r.steps.back().mesh) {
         const Mesh_step &a = *r.mesh_before, &b = *r.steps.back().mesh;
         std::printf(

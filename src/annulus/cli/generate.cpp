@@ -80,6 +80,7 @@ Format format_of_output(const Generate_call& a) {
 int run(const Generate_call& a) {
     if (!(a.pace >= 0 && a.pace <= 1000)) throw Error(Error_code::usage, "--pace is no number from 0 to 1000");
     const Format format = format_of_output(a);
+    require_replaceable(a.output);
     std::error_code ignored;
     if (a.output != "-" && !a.force && std::filesystem::exists(std::filesystem::symlink_status(a.output, ignored)))
         throw Error(Error_code::usage, a.output + " is there already; --force replaces it");

@@ -12,7 +12,7 @@ Guided_lloyd::Guided_lloyd(const Lloyd_arguments& arguments, const Common_argume
       guide_(scene_.points),
       lloyd_(scene_.domain, scene_.density, common.threads) {
     common.say_merged(arguments.input, scene_.merged);
-    common.say_notes(scene_.notes);
+    common.say_notes(scene_.input.warnings);
 }
 
 bool Guided_lloyd::next(Timestamp<2>& t) {

@@ -49,7 +49,8 @@ class Guided_lloyd {
     [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const;
     /// The triangulation of its own.
     [[nodiscard]] const Moving& guide() const { return guide_; }
-    [[nodiscard]] const std::vector<std::string>& notes() const { return scene_.notes; }
+    [[nodiscard]] const std::vector<std::string>& notes() const { return scene_.input.warnings; }
+    [[nodiscard]] const Input_record& input() const { return scene_.input; }
 
   private:
     Lloyd_scene scene_;

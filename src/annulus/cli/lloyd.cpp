@@ -28,7 +28,7 @@ int run(const Lloyd_call& a, const std::string& command) {
     prepare(a.frames, a.common, options);
     const Lloyd_scene scene = make_scene(a.lloyd, a.common.seed);
     a.common.say_merged(a.lloyd.input, scene.merged);
-    a.common.say_notes(scene.notes);
+    a.common.say_notes(scene.input.warnings);
     if (!a.common.output.empty()) require_writable(a.common);
     Tracker_2 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.lloyd.iterations, a.tracking.audit,
                       !a.common.output.empty());
@@ -58,9 +58,9 @@ int run(const Lloyd_call& a, const std::string& command) {
         }
     }
     tracker.finish(command, a.common.seed, since(begin));
+    tracker.input(scene.input);
     if (!a.common.output.empty()) {
         page.after = picture_of(tracker.triangulation(), "After " + counted(tracker.record().iterations, "iteration"));
-        page.notes = scene.notes;
         if (scene.merged > 0) page.notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
         if (scene.stippling) page.files.emplace_back("stipples.svg", stipples_of(a.lloyd, scene, tracker.triangulation()));
         page.figures = frame_figures(frames.records(), tracker.record(), false);

@@ -26,6 +26,7 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
     points->excludes(input);
     add_format(app, a.format, point_formats);
     app.add_flag("--ignore-z", a.ignore_z, "Drop the z coordinate of the input")->needs(input);
+    add_open(app, a.open);
     app.add_option("--density", a.density,
                    "Density whose centroids points move to, or a picture, .png or .pgm, which\n"
                    "is stippled: dense where it is dark")
@@ -160,7 +161,7 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
         const Density_2 density = stippling ? Density_2(stippling->density()) : formula;
         return {*domain, density, std::move(points), 0, {}, std::move(stippling)};
     }
-    const Point_file<2> file = read_points<2>(a.input, {.ignore_z = a.ignore_z, .format = a.format});
+    const Point_file<2> file = read_points<2>(a.input, {.ignore_z = a.ignore_z, .format = a.format, .box = {.ignored = a.open}});
     std::vector<Coordinates<2>> points = distinct_points(file, 3);
     for (std::size_t i = 0; domain && i < file.points.size(); ++i)
         if (!domain->contains(file.points[i]))
@@ -176,7 +177,7 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
         require_rings_to_be_few(formula, *domain);
     }
     const Density_2 density = stippling ? Density_2(stippling->density()) : formula;
-    return {*domain, density, std::move(points), merged, file.notes, std::move(stippling)};
+    return {*domain, density, std::move(points), merged, input_of(file), std::move(stippling)};
 }
 
 std::string stipples_of(const Lloyd_arguments& a, const Lloyd_scene& scene, const Moving_delaunay_2& dt) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/cli/arguments.h>
+#include <annulus/cli/input.h>
 #include <annulus/motion/lloyd_2.h>
 #include <annulus/motion/stippling.h>
 #include <annulus/moving_delaunay_2.h>
@@ -18,6 +19,7 @@ struct Lloyd_arguments {
     std::string input;
     bool ignore_z = false;
     std::string format;  ///< of the input, where not as its extension says
+    bool open = false;   ///< its periodic box is ignored
     std::string density = "one";
     bool invert = false;
     std::string dots = "equal";
@@ -34,7 +36,7 @@ struct Lloyd_scene {
     Density_2 density;
     std::vector<Coordinates<2>> points;    ///< distinct, in the domain
     std::uint64_t merged = 0;              ///< duplicates of the input that were merged
-    std::vector<std::string> notes{};      ///< what the input says and nobody obeys
+    Input_record input{};                  ///< what was made of the input
     std::optional<Stippling> stippling{};  ///< where the density is a picture
     /// Mean spacing: the square root of area per point, the unit of length of the paper's figures.
     [[nodiscard]] double spacing() const;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/cli/input.h>
 #include <annulus/cli/print_degeneracy.h>
 
 #include <annulus/cli/counted_vertices.h>
@@ -59,6 +60,7 @@ void print_degeneracy(const Degeneracy_record& r) {
     std::printf("%s in dimension %d, %s\n", counted(r.vertices, "point").c_str(), r.dimension,
                 tetrahedra ? (std::to_string(r.simplices) + " tetrahedra").c_str()
                            : counted(r.simplices, simplex[static_cast<std::size_t>(r.affine_dimension)]).c_str());
+    print_input(r.input, r.dimension);
     if (r.measured) print(*r.measured);
     else std::printf("flat           all points lie %s\n", r.affine_dimension == 2 ? "in a plane" : "on a line");
     std::printf("time           triangulation %.3f s, analysis %.3f s\n", r.seconds_triangulation, r.seconds_analysis);

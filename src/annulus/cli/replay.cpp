@@ -148,8 +148,8 @@ int replay(const Replay_call& a, const Options& options, const std::string& comm
         fault = error;
     }
     run.tracker().finish(command, a.common.seed, since(begin));
-    std::vector<std::string> notes = motion.reader.notes();
-    notes.insert(notes.begin(), run.traffic().in_words());
+    run.tracker().input(motion.input());
+    const std::vector<std::string> notes{run.traffic().in_words()};
     if (files) run.write(a.common, notes);
     a.common.say_notes(motion.reader.notes());
     if (fault && !Interruption_guard::interrupted())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/frame_change.h>
 #include <annulus/cli/replay_scene.h>
+#include <annulus/formats/decimal.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -13,7 +14,8 @@ Motion_options Replay_arguments::motion() const {
     return {absent == "empty"  ? Absent_frames::empty
             : absent == "skip" ? Absent_frames::skip
                                : Absent_frames::refuse,
-            format};
+            format,
+            {.ignored = open}};
 }
 
 void add_replay(CLI::App& app, Replay_arguments& a) {
@@ -34,6 +36,7 @@ void add_replay(CLI::App& app, Replay_arguments& a) {
            "and appear again, or skip: one step leads over the gap")
         ->check(CLI::IsMember({"refuse", "empty", "skip"}))
         ->capture_default_str();
+    add_open(app, a.open);
 }
 
 namespace {
@@ -57,7 +60,20 @@ Opened_motion open_motion(const Replay_arguments& a) {
         throw Input_error(Error_code::bad_input, motion.reader.name(), 0, "points have no z",
                           "a third coordinate for --dim 3");
     motion.dimension = a.dimension != 0 ? a.dimension : dimension_of(a, motion);
+    if (motion.dimension == 2 && motion.reader.has_z()) {
+        motion.why = "--dim 2 drops z";
+        if (a.dimension == 0) {
+            motion.why = "z is the same everywhere: ";
+            append_decimal(motion.why, motion.first.position.front()[2]);
+        }
+    }
     return motion;
+}
+
+Input_record Opened_motion::input() const {
+    Input_record input = input_of(reader, dimension);
+    input.dimension = why;
+    return input;
 }
 
 template <int d>

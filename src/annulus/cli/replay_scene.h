@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/cli/arguments.h>
+#include <annulus/cli/input.h>
 #include <annulus/formats/frame_points.h>
 #include <annulus/formats/motion_reader.h>
 
@@ -19,6 +20,7 @@ struct Replay_arguments {
     std::string coincident = "refuse";
     std::string absent = "refuse";
     std::string format;  ///< where not as the extension says
+    bool open = false;   ///< a periodic box is ignored
 
     [[nodiscard]] Coincident on_coincident() const {
         return coincident == "merge" ? Coincident::merge : Coincident::refuse;
@@ -34,6 +36,10 @@ struct Opened_motion {
     std::vector<std::uint64_t> empty{};  ///< numbers of the frames without points that come first
     Frame first{};
     int dimension = 2;
+    std::string why{};  ///< where points have a z and the motion is one of the plane: "--dim 2 drops z"
+
+    /// What was made of the file, as far as it is read.
+    [[nodiscard]] Input_record input() const;
 };
 /// Throws Input_error.
 [[nodiscard]] Opened_motion open_motion(const Replay_arguments& arguments);

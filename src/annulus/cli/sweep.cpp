@@ -57,7 +57,9 @@ struct Spec_text {
 };
 
 Spec_text load(const std::string& file) {
-    const Source source = load_file(file);
+    constexpr std::uint64_t most = std::uint64_t{64} << 20;
+    Source source = load_file(file, most);
+    if (source.content.find('\n') == std::string::npos) std::replace(source.content.begin(), source.content.end(), '\r', '\n');
     for (const unsigned char c : source.content)
         if (c == 0) throw Input_error(Error_code::bad_input, source.name, 0, "is no text", "TOML");
     return {source.name, file == "-" ? "" : fs::path(file).parent_path().string(), source.content};

@@ -37,6 +37,9 @@ class Tracker {
     /// From now on only the last step is kept: memory then does not depend on how many there are.
     void forget_steps() { keeps_steps_ = false; }
 
+    /// What was made of the file that the points are from.
+    void input(Input_record input) { record_.input = std::move(input); }
+
     /// Told what each call of the triangulation reports, and which vertex it inserted, or `none`.
     using Listener = std::function<void(const Move_report& report, Index arrived)>;
     void listen(Listener listener) { listener_ = std::move(listener); }

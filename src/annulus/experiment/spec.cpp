@@ -48,7 +48,7 @@ class Grid_reader {
         : t_(name, table), number_(number), directory_(directory), spec_(spec) {}
 
     void read() {
-        t_.allow({"name", "points", "dimension", "kind", "rounding", "motion", "seeds", "file", "frames", "every"}, "[[grid]]");
+        t_.allow({"name", "points", "dimension", "kind", "rounding", "motion", "seeds", "file", "frames", "every", "open"}, "[[grid]]");
         common_.grid = number_;
         common_.grid_name = t_.text("name", "grid " + std::to_string(number_ + 1));
         for (const std::string& word : t_.texts("rounding", {"double"})) {
@@ -69,7 +69,7 @@ class Grid_reader {
     }
 
     void read_generated() {
-        forbid({"frames", "every"}, "needs a 'file'");
+        forbid({"frames", "every", "open"}, "needs a 'file'");
         t_.require("points", "how many, a list or one; or a 'file'");
         const auto points = t_.wholes("points", {}, 1, Spec::most_points);
         const auto dimensions = t_.wholes("dimension", {2}, 2, 3);
@@ -163,6 +163,7 @@ class Grid_reader {
                 t.path = path.string();
                 t.frames = frames;
                 t.every = every;
+                t.open = t_.flag("open");
                 estimate(t, size / 40, 3);  // some forty bytes a point; nobody has read it yet
                 add(std::move(t));
             }

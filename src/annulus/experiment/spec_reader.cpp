@@ -101,6 +101,11 @@ std::string Spec_table::text(std::string_view key, std::string absent) const {
     const toml::node* const node = find(key);
     return node == nullptr ? absent : read_text(key, *node);
 }
+bool Spec_table::flag(std::string_view key) const {
+    const toml::node* const node = find(key);
+    if (node != nullptr && !node->is_boolean()) fail(node, quoted(key) + " is " + shown_value(*node), "true or false");
+    return node != nullptr && node->as_boolean()->get();
+}
 std::uint64_t Spec_table::whole(std::string_view key, std::uint64_t absent, std::uint64_t least, std::uint64_t most) const {
     const toml::node* const node = find(key);
     return node == nullptr ? absent : read_whole(key, *node, least, most);

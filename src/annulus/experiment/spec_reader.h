@@ -27,6 +27,7 @@ class Spec_table {
     [[nodiscard]] const std::string& name() const { return name_; }
 
     [[nodiscard]] std::string text(std::string_view key, std::string absent) const;
+    [[nodiscard]] bool flag(std::string_view key) const;
     [[nodiscard]] std::uint64_t whole(std::string_view key, std::uint64_t absent, std::uint64_t least, std::uint64_t most) const;
     /// A value or a list of values; `absent` where there is none. No value may be there twice.
     [[nodiscard]] std::vector<std::string> texts(std::string_view key, std::vector<std::string> absent) const;

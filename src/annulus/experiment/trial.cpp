@@ -35,6 +35,7 @@ class Lines {
         Json line{{"grid", trial_.grid + 1}, {"name", trial_.grid_name}};
         if (trial_.file.empty()) line["kind"] = trial_.kind;
         else line["file"] = trial_.file;
+        line.update(input_);
         line["dimension"] = d;
         line["points"] = points;
         line["rounding"] = trial_.rounding.name;
@@ -51,6 +52,12 @@ class Lines {
         line["resolution"] = found.resolution;
         line.update(tally_json(found.tally));
         result_.lines.push_back(line.dump());
+    }
+    /// What was made of the file.
+    void input(const Taken_columns& columns, bool ignored_box) {
+        Json& taken = input_["columns"] = Json::object();
+        for (const auto& [what, where] : columns) taken[what] = where;
+        if (ignored_box) input_["ignored"] = {"box"};
     }
     Trial_result take() { return std::move(result_); }
 
@@ -69,6 +76,7 @@ class Lines {
 
     const Trial& trial_;
     int threads_;
+    Json input_ = Json::object();
     Trial_result result_;
 };
 
@@ -107,6 +115,7 @@ void run_frames(const Trial& t, Motion_reader& reader, Frame& frame, Lines& line
         const bool named = std::find(t.frames.begin(), t.frames.end(), frame.number) != t.frames.end();
         found += named ? 1 : 0;
         if (named || (t.every > 0 && at % t.every == 0)) {
+            lines.input(reader.columns(), reader.ignored_box());
             Frame_points<d> points = points_of<d>(reader.name(), frame, Coincident::merge);
             lines.look<d>({{"frame", frame.number}}, std::move(points.x), points.merged);
         }
@@ -118,17 +127,19 @@ void run_frames(const Trial& t, Motion_reader& reader, Frame& frame, Lines& line
 }
 
 void run_file(const Trial& t, Lines& lines) {
+    const Periodic_box box{t.open, "open = true in its [[grid]]"};
     if (!t.frames.empty() || t.every > 0) {
-        Motion_reader reader(t.path, {Absent_frames::skip, ""});
+        Motion_reader reader(t.path, {Absent_frames::skip, "", box});
         Frame frame;
         if (!reader.next(frame)) return;
         const int dimension = t.dimension > 0 ? t.dimension : reader.has_z() ? 3 : 2;
         return dimension == 2 ? run_frames<2>(t, reader, frame, lines) : run_frames<3>(t, reader, frame, lines);
     }
-    const Read_options options{.ignore_z = t.dimension == 2};
+    const Read_options options{.ignore_z = t.dimension == 2, .box = box};
     const auto look = [&]<int d>(const Point_file<d>& file) {
         std::vector<Coordinates<d>> x = distinct_points(file, 2);
         const std::size_t merged = file.points.size() - x.size();
+        lines.input(file.columns, file.ignored_box);
         lines.look<d>(Json::object(), std::move(x), merged);
     };
     if (t.dimension == 2) look(read_points<2>(t.path, options));

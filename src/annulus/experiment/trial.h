@@ -40,6 +40,7 @@ struct Trial {
     std::string path{};        ///< where that is
     std::vector<std::uint64_t> frames{};  ///< of a recorded motion; none with `every`, or where it is a point set
     std::uint64_t every = 0;
+    bool open = false;         ///< a periodic box of the file is ignored
 
     /// What it takes, roughly: to plan with, nothing depends on it.
     double seconds = 0;

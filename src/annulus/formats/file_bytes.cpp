@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/formats/file_bytes.h>
+#include <annulus/formats/file_kind.h>
 #include <annulus/formats/format.h>
 #include <annulus/formats/input_error.h>
 
@@ -20,9 +21,6 @@ namespace annulus {
 namespace {
 
 constexpr std::size_t block_size = 1 << 16;
-
-/// How every member of gzip begins.
-constexpr std::string_view gzip_mark = "\x1f\x8b";
 
 }  // namespace
 
@@ -60,6 +58,8 @@ File_bytes::File_bytes(const std::filesystem::path& file)
     const auto status = std::filesystem::status(file, code);
     if (status.type() == std::filesystem::file_type::not_found) fail("does not exist", "a file");
     if (std::filesystem::is_directory(status)) fail("is a directory", "a file");
+    if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
+        fail("is a device, which may have no end", "a file or a pipe");
     if (is_packed(file)) inflater_ = std::make_unique<Inflater>();
     file_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);  // last: who throws here is not destroyed
     if (file_ < 0) fail(std::string("cannot be opened: ") + std::strerror(errno), "a readable file");
@@ -87,24 +87,33 @@ bool File_bytes::fill() {
     return !block_.empty();
 }
 
-/// Standard input tells by its first bytes whether it is packed; a pipe may bring them one by one.
+/// A file tells by its first bytes whether it is packed; a pipe may bring them one by one.
 void File_bytes::look_at_beginning() {
     begun_ = true;
     std::string begin;
-    while (begin.size() < gzip_mark.size() && fill()) begin += block_;
+    while (begin.size() < telling_bytes && fill()) begin += block_;
     block_ = std::move(begin);
-    if (!block_.starts_with(gzip_mark)) return;
-    inflater_ = std::make_unique<Inflater>();
+    if (!inflater_ && !begins_as_gzip(block_)) return;
+    if (!inflater_) inflater_ = std::make_unique<Inflater>();
     inflater_->take(block_);
 }
 
-bool File_bytes::more(std::string& content) {
-    if (standard_input_ && !begun_) look_at_beginning();
+bool File_bytes::take(std::string& content) {
+    if (!begun_) look_at_beginning();
     if (inflater_) return inflate(content);
     if (block_.empty() && !fill()) return false;
     content += block_;
     block_.clear();
     return true;
+}
+
+bool File_bytes::more(std::string& content) {
+    const std::size_t before = content.size();
+    const bool any = take(content);
+    if (std::exchange(told_, true)) return any;
+    if (const auto kind = foreign_kind(std::string_view(content).substr(before)))
+        fail(std::string(kind->fault), std::string(kind->expected));
+    return any;
 }
 
 bool File_bytes::inflate(std::string& content) {

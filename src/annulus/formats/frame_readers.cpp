@@ -9,7 +9,6 @@ void Raw_frame::clear() {
     points.points.clear();
     points.lines.clear();
     points.has_z = false;
-    points.notes.clear();
     id.clear();
     number = line = 0;
     ids_are_places = false;
@@ -41,18 +40,34 @@ void Frame_reader::make_room(Raw_frame& frame, std::uint64_t count, std::uint64_
     if (wants_ids()) frame.id.reserve(room);
 }
 
-std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Wanted wanted) {
+void Frame_reader::note(std::uint64_t line, const std::string& text) {
+    notes_.push_back(reader_.name() + ":" + std::to_string(line) + ": " + text);
+}
+
+void Frame_reader::meet_box(const std::string& what) {
+    if (!box_.ignored)
+        reader_.fail(what + ": a periodic box, and these are not supported",
+                     std::string(box_.how) + ", by which points are taken as they stand, with open boundaries");
+    if (std::exchange(ignored_box_, true)) return;
+    note(reader_.number(),
+         what + " ignored: periodic boxes are not supported, points are taken as they stand, with open boundaries");
+}
+
+std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Wanted wanted, const Periodic_box& box) {
     switch (format) {
-        case Format::csv: return std::make_unique<Csv_frames>(bytes, wanted);
-        case Format::lammps: return std::make_unique<Lammps_frames>(bytes, wanted);
-        default: return std::make_unique<Xyz_frames>(bytes, wanted);
+        case Format::csv: return std::make_unique<Csv_frames>(bytes, wanted, box);
+        case Format::lammps: return std::make_unique<Lammps_frames>(bytes, wanted, box);
+        default: return std::make_unique<Xyz_frames>(bytes, wanted, box);
     }
 }
 
-Raw_points read_only_frame(File_bytes& bytes, Format format) {
-    const std::unique_ptr<Frame_reader> frames = frames_of(bytes, format, Wanted::points);
+Raw_points read_only_frame(File_bytes& bytes, Format format, const Periodic_box& box) {
+    const std::unique_ptr<Frame_reader> frames = frames_of(bytes, format, Wanted::points, box);
     Raw_frame frame;
     if (frames->next(frame)) frames->require_last(frame);
+    frame.points.columns = frames->columns();
+    frame.points.notes = frames->notes();
+    frame.points.ignored_box = frames->ignored_box();
     return std::move(frame.points);
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <annulus/formats/format.h>
+#include <annulus/formats/periodic_box.h>
 #include <annulus/formats/point_formats.h>
-#include <annulus/formats/xyz_comment.h>
+#include <annulus/formats/taken_columns.h>
+#include <annulus/formats/xyz_guess.h>
 
 #include <array>
 #include <cstdint>
@@ -44,12 +46,28 @@ class Frame_reader {
     /// Fails unless the frame just read is the last.
     void require_last(const Raw_frame& frame);
 
+    /// What was taken for what, by the first frame with points.
+    [[nodiscard]] const Taken_columns& columns() const noexcept { return columns_; }
+    /// What the file says and is not obeyed, or may mean something else, each a line with the file's name.
+    [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
+    /// Was a periodic box ignored?
+    [[nodiscard]] bool ignored_box() const noexcept { return ignored_box_; }
+
   protected:
-    Frame_reader(File_bytes& bytes, Wanted wanted) : reader_(bytes), wanted_(wanted) {}
+    Frame_reader(File_bytes& bytes, Wanted wanted, const Periodic_box& box)
+        : reader_(bytes), wanted_(wanted), box_(box) {}
 
     [[nodiscard]] bool wants_ids() const noexcept { return wanted_ == Wanted::motion; }
     /// Makes room for as many points as the file announces.
     void make_room(Raw_frame& frame, std::uint64_t count, std::uint64_t bytes_a_point) const;
+
+    /// A line that says `what`, "Lattice", and means a periodic box: refuses it, or notes the first one.
+    void meet_box(const std::string& what);
+    void note(std::uint64_t line, const std::string& text);
+    /// Writes down where an id, if any is wanted, and coordinates are; once.
+    void take_columns(Taken_columns columns) {
+        if (columns_.empty()) columns_ = std::move(columns);
+    }
 
     Line_reader reader_;
 
@@ -62,14 +80,19 @@ class Frame_reader {
     [[noreturn]] virtual void refuse_more(const Raw_frame& frame) const = 0;
 
     Wanted wanted_;
+    Periodic_box box_;
+    bool ignored_box_ = false;
+    Taken_columns columns_;
+    std::vector<std::string> notes_;
     std::optional<bool> found_;  ///< the beginning of another frame, if it was looked for
 };
 
 /// XYZ: a count, a comment (extended XYZ is obeyed: xyz_comment.h), and that many rows. Without `Properties` a row is
-/// `[element] x y [z] ...`. Where points are wanted a file may also be one frame of rows `x y [z] ...` alone.
+/// `[element] x y [z] ...`, as far as that is clear (xyz_guess.h). Where points are wanted a file may also be one frame of rows
+/// `x y [z]` alone.
 class Xyz_frames : public Frame_reader {
   public:
-    Xyz_frames(File_bytes& bytes, Wanted wanted) : Frame_reader(bytes, wanted) {}
+    Xyz_frames(File_bytes& bytes, Wanted wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
 
   private:
     bool seek() override { return reader_.next_record(); }
@@ -77,17 +100,24 @@ class Xyz_frames : public Frame_reader {
     void refuse_more(const Raw_frame& frame) const override;
     void read_plain(Raw_frame& frame);
     void read_row(const Xyz_columns& columns, Raw_frame& frame);
+    struct Comment_row {
+        std::uint64_t line = 0;
+        std::size_t fields = 0;  ///< where it looks like a row, else 0
+        bool begins_with_word = false;
+    };
+    void require_row(std::uint64_t done, std::uint64_t count, const Xyz_columns* columns, const Comment_row& comment);
+    void take(const Xyz_columns& columns);
 
     std::uint64_t next_number_ = 0;
 };
 
 /// CSV: a header that names the columns frame, id, x, y and perhaps z, in either case and any order, and rows
 /// whose frame does not decrease. Where points are wanted, frame and id may be missing, and without a header the first
-/// columns are x, y and z. Lines that begin with # are comments before the first row, and rows after it; the header may be
+/// columns are x, y and z, and there are no others. Lines that begin with # are comments before the first row, and rows after it; the header may be
 /// such a comment, as NumPy writes it.
 class Csv_frames : public Frame_reader {
   public:
-    Csv_frames(File_bytes& bytes, Wanted wanted) : Frame_reader(bytes, wanted) {}
+    Csv_frames(File_bytes& bytes, Wanted wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
 
   private:
     enum Column { frame_column, id_column, x_column, y_column, z_column };
@@ -95,6 +125,7 @@ class Csv_frames : public Frame_reader {
         std::array<std::optional<std::size_t>, 5> at;  ///< by Column
         std::size_t all = 0;                           ///< columns
         char separator = ',';
+        Taken_columns taken{};
     };
 
     bool seek() override;
@@ -114,24 +145,25 @@ class Csv_frames : public Frame_reader {
 };
 
 /// LAMMPS dumps in text: ITEM: TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS and ATOMS with the names of its columns; UNITS and TIME
-/// are stepped over. Positions are x y z, without them xu yu zu, and then xs ys zs or xsu ysu zsu, which are multiplied out
-/// in doubles; without a z a frame is of the plane. A frame's number is its timestep.
+/// are stepped over. Positions are x y z, without all three of them xu yu zu, and then xs ys zs or xsu ysu zsu, which are
+/// multiplied out in doubles; where nothing has a z a frame is of the plane. All frames have the same of these. A frame's number
+/// is its timestep. A box is periodic where a side of it is p, or nothing says how its sides are.
 class Lammps_frames : public Frame_reader {
   public:
-    Lammps_frames(File_bytes& bytes, Wanted wanted) : Frame_reader(bytes, wanted) {}
+    Lammps_frames(File_bytes& bytes, Wanted wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
 
   private:
     /// The box: a corner, and for each direction what a unit of it adds.
     struct Box {
         std::array<double, 3> corner{};
         std::array<std::array<double, 3>, 3> edge{};
-        std::string periodic;  ///< the line that says so
     };
     struct Columns {
         std::size_t all = 0;
         std::array<std::optional<std::size_t>, 3> at;
         std::optional<std::size_t> id;
         bool scaled = false;
+        std::string_view kind;  ///< what follows x in its name
     };
 
     bool seek() override;
@@ -140,14 +172,18 @@ class Lammps_frames : public Frame_reader {
     [[nodiscard]] bool is_item(std::string_view name) const;
     void require_values(std::size_t columns, std::string_view what);
     [[nodiscard]] Box read_box();
-    [[nodiscard]] Columns columns() const;
+    [[nodiscard]] Columns find_columns() const;
+    void take(const Columns& at);
     void read_atoms(Raw_frame& frame, std::uint64_t count, const std::optional<Box>& box);
+
+    std::optional<std::string_view> kind_;  ///< of the columns of frames before
 };
 
 /// The reader of one of frame_formats.
-[[nodiscard]] std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Wanted wanted);
+[[nodiscard]] std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Wanted wanted,
+                                                      const Periodic_box& box);
 
 /// The points of a file that has one frame; none, where it has none.
-[[nodiscard]] Raw_points read_only_frame(File_bytes& bytes, Format format);
+[[nodiscard]] Raw_points read_only_frame(File_bytes& bytes, Format format, const Periodic_box& box);
 
 }  // namespace annulus

@@ -25,6 +25,7 @@ struct Motion_options {
     Absent_frames absent = Absent_frames::refuse;
     /// "xyz", "csv", "lammps": what the file is, whatever its extension says; standard input has none.
     std::string format{};
+    Periodic_box box{};
 };
 
 /// A recorded motion, a frame at a time, by the extension of the file (format.h); `-` is standard input. No more than a frame
@@ -36,7 +37,7 @@ struct Motion_options {
 /// have no points.
 ///
 /// Whoever reads gets Input_error for everything that is wrong with the file, when it comes to it; that includes having no
-/// point at all, and two of one id in a frame.
+/// point at all, two of one id in a frame, and a periodic box unless it is to be ignored.
 class Motion_reader {
   public:
     /// Throws Input_error where the file cannot be opened, Error(usage) for what is no format. With Absent_frames::empty the
@@ -52,8 +53,12 @@ class Motion_reader {
     [[nodiscard]] const std::string& name() const { return bytes_->name(); }
     /// Of the points read so far: all or none.
     [[nodiscard]] bool has_z() const { return has_z_.value_or(false); }
-    /// What the file says and nobody obeys, as far as it is read; each a line with the file's name.
-    [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+    /// What the file says and is not obeyed, or may mean something else, as far as it is read; each a line with the file's name.
+    [[nodiscard]] const std::vector<std::string>& notes() const { return frames_->notes(); }
+    /// What was taken for what, by the first frame with points.
+    [[nodiscard]] const Taken_columns& columns() const { return frames_->columns(); }
+    /// Was a periodic box ignored, as far as the file is read?
+    [[nodiscard]] bool ignored_box() const { return frames_->ignored_box(); }
     /// How much of the file is read, 0 to 1; none where nobody knows how long it is.
     [[nodiscard]] std::optional<double> share_read() const;
 
@@ -70,7 +75,6 @@ class Motion_reader {
     bool raw_waits_ = false;  ///< for a frame without points that comes before it
     std::optional<std::uint64_t> last_, stride_;
     std::optional<bool> has_z_, ids_are_places_;
-    std::vector<std::string> notes_;
     bool any_ = false;  ///< a frame
 };
 

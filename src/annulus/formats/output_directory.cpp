@@ -2,6 +2,7 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/formats/directory_lock.h>
 #include <annulus/formats/output_directory.h>
+#include <annulus/formats/text_output.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -114,6 +115,7 @@ void Output_directory::look_at_what_is_there(bool may_hold_files) {
     for (; entry != fs::directory_iterator(); entry.increment(code)) {
         const std::string name = entry->path().filename().string();
         if (is_left_over(entry->path())) continue;
+        if (replaced_(name) && may_hold_files) require_replaceable(path_ / name);
         if (!may_hold_files)
             refuse(path_,
                    "holds other files; expected a new or empty directory, or one with results of annulus (or --force)");
@@ -238,6 +240,7 @@ void Output_directory::replace_one_by_one() {
     for (const fs::path& name : files_)
         if (fs::is_directory(fs::symlink_status(target_ / name, code)))
             refuse(path_ / name, "is a directory; expected a file or nothing");
+    for (const fs::path& name : files_) require_replaceable(path_ / name);
     const auto remove = [&](const fs::path& file) {
         if (!fs::remove(file, code) && code) fail(file, "cannot be replaced", code);
     };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
+#include <annulus/formats/taken_columns.h>
 #include <annulus/formats/text_input.h>
 
 #include <cstdint>
@@ -17,7 +18,9 @@ struct Raw_points {
     std::vector<Coordinates<3>> points;
     std::vector<std::uint64_t> lines;  ///< where each point stands: line, or record in a binary file, from 1
     bool has_z = false;
-    std::vector<std::string> notes{};  ///< what the file says and nobody obeys; each a line with the file's name
+    Taken_columns columns{};           ///< what was taken for what
+    std::vector<std::string> notes{};  ///< what the file says and is not obeyed; each a line with the file's name
+    bool ignored_box = false;          ///< a periodic one
 };
 
 /// Vertices of an OFF surface, colours, normals and texture coordinates of its variants ignored; its faces when asked.

@@ -30,6 +30,9 @@ Csv_frames::Header Csv_frames::header() const {
             if (result.at[k]) reader_.fail("names two columns " + std::string(names[k]), "one");
             result.at[k] = i;
         }
+    for (std::size_t k = 0; k < names.size(); ++k)
+        if (result.at[k] && (wants_ids() || k >= x_column))
+            result.taken.emplace_back(names[k], column_words(*result.at[k], std::string(fields_[*result.at[k]])));
     return result;
 }
 
@@ -68,14 +71,20 @@ void Csv_frames::begin() {
     } else {
         columns_.all = fields_.size();
         if (columns_.all < 2) reader_.fail("has 1 column", "x, y and perhaps z, separated by comma, semicolon or tab");
-        columns_.at[x_column] = 0;
-        columns_.at[y_column] = 1;
-        if (columns_.all > 2) columns_.at[z_column] = 2;
+        if (columns_.all > 3)
+            reader_.fail("has " + counted(columns_.all, "column") +
+                             " and no header, so nothing says which of them are x, y and z",
+                         "a header that names x, y and perhaps z, or two or three columns");
+        for (std::size_t k = 0; k < columns_.all; ++k) {
+            columns_.at[x_column + k] = k;
+            columns_.taken.emplace_back(names[x_column + k], column_words(k));
+        }
     }
     for (std::size_t k = motion ? frame_column : x_column; k <= y_column; ++k)
         if (!columns_.at[k])
             reader_.fail("the header names no column " + std::string(names[k]),
                          motion ? "frame, id, x, y and perhaps z" : "columns x, y and perhaps z");
+    take_columns(columns_.taken);
     if (!row_is_due_) (void)next_row();
 }
 

@@ -15,7 +15,7 @@ bool is_gray_image(const std::filesystem::path& file) {
 
 Gray_image read_gray_image(const std::filesystem::path& file) {
     const Format format = format_of(file, picture_formats);
-    const Source source = load_file(file);
+    const Source source = load_file(file, most_of_a_pipe);
     return format == Format::png ? read_png(source) : read_pgm(source);
 }
 

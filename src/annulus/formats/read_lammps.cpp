@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace annulus {
 
@@ -51,9 +52,9 @@ Lammps_frames::Box Lammps_frames::read_box() {
         general = general || word == "abc";
         if (is_boundary(word)) sides += " " + std::string(word);
     }
-    if (sides.find('p') != std::string::npos)
-        box.periodic = reader_.name() + ":" + std::to_string(reader_.number()) + ": BOX BOUNDS" + sides +
-                       " ignored: periodic boxes are not supported, points are taken as they stand";
+    // LAMMPS has all sides periodic unless it is told otherwise, and early versions did not write how they are.
+    if (sides.empty()) meet_box("BOX BOUNDS, without a word on its sides");
+    else if (sides.find('p') != std::string::npos) meet_box("BOX BOUNDS" + sides);
     std::array<std::array<double, 4>, 3> row{};
     const std::size_t columns = general ? 4 : tilted ? 3 : 2;
     for (auto& values : row) {
@@ -81,8 +82,8 @@ Lammps_frames::Box Lammps_frames::read_box() {
     return box;
 }
 
-/// What the names after ATOMS say.
-Lammps_frames::Columns Lammps_frames::columns() const {
+/// What the names after ATOMS say: the first kind of position that is there in full. One without z is taken where there is no z.
+Lammps_frames::Columns Lammps_frames::find_columns() const {
     const auto& words = reader_.fields();
     Columns result;
     result.all = words.size() - 2;
@@ -94,17 +95,46 @@ Lammps_frames::Columns Lammps_frames::columns() const {
         return static_cast<std::size_t>(at - first);
     };
     if (wants_ids()) result.id = find("id");
+    std::optional<std::array<std::optional<std::size_t>, 3>> flat;
+    std::string z;  // of a kind that is not there in full
     for (const std::string_view kind : kinds) {
-        for (std::size_t i = 0; i < 3; ++i) result.at[i] = find(std::string(axes[i]) + std::string(kind));
+        std::array<std::optional<std::size_t>, 3> at;
+        for (std::size_t i = 0; i < 3; ++i) at[i] = find(std::string(axes[i]) + std::string(kind));
+        const bool plane = at[0] && at[1];
+        if (at[2] && !plane && z.empty()) z = std::string(axes[2]) + std::string(kind);
+        if (!plane || (flat && !at[2])) continue;
+        result.kind = kind;
         result.scaled = kind.starts_with('s');
-        if (result.at[0] && result.at[1]) return result;
+        result.at = at;
+        if (at[2]) return result;
+        flat = at;
     }
+    if (flat && !z.empty())
+        reader_.fail("ITEM: ATOMS names x" + std::string(result.kind) + " and y" + std::string(result.kind) +
+                         ", and of z only " + z,
+                     "all three in one way: x y z, xu yu zu, xs ys zs or xsu ysu zsu");
+    if (flat) return result;
     reader_.fail("ITEM: ATOMS names no columns of positions", "x y [z], xu yu [zu], xs ys [zs] or xsu ysu [zsu]");
+}
+
+void Lammps_frames::take(const Columns& at) {
+    if (kind_.value_or(at.kind) != at.kind)
+        reader_.fail(
+            "positions are x" + std::string(at.kind) + " .. here, and x" + std::string(*kind_) + " .. in frames before",
+            "the same in every frame");
+    if (std::exchange(kind_, at.kind)) return;
+    Taken_columns taken;
+    if (wants_ids() && at.id) taken.emplace_back("id", column_words(*at.id, "id"));
+    else if (wants_ids()) taken.emplace_back("id", place_as_id);
+    for (std::size_t i = 0; i < 3; ++i)
+        if (at.at[i]) taken.emplace_back(axes[i], column_words(*at.at[i], std::string(axes[i]) + std::string(at.kind)));
+    take_columns(std::move(taken));
 }
 
 void Lammps_frames::read_atoms(Raw_frame& frame, std::uint64_t count, const std::optional<Box>& box) {
     if (count == 0) return;
-    const Columns at = columns();
+    const Columns at = find_columns();
+    take(at);
     if (at.scaled && !box) reader_.fail("positions in shares of a box that is not there", "ITEM: BOX BOUNDS before");
     frame.points.has_z = at.at[2].has_value();
     frame.ids_are_places = !at.id;
@@ -147,7 +177,6 @@ void Lammps_frames::read(Raw_frame& frame) {
             make_room(frame, *count, 4);
         } else if (is_item("BOX BOUNDS")) {
             box = read_box();
-            if (!box->periodic.empty()) frame.points.notes = {box->periodic};
         } else if (is_item("UNITS") || is_item("TIME")) {
             if (!reader_.next_line()) reader_.fail("the file ends before its value", "a line");
         } else {

@@ -27,7 +27,7 @@ class Words {
     /// Empty at the end of the file.
     std::string_view next() {
         while (!rest_.empty() && (is_space(rest_.front()) || rest_.front() == '#')) {
-            if (rest_.front() == '#') rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size()));
+            if (rest_.front() == '#') rest_.remove_prefix(std::min(rest_.find_first_of("\n\r"), rest_.size()));
             else take();
         }
         std::size_t size = 0;

@@ -13,12 +13,18 @@ namespace annulus {
 
 namespace {
 
-Raw_points read_raw(File_bytes& bytes, Format format) {
+/// These formats say themselves which numbers are coordinates.
+Raw_points read_raw(File_bytes& bytes, Format format, const Periodic_box& box) {
+    const auto with = [](const char* what, Raw_points raw) {
+        for (const char* axis : {"x", "y", "z"})
+            if (*axis != 'z' || raw.has_z) raw.columns.emplace_back(axis, std::string(what) + axis);
+        return raw;
+    };
     switch (format) {
-        case Format::off: return read_off(load_file(bytes));
-        case Format::ply: return read_ply(load_file(bytes));
-        case Format::mesh: return read_medit_points(load_file(bytes));
-        default: return read_only_frame(bytes, format);
+        case Format::off: return with("vertex ", read_off(load_file(bytes)));
+        case Format::ply: return with("property ", read_ply(load_file(bytes)));
+        case Format::mesh: return with("vertex ", read_medit_points(load_file(bytes)));
+        default: return read_only_frame(bytes, format, box);
     }
 }
 
@@ -26,7 +32,7 @@ Raw_points read_raw(File_bytes& bytes, Format format) {
 Raw_points read_raw(const std::filesystem::path& file, const Read_options& options, std::string& name) {
     File_bytes bytes(file);
     name = bytes.name();
-    Raw_points raw = read_raw(bytes, format_of(file, point_formats, options.format));
+    Raw_points raw = read_raw(bytes, format_of(file, point_formats, options.format), options.box);
     if (raw.points.empty()) throw Input_error(Error_code::bad_input, name, 1, "has no points", "at least one point");
     return raw;
 }
@@ -48,7 +54,10 @@ Point_file<d> points_of(std::string name, Raw_points raw, const Read_options& op
         result.points.push_back(q);
     }
     result.lines = std::move(raw.lines);
+    result.columns = std::move(raw.columns);
+    if (d == 2) std::erase_if(result.columns, [](const auto& column) { return column.first == "z"; });
     result.notes = std::move(raw.notes);
+    result.ignored_box = raw.ignored_box;
     return result;
 }
 

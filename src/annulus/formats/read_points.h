@@ -3,6 +3,8 @@
 
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/formats/input_error.h>
+#include <annulus/formats/periodic_box.h>
+#include <annulus/formats/taken_columns.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -18,6 +20,7 @@ struct Read_options {
     bool ignore_z = false;
     /// "xyz", "csv" ..: what the file is, whatever its extension says; standard input has none.
     std::string format{};
+    Periodic_box box{};
 };
 
 /// The points of one file, in its order and in its unit of length. All coordinates are finite.
@@ -27,8 +30,10 @@ struct Point_file {
     std::vector<Coordinates<d>> points;
     /// Where each point stands: its line, or the number of its record in a binary file, from 1.
     std::vector<std::uint64_t> lines;
-    /// What the file says and nobody obeys, a periodic box; each a line with the file's name.
+    Taken_columns columns;  ///< what was taken for what
+    /// What the file says and is not obeyed, or may mean something else; each a line with the file's name.
     std::vector<std::string> notes;
+    bool ignored_box = false;  ///< a periodic one
 
     /// A fault found later in point i (a duplicate, a point outside the domain), reported like the reader's own.
     [[nodiscard]] Input_error fault(std::size_t i, Error_code code, std::string what, std::string expected) const {
@@ -37,7 +42,8 @@ struct Point_file {
 };
 
 /// Reads points by the extension of the file: .xyz, .csv, .lammpstrj, .off, .ply, .mesh (either case; format.h has more), and
-/// .gz after it; see point_formats.h and frame_readers.h. `-` is standard input. A file of several frames is refused.
+/// .gz after it; see point_formats.h and frame_readers.h. `-` is standard input. A file of several frames is refused, and one with
+/// a periodic box unless it is to be ignored.
 ///
 /// Decimals are rounded correctly. d is 2 or 3. Throws Input_error for everything that is wrong with the file, which
 /// includes having no points, a z coordinate when d is 2 (unless ignored), and none when d is 3. Linear in the size of

@@ -3,27 +3,6 @@
 
 namespace annulus {
 
-namespace {
-
-/// The shape of a file without counts from its first row.
-Xyz_columns columns_of_plain(const Line_reader& reader) {
-    const std::size_t all = reader.fields().size();
-    if (all < 2) reader.fail("has 1 column", "x y [z]");
-    return {all, 0, all >= 3, {}, false};
-}
-
-/// A name or atomic number may lead the row: up to three columns beginning with a number have none.
-Xyz_columns columns_of_counted(const Line_reader& reader) {
-    const auto& fields = reader.fields();
-    double unused = 0;
-    const bool leads_with_number = parse_double(fields[0], unused) != Number_kind::not_a_number;
-    const std::size_t first = leads_with_number && fields.size() <= 3 ? 0 : 1;
-    if (fields.size() < first + 2) reader.fail("has " + counted(fields.size(), "column"), "[element] x y [z]");
-    return {fields.size(), first, fields.size() >= first + 3, {}, false};
-}
-
-}  // namespace
-
 void Xyz_frames::read_row(const Xyz_columns& columns, Raw_frame& frame) {
     const auto& fields = reader_.fields();
     if (fields.size() != columns.all)
@@ -34,15 +13,45 @@ void Xyz_frames::read_row(const Xyz_columns& columns, Raw_frame& frame) {
     frame.points.points.push_back(
         {reader_.real(at[0], "x"), reader_.real(at[1], "y"), columns.has_z ? reader_.real(at[2], "z") : 0.});
     frame.points.lines.push_back(reader_.number());
-    if (wants_ids())
-        frame.id.push_back(columns.id ? reader_.whole(fields[*columns.id], "the id") : frame.id.size());
+    if (wants_ids()) frame.id.push_back(columns.id ? reader_.whole(fields[*columns.id], "the id") : frame.id.size());
+}
+
+/// Goes to the next row. Where the last one is missing or of another shape, and the comment looks like a row, it is one.
+void Xyz_frames::require_row(std::uint64_t done, std::uint64_t count, const Xyz_columns* columns,
+                             const Comment_row& comment) {
+    const bool other =
+        columns != nullptr && (comment.fields != columns->all || (columns->x == 0 && comment.begins_with_word));
+    if (done + 1 < count || comment.fields == 0 || other) return reader_.require_record(done, count, "points");
+    if (reader_.next_record() && reader_.fields().size() == comment.fields) return;
+    reader_.fail_at(comment.line,
+                    "reads like a row of points in the place of the comment, and the last of " + counted(count, "row") +
+                        " is missing",
+                    "a comment line, which may be blank, between the count and the rows");
+}
+
+void Xyz_frames::take(const Xyz_columns& columns) {
+    Taken_columns taken;
+    const auto add = [&](const char* what, std::size_t at, const char* name) {
+        taken.emplace_back(what, column_words(at, columns.announced ? name : ""));
+    };
+    if (wants_ids() && columns.id) add("id", *columns.id, "id");
+    else if (wants_ids()) taken.emplace_back("id", place_as_id);
+    add("x", columns.x, "pos");
+    add("y", columns.x + 1, "pos");
+    if (columns.has_z) add("z", columns.x + 2, "pos");
+    take_columns(std::move(taken));
 }
 
 void Xyz_frames::read_plain(Raw_frame& frame) {
-    const Xyz_columns columns = columns_of_plain(reader_);
-    frame.points.has_z = columns.has_z;
-    do read_row(columns, frame);
-    while (reader_.next_record());
+    Xyz_guess guess = Xyz_guess::of_plain(reader_);
+    const std::uint64_t first = reader_.number();
+    frame.points.has_z = guess.columns().has_z;
+    do {
+        guess.look_at(reader_);
+        read_row(guess.columns(), frame);
+    } while (reader_.next_record());
+    take(guess.columns());
+    if (guess.x_counts()) note(first, "column 1 counts the rows as an id does, and is taken for x; z is column 3");
 }
 
 void Xyz_frames::read(Raw_frame& frame) {
@@ -55,18 +64,25 @@ void Xyz_frames::read(Raw_frame& frame) {
     make_room(frame, count, 4);
     if (!reader_.next_line()) reader_.fail("the file ends after its count", "a comment line and the points");
     Xyz_comment comment = parse_xyz_comment(reader_);
-    if (!comment.periodic.empty())
-        frame.points.notes.push_back(reader_.name() + ":" + std::to_string(reader_.number()) + ": " + comment.periodic +
-                                     " ignored: periodic boxes are not supported, points are taken as they stand");
+    if (!comment.periodic.empty()) meet_box(comment.periodic);
+    std::vector<std::string_view> words;
+    split_at_blanks(reader_.line(), words);
+    const Comment_row comment_row{reader_.number(), looks_like_row(words) ? words.size() : 0,
+                                  !words.empty() && is_element_name(words[0])};
+    std::optional<Xyz_guess> guess;
     for (std::uint64_t i = 0; i < count; ++i) {
-        reader_.require_record(i, count, "points");
-        if (!comment.columns) comment.columns = columns_of_counted(reader_);
+        require_row(i, count, comment.columns ? &*comment.columns : nullptr, comment_row);
+        if (!comment.columns) comment.columns = guess.emplace(Xyz_guess::of_counted(reader_)).columns();
+        if (guess) guess->look_at(reader_);
         read_row(*comment.columns, frame);
     }
-    if (comment.columns) {
-        frame.points.has_z = comment.columns->has_z;
-        frame.ids_are_places = !comment.columns->id;
-    }
+    if (guess) guess->require_clear(reader_);
+    if (!comment.columns) return;
+    frame.points.has_z = comment.columns->has_z;
+    frame.ids_are_places = !comment.columns->id;
+    if (count > 0) take(*comment.columns);
+    if (guess && guess->x_counts() && notes().empty())
+        note(comment_row.line + 1, "column 1 counts the rows as an id does, and is taken for x; z is column 3");
 }
 
 void Xyz_frames::refuse_more(const Raw_frame& frame) const {

@@ -49,21 +49,40 @@ void require_no_bomb(const File_bytes& bytes, std::uint64_t unpacked, std::uint6
                           "text, or the file as it is when unpacked");
 }
 
+/// What ends the lines of a text, by its first line, which is searched from a place on; 0 where it may still go on. CR ends
+/// them where no LF comes after it.
+char line_end_of(std::string_view text, std::size_t from, bool whole) {
+    const std::size_t at = text.find_first_of("\r\n", from);
+    if (at == std::string_view::npos) return whole ? '\n' : '\0';
+    if (text[at] == '\n') return '\n';
+    if (at + 1 == text.size()) return whole ? '\r' : '\0';
+    return text[at + 1] == '\n' ? '\n' : '\r';
+}
+
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 constexpr std::size_t longest_line = std::size_t{64} << 20;
 
 }  // namespace
 
-Source load_file(const std::filesystem::path& file) {
+Source load_file(const std::filesystem::path& file, std::uint64_t most) {
     File_bytes bytes(file);
-    return load_file(bytes);
+    return load_file(bytes, most);
 }
 
-Source load_file(File_bytes& bytes) {
+Source load_file(File_bytes& bytes, std::uint64_t most) {
     Source source{bytes.name(), {}};
+    const auto require_bounded = [&](std::uint64_t size) {
+        if (size > most)
+            throw Input_error(Error_code::bad_input, source.name, 0, "has more than " + std::to_string(most) + " bytes",
+                              "fewer");
+    };
+    if (!bytes.size()) most = std::min(most, most_of_a_pipe);
+    require_bounded(bytes.size().value_or(0));
     source.content.reserve(static_cast<std::size_t>(bytes.size().value_or(0)));
-    while (bytes.more(source.content))
+    while (bytes.more(source.content)) {
         if (bytes.packed()) require_no_bomb(bytes, source.content.size(), 0);
+        require_bounded(source.content.size());
+    }
     if (source.content.starts_with(byte_order_mark)) source.content.erase(0, byte_order_mark.size());
     if (source.content.empty()) throw Input_error(Error_code::bad_input, source.name, 1, "is empty", "data");
     return source;
@@ -80,6 +99,19 @@ Number_kind parse_double(std::string_view text, double& value) noexcept {
     }
     if (std::isnan(value)) return Number_kind::nan;
     return std::isinf(value) ? Number_kind::too_large : Number_kind::finite;
+}
+
+void split_at_blanks(std::string_view line, std::vector<std::string_view>& words) {
+    words.clear();
+    for (std::size_t i = 0; i < line.size();) {
+        if (is_blank(line[i])) {
+            ++i;
+            continue;
+        }
+        const std::size_t begin = i;
+        while (i < line.size() && !is_blank(line[i])) ++i;
+        words.push_back(line.substr(begin, i - begin));
+    }
 }
 
 Line_reader::Line_reader(File_bytes& bytes) : name_(bytes.name()), bytes_(&bytes) {}
@@ -107,9 +139,12 @@ std::size_t Line_reader::read_line_end() {
         if (buffer_.empty() && !more()) fail_at(1, "is empty", "data");
     }
     std::size_t searched = 0, end = std::string::npos;
-    while ((end = buffer_.find('\n', searched)) == std::string::npos) {
+    while (true) {
+        if (end_ == '\0') end_ = line_end_of(buffer_, searched, ended_);
+        if (end_ != '\0' && (end = buffer_.find(end_, searched)) != std::string::npos) break;
         searched = buffer_.size();
         if (searched > longest_line) fail_at(number_ + 1, "is longer than 64 MiB", "a line of numbers");
+        if (end_ == '\0' && buffer_.ends_with('\r')) --searched;
         if (!more()) break;
     }
     rest_ = buffer_;
@@ -119,28 +154,22 @@ std::size_t Line_reader::read_line_end() {
 bool Line_reader::next_line() {
     fields_.clear();
     line_ = {};
-    std::size_t end = rest_.find('\n');
+    if (end_ == '\0' && bytes_ == nullptr) end_ = line_end_of(rest_, 0, true);
+    std::size_t end = end_ == '\0' ? std::string_view::npos : rest_.find(end_);
     if (end == std::string_view::npos && bytes_ != nullptr) end = read_line_end();
     if (rest_.empty()) return false;
     line_ = rest_.substr(0, end);
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    if (line_.ends_with('\r')) line_.remove_suffix(1);
     ++number_;
+    if (end_ == '\r' && line_.find('\n') != std::string_view::npos)
+        fail("lines end by CR, and here by LF", "one of the two");
+    if (line_.ends_with('\r')) line_.remove_suffix(1);
     return true;
 }
 
 bool Line_reader::next_record() {
     while (next_line()) {
-        const std::string_view text = line_.substr(0, line_.find('#'));
-        for (std::size_t i = 0; i < text.size();) {
-            if (is_blank(text[i])) {
-                ++i;
-                continue;
-            }
-            const std::size_t begin = i;
-            while (i < text.size() && !is_blank(text[i])) ++i;
-            fields_.push_back(text.substr(begin, i - begin));
-        }
+        split_at_blanks(line_.substr(0, line_.find('#')), fields_);
         if (!fields_.empty()) return true;
     }
     return false;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,10 +20,15 @@ struct Source {
     std::string content;
 };
 
+/// What a pipe may bring for a reader that holds all of it, and a bound for pictures: none has more pixels than fit.
+inline constexpr std::uint64_t most_of_a_pipe = std::uint64_t{1} << 30;
+
 /// Reads a whole file, unpacked where it is packed. Throws Input_error when it is missing, a directory, unreadable
-/// or empty, and when what is packed in it is damaged, cut off, or more than 64 MiB and a hundred times the file.
-[[nodiscard]] Source load_file(const std::filesystem::path& file);
-[[nodiscard]] Source load_file(File_bytes& bytes);
+/// or empty, when what is packed in it is damaged, cut off, or more than 64 MiB and a hundred times the file, and when it has
+/// more than `most` bytes; where it is no regular file, which may have no end, more than most_of_a_pipe.
+[[nodiscard]] Source load_file(const std::filesystem::path& file,
+                               std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+[[nodiscard]] Source load_file(File_bytes& bytes, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
 /// What a decimal number turned out to be.
 enum class Number_kind { finite, not_a_number, nan, too_large };
@@ -32,7 +38,11 @@ enum class Number_kind { finite, not_a_number, nan, too_large };
 /// `too_large`.
 [[nodiscard]] Number_kind parse_double(std::string_view text, double& value) noexcept;
 
-/// Walks over the lines of a text and splits them into fields. LF and CRLF both end a line.
+/// The words of a line between blanks.
+void split_at_blanks(std::string_view line, std::vector<std::string_view>& words);
+
+/// Walks over the lines of a text and splits them into fields. LF and CRLF both end a line; CR alone, as old programs write it, in a
+/// text whose first line ends so. A text that ends some lines by CR and others by LF is a fault.
 ///
 /// The text is in memory, or a file that is read as lines are asked for: then no more of it is held than the line and a block,
 /// what File_bytes finds is a fault of the line that is due, and a line of more than 64 MiB is one. Every fault is reported by
@@ -94,6 +104,7 @@ class Line_reader {
     std::string buffer_;           ///< of bytes_, as far as it is read and not yet behind us; rest_ is its end
     std::uint64_t unpacked_ = 0;   ///< bytes that bytes_ gave
     std::uint64_t piece_ = 0;      ///< of these, before the piece began
+    char end_ = '\0';              ///< what ends a line, LF or CR; 0 before the first line has told
     std::string_view rest_;
     std::string_view line_;
     std::uint64_t number_ = 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/arithmetic/error.h>
 #include <annulus/formats/file_bytes.h>
 #include <annulus/formats/format.h>
 #include <annulus/formats/text_output.h>
@@ -33,11 +34,31 @@ void Text_output::fail() const {
     throw std::system_error(errno, std::generic_category(), out_ == stdout ? "standard output" : file_.string());
 }
 
+void require_replaceable(const std::filesystem::path& file) {
+    if (is_standard_input(file)) return;
+    if (const std::string kind = special_kind(file); !kind.empty())
+        throw Error(Error_code::bad_input,
+                    file.string() + ": is " + kind + ", which no file is to replace; expected a new name, or a file");
+}
+
+std::string special_kind(const std::filesystem::path& path) {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(path, ignored);  // of what a link leads to
+    switch (status.type()) {
+        case std::filesystem::file_type::character:
+        case std::filesystem::file_type::block: return "a device";
+        case std::filesystem::file_type::fifo: return "a pipe";
+        case std::filesystem::file_type::socket: return "a socket";
+        default: return {};
+    }
+}
+
 Text_output::Text_output(const std::filesystem::path& file) : file_(file) {
     if (is_standard_input(file)) {
         out_ = stdout;
         return;
     }
+    require_replaceable(file);
     if (is_packed(file)) deflater_ = std::make_unique<Deflater>();
     std::error_code ignored;
     errno = EISDIR;
@@ -94,6 +115,7 @@ void Text_output::commit() {
     errno = 0;
     if (std::fflush(out_) != 0) fail();
     if (out_ == stdout) return;
+    require_replaceable(file_);  // it may have come meanwhile
     if (std::fclose(std::exchange(out_, nullptr)) != 0 || ::rename(beside_.c_str(), file_.c_str()) != 0) {
         const int error = errno;
         ::unlink(beside_.c_str());

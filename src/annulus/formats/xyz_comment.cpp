@@ -94,6 +94,19 @@ Xyz_columns columns_of(const Line_reader& reader, std::string_view list) {
     return columns;
 }
 
+/// A box by its sides, with its angles, or by its vectors: 3, 6 or 9 numbers.
+bool is_box(std::string_view key, std::string_view values) {
+    if (!same(key, "cell") && !same(key, "box")) return false;
+    std::string text(values);
+    std::replace(text.begin(), text.end(), ',', ' ');
+    std::vector<std::string_view> words;
+    split_at_blanks(text, words);
+    double unused = 0;
+    return (words.size() == 3 || words.size() == 6 || words.size() == 9) &&
+           std::all_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return parse_double(word, unused) == Number_kind::finite; });
+}
+
 /// Does one of the words say true? `T F F`, `[true, false, false]`, `1 0 0`.
 bool any_true(std::string_view values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -108,20 +121,24 @@ bool any_true(std::string_view values) {
 Xyz_comment parse_xyz_comment(const Line_reader& reader) {
     Xyz_comment result;
     Comment comment(reader.line());
-    bool lattice = false;
+    std::string lattice;
     std::optional<bool> pbc;
     for (std::string_view key, value; comment.next(key, value);) {
+        if (key.starts_with("CELL(") || key.starts_with("CELL{")) lattice = key.substr(0, key.find(':'));
         if (value.empty()) continue;
         if (same(key, "properties")) {
             if (result.columns) reader.fail("a second Properties", "one");
             result.columns = columns_of(reader, value);
         } else if (same(key, "lattice")) {
-            lattice = true;
+            lattice = "Lattice";
+        } else if (is_box(key, value)) {
+            lattice = key;
         } else if (same(key, "pbc")) {
             pbc = any_true(value);
         }
     }
-    if (pbc.value_or(lattice)) result.periodic = !pbc ? "Lattice" : lattice ? "Lattice and pbc" : "pbc";
+    if (pbc.value_or(!lattice.empty()))
+        result.periodic = !pbc ? lattice : lattice.empty() ? "pbc" : lattice + " and pbc";
     return result;
 }
 

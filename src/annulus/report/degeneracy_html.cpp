@@ -158,6 +158,8 @@ void append_paper(std::string& out, const Degeneracy& d) {
 std::string degeneracy_html(const Degeneracy_record& r) {
     const std::string name = r.file.substr(r.file.find_last_of('/') + 1);
     std::string out = page_head("Degeneracy of " + grouped(r.vertices) + " points: " + name, r.command);
+    append_warnings(out, r.input.warnings);
+    if (!r.input.columns.empty()) out += "<p>" + escaped(listed(r.input.columns)) + ".</p>\n";
     out += "<div class=\"numbers\"><table>\n";
     append_row(out, "vertices", grouped(r.vertices) + " <small>in " + std::to_string(r.dimension) + "D</small>");
     append_row(out, "duplicates merged", grouped(r.points - r.vertices));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/formats/decimal.h>
 #include <annulus/report/degeneracy_report.h>
+#include <annulus/report/summary.h>
 
 namespace annulus {
 
@@ -60,6 +61,7 @@ Json degeneracy_json(const Degeneracy_record& r) {
               {"affine_dimension", r.affine_dimension},
               {"simplices", r.simplices},
               {"seconds", {{"triangulation", r.seconds_triangulation}, {"analysis", r.seconds_analysis}}}};
+    append_input(json, r.input);
     const bool measured = r.measured.has_value();
     for (const char* name : {"mean_spacing", "resolution", "thresholds", "bicells", "standard_annuli", "cells",
                              "ridges", "convexity", "theta", "tolerance"})

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/report/run_record.h>
 #include <annulus/statistics/degeneracy.h>
 
 #include <nlohmann/json.hpp>
@@ -16,6 +17,7 @@ namespace annulus {
 struct Degeneracy_record {
     std::string command;
     std::string file;
+    Input_record input{};
     int dimension = 2;
     std::uint64_t points = 0;          ///< in the file
     std::uint64_t vertices = 0;        ///< distinct ones

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/formats/markup.h>
 #include <annulus/report/axis_ticks.h>
 #include <annulus/report/degeneracy_series.h>
 #include <annulus/report/page.h>
+#include <annulus/report/summary.h>
 
 #include <utility>
 
@@ -73,8 +75,11 @@ Csv_table degeneracy_table(const Degeneracy_series& series) {
 }
 
 nlohmann::ordered_json degeneracy_json(const Degeneracy_series& series) {
-    return {{"command", series.command},     {"version", ANNULUS_VERSION},   {"file", series.file},
-            {"dimension", series.dimension}, {"frames", series.rows.size()}, {"thresholds", series.thresholds}};
+    nlohmann::ordered_json json{{"command", series.command},    {"version", ANNULUS_VERSION},
+                                {"file", series.file},          {"dimension", series.dimension},
+                                {"frames", series.rows.size()}, {"thresholds", series.thresholds}};
+    append_input(json, series.input);
+    return json;
 }
 
 std::string degeneracy_html(const Degeneracy_series& series) {
@@ -97,6 +102,8 @@ std::string degeneracy_html(const Degeneracy_series& series) {
     unsound.series.push_back(over_frames("", series, [](const Numbers& n) { return n.paper_unsound; }));
     std::string out =
         page_head(series.file + ": " + grouped(series.rows.size()) + (series.rows.size() == 1 ? " frame" : " frames") + ", how degenerate", series.command);
+    append_warnings(out, series.input.warnings);
+    if (!series.input.columns.empty()) out += "<p>" + escaped(listed(series.input.columns)) + ".</p>\n";
     append_plots(out, "Widths and tolerances",
                  {lengths("Widths of bi-cells", &Numbers::width),
                   lengths("Certified tolerances of vertices", &Numbers::tolerance),

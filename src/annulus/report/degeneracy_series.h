@@ -38,6 +38,7 @@ struct Degeneracy_series {
     int dimension = 2;
     std::vector<std::string> thresholds;  ///< by name
     std::vector<Degeneracy_row> rows;
+    Input_record input{};
 };
 
 /// The content of degeneracy.csv: a row a frame; what flat frames do not have is absent.

@@ -58,6 +58,16 @@ void append_plots(std::string& out, const std::string& heading, const std::vecto
     if (!caption.empty()) out += "<figcaption>" + escaped(caption) + "</figcaption>\n";
 }
 
+void append_warnings(std::string& out, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) out += "<p class=\"verdict bad\">" + escaped(warning) + "</p>\n";
+}
+
+std::string listed(const std::vector<std::pair<std::string, std::string>>& columns) {
+    std::string text;
+    for (const auto& [what, where] : columns) text += (text.empty() ? "" : ", ") + what + ": " + where;
+    return text;
+}
+
 void append_notes(std::string& out, const std::vector<std::string>& notes) {
     if (!notes.empty()) out += "<h2>Notes</h2>\n";
     for (const std::string& note : notes) out += "<p>" + escaped(note) + "</p>\n";

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 // The parts of which every HTML page of the tool is made. What is called HTML is taken as it is, all other text is escaped.
@@ -30,6 +31,12 @@ void append_figure(std::string& out, const std::string& heading, const std::stri
 void append_plots(std::string& out, const std::string& heading, const std::vector<Plot>& plots,
                   const std::string& caption);
 /// Paragraphs under "Notes"; nothing where there are none.
+/// What a reader has to know before all else, for the head of a page.
+void append_warnings(std::string& out, const std::vector<std::string>& warnings);
+
+/// "x: column 1, y: column 2".
+[[nodiscard]] std::string listed(const std::vector<std::pair<std::string, std::string>>& columns);
+
 void append_notes(std::string& out, const std::vector<std::string>& notes);
 
 }  // namespace annulus

@@ -28,6 +28,8 @@ std::string audit(const Audit_record& record) {
 void append_numbers(std::string& out, const Run_record& run) {
     out += "<div class=\"numbers\"><table>\n";
     append_row(out, "vertices", grouped(run.vertices) + " <small>in " + std::to_string(run.dimension) + "D</small>");
+    if (!run.input.dimension.empty()) append_row(out, "in the plane since", escaped(run.input.dimension));
+    for (const auto& [what, where] : run.input.columns) append_row(out, what + " from", escaped(where));
     append_row(out, "iterations", grouped(run.iterations));
     append_row(out, "strategy", escaped(run.strategy));
     append_row(out, "tolerance", escaped(run.tolerance));
@@ -123,6 +125,7 @@ void append_comparison(std::string& out, const Comparison_record& comparison) {
 std::string report_html(const Report& report) {
     const Run_record& run = report.run;
     std::string out = page_head(report.title, run.command);
+    append_warnings(out, run.input.warnings);
     if (run.interrupted)
         out += "<p class=\"verdict bad\">The run was interrupted after " + grouped(run.iterations) +
                (run.iterations == 1 ? " iteration" : " iterations") + "; this is what it had.</p>\n";

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace annulus {
@@ -68,9 +69,18 @@ struct Iteration_record {
     std::optional<Mesh_step> mesh;
 };
 
+/// What was made of an input file, where there is one.
+struct Input_record {
+    std::vector<std::pair<std::string, std::string>> columns;  ///< "x" is "column 2 (xs)"
+    std::string dimension;              ///< why it is 2 where points have a z: "z is 0.5 everywhere"
+    std::vector<std::string> ignored;   ///< what the file says and is not obeyed: "box"
+    std::vector<std::string> warnings;  ///< the same in lines, and what may be otherwise than it was read
+};
+
 /// One run of one strategy, as the files that it writes tell it.
 struct Run_record {
     std::string command;
+    Input_record input;
     int dimension = 2;
     std::uint64_t vertices = 0;
     std::uint64_t iterations = 0;

@@ -38,6 +38,14 @@ void append_mesh(std::vector<Csv_cell>& row, const Iteration_record& s) {
 
 }  // namespace
 
+void append_input(Json& json, const Input_record& input) {
+    if (!input.columns.empty()) {
+        Json& columns = json["columns"] = Json::object();
+        for (const auto& [what, where] : input.columns) columns[what] = where;
+    }
+    if (!input.ignored.empty()) json["ignored"] = input.ignored;
+}
+
 Json summary_json(const Run_record& run) {
     Json json;
     json["command"] = run.command;
@@ -64,6 +72,7 @@ Json summary_json(const Run_record& run) {
     if (run.interrupted) json["interrupted"] = true;
     json["memory"] = Json{{"peak_bytes", run.memory_peak_bytes == 0 ? Json() : Json(run.memory_peak_bytes)}};
     json["mean_spacing"] = run.mean_spacing;
+    append_input(json, run.input);
     if (run.mesh_before) {
         Json& mesh = json["mesh"];
         mesh["before"] = mesh_json(*run.mesh_before);
@@ -79,6 +88,7 @@ Json compare_json(const Comparison_record& comparison) {
     json["version"] = ANNULUS_VERSION;
     if (comparison.interrupted) json["interrupted"] = true;
     else json["agree"] = comparison.agree;
+    if (!comparison.runs.empty()) append_input(json, comparison.runs[0].input);
     Json& strategies = json["strategies"] = Json::object();
     for (const Run_record& run : comparison.runs) {
         if (strategies.contains(run.strategy))

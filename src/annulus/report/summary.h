@@ -12,6 +12,9 @@ namespace annulus {
 /// of an interrupted run has `interrupted`.
 [[nodiscard]] nlohmann::ordered_json summary_json(const Run_record& run);
 
+/// Adds the keys `columns` and `ignored`, where there is something to say.
+void append_input(nlohmann::ordered_json& json, const Input_record& input);
+
 /// The content of compare.json: `command`, `version`, `agree`, `strategies` by name, and `ratios` "a/b", the triangulation seconds of a over
 /// those of b, for every ordered pair (null when b took no time), then any `disagreements`. An interrupted one has
 /// `interrupted` in place of `agree` and `ratios`. Throws Error(usage) when

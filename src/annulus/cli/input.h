@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/formats/motion_reader.h>
+#include <annulus/formats/read_points.h>
+#include <annulus/report/run_record.h>
+
+#include <CLI/CLI.hpp>
+
+namespace annulus::cli {
+
+/// --open: files that say that space is periodic are read all the same.
+void add_open(CLI::App& app, bool& open);
+
+/// What was made of a file, as far as it is read: for summaries, pages and standard output.
+[[nodiscard]] Input_record input_of(const Motion_reader& reader, int dimension);
+template <int d>
+[[nodiscard]] Input_record input_of(const Point_file<d>& file) {
+    Input_record input{file.columns, {}, {}, file.notes};
+    if (file.ignored_box) input.ignored = {"box"};
+    return input;
+}
+
+/// The lines `dimension` and `columns` on standard output, where there is an input.
+void print_input(const Input_record& input, int dimension);
+
+}  // namespace annulus::cli

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_fault.h"
+#include "gzip.h"
+#include "temporary_directory.h"
+
+#include <annulus/formats/file_bytes.h>
+#include <annulus/formats/motion_reader.h>
+#include <annulus/formats/read_gray_image.h>
+#include <annulus/formats/read_image.h>
+#include <annulus/formats/read_mesh.h>
+#include <annulus/formats/read_points.h>
+#include <annulus/formats/read_surface.h>
+#include <annulus/formats/read_tetrahedra.h>
+#include <annulus/formats/text_input.h>
+
+#include <catch2/catch.hpp>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <vector>
+
+using namespace annulus;
+using annulus_test::expect_fault;
+using annulus_test::gzip;
+using annulus_test::Temporary_directory;
+
+namespace {
+
+/// Every character in `width` bytes, its own the first of them or the last; all ASCII.
+std::string widened(const std::string& text, std::size_t width, bool first) {
+    std::string out;
+    for (const char c : text) {
+        std::string unit(width, '\0');
+        unit[first ? 0 : width - 1] = c;
+        out += unit;
+    }
+    return out;
+}
+
+/// Reads a file by what its extension names.
+void read_any(const std::filesystem::path& file) {
+    const std::string extension = file.extension().string();
+    if (extension == ".png" || extension == ".pgm") (void)read_gray_image(file);
+    else if (extension == ".obj" || extension == ".stl") (void)read_surface(file);
+    else if (extension == ".inr") (void)read_image(file);
+    else if (extension == ".dump" || extension == ".csv") {
+        Motion_reader reader(file);
+        for (Frame frame; reader.next(frame);) continue;
+    } else (void)read_points<2>(file);
+}
+
+const std::vector<std::string> readers{"a.xyz", "a.csv", "a.dump", "a.off", "a.ply", "a.mesh",
+                                       "a.obj", "a.stl", "a.png",  "a.pgm", "a.inr"};
+
+}  // namespace
+
+TEST_CASE("text in UTF-16 and what others have packed is called by its name, whatever reads it", "[io][kind]") {
+    const std::string csv = "frame,id,x,y\n0,1,0,0\n";
+    const Temporary_directory directory;
+    for (const auto& [content, fault] : std::vector<std::pair<std::string, std::string>>{
+             {"\xff\xfe" + widened(csv, 2, true), "is text in UTF-16"},
+             {"\xfe\xff" + widened(csv, 2, false), "is text in UTF-16"},
+             {widened(csv, 2, true), "is text in UTF-16"},
+             {widened(csv, 2, false), "is text in UTF-16"},
+             {widened(csv, 4, true), "is text in UTF-32"},
+             {std::string("\0\0\xfe\xff", 4) + widened(csv, 4, false), "is text in UTF-32"},
+             {"BZh91AY&SY....", "is packed by bzip2"},
+             {std::string("\xfd\x37zXZ\0...", 9), "is packed by xz"},
+             {"\x28\xb5\x2f\xfd....", "is packed by zstd"},
+             {"PK\x03\x04....", "is a zip archive"},
+             {gzip("BZh91AY&SY...."), "is packed by bzip2"},
+             {"\x93NUMPY\x01", "is an array of NumPy"},
+         })
+        for (const std::string& name : readers) {
+            const auto file = directory.file(name, content);
+            INFO(name);
+            try {
+                read_any(file);
+                FAIL("was accepted");
+            } catch (const Input_error& error) {
+                INFO(error.what());
+                CHECK(error.fault().starts_with(fault));
+                CHECK(error.line() <= 1);
+                CHECK(!error.expected().empty());
+            }
+        }
+}
+
+TEST_CASE("what gzip packed is read under any name", "[io][kind]") {
+    const Temporary_directory directory;
+    CHECK(read_points<2>(directory.file("a.csv", gzip("x,y\n1,2\n"))).points == std::vector<Coordinates<2>>{{1, 2}});
+    CHECK(read_points<3>(directory.file("a.off", gzip("OFF\n1 0 0\n1 2 3\n"))).points ==
+          std::vector<Coordinates<3>>{{1, 2, 3}});
+    Motion_reader reader(directory.file("b.csv", gzip("frame,id,x,y\n0,1,2,3\n")));
+    Frame frame;
+    CHECK(reader.next(frame));
+    CHECK(read_gray_image(directory.file("a.pgm", gzip("P2 2 1 9 3 4"))).value == std::vector<std::uint16_t>{3, 4});
+    expect_fault(directory.file("c.csv", gzip("x,y\n1,2\n").substr(0, 12)), 1, "is cut off",
+                 [](const auto& f) { (void)read_points<2>(f); });
+}
+
+TEST_CASE("lines that end by CR alone are lines, in every text format", "[io][kind]") {
+    const Temporary_directory directory;
+    const auto cr = [](std::string text) {
+        for (char& c : text)
+            if (c == '\n') c = '\r';
+        return text;
+    };
+    using Points_2 = std::vector<Coordinates<2>>;
+    const auto points = [&](const std::string& name, const std::string& content) {
+        return read_points<2>(directory.file(name, content), {.ignore_z = true});
+    };
+    CHECK(points("a.xyz", cr("1 2\n\n3 4\n")).points == Points_2{{1, 2}, {3, 4}});
+    CHECK(points("a.xyz", cr("1 2\n\n3 4\n")).lines == std::vector<std::uint64_t>{1, 3});
+    CHECK(points("a.xyz", cr("1 2\n3 4")).points == Points_2{{1, 2}, {3, 4}});
+    CHECK(points("a.xyz", "1 2\r").points == Points_2{{1, 2}});
+    CHECK(points("a.csv", "\xef\xbb\xbf" + cr("x,y\n1,2\n3,4\n")).points == Points_2{{1, 2}, {3, 4}});
+    CHECK(points("a.csv.gz", gzip(cr("x,y\n1,2\n3,4\n"))).points == Points_2{{1, 2}, {3, 4}});
+    CHECK(points("a.off", cr("OFF\n2 0 0\n1 2 3\n3 4 5\n")).points == Points_2{{1, 2}, {3, 4}});
+    CHECK(points("a.mesh", cr("MeshVersionFormatted 1\nDimension 2\nVertices\n1\n1 2 0\nEnd\n")).points ==
+          Points_2{{1, 2}});
+    CHECK(points("a.ply",
+                 cr("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n1 2\n"))
+              .points == Points_2{{1, 2}});
+    CHECK(read_gray_image(directory.file("a.pgm", cr("P2\n# a comment\n2 1\n9\n3 4\n"))).value ==
+          std::vector<std::uint16_t>{3, 4});
+    // A block ends between the CR of the first line and what comes next.
+    const std::string first((1 << 16) - 5, ' ');
+    CHECK(points("a.xyz", first + "1  2\r3 4\r").points == Points_2{{1, 2}, {3, 4}});
+    CHECK(points("a.xyz", first + "1  2\r\n3 4\r\n").points == Points_2{{1, 2}, {3, 4}});
+    // The first line decides, and others have to end as it does.
+    const auto mixed = [](const auto& f) { (void)read_points<2>(f); };
+    expect_fault(directory.file("a.xyz", "1 2\r3 4\n5 6\n"), 2, "lines end by CR, and here by LF", mixed);
+    expect_fault(directory.file("a.xyz", "1 2\n3 4\r5\n"), 2, "y is not a number: '4\\x0d5'", mixed);
+}
+
+TEST_CASE("a device is no file, and what has no end is not held in memory", "[io][kind]") {
+    const Temporary_directory directory;
+    for (const std::string& name : readers) {
+        const auto link = directory.path() / name;
+        std::filesystem::create_symlink("/dev/zero", link);
+        expect_fault(link, 0, "is a device", read_any);
+    }
+    for (const auto& read : {+[](const std::filesystem::path& f) { (void)read_mesh(f); },
+                             +[](const std::filesystem::path& f) { (void)read_tetrahedra(f); },
+                             +[](const std::filesystem::path& f) { (void)load_file(f); }})
+        expect_fault(directory.path() / "a.mesh", 0, "is a device", read);
+    const auto file = directory.file("a.toml", std::string(1000, '#'));
+    CHECK(load_file(file, 1000).content.size() == 1000);
+    expect_fault(file, 0, "has more than 999 bytes", [](const auto& f) { (void)load_file(f, 999); });
+    expect_fault(directory.file("b.toml", gzip(std::string(1000, '#'))), 0, "has more than 999 bytes",
+                 [](const auto& f) { (void)load_file(f, 999); });
+    // Of a pipe nothing is known beforehand.
+    const auto pipe = directory.path() / "pipe";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    const int end = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+    REQUIRE(end >= 0);
+    const std::string text(1000, '#');
+    CHECK(::write(end, text.data(), text.size()) == 1000);
+    expect_fault(pipe, 0, "has more than 999 bytes", [](const auto& f) { (void)load_file(f, 999); });
+    ::close(end);
+}
