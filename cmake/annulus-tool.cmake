@@ -42,7 +42,7 @@ set(annulus_frame_sources ${annulus_cli_sources})
 list(FILTER annulus_frame_sources INCLUDE REGEX "/(arguments|interruption|process|progress|result_files|tool)[.]cpp$")
 set(annulus_scene_sources ${annulus_cli_sources})
 list(FILTER annulus_scene_sources INCLUDE REGEX
-     "/(files|frame_files|guided_motion|lloyd_scene|mesh_3|nodt_scene|replay_scene|tracker)[.]cpp$")
+     "/(files|frame_files|guided_motion|input|lloyd_scene|mesh_3|nodt_scene|replay_scene|tracker)[.]cpp$")
 list(FILTER annulus_cli_sources EXCLUDE REGEX
      "/(sweep|sweep_main|reproduce|reproduce_main|reproduction_scenes|arguments|interruption|process|progress|result_files|tool)[.]cpp$")
 list(REMOVE_ITEM annulus_cli_sources ${annulus_scene_sources})
