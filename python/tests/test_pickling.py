@@ -13,7 +13,7 @@ import annulus
 import numpy as np
 import pytest
 
-from support import KINDS, as_set, check, points_of
+from support import HANGING, KINDS, as_set, check, points_of
 
 COPIES = [lambda dt: pickle.loads(pickle.dumps(dt)), lambda dt: pickle.loads(pickle.dumps(dt, protocol=2)), copy.copy, copy.deepcopy]
 
@@ -139,7 +139,7 @@ def test_a_fork_in_the_middle_of_a_call():
             time.sleep(1e-3)
         child = os.fork()
         if child == 0:
-            signal.alarm(30)
+            signal.alarm(HANGING)
             try:
                 dt.npoints
             except RuntimeError as e:

@@ -42,7 +42,8 @@ bool ends_with_its_launcher(bool watched) {
     const bool stays = ::poll(&end, 1, 300) == 0;  // while its launcher is there
     ::close(go[1]);
     ::waitpid(launcher, nullptr, 0);
-    const bool ended = ::poll(&end, 1, watched ? 10'000 : 500) == 1;
+    // A tenth of a second is enough where a processor is free. What does not happen is waited for a while only.
+    const bool ended = ::poll(&end, 1, watched ? 1'800'000 : 500) == 1;
     if (runs && !ended) ::kill(rank, SIGKILL);
     ::close(alive[0]);
     return runs && stays && ended;

@@ -3,10 +3,11 @@
 
 #include <unistd.h>
 
-#include <atomic>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -17,10 +18,9 @@ namespace annulus_test {
 class Temporary_directory {
   public:
     Temporary_directory() {
-        static std::atomic<unsigned> next{0};
-        path_ = std::filesystem::temp_directory_path() /
-                ("annulus-io-" + std::to_string(::getpid()) + "-" + std::to_string(next++));
-        std::filesystem::create_directory(path_);
+        std::string name = (std::filesystem::temp_directory_path() / "annulus-io-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + " cannot be made");
+        path_ = name;
     }
     ~Temporary_directory() {
         std::error_code ignored;

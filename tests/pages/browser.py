@@ -2,17 +2,19 @@
 """Chromium without a window, spoken to by the DevTools protocol (Debian: chromium, python3-websocket)."""
 
 import base64
+import collections
 import itertools
 import json
 import os
 import shutil
 import subprocess
 import tempfile
+import threading
 from pathlib import Path
 
 import websocket
 
-LIMIT = 60  # seconds for an answer
+LIMIT = 1800  # seconds for an answer: against what hangs
 
 
 class Browser:
@@ -38,6 +40,8 @@ class Browser:
                 break
         else:
             raise RuntimeError("chromium does not start:\n" + "".join(said))
+        # What else it says goes: a pipe that is full would stop it.
+        threading.Thread(target=collections.deque, args=(self.process.stderr, 0), daemon=True).start()
         self.socket = websocket.create_connection(line.split()[-1], timeout=LIMIT)
         self.numbers, self.events = itertools.count(1), []
 
@@ -119,7 +123,7 @@ class Page:
 
     def complaints(self):
         """What the console has of warnings and errors, and exceptions."""
-        self.evaluate("new Promise(done => setTimeout(done, 50))")
+        self.evaluate("document.fonts.ready.then(() => new Promise(done => setTimeout(done, 0)))")  # what was to be done next is done
         found = [str(p["args"]) for p in self.ours("Runtime.consoleAPICalled") if p["type"] in ("error", "warning", "assert")]
         found += [p["entry"]["text"] for p in self.ours("Log.entryAdded") if p["entry"]["level"] in ("error", "warning")]
         return found + [str(p["exceptionDetails"]) for p in self.ours("Runtime.exceptionThrown")]

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The soak test: every kind of motion under every strategy for tens of thousands of steps, audited. tests/soak runs it.
 #include <soak_test/run.h>
-
-#include <sys/personality.h>
-#include <unistd.h>
+#include <support/same_addresses.h>
 
 #include <charconv>
 #include <chrono>
@@ -107,19 +105,10 @@ bool parse(int argc, char* argv[], Arguments& a) {
     return true;
 }
 
-/// CGAL removes a vertex of space in an order that depends on addresses, and with it go the numbers of cells. So that a seed
-/// means the same run, the program starts anew without the randomisation of addresses, where the system allows it.
-void same_addresses_every_time(char* argv[]) {
-    const int persona = personality(0xffffffff);
-    if (persona == -1 || (persona & ADDR_NO_RANDOMIZE) != 0) return;
-    if (personality(static_cast<unsigned long>(persona) | ADDR_NO_RANDOMIZE) == -1) return;
-    execv("/proc/self/exe", argv);  // returns only if it fails
-}
-
 }  // namespace
 
 int main(int argc, char* argv[]) {
-    same_addresses_every_time(argv);
+    annulus::testing::same_addresses_every_time(argv);
     Arguments arguments;
     if (!parse(argc, argv, arguments)) {
         std::cerr << usage;

@@ -1,17 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Faults of the machine: full disks, no memory, no standard output, signals at any time.
+"""Faults of the machine: full disks, no memory, no standard output, signals at any place.
 
 usage: test_faults.py --tool=PATH [CLASS[.METHOD]...]
 """
 
+import itertools
 import json
 import os
-import random
 import resource
 import signal
 import subprocess
-import time
 from pathlib import Path
 
 import tool
@@ -44,7 +43,7 @@ class Faults(ToolTest):
             for name, value in limits.items():
                 resource.setrlimit(getattr(resource, name), (value, value))
         return subprocess.run([OPTIONS["tool"], *map(str, words)], cwd=self.here, stdin=subprocess.DEVNULL,
-                              capture_output=True, text=True, timeout=60, check=False, preexec_fn=limit)
+                              capture_output=True, text=True, timeout=tool.HANGING, check=False, preexec_fn=limit)
 
     def assert_one_line(self, done, pattern, words):
         self.assertEqual(done.returncode, 4, f"{words}: {done.stderr}")
@@ -55,13 +54,13 @@ class Faults(ToolTest):
                       ["compare", "--", "lloyd", "--help"]]:
             with self.subTest(words=words), open("/dev/full", "w", encoding="utf-8") as full:
                 done = subprocess.run([OPTIONS["tool"], *words], cwd=self.here, stdin=subprocess.DEVNULL, stdout=full,
-                                      stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+                                      stderr=subprocess.PIPE, text=True, timeout=tool.HANGING, check=False)
                 self.assert_one_line(done, "standard output: (No space left on device|not all could be written)", words)
 
     def test_closed_streams(self):
         # A file of the results must not become standard output.
         done = subprocess.run([OPTIONS["tool"], *LLOYD, "--output", "out"], cwd=self.here, stderr=subprocess.PIPE, text=True,
-                              timeout=60, check=False, preexec_fn=lambda: (os.close(0), os.close(1)))
+                              timeout=tool.HANGING, check=False, preexec_fn=lambda: (os.close(0), os.close(1)))
         self.assert_one_line(done, "standard output: Bad file descriptor", LLOYD)
         self.assertEqual({p.name for p in (self.here / "out").iterdir()}, RUN_FILES)
         for name in RUN_FILES:
@@ -104,26 +103,28 @@ class Faults(ToolTest):
             self.assertGreater(failed, 1, words)
 
 
+    def test_threads_that_cannot_be_had(self):
+        """Fewer do the same."""
+        self.succeed("generate", "uniform", "--points", 20000, "--dim", 3, "--output", "many.xyz")
+        for words, file in ((["lloyd", "--points", "20000", "--iterations", "2"], "final.vtu"), (["degeneracy", "many.xyz"], "degeneracy.json"),
+                            (["nodt", "--sphere", "--vertices", "500", "--iterations", "2"], "final.vtu")):
+            found = []
+            for threads, environment in ((1, None), (4, tool.with_threads(0)), (4, tool.with_threads(1))):
+                done = self.run_tool(*words, "--threads", threads, "--output", "out", "--quiet", env=environment)
+                self.assertEqual((done.returncode, done.stderr), (0, ""), words)
+                text = (self.here / "out" / file).read_text(encoding="utf-8")
+                found.append(json.loads(text)["bicells"] if file.endswith(".json") else text)
+            self.assertEqual(found, [found[0]] * 3, words)
+
+
 class Signals(ToolTest):
     LONG = ["lloyd", "--points", "300", "--iterations", "100000000", "--audit", "0"]
 
-    def start(self, *words):
-        run = subprocess.Popen([OPTIONS["tool"], *map(str, words)], cwd=self.here, stdin=subprocess.DEVNULL,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.addCleanup(lambda: (run.kill(), run.communicate()))
-        return run
-
-    def interrupted(self, number, *words, partial="out.partial", after=0.3):
-        for attempt in range(6):  # a busy machine may not have begun; then there is nothing to keep
-            run = self.start(*words)
-            time.sleep(after * 2 ** attempt)
-            run.send_signal(number)
-            out, err = run.communicate(timeout=60)
-            self.assertEqual((run.returncode, out), (-number, ""))
-            if err:
-                break
-            self.assertEqual([n for n in self.listing() if "annulus" in n or "partial" in n], [])
-        self.assertRegex(err, rf"\Aannulus: interrupted after \d+ of \d+ steps; what was done is in {partial}\n\Z")
+    def interrupted(self, number, *words, partial="out.partial", steps=r"[1-9]\d*"):
+        """At one of the looks at a clock of which every step has some, and starting has few."""
+        done = self.run_tool(*words, env=tool.at(number, 1000, "clock"))
+        self.assertEqual((done.returncode, done.stdout), (-number, ""))
+        self.assertRegex(done.stderr, rf"\Aannulus: interrupted after {steps} of \d+ steps; what was done is in {partial}\n\Z")
         self.assertFalse((self.here / "out").exists())
         return self.here / partial
 
@@ -145,7 +146,8 @@ class Signals(ToolTest):
                                    "--audit", "0", "--output", "out")
         self.assertIn("domain.mesh", {p.name for p in partial.iterdir()})
         self.assertIs(self.summary("out.partial")["interrupted"], True)
-        partial = self.interrupted(signal.SIGTERM, "compare", "--output", "out", "--", *self.LONG)
+        # It records steps before any strategy follows them.
+        partial = self.interrupted(signal.SIGTERM, "compare", "--output", "out", "--", *self.LONG, steps=r"\d+")
         comparison = json.loads((partial / "compare.json").read_text(encoding="utf-8"))
         self.assertIs(comparison["interrupted"], True)
         self.assertNotIn("agree", comparison)
@@ -156,38 +158,38 @@ class Signals(ToolTest):
         self.assertNotIn("interrupted", self.summary("out"))
 
     def test_nothing_to_keep(self):
-        run = self.start(*self.LONG)
-        time.sleep(0.2)
-        run.terminate()
-        self.assertEqual((*run.communicate(timeout=60), run.returncode), ("", "", -signal.SIGTERM))
+        done = self.run_tool(*self.LONG, env=tool.at(signal.SIGTERM, 1000, "clock"))
+        self.assertEqual((done.stdout, done.stderr, done.returncode), ("", "", -signal.SIGTERM))
         self.assertEqual(self.listing(), [])
 
-    def test_killed_at_any_time(self):
-        """The old directory or the new one, whole, under its name; what else is left is hidden and does not disturb."""
-        words = ["lloyd", "--points", "2000", "--iterations", "2", "--quiet", "--output", "out"]
-        bits = random.Random(1)
+    def test_killed_at_any_change(self):
+        """The old directory or the new one, whole, under its name; what else is left is hidden and does not disturb. Before each call that
+        changes a file, and there is no other time that could be told from these by what is left."""
+        words = ["lloyd", "--points", "60", "--iterations", "2", "--quiet", "--output", "out"]
         for target in ("new", "old"):
-            start = time.monotonic()
-            self.succeed(*words)
-            whole = time.monotonic() - start
-            final = set()
-            for number in (signal.SIGKILL, signal.SIGTERM) * 8:
-                if target == "new":
-                    self.clear()
-                run = self.start(*words, "--seed", "7")
-                time.sleep(whole * bits.uniform(0, 1.1))
-                run.send_signal(number)
-                run.wait(timeout=60)
-                out = self.here / "out"
-                if out.exists() or target == "old":
-                    self.assertEqual({p.name for p in out.iterdir()}, RUN_FILES, number)
-                    self.assertIn(self.summary("out")["seed"], (1, 7))
-                    (out / "final.vtu").read_text(encoding="utf-8").index("</VTKFile>")
-                    final.add(self.summary("out")["seed"])
-                if number == signal.SIGTERM:
-                    self.assertLessEqual(set(self.listing_of_top()), {"out", "out.partial"} | self.litter)
-                self.litter = {n for n in self.listing_of_top() if n.startswith(".annulus-")}
-            self.succeed(*words)
+            for number in (signal.SIGKILL, signal.SIGTERM):
+                self.succeed(*words)
+                final, ended = [], 0
+                for count in itertools.count(1):
+                    if target == "new":
+                        self.clear()
+                    done = self.run_tool(*words, "--seed", "7", env=tool.at(number, count, "change"))
+                    ended += done.returncode == -number
+                    out = self.here / "out"
+                    if out.exists() or target == "old":
+                        self.assertEqual({p.name for p in out.iterdir()}, RUN_FILES, (target, number, count))
+                        final.append(self.summary("out")["seed"])
+                        self.assertIn(final[-1], (1, 7))
+                        (out / "final.vtu").read_text(encoding="utf-8").index("</VTKFile>")
+                    if number == signal.SIGTERM:
+                        self.assertLessEqual(set(self.listing_of_top()), {"out", "out.partial"} | self.litter)
+                    self.litter = {n for n in self.listing_of_top() if n.startswith(".annulus-")}
+                    if done.returncode == 0:
+                        break
+                    self.assertEqual((done.returncode, done.stdout), (-number, ""), (target, number, count))
+                self.assertGreater(ended, 10, "the places are not found")
+                self.assertEqual(final[-1], 7)
+                self.clear()
 
     litter = set()
 

@@ -8,8 +8,6 @@ import json
 import random
 import re
 import signal
-import subprocess
-import time
 import unittest
 import xml.etree.ElementTree
 from fractions import Fraction
@@ -326,15 +324,10 @@ class Frames(tool.ToolTest):
         self.assertEqual(self.listing()[0], "motion.xyz")
 
     def test_an_interrupted_run_keeps_its_frames(self):
-        words = [tool.OPTIONS["tool"], "lloyd", "--points", "200", "--iterations", "1000000", "--audit", "0", "--every", "5", "--changes",
+        words = ["lloyd", "--points", "200", "--iterations", "1000000", "--audit", "0", "--every", "5", "--changes",
                  "--output", "out", "--quiet"]
-        with subprocess.Popen(words, cwd=self.here, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as run:
-            while not any(self.here.glob(".annulus-*/content/frame-000010.vtu")):
-                self.assertIsNone(run.poll())
-                time.sleep(0.01)
-            run.send_signal(signal.SIGINT)
-            run.communicate(timeout=60)
-        self.assertEqual(run.returncode, -signal.SIGINT)
+        done = self.run_tool(*words, env=tool.at(signal.SIGINT, 1, "open", "frame-000010.vtu"))
+        self.assertEqual(done.returncode, -signal.SIGINT)
         self.assertGreaterEqual(len(self.series("out.partial")), 3)
         self.assertEqual({p.name for p in self.here.iterdir()}, {"out.partial"})
 

@@ -7,7 +7,6 @@ import math
 import os
 import signal
 import subprocess
-import time
 
 import tool
 
@@ -89,7 +88,7 @@ class Generate(tool.ToolTest):
     def test_through_a_pipe(self):
         tool_path = tool.OPTIONS["tool"]
         done = subprocess.run(f"'{tool_path}' generate shear -n 200 --steps 50 --dim 3 --format lammps | '{tool_path}' replay - --format lammps --audit 10",
-                              shell=True, cwd=self.here, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+                              shell=True, cwd=self.here, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=tool.HANGING, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("200 vertices, 50 iterations", done.stdout)
         self.assertIn("5 checked, all Delaunay", done.stdout)
@@ -111,20 +110,14 @@ class Generate(tool.ToolTest):
         if os.path.exists("/dev/full"):
             with open("/dev/full", "w", encoding="utf-8") as full:
                 done = subprocess.run([tool.OPTIONS["tool"], "generate", "walk", "-n", "30"], stdout=full, stderr=subprocess.PIPE,
-                                      text=True, timeout=60, check=False)
+                                      text=True, timeout=tool.HANGING, check=False)
             self.assertEqual(done.returncode, 4)
             self.assertRegex(done.stderr, r"\Aannulus: standard output[^\n]*\n\Z")
 
     def test_an_interrupted_file_is_none(self):
-        run = subprocess.Popen([tool.OPTIONS["tool"], "generate", "walk", "-n", "1000", "--steps", "1000000", "--output", "a.csv.gz"],
-                               cwd=self.here)
-        self.addCleanup(lambda: (run.kill(), run.wait()))
-        for _ in range(100):
-            if self.listing():
-                break
-            time.sleep(0.05)
-        run.send_signal(signal.SIGINT)
-        self.assertEqual(run.wait(timeout=60), -signal.SIGINT)
+        done = self.run_tool("generate", "walk", "-n", "1000", "--steps", "1000000", "--output", "a.csv.gz",
+                             env=tool.at(signal.SIGINT, 3, "write", "a.csv.gz"))
+        self.assertEqual(done.returncode, -signal.SIGINT)
         self.assertEqual(self.listing(), [])
 
     def test_packed(self):

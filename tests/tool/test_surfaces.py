@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`annulus nodt` on surfaces that something is wrong with: it ends, by itself, with a mesh or one line.
 
-usage: test_surfaces.py --tool=PATH [CLASS[.METHOD]...]; ANNULUS_MUTANTS=N and ANNULUS_SEED=N for more and other mutants
+usage: test_surfaces.py --tool=PATH [CLASS[.METHOD]...]; ANNULUS_MUTANTS=N and ANNULUS_TEST_SEED=N for more and other mutants
 """
 
 import os
@@ -35,7 +35,7 @@ class Surfaces(ToolTest):
         words = ["nodt", "--surface", "a.off", "--vertices", vertices, "--iterations", "2", *more]
         return subprocess.run([OPTIONS["tool"], *map(str, words)], cwd=self.here, stdin=subprocess.DEVNULL,
                               capture_output=True, text=True, check=False,
-                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (60, 60)))  # not of the clock
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (tool.HANGING, tool.HANGING)))  # not of the clock
 
     def judge(self, done, what):
         if done.returncode == 0:
@@ -97,7 +97,7 @@ class Surfaces(ToolTest):
 
     def test_mutants(self):
         """Moved, merged, flattened corners; faces dropped, turned, repeated; numbers from the ends of the doubles."""
-        seed = int(os.environ.get("ANNULUS_SEED", "1"))
+        seed = tool.SEED
         statuses = {0: 0, 3: 0}
         for i in range(int(os.environ.get("ANNULUS_MUTANTS", "15"))):
             with self.subTest(seed=seed, mutant=i):

@@ -8,8 +8,8 @@ usage: test_sweep_faults.py --tool=PATH [CLASS[.METHOD]...]
 import json
 import os
 import resource
+import signal
 import subprocess
-import time
 
 import test_sweep
 import tool
@@ -45,7 +45,7 @@ class Specification(test_sweep.SweepTest):
     def test_a_long_list(self):
         seeds = ", ".join(map(str, range(600_000)))
         self.write("spec.toml", f"[[grid]]\npoints = 20\nseeds = [{seeds}]\n")
-        self.assertEqual(self.run_tool("sweep", "spec.toml", "--check", timeout=60).returncode, 0)
+        self.assertEqual(self.run_tool("sweep", "spec.toml", "--check").returncode, 0)
 
     def test_too_large_for_a_float(self):
         self.xyz("far.xyz", [(0.0, 0.0), (1e50, 0.0), (0.0, 1.0)])
@@ -101,16 +101,14 @@ class Directory(test_sweep.SweepTest):
 
 class Journal(test_sweep.SweepTest):
     def interrupt(self, lines):
-        """Leaves a journal of so many lines or more, and returns them."""
+        """Leaves a journal of so many lines, and returns them."""
         self.write("spec.toml", test_sweep.LONGER)
-        run = subprocess.Popen([tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out", "--quiet"], cwd=self.here)
-        file = self.here / "out" / test_sweep.JOURNAL
-        while run.poll() is None and (not file.exists() or file.read_bytes().count(b"\n") < lines):
-            time.sleep(0.01)
-        run.kill()
-        run.wait()
-        self.assertTrue(file.exists(), "too quick for this test")
-        return file.read_bytes().splitlines(keepends=True)
+        done = self.run_tool("sweep", "spec.toml", "--output", "out", "--quiet",
+                             env=tool.at(signal.SIGKILL, lines + 1, "pwrite", test_sweep.JOURNAL))
+        self.assertEqual(done.returncode, -signal.SIGKILL, done.stderr)
+        left = (self.here / "out" / test_sweep.JOURNAL).read_bytes().splitlines(keepends=True)
+        self.assertEqual(len(left), lines)
+        return left
 
     def test_force_begins_anew(self):
         self.interrupt(4)
@@ -135,19 +133,16 @@ class Journal(test_sweep.SweepTest):
             self.assertEqual(file.read_bytes(), damaged)
         for cut in (0, 20, len(lines[0]) - 1):  # nothing was done yet
             file.write_bytes(lines[0][:cut])
-            run = subprocess.Popen([tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out", "--quiet"], cwd=self.here, stderr=subprocess.PIPE)
-            while run.poll() is None and file.read_bytes()[:len(lines[0])] != lines[0]:
-                time.sleep(0.01)
-            run.kill()
-            self.assertEqual(run.communicate()[1], b"")
-            self.assertEqual(file.read_bytes()[:len(lines[0])], lines[0])
+            done = self.run_tool("sweep", "spec.toml", "--output", "out", "--quiet", env=tool.at(signal.SIGKILL, 2, "pwrite", test_sweep.JOURNAL))
+            self.assertEqual((done.returncode, done.stderr), (-signal.SIGKILL, ""))
+            self.assertEqual(file.read_bytes(), lines[0])
 
 
 class Limits(test_sweep.SweepTest):
     def test_threads_that_cannot_be_had(self):
         """Fewer do as well, and leave what they need: addresses are used up by threads, and then by what these do."""
         def run(megabytes, *words):
-            return subprocess.run([tool.OPTIONS["tool"], *words], cwd=self.here, capture_output=True, text=True, timeout=60, check=False,
+            return subprocess.run([tool.OPTIONS["tool"], *words], cwd=self.here, capture_output=True, text=True, timeout=tool.HANGING, check=False,
                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20)))
 
         if run(300, "--version").returncode != 0:

@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 
 import tool
-from test_sweep import LONGER, SPEC, SweepTest
+from test_sweep import JOURNAL, LONGER, SPEC, SweepTest
 from test_sweep_resumed import Stopped
 
 SKIPPED = 77
@@ -54,56 +54,49 @@ def ranks_of(launcher):
 class Killed(Stopped):
     def until_all_are_gone(self, run, ranks):
         """Ranks do not outlive one of them, nor mpirun; nor does mpirun outlive them."""
-        begin = time.monotonic()
-        while left := [p for p in ranks.values() if (stat_of(p) or (0, "Z"))[1] != "Z"]:
-            self.assertLess(time.monotonic() - begin, 30, f"still running: {left}")
+        while [p for p in ranks.values() if (stat_of(p) or (0, "Z"))[1] != "Z"]:
             time.sleep(0.02)
         try:
-            run.communicate(timeout=60)
+            run.communicate(timeout=tool.HANGING)
         except subprocess.TimeoutExpired:
             self.fail("mpirun does not end")
 
     def kill(self, kept, victim):
-        """Starts three ranks, waits until the journal has some more lines, and kills one of them, or mpirun. False: all was done before."""
-        run = self.start(*mpirun(3), threads=1)
+        """Starts three ranks, of which the first stops before its fifth line of the journal, so that none can come to its end, and kills one
+        of them, or mpirun. That ends the others, stopped ones too."""
+        run = self.start(*mpirun(3), threads=1, env=tool.at(signal.SIGSTOP, 5, "pwrite", JOURNAL, rank=0))
         self.addCleanup(lambda: run.poll() is None and run.kill())
-        self.wait_for_lines(run, kept + 4)
-        ranks = ranks_of(run.pid)
-        if sorted(ranks) != [0, 1, 2] or run.poll() is not None:  # they may have come to their end in the meantime, and nothing else
-            self.until_all_are_gone(run, ranks)
-            self.assertEqual(run.returncode, 0)
-            return False
-        try:
-            os.kill(run.pid if victim == "mpirun" else ranks[victim], signal.SIGKILL)
-        except ProcessLookupError:
-            pass
+        ranks = {}
+        while sorted(ranks) != [0, 1, 2] or (stat_of(ranks[0]) or (0, "gone"))[1] != "T":
+            self.assertIsNone(run.poll())
+            time.sleep(0.02)
+            ranks = ranks_of(run.pid)
+        self.assertEqual(self.journal_lines(), kept + 4)
+        os.kill(run.pid if victim == "mpirun" else ranks[victim], signal.SIGKILL)
         self.until_all_are_gone(run, ranks)
-        return run.returncode != 0
+        self.assertNotEqual(run.returncode, 0)
 
-    def test_killed_at_any_time(self):
+    def test_killed_at_any_line(self):
         """One rank, which takes the others with it, or mpirun; what they were doing is all that is lost."""
         whole = self.sweep(LONGER, "whole")
         kept = 0
-        killed = []
         for victim in (1, 0, "mpirun", 2):
-            if not self.kill(kept, victim):
-                break
-            killed.append(victim)
+            self.kill(kept, victim)
             lines = self.journal_lines()
-            self.assertGreaterEqual(lines, kept)
+            self.assertGreaterEqual(lines, kept + 4)
             kept = lines
             print(f"killed: {victim}, {kept} lines in the journal")
-        self.assertGreater(len(killed), 0, "too quick for this test: nobody was killed")
-        if (self.here / "out" / ".sweep-journal").exists():
-            done = subprocess.run([*mpirun(2), tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out"], cwd=self.here, capture_output=True,
-                                  text=True, timeout=120, check=True)
-            self.assertRegex(done.stdout, f"of which {kept - 1} (was|were) done before")  # one line is the head
+            if kept > 26:  # four more are needed; which are written before all have gone is open
+                break
+        done = subprocess.run([*mpirun(2), tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out"], cwd=self.here, capture_output=True,
+                              text=True, timeout=tool.HANGING, check=True)
+        self.assertIn(f"of which {kept - 1} were done before", done.stdout)  # one line is the head
         self.assertEqual(self.results("out"), whole)
 
 
 class Ranks(SweepTest):
     def run_ranks(self, n, *words, status=0):
-        done = subprocess.run([*mpirun(n), tool.OPTIONS["tool"], "sweep", *words], cwd=self.here, capture_output=True, text=True, timeout=120,
+        done = subprocess.run([*mpirun(n), tool.OPTIONS["tool"], "sweep", *words], cwd=self.here, capture_output=True, text=True, timeout=tool.HANGING,
                               check=False)
         self.assertEqual(done.returncode, status, done.stderr)
         return done
@@ -114,8 +107,13 @@ class Ranks(SweepTest):
             done = self.run_ranks(n, "spec.toml", "--output", f"{n}x{threads}", "--threads", str(threads))
             self.assertEqual(done.stdout.count("written to"), 1)
             self.assertEqual(self.results(f"{n}x{threads}"), one)
-        ranks = {line["rank"] for line in self.lines("4x1", "costs.jsonl")}
-        self.assertGreater(len(ranks), 1, "one rank did everything")
+        # Who asks first gets more: one rank may have done everything, and a busy machine is no fault of ours. Not so always.
+        for _ in range(20):
+            if len({line["rank"] for line in self.lines("4x1", "costs.jsonl")}) > 1:
+                break
+            self.run_ranks(4, "spec.toml", "--output", "4x1", "--threads", "1", "--force")
+        else:
+            self.fail("one rank does everything")
 
     def test_faults_come_once(self):
         self.write("bad.xyz", "1 2\n3 x\n")
@@ -132,7 +130,7 @@ class Ranks(SweepTest):
                                                  "--output", str(self.here / "out")]
         run = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
         try:
-            _, said = run.communicate(timeout=60)
+            _, said = run.communicate(timeout=tool.HANGING)
         except subprocess.TimeoutExpired:
             os.killpg(run.pid, signal.SIGKILL)
             run.communicate()

@@ -5,10 +5,8 @@
 usage: test_sweep_resumed.py --tool=PATH [CLASS[.METHOD]...]
 """
 
-import random
 import signal
 import subprocess
-import time
 
 import test_sweep
 import tool
@@ -18,9 +16,9 @@ from test_sweep import FILES, JOURNAL, LONGER, SPEC
 class Stopped(test_sweep.SweepTest):
     """A sweep that is to be stopped, and what is left of it."""
 
-    def start(self, *launcher, threads=2):
+    def start(self, *launcher, threads=2, **more):
         return subprocess.Popen([*launcher, tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out", "--quiet", "--threads", str(threads)],
-                                cwd=self.here, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True)
+                                cwd=self.here, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True, **more)
 
     def journal_lines(self):
         """With the head; a line that was cut off is none."""
@@ -29,10 +27,6 @@ class Stopped(test_sweep.SweepTest):
         except FileNotFoundError:
             return 0
 
-    def wait_for_lines(self, run, n):
-        while run.poll() is None and self.journal_lines() < n:
-            time.sleep(0.01)
-
 
 class Interrupted(Stopped):
     def test_threads_and_memory(self):
@@ -40,39 +34,30 @@ class Interrupted(Stopped):
         for i, words in enumerate((["--threads", "4"], ["--threads", "3", "--memory", "0.002"])):
             self.assertEqual(self.sweep(SPEC, f"more{i}", *words), one)
 
-    def test_killed_at_any_time(self):
+    def test_killed_at_any_line(self):
+        """Before one of the lines of its journal is written: of each run, so many after those that were there."""
         whole = self.sweep(LONGER, "whole")
-        dice = random.Random()
-        seed = dice.randrange(10**6)
-        print("seed of the kills:", seed)
-        dice.seed(seed)
-        kept = killed = 0
-        for turn in range(4):
-            run = self.start()
-            self.wait_for_lines(run, kept + dice.randrange(2, 7))
-            run.kill()
-            killed += run.wait() == -signal.SIGKILL
+        kept = 0
+        for turn, count in enumerate((3, 6, 1, 2)):
+            # The head is a line, too, which a journal that is there has.
+            run = self.start(env=tool.at(signal.SIGKILL, count, "pwrite", JOURNAL))
+            self.assertEqual(run.wait(), -signal.SIGKILL)
             run.stderr.close()
-            if not (self.here / "out" / JOURNAL).exists():
-                break
-            lines = self.journal_lines()
-            self.assertGreaterEqual(lines, kept)  # nothing is lost
-            kept = lines
+            kept += count - 1
+            self.assertEqual(self.journal_lines(), kept)  # nothing is lost
             if turn == 1:  # as a crash of the machine may leave it
                 with open(self.here / "out" / JOURNAL, "ab") as journal:
                     journal.write(b"1234abcd {\"trial\":0,\"li")
-        self.assertGreater(killed, 0, "too quick for this test: nothing was killed")
-        self.succeed("sweep", "spec.toml", "--output", "out", "--quiet")
+        self.assertIn(f"of which {kept - 1} were done before", self.succeed("sweep", "spec.toml", "--output", "out").stdout)
         self.assertEqual(self.results("out"), whole)
 
     def test_interrupted(self):
+        """The signal comes between two lines of the journal. What has begun is finished or not; nothing else begins."""
         whole = self.sweep(LONGER, "whole")
-        run = self.start()
-        self.wait_for_lines(run, 3)
-        run.send_signal(signal.SIGINT)
+        run = self.start(env=tool.at(signal.SIGINT, 4, "pwrite", JOURNAL))
         text = run.communicate()[1]
         self.assertEqual(run.returncode, -signal.SIGINT)
-        self.assertRegex(text, r"\Aannulus: interrupted: \d+ of 30 trials are kept in out, [^\n]+\n\Z")
+        self.assertRegex(text, r"\Aannulus: interrupted: [1-9]\d* of 30 trials are kept in out, [^\n]+\n\Z")
         self.assertEqual([p.name for p in (self.here / "out").iterdir()], [JOURNAL])
         done = self.succeed("sweep", "spec.toml", "--output", "out")
         self.assertRegex(done.stdout, r"of which [1-9]\d* (was|were) done before")
@@ -91,9 +76,8 @@ class Interrupted(Stopped):
 
     def test_another_specification(self):
         self.write("spec.toml", LONGER)
-        run = self.start()
-        self.wait_for_lines(run, 2)
-        run.send_signal(signal.SIGSTOP)  # it writes as long as we look
+        run = self.start(env=tool.at(signal.SIGSTOP, 3, "pwrite", JOURNAL))  # it writes as long as we look
+        tool.until_it_stops(run)
         self.assertIn("another sweep is writing", self.refuse_now("sweep", "spec.toml", "--output", "out"))
         run.kill()
         run.wait()

@@ -98,7 +98,7 @@ class Spec(test_sweep.SweepTest):
         """As under srun without PMI, or in a build without MPI: several processes, each of which would run everything."""
         self.write("spec.toml", SPEC)
         done = subprocess.run([tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out"], cwd=self.here, capture_output=True, text=True,
-                              env={**os.environ, "SLURM_STEP_NUM_TASKS": "2"}, timeout=60, check=False)
+                              env={**os.environ, "SLURM_STEP_NUM_TASKS": "2"}, timeout=tool.HANGING, check=False)
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertRegex(done.stderr, r"\Aannulus: started as one of 2 processes, [^\n]+\n\Z")
         self.assertEqual(self.listing(), ["spec.toml"])

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`annulus nodt --mesh`: tetrahedral meshes from files, good ones and others, and what becomes of them.
 
-usage: test_tetrahedra.py --tool=PATH [CLASS[.METHOD]...]; ANNULUS_MUTANTS=N and ANNULUS_SEED=N for more and other mutants
+usage: test_tetrahedra.py --tool=PATH [CLASS[.METHOD]...]; ANNULUS_MUTANTS=N and ANNULUS_TEST_SEED=N for more and other mutants
 """
 
 import os
@@ -191,7 +191,7 @@ class Tetrahedra(tool.ToolTest):
 
     def test_mutants(self):
         """Moved and merged vertices, cells dropped, turned, repeated, joined to others: a mesh or one line with the file's name."""
-        seed = int(os.environ.get("ANNULUS_SEED", "1"))
+        seed = tool.SEED
         statuses = Counter()
         for i in range(int(os.environ.get("ANNULUS_MUTANTS", "40"))):
             with self.subTest(seed=seed, mutant=i):

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What every test of the built tool shares: running it in a directory of its own, and looking at what comes out."""
 
+import atexit
 import base64
+import functools
 import json
 import os
+import shutil
 import signal
 import struct
 import subprocess
@@ -15,6 +18,9 @@ import zlib
 from pathlib import Path
 
 OPTIONS = {}  # given on the command line; "tool" always
+# What is drawn is drawn from this, the same every time; ANNULUS_TEST_SEED for other draws (tools/explore).
+SEED = int(os.environ.get("ANNULUS_TEST_SEED") or (Path(__file__).resolve().parents[1] / "seed").read_text(encoding="ascii"))
+HANGING = 1800  # seconds: no call takes a hundredth of it, and a machine may be very busy
 STRATEGIES = ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "hybrid"]
 RUN_FILES = {"summary.json", "iterations.csv", "final.mesh", "final.vtu", "report.html"}
 SUMMARY = {
@@ -50,28 +56,58 @@ def vtu_values(file, name):
     return struct.unpack(f"<{len(out) // struct.calcsize(code)}{code}", out)
 
 
+@functools.cache
+def at_call():
+    """at_call.c as a library to be preloaded."""
+    where = tempfile.mkdtemp()
+    atexit.register(shutil.rmtree, where)
+    library = os.path.join(where, "at_call.so")
+    subprocess.run([os.environ.get("CC") or "cc", "-shared", "-fPIC", "-O1", "-o", library, str(Path(__file__).with_name("at_call.c")), "-ldl"], check=True)
+    return library
+
+
+def at(number, count, call, part="", rank=None):
+    """The environment in which the tool sends itself this signal before its `count`-th `call` on a file with `part` in its path (at_call.c): at
+    a place of the program, whatever the clock says and however busy the machine is."""
+    ranks = {} if rank is None else {"ANNULUS_AT_RANK": str(rank)}
+    return {**os.environ, **ranks, "LD_PRELOAD": at_call(), "ANNULUS_AT": f"{int(number)} {count} {call} {part}"}
+
+
+def with_threads(n):
+    """The environment in which the tool is given so many threads at once beside its first one, and no more."""
+    return {**os.environ, "LD_PRELOAD": at_call(), "ANNULUS_THREADS": str(n)}
+
+
+def until_it_stops(run):
+    """A process of ours that a SIGSTOP of at() is to stop."""
+    _, status = os.waitpid(run.pid, os.WUNTRACED)
+    if not os.WIFSTOPPED(status):
+        run.returncode = os.waitstatus_to_exitcode(status)
+        raise AssertionError(f"it ended with {run.returncode} instead of stopping")
+
+
 class ToolTest(unittest.TestCase):
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.here = Path(scratch.name)
 
-    def run_tool(self, *words, timeout=60):
+    def run_tool(self, *words, **more):
         return subprocess.run([OPTIONS["tool"], *map(str, words)], cwd=self.here, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=timeout, check=False)
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=HANGING, check=False, **more)
 
     def succeed(self, *words):
         done = self.run_tool(*words)
         self.assertEqual(done.returncode, 0, f"{words}: {done.stderr}")
         return done
 
-    def refuse(self, status, *words, timeout=20):
+    def refuse(self, status, *words):
         """Exit status, nothing on standard output, exactly one line on standard error; returns that line."""
         before = self.listing()
         try:
-            done = self.run_tool(*words, timeout=timeout)
+            done = self.run_tool(*words)
         except subprocess.TimeoutExpired:
-            self.fail(f"{words}: still running after {timeout} s, expected exit status {status}")
+            self.fail(f"{words}: still running after {HANGING} s, expected exit status {status}")
         self.assertEqual(done.returncode, status, f"{words}: {done.stdout}{done.stderr}")
         self.assertEqual(done.stdout, "", words)
         self.assertRegex(done.stderr, r"\Aannulus: [^\n]+\n\Z", words)

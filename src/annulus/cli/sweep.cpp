@@ -148,7 +148,11 @@ void compute(const Sweep_call& a, const Spec& spec, Coordinator& c, Ranks& ranks
         progress.show(c.done(), ranks.size() > 1 ? counted(static_cast<std::uint64_t>(ranks.size()), "rank") : "");
     };
     const Workers workers(
-        a.common.threads, spec, [&] { return c.wait_for_job(ranks.machine()); },
+        a.common.threads, spec,
+        [&]() -> std::optional<Schedule::Job> {  // after a signal nothing begins
+            if (Interruption_guard::interrupted()) return std::nullopt;
+            return c.wait_for_job(ranks.machine());
+        },
         [&](const Schedule::Job& job, const Trial_result& r) { c.finish(job.trial, ranks.machine(), 0, r); },
         [&](const Schedule::Job& job, const std::exception_ptr& why) { c.fail(job.trial, ranks.machine(), why); });
     ranks.serve(c, a.common.threads, poll);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/mesh/threads_at_hand.h>
+
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_pipeline.h>
@@ -12,11 +14,11 @@
 
 namespace annulus {
 
-/// Makes a call in which TBB has at most `threads` threads, that which calls among them.
+/// Makes a call in which TBB has at most `threads` threads, that which calls among them; one, where the system does not give so many.
 template <class Call>
 void in_arena(int threads, const Call& call) {
     // Asking for more than the machine has gains nothing, and oneTBB warns about it on stderr.
-    oneapi::tbb::task_arena arena(std::min(threads, oneapi::tbb::info::default_concurrency()));
+    oneapi::tbb::task_arena arena(threads_at_hand(threads));
     arena.execute(call);
 }
 
