@@ -6,9 +6,12 @@
 #include <annulus/cgal/insertion_order.h>
 #include <annulus/cgal/neighbours_2.h>
 #include <annulus/engine/embedding.h>
+#include <annulus/mesh/audit.h>
 #include <annulus/mesh/evaluate.h>
+#include <annulus/mesh/landmarks.h>
 #include <annulus/mesh/measures.h>
 #include <annulus/mesh/replace_cells.h>
+#include <annulus/mesh/walk.h>
 
 #include <type_traits>
 #include <utility>
@@ -94,6 +97,10 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     /// (padded with `none`).
     template <class Visit>
     void for_each_finite_cell(Visit visit) const;
+    /// Adds to a verdict what is wrong with CGAL's object itself: points of vertices that are not at x, cells that do
+    /// not fit together or are not those of the mirror. False when not every vertex of a cell has an index, so that
+    /// there are no cells to judge. O(n).
+    bool audit_object(std::span<const Coordinates<d>> x, Audit_result& result) const;
     /// Neighbour lists of every vertex, in the plane. O(n).
     void neighbours(Neighbour_lists& out) const;
 
@@ -123,6 +130,8 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
                            std::vector<Vertex_handle>* handle);
     void take_cells(Triangulation& other) noexcept;
 
+    bool audit_vertices(std::span<const Coordinates<d>> x, Audit_result& result) const;
+    void audit_adjacency(Audit_result& result) const;
     void put_in_order(std::vector<Cell_handle>& cells) const;
     void adopt(std::vector<Cell_handle> cells, std::vector<Cell_index> old, std::vector<Cell_index>& changed);
     void join_replaced(const std::vector<Cell_handle>& cells, std::vector<Cell_index>& old);
@@ -131,7 +140,11 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     void substitute(Vertex_handle old, Vertex_handle replacement);
     [[nodiscard]] std::vector<Cell_handle> take_out(Vertex_handle v);
     [[nodiscard]] bool detach(Index v, std::vector<Cell_index>& changed);
-    [[nodiscard]] bool attach(Index v, const Coordinates<d>& p, Vertex_handle near, std::vector<Cell_index>& changed);
+    [[nodiscard]] bool attach(std::span<const Coordinates<d>> home, Index v, const Coordinates<d>& p, Index near,
+                              std::vector<Cell_index>& changed);
+    class Walker;
+    [[nodiscard]] typename Traits::Place locate(std::span<const Coordinates<d>> home, const Coordinates<d>& p,
+                                                Index own);
     void exchange(Vertex_handle v, Vertex_handle inserted, const Coordinates<d>& p);
     /// Writes v's point when no topological change is needed. False, with nothing changed, when one is.
     [[nodiscard]] bool update_in_place(Index v, const Coordinates<d>& p);
@@ -153,6 +166,7 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
     By_cell<Cell_handle> cell_;
     std::vector<Vertex_handle> handle_;  // by vertex; default for a vacant index
     Insertion_order<d> order_;
+    Landmarks<d> landmarks_;
     bool mirrored_ = false;
     bool shuffled_ = false;  // CGAL's removal has had a say in the order of its cells
     double handle_seconds_ = 0.0;
@@ -162,5 +176,6 @@ class Cgal_embedding final : public Embedding<Traits::dimension> {
 
 #include <annulus/cgal/build.h>
 #include <annulus/cgal/mirror.h>
+#include <annulus/cgal/object_audit.h>
 #include <annulus/cgal/readings.h>
 #include <annulus/cgal/relocation.h>

@@ -6,8 +6,10 @@
 #include <annulus/cgal/insertion_order.h>
 #include <annulus/cgal/traits_2.h>
 #include <annulus/cgal/traits_3.h>
+#include <annulus/mesh/insert_vertex.h>
 #include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/table_readings.h>
+#include <annulus/mesh/walk.h>
 
 #include <algorithm>
 #include <exception>
@@ -151,34 +153,48 @@ void Mesh_embedding<d>::restore_cells(std::span<const Coordinates<d>> home, std:
 }
 
 template <int d>
-bool Mesh_embedding<d>::is_taken(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index but) const {
+Cell_index Mesh_embedding<d>::locate(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index own) {
+    const auto lives = [this](Index v) { return has(v) && table_.corner_of(v) != no_corner; };
+    const Index near = landmarks_.near(home, present_.size(), p, own, lives);
+    std::size_t steps = 0;
+    const Corner_index start = near != none ? table_.corner_of(near) : table_.corner_of_infinity();
+    const Cell_index c = walk_to<d>(Table_walker<d>(table_, home), p, table_.cell_of(start), steps);
+    landmarks_.note(Landmarks<d>::nearest(home, cell_points(table_, c), p, own), steps);
+    return c;
+}
+
+template <int d>
+bool Mesh_embedding<d>::is_taken(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index but) {
     if (dimension_ < d) {
         for (std::size_t v = 0; v < present_.size(); ++v)
             if (present_[v] != 0 && static_cast<Index>(v) != but && home[v] == p) return true;
         return false;
     }
-    const Cell_index c = locate<d>(table_, home, p, table_.cell_of(table_.corner_of_infinity()));
-    for (const Index v : cell_points(table_, c))
-        if (v != infinite && v != but && home[at(v)] == p) return true;
-    return false;
+    return is_at_corner(home, p, locate(home, p, but), but);
 }
 
-/// v goes to p, where nobody is.
+/// Whether a vertex of c, but one, is at p.
 template <int d>
-bool Mesh_embedding<d>::attach(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
-    const Cell_index c = locate<d>(table_, home, p, table_.cell_of(table_.corner_of_infinity()));
-    for (const Index w : cell_points(table_, c))
-        if (w != infinite && home[at(w)] == p) return false;
+bool Mesh_embedding<d>::is_at_corner(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Cell_index c,
+                                     Index but) const {
+    const auto points = cell_points(table_, c);
+    const auto is_there = [&](Index v) { return v != infinite && v != but && home[at(v)] == p; };
+    return std::any_of(points.begin(), points.end(), is_there);
+}
+
+/// v goes to p, where there is no vertex, in the cell `place`.
+template <int d>
+void Mesh_embedding<d>::attach(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, Cell_index place,
+                               std::vector<Cell_index>& changed) {
     const Coordinates<d> old = std::exchange(home[at(v)], p);
     const std::size_t first = changed.size();
     try {
-        if (!local_.insert(home, std::array{c}, v, changed)) replace_everything(home, changed);
+        insert_vertex<d>(table_, home, place, v, changed);
     } catch (...) {
         home[at(v)] = old;
         throw;
     }
     keep_present(changed, first);
-    return true;
 }
 
 /// False, with nothing changed, when the rest would be flat.
@@ -196,18 +212,21 @@ bool Mesh_embedding<d>::detach(std::span<const Coordinates<d>> home, Index v, st
 
 template <int d>
 bool Mesh_embedding<d>::insert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
-    if (is_taken(home, p, none)) return false;
+    const bool flat = dimension_ < d;
+    const Cell_index place = flat ? no_cell : locate(home, p, none);
+    if (flat ? is_taken(home, p, none) : is_at_corner(home, p, place, none)) return false;
     builder_->order.note_coming(v);
     if (at(v) >= present_.size()) present_.resize(at(v) + 1, 0);
     present_[at(v)] = 1;
     ++vertices_;
-    if (dimension_ < d) {
+    if (flat) {
         home[at(v)] = p;
         rebuild(home);
         return true;
     }
     table_.set_vertex_bound(present_.size());
-    return attach(home, v, p, changed);
+    attach(home, v, p, place, changed);
+    return true;
 }
 
 template <int d>
@@ -227,7 +246,7 @@ template <int d>
 bool Mesh_embedding<d>::reinsert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed) {
     if (is_taken(home, p, v)) throw Error(Error_code::collision, "another vertex is at that position");
     if (!detach(home, v, changed)) return false;
-    (void)attach(home, v, p, changed);
+    attach(home, v, p, locate(home, p, none), changed);
     keep_present(changed, 0);
     return true;
 }
@@ -237,7 +256,7 @@ Relocation Mesh_embedding<d>::relocate(std::span<Coordinates<d>> home, Index v, 
     if (is_taken(home, p, v)) return Relocation::refused;
     std::vector<Cell_index> changed;
     if (detach(home, v, changed)) {
-        (void)attach(home, v, p, changed);
+        attach(home, v, p, locate(home, p, none), changed);
     } else {
         std::vector<Coordinates<d>> x(home.begin(), home.end());
         x[at(v)] = p;

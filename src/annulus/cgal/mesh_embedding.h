@@ -3,6 +3,7 @@
 
 #include <annulus/engine/embedding.h>
 #include <annulus/engine/local_delaunay.h>
+#include <annulus/mesh/landmarks.h>
 
 #include <memory>
 #include <vector>
@@ -66,11 +67,16 @@ class Mesh_embedding final : public Embedding<d> {
 
     void replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made);
     void keep_present(std::vector<Cell_index>& cells, std::size_t first) const;
-    [[nodiscard]] bool attach(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, std::vector<Cell_index>& changed);
+    void attach(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, Cell_index place,
+                std::vector<Cell_index>& changed);
     [[nodiscard]] bool detach(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed);
     /// Writes v's position when no topological change is needed. False, with nothing changed, when one is.
     [[nodiscard]] bool update_in_place(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p);
-    [[nodiscard]] bool is_taken(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index but) const;
+    /// Where p is (walk_to); own, or none, is a vertex that may be near. Precondition: dimension d.
+    [[nodiscard]] Cell_index locate(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index own);
+    [[nodiscard]] bool is_taken(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index but);
+    [[nodiscard]] bool is_at_corner(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Cell_index c,
+                                    Index but) const;
 
     Cell_table<d> table_;
     std::vector<char> present_;          // by vertex; 0 for a vacant index
@@ -80,6 +86,7 @@ class Mesh_embedding final : public Embedding<d> {
     bool mirrored_ = false;
     std::unique_ptr<Builder> builder_;
     Local_delaunay<d> local_{*this};
+    Landmarks<d> landmarks_;
 };
 
 extern template class Mesh_embedding<2>;

@@ -152,8 +152,18 @@ class Moving_delaunay {
     /// Every finite cell, by vertex indices. O(n).
     [[nodiscard]] Mesh_cells<d> cells() const { return engine_->cells(); }
 
-    /// Exact verdict at the present positions; see audit.h. O(n).
-    [[nodiscard]] Audit_result audit() const { return annulus::audit(audit_input()); }
+    /// Exact verdict on the cells of CGAL's object at the present positions; see audit.h. Faults of the object itself
+    /// count as topological ones: handles let a caller write in it (`vertex(i)->set_point(p)`), and what was written is
+    /// no motion that the strategy knows of. So the points of its vertices must be what triangulation() says they are,
+    /// its cells must fit together, and those that the strategy works on must be the same. O(n).
+    [[nodiscard]] Audit_result audit() const {
+        Audit_result object;
+        if (!embedding_->audit_object(engine_->standing(), object)) return object;
+        Audit_result result = annulus::audit(audit_input());
+        result.topological_faults += object.topological_faults;
+        if (!object.first_fault.empty()) result.first_fault = std::move(object.first_fault);
+        return result;
+    }
     /// The finite cells and the present positions, vacant indices squeezed out.
     [[nodiscard]] Audit_input<d> audit_input() const { return engine_->audit_input(); }
 

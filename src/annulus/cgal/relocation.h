@@ -74,10 +74,39 @@ auto Cgal_embedding<Traits>::take_out(Vertex_handle v) -> std::vector<Cell_handl
     return inside;
 }
 
+/// CGAL's triangulation to walk on, at positions x.
 template <class Traits>
-bool Cgal_embedding<Traits>::attach(Index v, const Coordinates<d>& p, Vertex_handle near,
+class Cgal_embedding<Traits>::Walker {
+  public:
+    Walker(const Triangulation& tr, std::span<const Coordinates<d>> x) : tr_(tr), x_(x) {}
+    [[nodiscard]] bool is_infinite(Cell_handle c) const { return tr_.is_infinite(c); }
+    [[nodiscard]] static Cell_handle beyond(Cell_handle c, int i) { return c->neighbor(i); }
+    [[nodiscard]] Cell_handle inner(Cell_handle c) const { return c->neighbor(c->index(tr_.infinite_vertex())); }
+    [[nodiscard]] Tuple<d, d + 1> corners(Cell_handle c) const { return tuple<d, d + 1>(points_of(tr_, c), x_); }
+
+  private:
+    const Triangulation& tr_;
+    std::span<const Coordinates<d>> x_;
+};
+
+/// Where p is; own, or none, is a vertex that may be near. CGAL's walk begins where ours ends, and says on what p is.
+template <class Traits>
+auto Cgal_embedding<Traits>::locate(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index own) ->
+    typename Traits::Place {
+    if (tr_.dimension() != d) return Traits::locate(tr_, point(p), Cell_handle());
+    const auto lives = [this](Index v) { return has(v) && Traits::cell_of(handle_[at(v)]) != Cell_handle(); };
+    const Index near = landmarks_.near(home, handle_.size(), p, own, lives);
+    std::size_t steps = 0;
+    const Cell_handle c = walk_to<d>(
+        Walker(tr_, home), p, Traits::cell_of(near != none ? handle_[at(near)] : tr_.infinite_vertex()), steps);
+    landmarks_.note(Landmarks<d>::nearest(home, points_of(tr_, c), p, own), steps);
+    return Traits::locate(tr_, point(p), c);
+}
+
+template <class Traits>
+bool Cgal_embedding<Traits>::attach(std::span<const Coordinates<d>> home, Index v, const Coordinates<d>& p, Index near,
                                     std::vector<Cell_index>& changed) {
-    const auto place = Traits::locate(tr_, point(p), Traits::cell_of(near));
+    const auto place = locate(home, p, near);
     if (place.is_vertex()) return false;
     Vertex_handle inserted;
     Traits::edit([&] { inserted = Traits::insert(tr_, point(p), place); });
@@ -94,22 +123,23 @@ template <class Traits>
 bool Cgal_embedding<Traits>::reinsert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p,
                                       std::vector<Cell_index>& changed) {
     const Vertex_handle handle = handle_[at(v)];
-    Vertex_handle near;
+    Index near = none;
     for (int i = 0; i <= d; ++i)
-        if (const Vertex_handle w = Traits::cell_of(handle)->vertex(i); w != handle && !tr_.is_infinite(w)) near = w;
+        if (const Vertex_handle w = Traits::cell_of(handle)->vertex(i); w != handle && !tr_.is_infinite(w))
+            near = w->index();
     if (!detach(v, changed)) return false;
-    if (attach(v, p, near, changed)) {
+    if (attach(home, v, p, near, changed)) {
         home[at(v)] = p;
         return true;
     }
-    (void)attach(v, home[at(v)], near, changed);
+    (void)attach(home, v, home[at(v)], near, changed);
     throw Error(Error_code::collision, "another vertex is at that position");
 }
 
 template <class Traits>
 bool Cgal_embedding<Traits>::insert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p,
                                     std::vector<Cell_index>& changed) {
-    const auto place = Traits::locate(tr_, point(p), Cell_handle());
+    const auto place = locate(home, p, none);
     if (place.is_vertex()) return false;
     order_.note_coming(v);
     const int before = tr_.dimension();
@@ -161,7 +191,7 @@ Relocation Cgal_embedding<Traits>::relocate_flat(std::span<Coordinates<d>> home,
 template <class Traits>
 Relocation Cgal_embedding<Traits>::relocate(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) {
     const Vertex_handle handle = handle_[at(v)];
-    const auto place = Traits::locate(tr_, point(p), Traits::cell_of(handle));
+    const auto place = locate(home, p, v);
     if (place.is_vertex()) return place.vertex() == handle ? Relocation::kept : Relocation::refused;
     if (tr_.dimension() != d) return relocate_flat(home, v, p);
     Vertex_handle inserted;

@@ -4,7 +4,6 @@
 #include <annulus/mesh/evaluate.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 
 namespace annulus {
@@ -93,35 +92,11 @@ Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
     return m;
 }
 
-template <int d>
-Cell_index locate(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Coordinates<d>& p,
-                  Cell_index start) {
-    std::uint32_t random = 1;
-    Cell_index c = start;
-    if (t.is_infinite(c)) c = t.cell_of(t.twin(t.corner(c, t.slot(c, infinite))));
-    for (bool inside = false; !inside && !t.is_infinite(c);) {
-        inside = true;
-        random = random * 1664525U + 1013904223U;
-        const Cell_points<d> v = cell_points(t, c);
-        for (int k = 0; inside && k <= d; ++k) {
-            const int i = (k + static_cast<int>(random >> 16) % (d + 1)) % (d + 1);
-            auto y = places<d>(x, v);
-            y[static_cast<std::size_t>(i)] = p;
-            if (cell_verdict(y).sign >= 0) continue;
-            c = t.cell_of(t.twin(t.corner(c, i)));
-            inside = false;
-        }
-    }
-    return c;
-}
-
 #define ANNULUS_READINGS(d)                                                                                     \
     template double star_tolerance<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);            \
     template double star_theta<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                \
     template bool star_holds<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                  \
-    template Measures measure<d>(const Cell_table<d>&, std::span<const Coordinates<d>>);                        \
-    template Cell_index locate<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, const Coordinates<d>&, \
-                                  Cell_index);
+    template Measures measure<d>(const Cell_table<d>&, std::span<const Coordinates<d>>);
 ANNULUS_READINGS(2)
 ANNULUS_READINGS(3)
 #undef ANNULUS_READINGS

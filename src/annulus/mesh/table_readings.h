@@ -21,10 +21,5 @@ template <int d>
 /// Widths, tolerances and theta of everything. O(n).
 template <int d>
 [[nodiscard]] Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x);
-/// A cell that holds p, itself or its border; one with infinity when p is outside the hull. By walking from `start`, which is a cell; steps
-/// are taken at random, and the same ones every time. Expected O(n^(1/d)).
-template <int d>
-[[nodiscard]] Cell_index locate(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Coordinates<d>& p,
-                                Cell_index start);
 
 }  // namespace annulus

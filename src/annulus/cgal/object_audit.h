@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Cgal_embedding: whether CGAL's object is still what the engine takes it for. Its handles let callers write in it
+// although it is const.
+#include <annulus/cgal/embedding.h>
+#include <annulus/mesh/audit.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+
+namespace annulus {
+
+namespace detail {
+
+inline void object_fault(Audit_result& result, const std::string& words) {
+    if (result.topological_faults++ == 0) result.first_fault = words;
+}
+template <std::size_t n>
+[[nodiscard]] std::string written(const std::array<double, n>& x) {
+    std::string s = "(";
+    for (const double c : x) {
+        std::array<char, 32> text{};
+        (void)std::snprintf(text.data(), text.size(), s.size() > 1 ? ", %.17g" : "%.17g", c);
+        s += text.data();
+    }
+    return s + ")";
+}
+
+}  // namespace detail
+
+/// Vertices: each ours, at its place in x, in the cell it names; and none is missing. False when a cell names a vertex
+/// that is none of them.
+template <class Traits>
+bool Cgal_embedding<Traits>::audit_vertices(std::span<const Coordinates<d>> x, Audit_result& result) const {
+    const auto ours = [this](Vertex_handle v) {
+        return v != Vertex_handle() &&
+               (v == tr_.infinite_vertex() ||
+                (v->index() >= 0 && at(v->index()) < handle_.size() && handle_[at(v->index())] == v));
+    };
+    std::size_t found = 0;
+    auto& tds =
+        const_cast<typename Traits::Tds&>(tr_.tds());  // to read; what there is for readers has other names in space
+    for (auto it = tds.vertices().begin(); it != tds.vertices().end(); ++it) {
+        const Vertex_handle v = it;
+        if (v == tr_.infinite_vertex()) continue;
+        if (!ours(v)) {
+            detail::object_fault(
+                result, "CGAL's object has a vertex whose index is not its own: " + std::to_string(v->index()));
+            continue;
+        }
+        ++found;
+        if (tr_.dimension() == d && (Traits::cell_of(v) == Cell_handle() || !Traits::cell_of(v)->has_vertex(v)))
+            detail::object_fault(result, "the cell that CGAL's object has for vertex " + std::to_string(v->index()) +
+                                             " is not around it");
+        const Coordinates<d> place = coordinates(v->point());
+        if (place != x[at(v->index())])
+            detail::object_fault(result, "the point of vertex " + std::to_string(v->index()) + " in CGAL's object is " +
+                                             detail::written(place) + ", not " + detail::written(x[at(v->index())]));
+    }
+    const auto present = static_cast<std::size_t>(
+        std::count_if(handle_.begin(), handle_.end(), [](Vertex_handle v) { return v != Vertex_handle(); }));
+    if (found != present)
+        detail::object_fault(
+            result, "CGAL's object has " + std::to_string(found) + " of " + std::to_string(present) + " vertices");
+    if (tr_.dimension() < 1) return true;
+    bool named = true;
+    for (auto c = Traits::cells(tds).begin(); c != Traits::cells(tds).end(); ++c)
+        for (int i = 0; i <= tr_.dimension(); ++i)
+            if (named && !ours(c->vertex(i))) {
+                named = false;
+                detail::object_fault(result, "a cell of CGAL's object has a vertex that is none of its own");
+            }
+    return named;
+}
+
+/// Cells of dimension d: neighbours share a facet, mutually; vertices are in the cell they name; and the mirror, if
+/// there is one, has the same.
+template <class Traits>
+void Cgal_embedding<Traits>::audit_adjacency(Audit_result& result) const {
+    const auto written = [this](Cell_handle c) {
+        std::string s;
+        for (const Index v : points_of(tr_, c)) s += v == infinite ? " infinity" : " " + std::to_string(v);
+        return s;
+    };
+    // The facet of c opposite to slot i is that of n opposite to slot j.
+    const auto glued = [](Cell_handle c, int i, Cell_handle n, int j) {
+        for (int k = 0; k <= d; ++k)
+            if (k != i && (!n->has_vertex(c->vertex(k)) || n->index(c->vertex(k)) == j)) return false;
+        return true;
+    };
+    std::size_t mirrored = 0;
+    Traits::for_each_cell(tr_, [&](Cell_handle c) {
+        const Cell_index number = number_of(c);
+        const bool known = !mirrored_ || (number.value() >= 0 && number < table_.cell_bound() && cell_.has(number) &&
+                                          cell_[number] == c && table_.is_cell(number) &&
+                                          cell_points(table_, number) == points_of(tr_, c));
+        if (known) ++mirrored;
+        else
+            detail::object_fault(result,
+                                 "the strategy works on a mirror that has not the cell of CGAL's object" + written(c));
+        for (int i = 0; i <= d; ++i) {
+            const Cell_handle n = c->neighbor(i);
+            bool back = false;
+            for (int j = 0; j <= d && n != Cell_handle(); ++j)
+                back = back || (n->neighbor(j) == c && glued(c, i, n, j));
+            if (!back)
+                detail::object_fault(
+                    result, "a neighbour that CGAL's object has for this cell shares no facet with it:" + written(c));
+            else if (mirrored_ && known && number_of(n) != table_.cell_of(table_.twin(table_.corner(number, i))))
+                detail::object_fault(
+                    result, "the strategy works on a mirror that has another neighbour for the cell of CGAL's object" +
+                                written(c));
+        }
+    });
+    if (!mirrored_) return;
+    std::size_t cells = 0;
+    for (const Cell_index c : table_.cells()) cells += table_.is_cell(c) ? 1U : 0U;
+    if (cells != mirrored)
+        detail::object_fault(result, "the strategy works on a mirror that has cells which CGAL's object has not");
+}
+
+template <class Traits>
+bool Cgal_embedding<Traits>::audit_object(std::span<const Coordinates<d>> x, Audit_result& result) const {
+    if (!audit_vertices(x, result)) return false;
+    if (tr_.dimension() == d) audit_adjacency(result);
+    return true;
+}
+
+}  // namespace annulus

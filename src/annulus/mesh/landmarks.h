@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/mesh/index.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace annulus {
+
+/// Where walks begin: a part of the vertices, sorted by place as a k-d tree, of which one near any place is found in
+/// O(log n), and the vertex where the last walk ended. All of it is hints: vertices move and go without its being told.
+///
+/// There are as many as the walks have been too long for, at most one vertex in `share`: so one insertion into a
+/// million vertices sorts nothing, and thousands of them walk a few steps each. When walks become long again, because
+/// vertices have come, gone or moved, the tree is made anew, which costs about what these walks did.
+template <int d>
+class Landmarks {
+  public:
+    /// Of `own`, or none, the vertex of the last walk, and some landmarks around p, all of which lives() has to
+    /// confirm, the nearest; `none` when none of them lives. Vertices are those below `bound` with lives(v), x their
+    /// positions. O(log n), beside what is said above.
+    template <class Lives>
+    [[nodiscard]] Index near(std::span<const Coordinates<d>> x, std::size_t bound, const Coordinates<d>& p, Index own,
+                             Lives lives) {
+        if (excess_ > few + 2 * tree_.size()) renew(x, bound, lives);
+        Index best = none;
+        double least = std::numeric_limits<double>::infinity();
+        const auto look = [&](Index v) {
+            if (v == none || static_cast<std::size_t>(v) >= bound || !lives(v)) return;
+            const double far = distance(x[static_cast<std::size_t>(v)], p);
+            if (best != none && !(far < least)) return;
+            best = v;
+            least = far;
+        };
+        look(own);
+        look(last_);
+        const auto [first, end] = leaf(p);
+        for (std::size_t k = first; k < end; ++k)
+            if (best == none || distance(tree_[k].place, p) < least) look(tree_[k].vertex);
+        return best;
+    }
+
+    /// A walk that began where near() said took so many steps, and ended at v.
+    void note(Index v, std::size_t steps) noexcept {
+        last_ = v;
+        if (steps > usual) excess_ += steps - usual;
+    }
+
+    /// Of the vertices of a cell, infinity and `but` left out, the one nearest to p; or none.
+    [[nodiscard]] static Index nearest(std::span<const Coordinates<d>> x,
+                                       const std::array<Index, static_cast<std::size_t>(d + 1)>& cell,
+                                       const Coordinates<d>& p, Index but) {
+        const auto from = [&](Index v) { return distance(x[static_cast<std::size_t>(v)], p); };
+        Index best = none;
+        for (const Index v : cell)
+            if (v != infinite && v != but && (best == none || from(v) < from(best))) best = v;
+        return best;
+    }
+    /// Not the square, which would over- and underflow.
+    [[nodiscard]] static double distance(const Coordinates<d>& a, const Coordinates<d>& b) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < d; ++k) sum += std::fabs(a[k] - b[k]);
+        return sum;
+    }
+
+  private:
+    static constexpr std::size_t share = 16;
+    static constexpr std::size_t few = 64;
+    static constexpr std::size_t usual =
+        d == 2 ? 16 : 24;                     // steps that a walk from the nearest of one in `share` takes, or less
+    static constexpr std::size_t bucket = 8;  // landmarks of a leaf, at most
+
+    struct Landmark {
+        Coordinates<d> place;  // when the tree was made
+        Index vertex;
+    };
+    /// By which those around a middle one were divided: the others follow it along this axis.
+    struct Split {
+        Coordinates<d> place;
+        std::size_t axis;
+    };
+
+    /// Where they are equal along the axis the next one tells, and so on: of points on a wall, too, there are as many
+    /// on both sides.
+    [[nodiscard]] static bool precedes(const Coordinates<d>& l, const Coordinates<d>& r, std::size_t axis) {
+        for (std::size_t k = 0; k < d; ++k, axis = (axis + 1) % d)
+            if (l[axis] != r[axis]) return l[axis] < r[axis];
+        return false;
+    }
+
+    /// One vertex of each of as many runs of indices, drawn, since indices may have an order that places know of.
+    template <class Lives>
+    void renew(std::span<const Coordinates<d>> x, std::size_t bound, Lives lives) {
+        const std::size_t count = std::min(bound / share + 1, excess_);
+        excess_ = 0;
+        tree_.clear();
+        split_.clear();
+        tree_.reserve(count);
+        std::uint64_t random = 1;
+        for (std::size_t k = 0; k < count; ++k) {
+            random = random * 6364136223846793005U + 1442695040888963407U;
+            const std::size_t run = k * bound / count;
+            const std::size_t length = (k + 1) * bound / count - run;
+            const std::size_t v = run + (length > 0 ? (random >> 33) % length : 0);
+            if (v < bound && lives(static_cast<Index>(v))) tree_.push_back({x[v], static_cast<Index>(v)});
+        }
+        split_.resize(tree_.size());
+        divide(0, tree_.size());
+    }
+
+    /// The middle one of [first, end) along the axis along which they are widest comes to the middle, and so on for
+    /// both halves.
+    void divide(std::size_t first, std::size_t end) {
+        if (end - first <= bucket) return;
+        Coordinates<d> low = tree_[first].place;
+        Coordinates<d> high = low;
+        for (std::size_t k = first + 1; k < end; ++k)
+            for (std::size_t i = 0; i < d; ++i) {
+                low[i] = std::min(low[i], tree_[k].place[i]);
+                high[i] = std::max(high[i], tree_[k].place[i]);
+            }
+        std::size_t axis = 0;
+        for (std::size_t i = 1; i < d; ++i)
+            if (high[i] - low[i] > high[axis] - low[axis]) axis = i;
+        const std::size_t middle = middle_of(first, end);
+        const auto at = [this](std::size_t k) { return tree_.begin() + static_cast<std::ptrdiff_t>(k); };
+        std::nth_element(at(first), at(middle), at(end),
+                         [axis](const Landmark& l, const Landmark& r) { return precedes(l.place, r.place, axis); });
+        split_[middle] = {tree_[middle].place, axis};
+        divide(first, middle);
+        divide(middle, end);
+    }
+    [[nodiscard]] static std::size_t middle_of(std::size_t first, std::size_t end) { return first + (end - first) / 2; }
+
+    /// The leaf that p belongs to, as a range of tree_.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> leaf(const Coordinates<d>& p) const {
+        std::size_t first = 0;
+        std::size_t end = tree_.size();
+        while (end - first > bucket) {
+            const std::size_t middle = middle_of(first, end);
+            if (precedes(p, split_[middle].place, split_[middle].axis)) end = middle;
+            else first = middle;
+        }
+        return {first, end};
+    }
+
+    std::vector<Landmark> tree_;
+    std::vector<Split> split_;  // by middle one
+    std::size_t excess_ = 0;    // steps beyond the usual since the tree was made
+    Index last_ = none;
+};
+
+}  // namespace annulus

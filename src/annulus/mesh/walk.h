@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/certificate/exact_sign.h>
+#include <annulus/certificate/orientation_sign.h>
+#include <annulus/mesh/certificates.h>
+
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace annulus {
+
+/// The exact orientation of d + 1 points: by the filter where that can tell.
+template <int d>
+[[nodiscard]] int sure_orientation(const Tuple<d, d + 1>& x) {
+    const int sign = orientation_sign(x);
+    return sign != 0 ? sign : exact_orientation_sign(x).sign;
+}
+
+/// A cell that holds p, itself or its border; one with infinity when p is outside the hull. The walk goes from `start`
+/// across facets that p is beyond, never back across the last one; which facet is looked at first is drawn, the same
+/// way every time. `steps` is raised by the facets crossed. With exact signs it ends in every triangulation that is
+/// Delaunay.
+///
+/// Walker says what it walks on: corners(cell), pointers to where they are, of a finite one; is_infinite(cell),
+/// beyond(cell, slot), the cell across a facet, and inner(cell), the finite neighbour of one with infinity.
+template <int d, class Walker, class Cell>
+[[nodiscard]] Cell walk_to(const Walker& on, const Coordinates<d>& p, Cell start, std::size_t& steps) {
+    std::uint32_t random = 1;
+    Cell from = start;
+    Cell c = on.is_infinite(start) ? on.inner(start) : start;
+    for (bool inside = false; !inside && !on.is_infinite(c);) {
+        inside = true;
+        random = random * 1664525U + 1013904223U;
+        Tuple<d, d + 1> x = on.corners(c);
+        const int first = static_cast<int>((random >> 16) % (d + 1));
+        for (int k = 0; inside && k <= d; ++k) {
+            const int i = (first + k) % (d + 1);
+            const Cell next = on.beyond(c, i);
+            if (next == from && !on.is_infinite(next)) continue;
+            const Coordinates<d>* const corner = std::exchange(x[static_cast<std::size_t>(i)], &p);
+            inside = sure_orientation<d>(x) >= 0;
+            x[static_cast<std::size_t>(i)] = corner;
+            if (inside) continue;
+            from = std::exchange(c, next);
+            ++steps;
+        }
+    }
+    return c;
+}
+
+/// A Cell_table to walk on, at positions x.
+template <int d>
+class Table_walker {
+  public:
+    Table_walker(const Cell_table<d>& t, std::span<const Coordinates<d>> x) : t_(t), x_(x) {}
+    [[nodiscard]] bool is_infinite(Cell_index c) const { return t_.is_infinite(c); }
+    [[nodiscard]] Cell_index beyond(Cell_index c, int i) const { return t_.cell_of(t_.twin(t_.corner(c, i))); }
+    [[nodiscard]] Cell_index inner(Cell_index c) const { return beyond(c, t_.slot(c, infinite)); }
+    [[nodiscard]] Tuple<d, d + 1> corners(Cell_index c) const { return tuple<d, d + 1>(cell_points(t_, c), x_); }
+
+  private:
+    const Cell_table<d>& t_;
+    std::span<const Coordinates<d>> x_;
+};
+
+}  // namespace annulus

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vertices that come and go, one by one, in places that are hard: the cells are those of a construction after each,
+// whoever is asked.
+#include <annulus/arithmetic/error.h>
+#include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_delaunay_3.h>
+#include <annulus/moving_mesh.h>
+
+#include <support/generators.h>
+#include <support/meshes.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+template <int d>
+using Moving_d = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
+
+template <int d>
+typename Moving_d<d>::Point point_of(const Coordinates<d>& p) {
+    if constexpr (d == 2) return Cgal_traits_2<No_info>::point(p);
+    else return Cgal_traits_3<No_info>::point(p);
+}
+
+/// Both classes by one name each.
+template <int d>
+Index insert(Moving_mesh<d>& mesh, const Coordinates<d>& p) {
+    return mesh.insert(p);
+}
+template <int d>
+Index insert(Moving_d<d>& dt, const Coordinates<d>& p) {
+    return dt.index(dt.insert(point_of<d>(p)));
+}
+template <int d>
+void remove(Moving_mesh<d>& mesh, Index i) {
+    mesh.remove(i);
+}
+template <int d>
+void remove(Moving_d<d>& dt, Index i) {
+    dt.remove(dt.vertex(static_cast<std::size_t>(i)));
+}
+template <int d>
+bool lives(const Moving_mesh<d>& mesh, std::size_t i) {
+    return mesh.is_vertex(static_cast<Index>(i));
+}
+template <int d>
+bool lives(const Moving_d<d>& dt, std::size_t i) {
+    return dt.vertex(i) != typename Moving_d<d>::Vertex_handle();
+}
+template <int d>
+std::span<const Coordinates<d>> places(const Moving_mesh<d>& mesh) {
+    return mesh.points();
+}
+template <int d>
+std::span<const Coordinates<d>> places(const Moving_d<d>& dt) {
+    return dt.positions();
+}
+
+/// Cells, sorted, by the places of their corners.
+template <int d>
+using Cells_at = std::set<std::set<Coordinates<d>>>;
+template <int d>
+Cells_at<d> cells_at(const Mesh_cells<d>& cells, std::span<const Coordinates<d>> x) {
+    Cells_at<d> out;
+    for (const auto& cell : cells.vertices) {
+        std::set<Coordinates<d>> corners;
+        for (const Index v : cell)
+            if (v != none) corners.insert(x[static_cast<std::size_t>(v)]);
+        out.insert(std::move(corners));
+    }
+    return out;
+}
+
+template <int d, class Object>
+std::string fault_of(const Object& object) {
+    const auto x = places<d>(object);
+    Points_d<d> living;
+    for (std::size_t i = 0; i < object.index_bound(); ++i)
+        if (lives<d>(object, i)) living.push_back(x[i]);
+    if (const auto fault = object.audit().first_fault; !fault.empty()) return fault;
+    Options options;
+    options.strategy = Strategy::rebuild;
+    const Moving_mesh<d> anew(std::span<const Coordinates<d>>(living), options);
+    return cells_at<d>(object.cells(), x) == cells_at<d>(anew.cells(), anew.points())
+               ? ""
+               : "the cells are not those of a construction";
+}
+
+/// Hard places around a set: one on a vertex, in the middle of two vertices, beyond one of two in their line, the
+/// fourth corner of a parallelogram, far away in the line of an edge, and whole numbers.
+template <int d>
+Coordinates<d> hard_place(Random& random, const Points_d<d>& x, int span) {
+    Coordinates<d> p{};
+    const auto vertex = [&] { return x[random() % x.size()]; };
+    const auto kind = x.size() < 3 ? 6U : random() % 8;
+    const Coordinates<d> a = kind < 6 ? vertex() : p, b = kind < 6 ? vertex() : p, c = kind == 3 ? vertex() : p;
+    for (std::size_t k = 0; k < d; ++k) {
+        if (kind == 0) p[k] = a[k];
+        else if (kind == 1) p[k] = 0.5 * (a[k] + b[k]);
+        else if (kind == 2) p[k] = 2.0 * a[k] - b[k];
+        else if (kind == 3) p[k] = a[k] + b[k] - c[k];
+        else if (kind == 4) p[k] = a[k] + 0x1p40 * (b[k] - a[k]);
+        else if (kind == 5) p[k] = a[k] + 0x1p-30 * (b[k] - a[k]);
+        else p[k] = integer(random, 0, span);
+    }
+    // What has gone far stays where whole numbers are exact.
+    for (double& k : p)
+        if (std::fabs(k) > 0x1p44) k = 0.5;
+    return p;
+}
+
+enum class Setting { lattice, cospherical, flat, line, column };
+
+template <int d>
+Points_d<d> begin_with(Setting setting, Random& random) {
+    Points_d<d> x;
+    const auto add = [&](Coordinates<d> p) {
+        if (std::find(x.begin(), x.end(), p) == x.end()) x.push_back(p);
+    };
+    const int count = 4 + static_cast<int>(random() % 20);
+    for (int i = 0; i < count; ++i) {
+        Coordinates<d> p{};
+        for (double& c : p) c = integer(random, 0, 3);
+        if (setting == Setting::cospherical) {  // whole points at distance 5, or 3 in space
+            const std::array<double, 3> way = d == 2 ? std::array{3.0, 4.0, 0.0} : std::array{1.0, 2.0, 2.0};
+            const std::size_t turn = random();
+            for (std::size_t k = 0; k < d; ++k) p[k] = way[(k + turn) % d] * ((random() & 1) != 0 ? 1.0 : -1.0);
+        }
+        if (setting == Setting::flat) p[d - 1] = 0.0;
+        if (setting == Setting::line) p.fill(p[0]);
+        if (setting == Setting::column) p[0] = i % 8 == 0 ? 1.0 : 0.0;
+        add(p);
+    }
+    return x;
+}
+
+template <int d, class Object>
+void come_and_go(std::uint64_t seed, Strategy strategy) {
+    Random random(seed);
+    const auto setting = static_cast<Setting>(seed % 5);
+    Points_d<d> x = begin_with<d>(setting, random);
+    Options options;
+    options.strategy = strategy;
+    Object object(std::span<const Coordinates<d>>(x), options);
+    std::vector<Index> living;
+    for (std::size_t i = 0; i < x.size(); ++i) living.push_back(static_cast<Index>(i));
+    for (int step = 0; step < 24; ++step) {
+        CAPTURE(seed, step, name_of(strategy));
+        if (living.size() > 2 && random() % 3 == 0) {
+            const std::size_t k = random() % living.size();
+            remove<d>(object, living[k]);
+            living.erase(living.begin() + static_cast<std::ptrdiff_t>(k));
+        } else {
+            Points_d<d> here;
+            for (const Index v : living) here.push_back(places<d>(object)[static_cast<std::size_t>(v)]);
+            const Coordinates<d> p = hard_place<d>(random, here, 3);
+            const bool taken = std::find(here.begin(), here.end(), p) != here.end();
+            try {
+                living.push_back(insert<d>(object, p));
+                REQUIRE(!taken);
+            } catch (const Error& e) {
+                REQUIRE(e.code() == Error_code::collision);
+                REQUIRE(taken);
+            }
+        }
+        REQUIRE(fault_of<d>(object) == "");
+    }
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("Vertices that come to degenerate places, and go, leave the cells of a construction, dimension",
+                       "[insertion]", ((int d), d), 2, 3) {
+    for (std::uint64_t seed = 1; seed <= (Horizons::tiny ? 60 : 200); ++seed) {
+        const std::array strategies{Strategy::automatic, Strategy::filter, Strategy::rebuild, Strategy::in_place,
+                                    Strategy::relocate};
+        const Strategy strategy = strategies[seed / 5 % strategies.size()];
+        come_and_go<d, Moving_mesh<d>>(seed, strategy);
+        come_and_go<d, Moving_d<d>>(seed, strategy);
+    }
+}
+
+/// Whole numbers beyond few: landmarks are made, go stale and are made again, and places are duplicates, hull, edges
+/// and centres of cells.
+TEMPLATE_TEST_CASE_SIG("A lattice that is filled and thinned at random has the cells of a construction, dimension",
+                       "[insertion]", ((int d), d), 2, 3) {
+    const auto fill = [&]<class Object>(Object& object, std::uint64_t seed) {
+        Random random(seed);
+        const int side = d == 2 ? 40 : 9;
+        std::size_t refused = 0;
+        for (int step = 0; step < 2400; ++step) {
+            const std::size_t bound = object.index_bound();
+            const std::size_t i = bound == 0 ? 0 : random() % bound;
+            if (step % 800 > 600 && lives<d>(object, i)) {
+                remove<d>(object, static_cast<Index>(i));
+                continue;
+            }
+            Coordinates<d> p{};
+            for (double& c : p) c = integer(random, 0, side);
+            if (step % 800 > 400) p[0] = 0.0;  // a wall
+            try {
+                (void)insert<d>(object, p);
+            } catch (const Error& e) {
+                REQUIRE(e.code() == Error_code::collision);
+                ++refused;
+            }
+            if (step % 200 == 199) REQUIRE(fault_of<d>(object) == "");
+        }
+        CHECK(refused > 100);
+    };
+    for (const Strategy strategy : {Strategy::automatic, Strategy::filter}) {
+        Options options;
+        options.strategy = strategy;
+        Moving_mesh<d> mesh(options);
+        fill(mesh, 5);
+        Moving_d<d> dt(options);
+        fill(dt, 6);
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("Vertices go far, where others are or not, and the triangulation is right, dimension",
+                       "[insertion]", ((int d), d), 2, 3) {
+    for (const Strategy strategy :
+         {Strategy::automatic, Strategy::filter, Strategy::relocate, Strategy::relocate_flips}) {
+        Options options;
+        options.strategy = strategy;
+        Random random(11);
+        Points_d<d> x = grid<d>();
+        Moving_mesh<d> mesh(std::span<const Coordinates<d>>(x), options);
+        Moving_d<d> dt(std::span<const Coordinates<d>>(x), options);
+        for (int step = 0; step < 120; ++step) {
+            const auto i = static_cast<Index>(random() % x.size());
+            const Points_d<d> here(mesh.points().begin(), mesh.points().end());
+            const Coordinates<d> p = hard_place<d>(random, here, 5);
+            const auto at = std::find(here.begin(), here.end(), p);
+            const bool taken = at != here.end() && at - here.begin() != i;
+            const auto go = [&](auto& object) {
+                try {
+                    (void)object.move(i, p);
+                    REQUIRE(!taken);
+                } catch (const Error& e) {
+                    REQUIRE(e.code() == Error_code::collision);
+                    REQUIRE(taken);
+                }
+                REQUIRE(fault_of<d>(object) == "");
+            };
+            CAPTURE(step, name_of(strategy));
+            go(mesh);
+            go(dt);
+        }
+    }
+}

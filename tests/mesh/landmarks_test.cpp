@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Walks that begin at landmarks are short however many vertices there are, and end in the cell that holds the place.
+#include <annulus/cgal/mesh_embedding.h>
+#include <annulus/mesh/landmarks.h>
+#include <annulus/mesh/walk.h>
+
+#include <support/generators.h>
+#include <support/meshes.h>
+
+#include <catch2/catch.hpp>
+
+#include <set>
+#include <string>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+template <int d>
+Coordinates<d> place(const std::string& family, Random& random) {
+    Coordinates<d> p;
+    for (double& c : p) c = between(random, 0.0, 1.0);
+    if (family == "strip")
+        for (std::size_t k = 1; k < d; ++k) p[k] *= 1e-3;
+    if (family == "leaning strip")
+        for (std::size_t k = 1; k < d; ++k) p[k] = p[0] + 1e-3 * p[k];
+    if (family == "wall" && random() % 10 != 0) p[0] = 0.5;
+    if (family == "cluster" && random() % 10 != 0)
+        for (double& c : p) c = 0.3 + 1e-4 * c;
+    if (family == "lattice")
+        for (double& c : p) c = std::floor(c * (d == 2 ? 512 : 64));
+    return p;
+}
+
+/// Facets crossed a walk to places of the same family, of the last half of so many walks.
+template <int d>
+double steps_of(const std::string& family, std::size_t vertices) {
+    Random random(3);
+    std::set<Coordinates<d>> distinct;
+    while (distinct.size() < vertices) distinct.insert(place<d>(family, random));
+    const Points_d<d> x(distinct.begin(), distinct.end());  // an order that a stride would fall in with
+    Mesh_embedding<d> mesh;
+    mesh.build(std::span<const Coordinates<d>>(x));
+    const Cell_table<d>& t = mesh.table();
+    Landmarks<d> landmarks;
+    constexpr int walks = 4000;
+    double sum = 0.0;
+    for (int k = 0; k < walks; ++k) {
+        const Coordinates<d> p = place<d>(family, random);
+        const Index near = landmarks.near(x, x.size(), p, none, [](Index) { return true; });
+        std::size_t steps = 0;
+        const Cell_index c = walk_to<d>(Table_walker<d>(t, x), p,
+                                        t.cell_of(near == none ? t.corner_of_infinity() : t.corner_of(near)), steps);
+        if (k >= walks / 2) sum += static_cast<double>(steps);
+        const int i = t.slot(c, infinite);
+        Cell_points<d> v = cell_points(t, c);
+        if (i >= 0) {
+            v[static_cast<std::size_t>(i)] = v[i == 0 ? 1 : 0];
+            Tuple<d, d + 1> y = tuple<d, d + 1>(v, std::span<const Coordinates<d>>(x));
+            y[static_cast<std::size_t>(i)] = &p;
+            REQUIRE(sure_orientation<d>(y) > 0);
+        } else {
+            for (std::size_t s = 0; s <= d; ++s) {
+                Tuple<d, d + 1> y = tuple<d, d + 1>(v, std::span<const Coordinates<d>>(x));
+                y[s] = &p;
+                REQUIRE(sure_orientation<d>(y) >= 0);
+            }
+        }
+        landmarks.note(v[0], steps);
+    }
+    return sum / (walks / 2);
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("Walks are short whatever the number of vertices, dimension", "[landmarks]", ((int d), d), 2,
+                       3) {
+    const char* const family = GENERATE("uniform", "strip", "leaning strip", "wall", "cluster", "lattice");
+    CAPTURE(family);
+    const double few = steps_of<d>(family, 1000);
+    const double many = steps_of<d>(family, d == 2 ? 64000 : 16000);
+    CAPTURE(few, many);
+    CHECK(few < (d == 2 ? 16.0 : 24.0));
+    CHECK(many < (d == 2 ? 16.0 : 24.0));
+}
+
+TEST_CASE("Landmarks that are gone, moved or not finite apart are hints like others", "[landmarks]") {
+    Landmarks<2> landmarks;
+    Points_d<2> x;
+    for (int i = 0; i < 2000; ++i) x.push_back({i * 0x1p500, (i % 7) * 0x1p-500});
+    const auto all = [](Index) { return true; };
+    CHECK(landmarks.near(x, x.size(), {0, 0}, none, all) == none);
+    CHECK(landmarks.near(x, x.size(), {0, 0}, 5, all) == 5);
+    landmarks.note(1000, 2000);  // too long
+    const Index near = landmarks.near(x, x.size(), x[600], none, all);
+    CHECK(std::abs(near - 600) <= 64);
+    CHECK(landmarks.near(x, x.size(), x[600], 601, all) == 601);
+    CHECK(landmarks.near(x, x.size(), x[600], 4000, [](Index) { return false; }) == none);
+    for (auto& p : x) p = {1.0 - p[0], p[1]};
+    CHECK(landmarks.near(x, x.size(), x[600], none, all) >= 0);
+    CHECK(landmarks.near(x, 10, x[600], none, all) < 10);  // there were more
+}
