@@ -22,13 +22,13 @@ namespace annulus {
 template <int d>
 class Insertion_order {
   public:
-    /// Of the indices i with lives(i). O(n log n), or O(n) when it was sorted a while ago and vertices have not gone far.
+    /// Of the indices i with lives(i). O(n log n), or O(n) when it was sorted a while ago and neighbours in it have not gone far apart.
     template <class Lives>
     std::span<const Index> of(std::span<const Coordinates<d>> x, Lives lives, int threads) {
         if (!sorts(x)) {
             ++uses_;
             if (gone_ || !come_.empty()) take_up_changes(x, lives, threads);
-            if (is_of(x.size(), lives)) return order_;
+            if (is_of(x.size(), lives) && !age_.is_stale(order_, x)) return order_;
         }
         std::vector<Index> order = living(x.size(), lives);
         spatial_sort<d>(order, x, threads);
@@ -38,9 +38,9 @@ class Insertion_order {
         uses_ = 0;
         return order_;
     }
-    /// Whether the next call of of() sorts all of them. O(1).
+    /// Whether the next call of of() sorts all of them, as far as some of them tell: of() asks all. O(1).
     [[nodiscard]] bool sorts(std::span<const Coordinates<d>> x) const {
-        return order_.empty() || uses_ >= most_uses || age_.is_stale(x);
+        return order_.empty() || uses_ >= most_uses || age_.seems_stale(order_, x);
     }
     /// Vertex i is going to come, to where another of this index may have been before.
     void note_coming(Index i) {
@@ -92,9 +92,11 @@ class Insertion_order {
             if (left[i] != 0 && lives(static_cast<Index>(i))) newcomers.push_back(static_cast<Index>(i));
         spatial_sort<d>(newcomers, x, threads);
         order_.reserve(order_.size() + newcomers.size());
+        age_.reserve(x.size());
         const auto has_left = [&](Index i) { return at(i) >= left.size() || left[at(i)] != 0 || !lives(i); };
         std::erase_if(order_, has_left);
         order_.insert(order_.end(), newcomers.begin(), newcomers.end());
+        age_.note(newcomers, x);
         come_.clear();
         gone_ = false;
     }

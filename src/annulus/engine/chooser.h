@@ -26,6 +26,22 @@ class Chooser {
         return 4000.0 + most_repair(vertices, sorts);
     }
 
+    /// What may be done to a part before all is built anew instead.
+    [[nodiscard]] static double most_generous_rebuild(std::size_t vertices) {
+        return 4000.0 + rebuild_price(vertices, true);
+    }
+    /// Of vertices that move one by one, `done` of them at a price so far: whether all `movers` are going to cost more than
+    /// a rebuild, by what these did. Not before they have cost a part of one, so that they tell something.
+    [[nodiscard]] static bool is_too_dear_one_by_one(double price, std::size_t done, std::size_t movers,
+                                                     std::size_t vertices) {
+        const double rebuild = rebuild_price(vertices, true);
+        return price > rebuild / 8.0 && price / static_cast<double>(done) * static_cast<double>(movers) > rebuild;
+    }
+    /// The same where a strategy goes one by one: more than such moves cost where what they change is local, and a rebuild.
+    [[nodiscard]] static bool is_too_dear_in_turn(double price, std::size_t done, std::size_t vertices) {
+        return price > most_generous_rebuild(vertices) + 4.0 * Prices<d>::reinsertion * static_cast<double>(done);
+    }
+
     /// While every step is a rebuild: no need to ask a larger sample, nor to count how often it was asked.
     [[nodiscard]] bool is_hopeless(const Sample& few) const { return price_of(few) > 3.0 * share(false); }
     /// While every step is a rebuild: whether the next is to be mended, as far as these cells tell.

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace annulus {
@@ -63,6 +64,11 @@ class Engine {
     [[nodiscard]] bool certified() const {
         return options_.tolerance == Tolerance_kind::certified || strategy_ == Strategy::in_place;
     }
+    /// A timestamp is a move of one vertex after another.
+    [[nodiscard]] bool goes_in_turn() const {
+        return strategy_ != Strategy::rebuild && strategy_ != Strategy::hybrid && strategy_ != Strategy::filter &&
+               strategy_ != Strategy::automatic;
+    }
     template <class Call>
     void guarded(Call call, Index fresh = none);
     /// The same, with the goals by index, all of them or those of the movers alone; a collision is thrown with the names of both vertices.
@@ -74,6 +80,8 @@ class Engine {
     void rebuild_all(std::span<const Point> x, Move_report& report);
     void move_one(Index i, const Point& p, Move_report& report);
     void move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report);
+    [[nodiscard]] bool move_one_by_one(std::span<const std::pair<Index, std::size_t>> movers, std::span<const Point> points,
+                                       std::vector<std::pair<Index, Point>>& home, Move_report& report);
     static void count_movers(std::uint64_t movers, Move_counts& moves);
     void move_everything(std::span<const Point> points, Move_report& report);
     void move_in_turn(std::span<const Point> x, Move_report& report);

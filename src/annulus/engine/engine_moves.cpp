@@ -4,6 +4,7 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/error.h>
+#include <annulus/engine/chooser.h>
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/guarded.h>
 #include <annulus/engine/listing_changes.h>
@@ -58,7 +59,8 @@ Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Poin
     return report;
 }
 
-/// One by one while they are few, as a timestamp otherwise. The last position of an index that is named twice holds. A vertex that stands where
+/// One by one while they are few and what each changes is local, as a timestamp otherwise, or from when they have turned
+/// out to cost more than a rebuild. The last position of an index that is named twice holds. A vertex that stands where
 /// another goes, and goes itself, is no collision: then, too, it is a timestamp.
 template <int d>
 void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report) {
@@ -72,15 +74,13 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
     const auto put_back = [&] {
         for (; !home.empty(); home.pop_back()) upkeep_->put_back(home.back().first, home.back().second);
     };
+    bool too_dear = false;
     try {
         if (share * movers.size() <= embedding_.vertices() && upkeep_->uses_mirror() && embedding_.dimension() == d) {
             home.reserve(movers.size());
             try {
-                for (const auto& [i, k] : movers) {
-                    home.emplace_back(i, positions()[at(i)]);
-                    upkeep_->move(i, points[k], report);
-                }
-                return;
+                if (move_one_by_one(movers, points, home, report)) return;
+                too_dear = true;  // or flat, which is built anew all the same
             } catch (const Error& e) {
                 if (e.code() != Error_code::collision) throw;
             }
@@ -91,7 +91,8 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
         for (const auto& [i, k] : movers) x[at(i)] = points[k];
         report.moves = {};
         try {
-            move_everything(x, report);
+            if (too_dear && goes_in_turn()) rebuild_all(x, report);
+            else move_everything(x, report);
         } catch (const Error&) {
             Move_report nobody_asked;
             if (!home.empty()) move_everything(old, nobody_asked);
@@ -119,6 +120,22 @@ void Engine<d>::count_movers(std::uint64_t movers, Move_counts& moves) {
     moves.within_tolerance = left;
 }
 
+/// `home` receives where they were. False: the rest would cost more than everything, or what there is by now is flat.
+template <int d>
+bool Engine<d>::move_one_by_one(std::span<const std::pair<Index, std::size_t>> movers, std::span<const Point> points,
+                                std::vector<std::pair<Index, Point>>& home, Move_report& report) {
+    const double before = report.price;
+    for (const auto& [i, k] : movers) {
+        if (embedding_.dimension() != d) return false;
+        const double price = report.price - before;
+        if (!home.empty() && Chooser<d>::is_too_dear_one_by_one(price, home.size(), movers.size(), embedding_.vertices()))
+            return false;
+        home.emplace_back(i, positions()[at(i)]);
+        upkeep_->move(i, points[k], report);
+    }
+    return true;
+}
+
 template <int d>
 Move_report Engine<d>::move_all(std::span<const Point> points) {
     if (points.size() != index_bound())
@@ -144,10 +161,8 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
 template <int d>
 void Engine<d>::move_everything(std::span<const Point> points, Move_report& report) {
     if (strategy_ == Strategy::hybrid && steps_++ % 4 == 0) consider_switch(points, report);
-    const bool each = strategy_ != Strategy::rebuild && strategy_ != Strategy::hybrid && strategy_ != Strategy::filter &&
-                      strategy_ != Strategy::automatic;
     if (upkeep_->uses_mirror() && embedding_.dimension() != d) rebuild_all(points, report);
-    else if (each) move_in_turn(points, report);
+    else if (goes_in_turn()) move_in_turn(points, report);
     else upkeep_->move_all(points, report);
 }
 
@@ -196,11 +211,14 @@ void Engine<d>::try_move_in_turn(std::span<const Point> x, Move_report& report) 
         if (is_vertex(i)) waiting.push_back(i);
     std::vector<Index> refused;
     bool ordered = false;
+    const double before = report.price;
+    std::size_t turns = 0;
     for (bool progress = true; progress && !waiting.empty();) {
         refused.clear();
         for (const Index i : waiting) {
-            if (upkeep_->uses_mirror() && embedding_.dimension() != d) {
-                // Single moves of a flat set are rebuilds: do them all at once.
+            if (upkeep_->uses_mirror() && (embedding_.dimension() != d ||
+                                           Chooser<d>::is_too_dear_in_turn(report.price - before, turns++, embedding_.vertices()))) {
+                // Single moves of a flat set are rebuilds, and may be as dear where much is on one sphere: all at once.
                 report.moves = {};
                 rebuild_all(x, report);
                 return;

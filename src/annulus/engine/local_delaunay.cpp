@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/local_delaunay.h>
 
+#include <annulus/engine/chooser.h>
 #include <annulus/engine/prices.h>
 #include <annulus/mesh/evaluate.h>
 #include <annulus/mesh/replace_cells.h>
@@ -49,6 +50,7 @@ template <int d>
 bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, double most,
                                 std::vector<Cell_index>& touched) {
     price_ = 0.0;
+    most = std::min(most, Chooser<d>::most_generous_rebuild(embedding_.vertices()));
     for (const Cell_index c : marked_) mark_[c] = 0;  // those of a call that threw or gave up
     grow(mark_, table_.cell_bound());                 // there may be fewer
     marked_.clear();

@@ -21,7 +21,8 @@ class Local_delaunay {
     explicit Local_delaunay(Embedding<d>& embedding) : embedding_(embedding), table_(embedding.table()) {}
 
     /// Builds anew around these cells, at positions x; cells that touch are one region. `touched` receives what went and what came.
-    /// False when that would cost more than `most` (in cells looked at; price() is what it did) or is not possible.
+    /// False when that would cost more than `most` (in cells looked at; price() is what it did), or than everything, or is
+    /// not possible.
     [[nodiscard]] bool rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, double most,
                                std::vector<Cell_index>& touched);
     /// The same with one vertex more, whose place these cells hold, or with one less, whose star they are. With the vertex that comes the

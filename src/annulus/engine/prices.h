@@ -29,6 +29,7 @@ struct Prices<2> {
     static constexpr double interval = 10.0;
     static constexpr double exact = 70.0;
     static constexpr double reinsertion = 570.0;  // of a vertex
+    static constexpr double border = 0.3;         // a facet of it, when it is walked along
     // Each, with tolerances:
     static constexpr double failure = 4.5;
     static constexpr double evaluation = 6.5;
@@ -55,6 +56,7 @@ struct Prices<3> {
     static constexpr double interval = 26.0;
     static constexpr double exact = 170.0;
     static constexpr double reinsertion = 3500.0;
+    static constexpr double border = 4.0;
     static constexpr double failure = 25.0;
     static constexpr double evaluation = 6.0;
     static constexpr double star = 60.0;

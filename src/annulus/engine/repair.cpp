@@ -2,6 +2,7 @@
 #include <annulus/engine/repair.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/engine/chooser.h>
 #include <annulus/engine/prices.h>
 #include <annulus/mesh/border.h>
 #include <annulus/mesh/distinct_facets.h>
@@ -21,6 +22,7 @@ template <int d>
 void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
     many_ = many;
     signs_ = hopeless_ = false;
+    aside_ = 0.0;
     counted_ = {};
     mender_.begin(x);
     forget();
@@ -181,13 +183,25 @@ bool Repair<d>::mend_one(std::span<Coordinates<d>> x, Index v, const Coordinates
     if (!trusted_) return false;  // nor need it be simplicial then, which restoring wants
     const Coordinates<d> goal = std::exchange(x[at(v)], old);
     embedding_.restore_cells(x, mender_.touched(), renumbered_);
-    if (reinsert(x, v, goal)) return true;
+    aside_ += Prices<d>::flip * static_cast<double>(mender_.touched().size());
+    const double price = reinsertion_price(v);
+    if (price <= Chooser<d>::most_generous_rebuild(embedding_.vertices()) && reinsert(x, v, goal, price)) return true;
     x[at(v)] = goal;
     return false;
 }
 
+/// Of taking v out and putting it back in: the gap is filled with the triangulation of its neighbours, which in the plane
+/// takes the square of their number where it goes badly.
 template <int d>
-bool Repair<d>::reinsert(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& goal) {
+double Repair<d>::reinsertion_price(Index v) const {
+    double cells = 0.0;
+    embedding_.table().for_each_corner(v, [&cells](Corner_index) { ++cells; });
+    const double filling = d == 2 ? Prices<d>::rebuild * cells + 0.05 * cells * cells : Prices<d>::rebuild * cells;
+    return std::max(Prices<d>::reinsertion, filling);
+}
+
+template <int d>
+bool Repair<d>::reinsert(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& goal, double price) {
     const auto gone = [this](Cell_index c) { return !embedding_.table().is_cell(c); };
     std::vector<Cell_index> changed;
     try {
@@ -197,6 +211,7 @@ bool Repair<d>::reinsert(std::span<Coordinates<d>> x, Index v, const Coordinates
         std::erase_if(renumbered_, gone);
         throw;
     }
+    aside_ += price + Prices<d>::flip * static_cast<double>(changed.size());
     changed_ = std::move(changed);
     changed_.insert(changed_.end(), renumbered_.begin(), renumbered_.end());
     std::erase_if(changed_, gone);
@@ -240,7 +255,7 @@ bool Repair<d>::holds_after_mending(double most) {
     const bool at_border = std::any_of(alive.begin(), alive.end(), [&t](Cell_index c) { return t.is_infinite(c); });
     many_ |= at_border;
     if (at_border && mender_.built_anew() && !border_is_whole(t)) return false;
-    if (signs_) return !border_in_doubt() || border_winds_once(t, x_);
+    if (signs_) return border_holds();
     // Their tolerances are to be paid for too, and what later stages cost nobody knows before.
     const std::size_t chunk = std::max(alive.size() / 16, std::size_t{128});
     const double before = evaluation_price();

@@ -89,7 +89,7 @@ class Repair {
     [[nodiscard]] bool mend_one(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& old, double most);
 
     /// What this examination cost without evaluations, in cells looked at.
-    [[nodiscard]] double price() const { return mender_.price(); }
+    [[nodiscard]] double price() const { return mender_.price() + aside_; }
     /// What evaluations cost, or will of what is suspected as yet, the later stages of those that have been made included.
     [[nodiscard]] double evaluation_price() const {
         return Prices<d>::evaluation * static_cast<double>(facets_.size() + cells_.size()) +
@@ -142,11 +142,13 @@ class Repair {
     void note_disturbed(const Facet_points<d>& points);
     [[nodiscard]] bool signs_hold(double most);
     [[nodiscard]] bool border_in_doubt() const;
+    [[nodiscard]] bool border_holds();
     [[nodiscard]] bool mend(const Course<d>& course, double most);
     [[nodiscard]] bool holds_after_mending(double most);
-    [[nodiscard]] bool reinsert(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& goal);
+    [[nodiscard]] bool reinsert(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& goal, double price);
     void forget();
-    [[nodiscard]] bool collides(Index v, const Coordinates<d>& home) const;
+    [[nodiscard]] bool collides(Index v, const Coordinates<d>& home);
+    [[nodiscard]] double reinsertion_price(Index v) const;
     void count_signs();
 
     Embedding<d>& embedding_;
@@ -157,6 +159,7 @@ class Repair {
     bool many_ = true;    // vertices moved
     bool signs_ = false;  // are examined: evaluate_everything, evaluate_star
     bool hopeless_ = false;  // it would cost more than it may, by a sample
+    double aside_ = 0.0;     // of the price, what mender_ does not know: the border, collisions, reinsertion
     Stage_counts counted_;  // of what mender_ asked
     std::span<const Coordinates<d>> x_;
     std::vector<Facet_suspect> facets_;

@@ -21,7 +21,7 @@ double distance(const Coordinates<3>& a, const Coordinates<3>& b) {
 /// Whether another vertex is where v goes, v's cells still being those of where it was. From neighbour to neighbour, always nearer: in a
 /// Delaunay triangulation that ends at the nearest vertex. What rounding misses is found by the rebuild that follows when nothing else helps.
 template <int d>
-bool Repair<d>::collides(Index v, const Coordinates<d>& home) const {
+bool Repair<d>::collides(Index v, const Coordinates<d>& home) {
     const auto& t = embedding_.table();
     const Coordinates<d>& goal = x_[at(v)];
     Index nearest = v;
@@ -30,6 +30,7 @@ bool Repair<d>::collides(Index v, const Coordinates<d>& home) const {
         from = nearest;
         t.for_each_corner(from, [&](Corner_index h) {
             const Cell_index c = t.cell_of(h);
+            aside_ += 1.0;
             for (int i = 0; i <= d; ++i) {
                 const Index w = t.vertex(t.corner(c, i));
                 if (w == infinite || w == v) continue;

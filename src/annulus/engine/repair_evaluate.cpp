@@ -127,13 +127,22 @@ bool Repair<d>::evaluate() {
     const auto fails = [this](const auto& s) { return this->exists(s) && this->violated(s); };
     if (std::any_of(cells_.begin(), cells_.end(), fails) || std::any_of(facets_.begin(), facets_.end(), fails))
         return false;
-    return !border_in_doubt() || border_winds_once(embedding_.table(), x_);
+    return border_holds();
 }
 
 template <int d>
 bool Repair<d>::border_in_doubt() const {
     return many_ && (signs_ || (d == 2 && !cells_.empty()) ||
                      std::any_of(facets_.begin(), facets_.end(), [](const auto& s) { return s.kind == Facet_kind::ridge; }));
+}
+
+template <int d>
+bool Repair<d>::border_holds() {
+    if (!border_in_doubt()) return true;
+    std::size_t seen = 0;
+    const bool holds = border_winds_once(embedding_.table(), x_, seen);
+    aside_ += Prices<d>::border * static_cast<double>(seen);
+    return holds;
 }
 
 /// In batches: ridges with the cells, both being orientations.

@@ -2,8 +2,6 @@
 // Signs alone: for when tolerances would not last.
 #include <annulus/engine/repair.h>
 
-#include <annulus/mesh/border.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,7 +29,7 @@ bool Repair<d>::signs_hold(double most) {
     for (const Corner_index f : signs.violated()) note_disturbed(facet_certificate(t, f, false).point);
     count_signs();
     if (!signs.inverted().empty() || !signs.violated().empty()) return false;
-    return !border_in_doubt() || border_winds_once(t, x_);
+    return border_holds();
 }
 
 template <int d>

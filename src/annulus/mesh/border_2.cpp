@@ -5,7 +5,7 @@ namespace annulus {
 
 /// Around infinity the border is walked clockwise. It turns right everywhere, so it winds as often as its direction
 /// enters the half-plane of directions that point up, or right when level.
-bool border_winds_once(const Cell_table<2>& t, std::span<const Coordinates<2>> positions) {
+bool border_winds_once(const Cell_table<2>& t, std::span<const Coordinates<2>> positions, std::size_t& seen) {
     const Corner_index first = t.corner_of_infinity();
     const auto points_up = [&](Corner_index h) {
         const Coordinates<2>& from = positions[static_cast<std::size_t>(t.vertex(t.ccw(h)))];
@@ -17,6 +17,7 @@ bool border_winds_once(const Cell_table<2>& t, std::span<const Coordinates<2>> p
     Corner_index h = first;
     do {
         h = t.next_around(h);
+        ++seen;
         const bool now = points_up(h);
         if (now && !before) ++entries;
         before = now;

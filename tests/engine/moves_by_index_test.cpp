@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a call that moves some vertices costs, where each of them changes everything: counted in cells looked at,
+// certificates and bytes asked for.
+#include <annulus/engine/prices.h>
+#include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_delaunay_3.h>
+#include <annulus/moving_mesh.h>
+
+#include <support/failing_new.h>
+#include <support/generators.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+using namespace annulus;
+using annulus::testing::between;
+using annulus::testing::Failing_new;
+using annulus::testing::Random;
+using annulus::testing::unit;
+
+namespace {
+
+template <int d>
+using Delaunay_of = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
+
+enum class Scene { sphere, moment_curve };
+
+/// On the unit sphere, up to rounding; or on the curve (t, t^2, ..), where in space every two vertices are neighbours.
+template <int d>
+std::vector<Coordinates<d>> convex_position(Scene scene, std::size_t n, Random& random) {
+    std::vector<Coordinates<d>> x;
+    while (x.size() < n) {
+        Coordinates<d> p{};
+        double square = 0.0;
+        for (double& c : p) {
+            c = between(random, -1.0, 1.0);
+            square += c * c;
+        }
+        if (scene == Scene::sphere && (square > 1.0 || square < 0.01)) continue;
+        const double t = unit(random);
+        double power = 1.0;
+        for (double& c : p) c = scene == Scene::sphere ? c / std::sqrt(square) : power *= t;
+        x.push_back(p);
+    }
+    return x;
+}
+
+template <int d, class Triangulation>
+auto positions(const Triangulation& dt) {
+    if constexpr (std::is_same_v<Triangulation, Moving_mesh<d>>) return dt.points();
+    else return dt.positions();
+}
+
+template <int d>
+constexpr std::size_t vertices_of(Scene scene) {
+    return d == 2 ? 1280 : scene == Scene::sphere ? 1280 : 192;
+}
+
+const Strategy certified[] = {Strategy::filter, Strategy::automatic, Strategy::filter_each, Strategy::in_place};
+
+/// A 64th of all, so that they are moved one by one.
+template <int d>
+void choose(std::span<const Coordinates<d>> x, double pace, Random& random, std::vector<Index>& index,
+            std::vector<Coordinates<d>>& goal) {
+    index.clear();
+    goal.clear();
+    for (std::size_t k = 0; k < x.size() / 64; ++k) {
+        const auto i = static_cast<std::size_t>(random() % x.size());
+        index.push_back(static_cast<Index>(i));
+        goal.push_back(x[i]);
+        for (double& c : goal.back()) c += pace * between(random, -1.0, 1.0);
+    }
+}
+
+template <int d, class Triangulation>
+void check_cost(Scene scene, double pace) {
+    for (const Strategy strategy : certified) {
+        CAPTURE(d, static_cast<int>(scene), pace, name_of(strategy));
+        Random random(3);
+        std::vector<Coordinates<d>> x = convex_position<d>(scene, vertices_of<d>(scene), random);
+        Options options;
+        options.strategy = Strategy::rebuild;
+        Triangulation rebuilt(std::span<const Coordinates<d>>(x), options);
+        options.strategy = strategy;
+        Triangulation dt(std::span<const Coordinates<d>>(x), options);
+        const auto n = static_cast<double>(x.size());
+        const auto cells = static_cast<double>(dt.cells().vertices.size());
+        std::vector<Index> index;
+        std::vector<Coordinates<d>> goal;
+        for (int step = 0; step < 3; ++step) {
+            choose<d>(x, pace, random, index, goal);
+            for (std::size_t k = 0; k < index.size(); ++k) x[static_cast<std::size_t>(index[k])] = goal[k];
+            std::uint64_t spent = 0, once = 0;
+            Move_report report;
+            {
+                const Failing_new counting(std::uint64_t{1} << 60);
+                report = dt.move(std::span<const Index>(index), std::span<const Coordinates<d>>(goal));
+                spent = Failing_new::bytes();
+            }
+            {
+                const Failing_new counting(std::uint64_t{1} << 60);
+                (void)rebuilt.move_all(std::span<const Coordinates<d>>(x));
+                once = Failing_new::bytes();
+            }
+            CAPTURE(step, report.price / (Prices<d>::rebuild * n), report.evaluated, spent / once,
+                    report.moves.reinserted, report.moves.rebuilt);
+            CHECK(report.price < 6.0 * Prices<d>::rebuild * std::max(n, cells / (d == 2 ? 2.0 : 6.7)));
+            CHECK(static_cast<double>(report.evaluated) < 60.0 * cells);
+            CHECK(spent < 10 * once);
+            REQUIRE(std::equal(x.begin(), x.end(), positions<d>(dt).begin()));
+            REQUIRE(dt.audit().delaunay());
+        }
+    }
+}
+
+/// The one that is moved last goes where one is that does not move.
+template <int d, class Triangulation>
+void check_collision(Scene scene) {
+    for (const Strategy strategy : certified) {
+        CAPTURE(d, static_cast<int>(scene), name_of(strategy));
+        Random random(4);
+        const std::vector<Coordinates<d>> x = convex_position<d>(scene, vertices_of<d>(scene), random);
+        Options options;
+        options.strategy = strategy;
+        Triangulation dt(std::span<const Coordinates<d>>(x), options);
+        std::vector<Index> index;
+        std::vector<Coordinates<d>> goal;
+        const auto last = static_cast<Index>(x.size() - 1);
+        for (int step = 0; step < 2; ++step) {
+            choose<d>(x, 1e-3, random, index, goal);
+            std::size_t kept = 0;
+            for (std::size_t k = 0; k < index.size(); ++k) {
+                if (index[k] == 0 || index[k] == last) continue;
+                index[kept] = index[k];
+                goal[kept++] = goal[k];
+            }
+            index.resize(kept);
+            goal.resize(kept);
+            index.push_back(0);
+            goal.push_back(x[static_cast<std::size_t>(last)]);
+            try {
+                (void)dt.move(std::span<const Index>(index), std::span<const Coordinates<d>>(goal));
+                FAIL("two vertices at one place");
+            } catch (const Error& e) {
+                CHECK(e.code() == Error_code::collision);
+            }
+            REQUIRE(std::equal(x.begin(), x.end(), positions<d>(dt).begin()));
+            REQUIRE(dt.audit().delaunay());
+            // And where the one in the way leaves it is none.
+            Triangulation other(std::span<const Coordinates<d>>(x), options);
+            index.push_back(last);
+            goal.push_back(x[0]);
+            (void)other.move(std::span<const Index>(index), std::span<const Coordinates<d>>(goal));
+            REQUIRE(positions<d>(other)[0] == x[static_cast<std::size_t>(last)]);
+            REQUIRE(other.audit().delaunay());
+        }
+    }
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("Moves by index of points in convex position cost some rebuilds, dimension", "[engine][moves]",
+                       ((int d), d), 2, 3) {
+    for (const Scene scene : {Scene::sphere, Scene::moment_curve})
+        for (const double pace : {1e-5, 1e-2}) {
+            check_cost<d, Moving_mesh<d>>(scene, pace);
+            check_cost<d, Delaunay_of<d>>(scene, pace);
+        }
+}
+
+TEMPLATE_TEST_CASE_SIG("Moves by index that turn out too dear collide as others do, dimension", "[engine][moves]",
+                       ((int d), d), 2, 3) {
+    for (const Scene scene : {Scene::sphere, Scene::moment_curve}) {
+        check_collision<d, Moving_mesh<d>>(scene);
+        check_collision<d, Delaunay_of<d>>(scene);
+    }
+}
