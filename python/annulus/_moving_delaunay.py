@@ -144,9 +144,9 @@ class MovingDelaunay(Readings):
 
         Notes
         -----
-        A vertex is found near the place in O(log n), and a walk goes from there: 6 to 8 triangles, or 9 to 12
-        tetrahedra, on average for 10,000 to a million random points, strips, walls, clusters and lattices; some
-        ten microseconds in the plane, some forty in space. What else it costs: the first insertion after a
+        A vertex is found near the place in O(log n), and a walk goes from there: on average 6 to 8 triangles for
+        10,000 to a million random points, 9 to 12 tetrahedra for 10,000 to 200,000. Ten to twenty microseconds
+        each in the plane, some forty in space. What else it costs: the first insertion after a
         construction copies arrays, O(n); while all points are in a plane or on a line each one builds
         everything anew, O(n log n); where a vertex has k neighbours it may take O(k). More than one at once are
         first compared with all positions, which takes O(n). When memory runs out half way, those that were inserted are taken out again, and there may be
