@@ -27,7 +27,8 @@ if(ANNULUS_BUILD_TOOLKIT)
     annulus_unite(annulus-toolkit plane "/motion/(domain_2|sampling_2)[.]cpp$")
     annulus_unite(annulus-toolkit surfaces "/motion/(surface_3|[a-z]*_faults)[.]cpp$")
     # CGAL's Mesh_3 takes a minute by itself; the others have names that others of their room have, too.
-    foreach(alone IN ITEMS motion/initial_mesh_3 motion/nodt_3 motion/kept_cells_3 motion/stars_2 formats/read_csv formats/write_frames)
+    foreach(alone IN ITEMS motion/initial_mesh_3 motion/nodt_3 motion/kept_cells_3 motion/stars_2 formats/read_csv
+            formats/write_frames formats/text_input formats/xyz_guess)
         set_source_files_properties(src/annulus/${alone}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     endforeach()
 endif()

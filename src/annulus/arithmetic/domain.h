@@ -23,6 +23,9 @@ inline constexpr double coordinate_limit = 0x1p500;
 /// True when x is a number inside the coordinate domain (false for NaN and infinities). Compares bits, so that no flag of a
 /// caller's compiler can take a NaN for a number.
 [[nodiscard]] constexpr bool in_domain(double x) noexcept { return magnitude_bits(x) <= magnitude_bits(coordinate_limit); }
+[[nodiscard]] constexpr bool is_finite_number(double x) noexcept {
+    return magnitude_bits(x) < magnitude_bits(std::numeric_limits<double>::infinity());
+}
 
 template <std::size_t d>
 [[nodiscard]] inline bool in_domain(const std::array<double, d>& x) noexcept {
@@ -36,16 +39,17 @@ template <std::size_t d>
 inline void require_in_domain(const std::array<double, d>& x) {
     if (in_domain(x)) return;
     for (const double c : x)
-        if (magnitude_bits(c) >= magnitude_bits(std::numeric_limits<double>::infinity())) throw Error(Error_code::not_finite, "a coordinate is not a finite number");
+        if (!is_finite_number(c)) throw Error(Error_code::not_finite, "a coordinate is not a finite number");
     throw Error(Error_code::out_of_domain, "a coordinate is larger than 2^500 in magnitude");
 }
+
 /// The same, naming what it is the position of: a "point" or "vertex", and its index.
 template <std::size_t d>
 inline void require_in_domain(const std::array<double, d>& x, const char* whose, std::int64_t i) {
     if (in_domain(x)) return;
     const std::string of = "a coordinate of " + std::string(whose) + " " + std::to_string(i);
     for (const double c : x)
-        if (!std::isfinite(c)) throw Error(Error_code::not_finite, of + " is not a finite number", {i});
+        if (!is_finite_number(c)) throw Error(Error_code::not_finite, of + " is not a finite number", {i});
     throw Error(Error_code::out_of_domain, of + " is larger than 2^500 in magnitude", {i});
 }
 
