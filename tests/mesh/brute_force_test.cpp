@@ -15,7 +15,7 @@ namespace {
 /// Each of `cases` random byte strings as a case. How many the audit passed, by what was wrong with them.
 template <int d>
 std::map<std::string, int> compare(int cases) {
-    std::mt19937_64 random(run_seed());
+    std::mt19937_64 random(annulus::run_seed());
     std::map<std::string, int> met;
     for (int i = 0; i < cases; ++i) {
         // The kind, n, n points, the order of heights, and none to two changes of three to six bytes.
