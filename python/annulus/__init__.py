@@ -7,14 +7,19 @@ and `nodt` are the subcommands of the tool as functions. Everything that is comp
 library of the same name.
 """
 
+from . import _core
+
+if not _core.in_main_interpreter():  # the main one had it already, and Python has handed on what it had
+    raise ImportError("annulus works in the main interpreter only, and this is a subinterpreter")
+
 from ._core import MoveReport
 from ._core import version as __version__
-from ._error import Error
+from ._error import Error, OpenBoundariesWarning
 from ._functions import LloydResult, NodtResult, counterexample, degeneracy, lloyd, nodt
 from ._moving_delaunay import MovingDelaunay
 from ._readings import AuditResult
 
-__all__ = ["AuditResult", "Error", "LloydResult", "MoveReport", "MovingDelaunay", "NodtResult", "__version__", "counterexample",
-           "degeneracy", "lloyd", "nodt"]
+__all__ = ["AuditResult", "Error", "LloydResult", "MoveReport", "MovingDelaunay", "NodtResult", "OpenBoundariesWarning", "__version__",
+           "counterexample", "degeneracy", "lloyd", "nodt"]
 
 MoveReport.__module__ = "annulus"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The one exception of annulus."""
+"""The one exception of annulus, and its one warning."""
 
 from __future__ import annotations
 
@@ -47,3 +47,7 @@ class Error(ValueError):
 
     def __reduce__(self) -> tuple[type[Error], tuple[str, str]]:
         return type(self), (str(self), self.code)
+
+
+class OpenBoundariesWarning(UserWarning):
+    """The object that points were taken from carries a periodic box, and there are no such boxes here: boundaries are open."""

@@ -8,11 +8,10 @@ import typing
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from . import _core
-
-if typing.TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+from . import _arguments, _core
+from ._moving_delaunay import options_of
 
 
 class LloydResult(typing.NamedTuple):
@@ -51,7 +50,7 @@ def degeneracy(points: ArrayLike, merge_duplicates: bool = False) -> dict[str, t
         The content of ``degeneracy.json`` as ``annulus degeneracy`` writes it: widths in mean spacings, and
         None for what points on a line or in a plane do not have. ``file`` is empty.
     """
-    return _core.degeneracy(points, bool(merge_duplicates))
+    return _core.degeneracy(points, _arguments.truth("merge_duplicates", merge_duplicates))
 
 
 def counterexample(delta: float = 0.01) -> dict[str, typing.Any]:
@@ -67,7 +66,7 @@ def counterexample(delta: float = 0.01) -> dict[str, typing.Any]:
     dict
         The content of ``counterexample.json`` as ``annulus counterexample`` writes it.
     """
-    return _core.counterexample(delta)
+    return _core.counterexample(_arguments.number("delta", delta))
 
 
 def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one", domain: str | ArrayLike | None = None,
@@ -111,8 +110,13 @@ def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one
     -----
     A signal is seen between two steps.
     """
-    options = _core.options(strategy, tolerance, "off", threads, bool(merge_duplicates), False, seed)
-    return LloydResult(*_core.lloyd(points, density, domain, radius, iterations, options, seed, callback))
+    options = _arguments.options(strategy, tolerance, merge_duplicates, threads, "off", False, seed)
+    how_many = not isinstance(points, (np.ndarray, list, tuple)) and hasattr(type(points), "__index__")
+    return LloydResult(*_core.lloyd(
+        _arguments.whole("points", points, 3, 100_000_000) if how_many else points, _arguments.choice("density", density, _arguments.DENSITIES),
+        _arguments.choice("domain", domain, _arguments.DOMAINS) if isinstance(domain, str) else domain,
+        None if radius is None else _arguments.length("radius", radius), _arguments.iterations_of(iterations), options_of(options),
+        options["seed"], _arguments.function("callback", callback)))
 
 
 def nodt(surface: str | os.PathLike[str] | tuple[ArrayLike, ArrayLike], vertices: int, iterations: int = 100, *, gradation: float = 0.0,
@@ -156,5 +160,19 @@ def nodt(surface: str | os.PathLike[str] | tuple[ArrayLike, ArrayLike], vertices
     -----
     A signal is seen between two steps, and not while the first mesh is made, by CGAL's Mesh_3.
     """
-    options = _core.options(strategy, tolerance, "off", threads, False, False, seed)
-    return NodtResult(*_core.nodt(surface, vertices, gradation, lock, bool(allow_crossing), iterations, options, seed, callback))
+    options = _arguments.options(strategy, tolerance, False, threads, "off", False, seed)
+    return NodtResult(*_core.nodt(
+        _surface_of(surface), _arguments.whole("vertices", vertices, 4, 10_000_000), _arguments.number("gradation", gradation),
+        None if lock is None else _arguments.number("lock", lock), _arguments.truth("allow_crossing", allow_crossing),
+        _arguments.iterations_of(iterations), options_of(options), options["seed"], _arguments.function("callback", callback)))
+
+
+def _surface_of(surface: object) -> object:
+    """None for the sphere, the name of a file as bytes, or a pair of arrays."""
+    if isinstance(surface, str) and surface == "sphere":
+        return None
+    if isinstance(surface, (str, os.PathLike)):
+        return _arguments.file_of("surface", surface)
+    if not isinstance(surface, (tuple, list)):
+        raise TypeError(f"surface must be 'sphere', a file or a pair, points and triangles; not {_arguments.described(surface)}")
+    return tuple(surface)

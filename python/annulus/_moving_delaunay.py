@@ -6,15 +6,11 @@ from __future__ import annotations
 import typing
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from . import _core
+from . import _arguments, _core
 from ._error import Error
-from ._readings import Readings
-
-if typing.TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from ._readings import Indices
+from ._readings import Indices, Readings
 
 
 class MovingDelaunay(Readings):
@@ -27,7 +23,8 @@ class MovingDelaunay(Readings):
     Parameters
     ----------
     points : array_like, shape (n, 2) or (n, 3)
-        Positions, in any unit of length. float32 and integers are taken exactly; what would have to be rounded
+        Positions, in any unit of length. Boundaries are open: there are no periodic boxes, and of an object
+        that carries one its positions are taken, with an `OpenBoundariesWarning`. float32 and integers are taken exactly; what would have to be rounded
         to float64 (long doubles, integers that are none) is a `TypeError`. There may be any number of points,
         also fewer than d + 1, and they may lie on a line or in a plane.
     strategy : str, optional
@@ -68,8 +65,9 @@ class MovingDelaunay(Readings):
     asking again costs nothing.
 
     **Threads.** The GIL is released while something is computed; calls on one object from several threads
-    take turns. float64 in C order is read where it is while Python has one thread, and copied first while it
-    has more, so that nobody can write in what is being read. A signal (Ctrl-C) is seen after the call.
+    take turns, and each is of one moment. float64 in C order is read where it is if NumPy has allocated it
+    and Python has one thread; all else is copied first, so that no other thread of Python and no other
+    process writes in what is being read. A signal (Ctrl-C) is seen after the call, by `audit` now and then.
 
     **Processes.** A child of `os.fork` may go on with its copy, with ``threads=1``; if another thread was in a
     call on the object when it was forked, using it there is a `RuntimeError`. Pickling keeps positions,
@@ -90,14 +88,12 @@ class MovingDelaunay(Readings):
 
     def __init__(self, points: ArrayLike, strategy: str = "auto", tolerance: str = "certified", merge_duplicates: bool = False,
                  threads: int = 1, *, second_look: str = "off", report_changes: bool = True, seed: int = 0) -> None:
-        options = {"strategy": strategy, "tolerance": tolerance, "merge_duplicates": bool(merge_duplicates), "threads": threads,
-                   "second_look": second_look, "report_changes": bool(report_changes), "seed": seed}
-        if not isinstance(points, np.ndarray):
-            points = np.asarray(points)
-        shape = points.shape
+        options = _arguments.options(strategy, tolerance, merge_duplicates, threads, second_look, report_changes, seed)
+        array = points if type(points) is np.ndarray else _arguments.array_of(points, "points")
+        shape = array.shape
         if len(shape) != 2 or shape[1] not in (2, 3):
-            raise Error(f"points must have shape (n, 2) or (n, 3), not {shape}", "wrong_size")
-        mesh = (_core.Mesh2 if shape[1] == 2 else _core.Mesh3).build(points, _options_of(options))
+            raise Error(f"points must have shape (n, 2) or (n, 3), not {shape if len(shape) <= 8 else '(..)'}", "wrong_size")
+        mesh = (_core.Mesh2 if shape[1] == 2 else _core.Mesh3).build(array, options_of(options))
         self._options = options
         self._mesh = mesh
         self._index_of_input = mesh.index_of_input
@@ -175,25 +171,29 @@ class MovingDelaunay(Readings):
     def __repr__(self) -> str:
         if not hasattr(self, "_mesh"):
             return f"<{type(self).__name__}: not initialised>"
-        n = self.nvertices
+        n, strategy = self._mesh.summary()
         return (f"<{type(self).__name__}: {n} {'vertex' if n == 1 else 'vertices'} in {'the plane' if self.ndim == 2 else 'space'}, "
-                f"strategy {self.strategy!r}, tolerance {self._options['tolerance']!r}>")
+                f"strategy {strategy!r}, tolerance {self._options['tolerance']!r}>")
 
     # ---- Pickling and copying ----------------------------------------------------------------
 
     def __getstate__(self) -> dict[str, typing.Any]:
         more = {name: value for name, value in self.__dict__.items() if name != "_mesh"}
-        return {"format": 1, "points": self._mesh.points, "vacant": self._mesh.vacant, "more": more}
+        points, vacant = self._mesh.state()
+        return {"format": 1, "points": points, "vacant": vacant, "more": more}
 
     def __setstate__(self, state: dict[str, typing.Any]) -> None:
-        if state.get("format") != 1:
-            raise Error(f"this was pickled by another version of annulus: format {state.get('format')}", "bad_input")
+        if not isinstance(state, dict) or not {"format", "points", "vacant", "more"} <= state.keys():
+            raise Error(f"state must be that of a pickled MovingDelaunay, not {_arguments.described(state)}", "bad_input")
+        if state["format"] != 1:
+            raise Error(f"state was pickled by another version of annulus: format {_arguments.described(state['format'])}", "bad_input")
         points, more = state["points"], state["more"]
         kind = _core.Mesh2 if points.shape[1] == 2 else _core.Mesh3
-        self._mesh = kind.build_again(points, state["vacant"], _options_of(more["_options"]))
+        self._mesh = kind.build_again(points, state["vacant"], options_of(more["_options"]))
         self.__dict__.update(more)
         self._index_of_input.flags.writeable = False
 
 
-def _options_of(o: dict[str, typing.Any]) -> _core.Options:
+def options_of(o: dict[str, typing.Any]) -> _core.Options:
+    """What the compiled module takes, of options that `_arguments.options` has looked at."""
     return _core.options(o["strategy"], o["tolerance"], o["second_look"], o["threads"], o["merge_duplicates"], o["report_changes"], o["seed"])

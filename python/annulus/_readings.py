@@ -6,14 +6,12 @@ from __future__ import annotations
 import typing
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 
-if typing.TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-    Floats = NDArray[np.float64]
-    Indices = NDArray[np.int32]
+Floats = NDArray[np.float64]
+Indices = NDArray[np.int32]
 
 
 class AuditResult(typing.NamedTuple):
@@ -39,7 +37,7 @@ def report_of(state: tuple[dict[str, typing.Any], int, Indices | None]) -> _core
 class Readings:
     """The part of `MovingDelaunay` that changes nothing."""
 
-    _mesh: _core._Mesh
+    _mesh: _core.Mesh2 | _core.Mesh3
     _index_of_input: Indices
 
     @property
@@ -140,7 +138,12 @@ class Readings:
         Returns
         -------
         AuditResult
-            Vertices in `first_fault` are counted without vacant indices.
+            Vertices in `first_fault` are named by their indices.
+
+        Notes
+        -----
+        It is of one moment: other threads may move the triangulation on meanwhile. Signals (Ctrl-C) are seen
+        now and then while it looks.
         """
         return AuditResult(*self._mesh.audit())
 

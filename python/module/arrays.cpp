@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <module/arrays.h>
 
+#include <module/finalizing.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -9,8 +13,8 @@ namespace annulus::python {
 
 std::string shape_of(const py::array& a) {
     std::string text = "(";
-    for (py::ssize_t k = 0; k < a.ndim(); ++k) text += (k > 0 ? ", " : "") + std::to_string(a.shape(k));
-    return text + (a.ndim() == 1 ? ",)" : ")");
+    for (py::ssize_t k = 0; k < a.ndim() && k < 8; ++k) text += (k > 0 ? ", " : "") + std::to_string(a.shape(k));
+    return text + (a.ndim() > 8 ? ", ..)" : a.ndim() == 1 ? ",)" : ")");
 }
 
 namespace {
@@ -19,56 +23,96 @@ namespace {
 py::array array_of(const py::object& object, const char* name) {
     if (Py_TYPE(object.ptr()) == py::detail::npy_api::get().PyArray_Type_)
         return py::reinterpret_borrow<py::array>(object);
-    if (py::isinstance(object, py::module_::import("numpy.ma").attr("MaskedArray")))
-        throw py::type_error(std::string(name) + ": a masked array; say what shall stand where values are masked");
-    return py::module_::import("numpy").attr("asarray")(object);
+    PyObject* const made = may_wait_for_gil([&]() -> PyObject* {
+        PyObject* const module = PyImport_ImportModule("annulus._arguments");
+        if (module == nullptr) return nullptr;
+        PyObject* const array = PyObject_CallMethod(module, "array_of", "Os", object.ptr(), name);
+        Py_DECREF(module);
+        return array;
+    });
+    if (made == nullptr) throw py::error_already_set();
+    return py::reinterpret_steal<py::array>(made);
 }
 
-/// Whether somebody else could write in an array while nobody here holds the GIL. What flags say of writing can change meanwhile.
-bool others_may_write() {
-    return PyThreadState_Next(PyInterpreterState_ThreadHead(PyInterpreterState_Get())) != nullptr;
+/// "float128", say, and nothing long.
+std::string dtype_of(const py::array& a) {
+    const auto text = py::str(py::object(a.dtype())).cast<std::string>();
+    return text.size() <= 40 ? text : "a structured type";
 }
 
-/// int64 and uint64 are more than doubles have digits for.
+/// The same numbers in C order as another type, which holds them; or the array itself.
 template <class T>
-void require_exact(const py::array& a, const char* name) {
-    const py::array_t<T, c_array> numbers(a);
+py::array_t<T, c_array> converted(const py::array& a) {
+    return may_wait_for_gil([&] { return py::array_t<T, c_array>(a); });
+}
+
+template <class T>
+py::array_t<T, c_array> copied(const py::array_t<T, c_array>& a) {
+    const py::array_t<T, c_array> copy(std::vector<py::ssize_t>(a.shape(), a.shape() + a.ndim()));
+    if (a.size() > 0) std::memcpy(const_cast<T*>(copy.data()), a.data(), static_cast<std::size_t>(a.nbytes()));
+    return copy;
+}
+
+/// int64 and uint64 are more than doubles have digits for. What was compared is what is taken, whatever is written meanwhile.
+template <class T>
+Numbers exact(const py::array& a, const char* name) {
+    auto numbers = converted<T>(a);
+    if (numbers.is(a)) numbers = copied(numbers);
+    const Numbers out(std::vector<py::ssize_t>(numbers.shape(), numbers.shape() + numbers.ndim()));
+    auto* const to = const_cast<double*>(out.data());
     for (py::ssize_t k = 0; k < numbers.size(); ++k) {
         const T i = numbers.data()[k];
-        const auto rounded = static_cast<double>(i);
-        if (rounded >= std::ldexp(1.0, std::numeric_limits<T>::digits) || static_cast<T>(rounded) != i)
+        to[k] = static_cast<double>(i);
+        if (to[k] >= std::ldexp(1.0, std::numeric_limits<T>::digits) || static_cast<T>(to[k]) != i)
             throw py::type_error(std::string(name) + " has " + std::to_string(i) +
                                  ", which is no double: round it first");
     }
+    return out;
+}
+
+/// Whether another thread of Python could write in an array while nobody here holds the GIL.
+bool other_threads() { return PyThreadState_Next(PyInterpreterState_ThreadHead(PyInterpreterState_Get())) != nullptr; }
+
+/// Whether the memory is NumPy's own, of this process alone: that of an array, or part of it, which NumPy has allocated. What comes
+/// from a file, from shared memory or from another package is not.
+bool is_private(const py::array& a) {
+    py::handle owner = a;
+    for (int depth = 0; depth < 32 && owner && Py_TYPE(owner.ptr()) == py::detail::npy_api::get().PyArray_Type_;
+         ++depth) {
+        const auto* const array = py::detail::array_proxy(owner.ptr());
+        if ((array->flags & py::detail::npy_api::NPY_ARRAY_OWNDATA_) != 0) return true;
+        owner = array->base;
+    }
+    return false;
 }
 
 }  // namespace
 
 Numbers numbers_of(const py::object& object, const char* name) {
     const py::array given = array_of(object, name);
-    Numbers numbers(given);
-    if (!numbers.is(given) && given.itemsize() == 8) {
-        const char kind = given.dtype().kind();
-        if (kind == 'i') require_exact<std::int64_t>(given, name);
-        if (kind == 'u') require_exact<std::uint64_t>(given, name);
-    }
+    const char kind = given.dtype().kind();
+    if ((kind != 'f' && kind != 'i' && kind != 'u') || given.itemsize() > 8)
+        throw py::type_error(std::string(name) + " must be numbers that float64 holds exactly, not an array of " +
+                             dtype_of(given));
+    if (given.itemsize() == 8 && kind == 'i') return exact<std::int64_t>(given, name);
+    if (given.itemsize() == 8 && kind == 'u') return exact<std::uint64_t>(given, name);
+    const Numbers numbers = converted<double>(given);
     // What is read more than once must not change in between, or what was proved of one position is believed of another.
     const bool fresh = numbers.owndata() && !numbers.is(given);
-    if (!fresh && others_may_write()) numbers = Numbers(numbers.attr("copy")());
-    return numbers;
+    return fresh || (!other_threads() && is_private(numbers)) ? numbers : copied(numbers);
 }
 
 namespace {
 
 template <class T>
 std::vector<Index> indices_from(const py::array& any) {
-    const py::array_t<T, c_array> numbers(any);
+    const auto numbers = converted<T>(any);
     std::vector<Index> out;
     out.reserve(static_cast<std::size_t>(numbers.size()));
     for (py::ssize_t k = 0; k < numbers.size(); ++k) {
         const T i = numbers.data()[k];
         if (!std::in_range<Index>(i) || i < 0)
-            throw Error(Error_code::unknown_vertex, "no vertex has index " + std::to_string(i));
+            throw Error(Error_code::unknown_vertex, "indices: no vertex has index " + std::to_string(i));
         out.push_back(static_cast<Index>(i));
     }
     return out;
@@ -82,7 +126,30 @@ std::vector<Index> indices_of(const py::object& object) {
     if (any.size() == 0) return {};
     const char kind = any.dtype().kind();
     if (kind == 'b') throw py::type_error("indices must be whole numbers; for a mask write numpy.flatnonzero(mask)");
-    return kind == 'u' ? indices_from<std::uint64_t>(any) : indices_from<std::int64_t>(any);
+    if (kind == 'u') return indices_from<std::uint64_t>(any);
+    if (kind == 'i') return indices_from<std::int64_t>(any);
+    throw py::type_error("indices must be whole numbers, not an array of " + dtype_of(any));
+}
+
+std::vector<std::array<Index, 3>> triangles_of(const py::object& object, std::size_t points) {
+    const py::array any = array_of(object, "surface: triangles");
+    const char kind = any.dtype().kind();
+    if ((kind != 'i' && kind != 'u') || (kind == 'u' && any.itemsize() == 8))
+        throw py::type_error("surface: triangles must be whole numbers of at most 63 bits, not an array of " +
+                             dtype_of(any));
+    if (any.ndim() != 2 || any.shape(1) != 3)
+        throw Error(Error_code::wrong_size, "surface: triangles must have shape (m, 3), not " + shape_of(any));
+    const auto numbers = converted<std::int64_t>(any);
+    std::vector<std::array<Index, 3>> out(static_cast<std::size_t>(numbers.shape(0)));
+    for (py::ssize_t k = 0; k < numbers.shape(0); ++k)
+        for (py::ssize_t i = 0; i < 3; ++i) {
+            const std::int64_t v = numbers.data()[3 * k + i];
+            if (v < 0 || static_cast<std::uint64_t>(v) >= points)
+                throw Error(Error_code::unknown_vertex,
+                            "surface: triangle " + std::to_string(k) + " names point " + std::to_string(v));
+            out[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)] = static_cast<Index>(v);
+        }
+    return out;
 }
 
 }  // namespace annulus::python

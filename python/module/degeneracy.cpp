@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <module/arrays.h>
+#include <module/errors.h>
+#include <module/finalizing.h>
 #include <module/json.h>
 #include <module/parts.h>
 #include <module/point_set.h>
@@ -53,7 +55,14 @@ Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_dupli
     std::vector<Index> corners;
     embedding.list_cells(corners);
     r.simplices = corners.size() / (d + 1);
-    if (r.affine_dimension == d) r.measured = degeneracy(embedding.table(), x);
+    if (r.affine_dimension == d) {
+        Degeneracy_options<d> options;
+        // With one thread it is this one that is told.
+        options.raw = [told = 0U](const Raw_certificate<d>&) mutable {
+            if (++told % 16384 == 0) look_for_signals();
+        };
+        r.measured = degeneracy(embedding.table(), x, options);
+    }
     r.seconds_analysis = since(built);
     return r;
 }
@@ -63,7 +72,7 @@ py::object study_of(Numbers numbers, bool merge_duplicates) {
     const Points_in<d> points(std::move(numbers), "points");
     Degeneracy_record record;
     {
-        const py::gil_scoped_release without_gil;
+        const Without_gil without_gil;
         record = study<d>(points.span(), merge_duplicates);
     }
     return object_of(degeneracy_json(record));

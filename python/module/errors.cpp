@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <module/errors.h>
 
+#include <module/finalizing.h>
+
 #include <exception>
 #include <string>
 #include <system_error>
@@ -60,8 +62,8 @@ void translate_errors() {
 }
 
 void look_for_signals() {
-    const py::gil_scoped_acquire gil;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    const With_gil gil;
+    if (may_wait_for_gil([] { return PyErr_CheckSignals(); }) != 0) throw py::error_already_set();
 }
 
 }  // namespace annulus::python

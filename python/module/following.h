@@ -3,6 +3,7 @@
 
 #include <module/arrays.h>
 #include <module/errors.h>
+#include <module/finalizing.h>
 #include <module/report.h>
 
 #include <cstdint>
@@ -26,10 +27,16 @@ struct History {
 /// Between two steps, without the GIL: signals, and what the caller wants to know. False when it has seen enough.
 inline bool goes_on(const py::object& callback, const History& history) {
     look_for_signals();
-    const py::gil_scoped_acquire gil;
     if (callback.is_none()) return true;
-    const py::object answer = callback(history.mean.size(), history.mean.back(), history.max.back());
-    const int enough = PyObject_IsTrue(answer.ptr());
+    const With_gil gil;
+    const py::tuple arguments = py::make_tuple(history.mean.size(), history.mean.back(), history.max.back());
+    const int enough = may_wait_for_gil([&] {
+        PyObject* const answer = PyObject_Call(callback.ptr(), arguments.ptr(), nullptr);
+        if (answer == nullptr) return -1;
+        const int is_true = PyObject_IsTrue(answer);
+        Py_DECREF(answer);
+        return is_true;
+    });
     if (enough < 0) throw py::error_already_set();
     return enough == 0;
 }

@@ -10,6 +10,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 
@@ -81,20 +82,21 @@ py::tuple run(const py::object& points, const std::string& density_name, const p
               const py::object& callback) {
     require_iterations(iterations);
     const Density density = parse_density(density_name);
+    if (radius_given && !(*radius_given > 0 && std::isfinite(*radius_given)))
+        throw Error(Error_code::bad_input, "radius must be a number above 0, not " + std::to_string(*radius_given));
     const double radius = radius_given.value_or(density == Density::sin2 ? 2 * std::numbers::pi : 1.0);
     std::optional<Domain_2> domain = domain_of(domain_object, radius);
     std::vector<Coordinates<2>> x;
-    if (PyIndex_Check(points.ptr()) != 0 && !py::isinstance<py::array>(points)) {  // how many
-        const Py_ssize_t n = PyNumber_AsSsize_t(points.ptr(), PyExc_OverflowError);
-        if (n == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
+    if (py::isinstance<py::int_>(points)) {  // how many
+        const auto n = points.cast<std::int64_t>();
         if (n < 3 || n > 100'000'000)
-            throw Error(Error_code::usage, "there can be 3 to 100000000 points, not " + std::to_string(n));
+            throw Error(Error_code::usage, "points must be from 3 to 100000000, not " + std::to_string(n));
         if (!domain) domain = Domain_2::disc(radius);
-        const py::gil_scoped_release without_gil;
+        const Without_gil without_gil;
         x = sample(*domain, density, static_cast<std::size_t>(n), seed);
     } else {
         const Points_in<2> given(points);
-        if (given.span().size() < 3) throw Error(Error_code::too_few, "Lloyd's iteration needs three points");
+        if (given.span().size() < 3) throw Error(Error_code::too_few, "points must be three or more");
         x = points_in(domain, given.span());
         if (!domain) domain = Domain_2::convex_hull_of(x);
     }
@@ -103,7 +105,7 @@ py::tuple run(const py::object& points, const std::string& density_name, const p
         throw Error(Error_code::usage, "density sin2 takes domains up to 1000 wide; its rings are 3.1 apart");
     History history;
     {
-        const py::gil_scoped_release without_gil;
+        const Without_gil without_gil;
         iterate(*domain, density, iterations, options, callback, x, history);
     }
     return py::make_tuple(give_rows(std::move(x)), give(std::move(history.mean)), give(std::move(history.max)),

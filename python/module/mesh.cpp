@@ -21,7 +21,7 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 template <int d>
 Moving_mesh<d> mesh_of(std::span<const Coordinates<d>> points, const Options& options) {
-    const py::gil_scoped_release without_gil;
+    const Without_gil without_gil;
     return Moving_mesh<d>(points, options);
 }
 
@@ -29,9 +29,12 @@ Moving_mesh<d> mesh_of(std::span<const Coordinates<d>> points, const Options& op
 template <int d>
 Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vector<Index>& vacant,
                          const Options& options) {
-    const py::gil_scoped_release without_gil;
+    const Without_gil without_gil;
     std::vector<Coordinates<d>> x(points.begin(), points.end());
-    for (const Index i : vacant) x.at(at(i)) = {};
+    for (const Index i : vacant) {
+        if (at(i) >= x.size()) throw Error(Error_code::bad_input, "vacant: there is no index " + std::to_string(i));
+        x[at(i)] = {};
+    }
     double far = 0x1p-500;
     for (const auto& p : x)
         for (const double c : p) far = std::max(far, std::fabs(c));

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace annulus::python {
@@ -38,7 +39,8 @@ class Mesh {
 
     [[nodiscard]] py::array points();
     [[nodiscard]] py::array is_vertex() const;
-    [[nodiscard]] std::vector<Index> vacant() const;
+    /// What it can be made again from, all of one moment: `points` as above, and which indices are vacant, the last one at the end.
+    [[nodiscard]] std::pair<py::array, std::vector<Index>> state();
     [[nodiscard]] std::vector<Index> index_of_input() const;
     [[nodiscard]] std::shared_ptr<const Cells<d>> cells();
     [[nodiscard]] std::shared_ptr<const Adjacency> adjacency();
@@ -50,7 +52,10 @@ class Mesh {
     [[nodiscard]] std::vector<double> displacements() const;
     [[nodiscard]] std::vector<double> voronoi_volumes();
 
+    /// Of one moment; others may move it on while it is looked at. Looks for signals.
     [[nodiscard]] Audit_result audit() const;
+    /// How many vertices, and the strategy in force, both of one moment.
+    [[nodiscard]] std::pair<std::size_t, Strategy> summary() const;
     [[nodiscard]] std::size_t vertices() const;
     [[nodiscard]] std::size_t index_bound() const;
     [[nodiscard]] int dimension() const;
@@ -66,6 +71,7 @@ class Mesh {
     [[nodiscard]] std::vector<double> by_vertex(Value value) const;
     /// The lock is held.
     [[nodiscard]] std::shared_ptr<const Cells<d>> kept_cells();
+    [[nodiscard]] std::shared_ptr<const std::vector<Point>> kept_points();
     void remove_one(Index i);
     void require_free(std::span<const Point> points) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <module/finalizing.h>
 #include <module/mesh.h>
 
 namespace annulus::python {
@@ -9,7 +10,7 @@ namespace annulus::python {
 template <int d>
 template <class Call>
 auto Mesh<d>::locked(Call call) const {
-    const py::gil_scoped_release without_gil;
+    const Without_gil without_gil;
     const std::lock_guard hold(lock_);
     return call();
 }

@@ -2,6 +2,7 @@
 // Mesh: what is read off it.
 #include <module/mesh.h>
 
+#include <module/errors.h>
 #include <module/mesh_locked.h>
 
 #include <annulus/statistics/voronoi_volumes.h>
@@ -17,17 +18,26 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 template <int d>
+auto Mesh<d>::kept_points() -> std::shared_ptr<const std::vector<Point>> {
+    if (!points_) {
+        const auto x = mesh_.points();
+        auto copy = std::make_shared<std::vector<Point>>(x.begin(), x.end());
+        for (const Index i : vacant_) (*copy)[static_cast<std::size_t>(i)].fill(nan);
+        points_ = std::move(copy);
+    }
+    return points_;
+}
+
+template <int d>
 py::array Mesh<d>::points() {
-    const auto points = locked([this] {
-        if (!points_) {
-            const auto x = mesh_.points();
-            auto copy = std::make_shared<std::vector<Point>>(x.begin(), x.end());
-            for (const Index i : vacant_) (*copy)[static_cast<std::size_t>(i)].fill(nan);
-            points_ = std::move(copy);
-        }
-        return points_;
-    });
+    const auto points = locked([this] { return kept_points(); });
     return view_rows(*points, points);
+}
+
+template <int d>
+std::pair<py::array, std::vector<Index>> Mesh<d>::state() {
+    auto [points, vacant] = locked([this] { return std::pair(kept_points(), vacant_); });
+    return {view_rows(*points, points), std::move(vacant)};
 }
 
 template <int d>
@@ -42,11 +52,6 @@ py::array Mesh<d>::is_vertex() const {
     const auto n = static_cast<py::ssize_t>(flags->size());
     const auto* const data = reinterpret_cast<const bool*>(flags->data());
     return view<bool>(data, {n}, std::shared_ptr<const std::vector<char>>(std::move(flags)));
-}
-
-template <int d>
-std::vector<Index> Mesh<d>::vacant() const {
-    return locked([this] { return vacant_; });
 }
 
 template <int d>
@@ -83,36 +88,50 @@ std::vector<Index> Mesh<d>::find(const Points_in<d>& points) {
 template <int d>
 template <class Value>
 std::vector<double> Mesh<d>::by_vertex(Value value) const {
-    return locked([&] {
-        std::vector<double> out(mesh_.index_bound(), nan);
-        for (std::size_t i = 0; i < out.size(); ++i)
-            if (const auto v = static_cast<Index>(i); mesh_.is_vertex(v)) out[i] = value(v);
-        return out;
-    });
+    std::vector<double> out(mesh_.index_bound(), nan);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        if (const auto v = static_cast<Index>(i); mesh_.is_vertex(v)) out[i] = value(v);
+    return out;
 }
 
 template <int d>
 std::vector<double> Mesh<d>::tolerances() const {
-    return by_vertex([this](Index v) { return mesh_.tolerance(v); });
+    return locked([this] { return by_vertex([this](Index v) { return mesh_.tolerance(v); }); });
 }
 template <int d>
 std::vector<double> Mesh<d>::thetas() const {
-    return by_vertex([this](Index v) { return mesh_.theta(v); });
+    return locked([this] { return by_vertex([this](Index v) { return mesh_.theta(v); }); });
 }
 template <int d>
 std::vector<double> Mesh<d>::displacements() const {
-    return by_vertex([this](Index v) { return mesh_.displacement(v); });
+    return locked([this] { return by_vertex([this](Index v) { return mesh_.displacement(v); }); });
 }
 
 template <int d>
 std::vector<double> Mesh<d>::voronoi_volumes() {
-    if (dimension() != d) return by_vertex([](Index) { return std::numeric_limits<double>::infinity(); });
-    return locked([this] { return annulus::voronoi_volumes<d>(mesh_.points(), kept_cells()->simplices); });
+    return locked([this] {
+        if (mesh_.dimension() != d) return by_vertex([](Index) { return std::numeric_limits<double>::infinity(); });
+        return annulus::voronoi_volumes<d>(mesh_.points(), kept_cells()->simplices);
+    });
 }
 
 template <int d>
 Audit_result Mesh<d>::audit() const {
-    return locked([this] { return mesh_.audit(); });
+    const Without_gil without_gil;
+    Audit_input<d> input;
+    {
+        const std::lock_guard hold(lock_);
+        input = mesh_.audit_input();
+    }
+    // Without the lock: a handler of signals may ask this mesh.
+    input.between = [calls = 0U]() mutable {
+        if (++calls % 16 == 0) look_for_signals();
+    };
+    return annulus::audit(input);
+}
+template <int d>
+std::pair<std::size_t, Strategy> Mesh<d>::summary() const {
+    return locked([this] { return std::pair(mesh_.number_of_vertices(), mesh_.strategy()); });
 }
 template <int d>
 std::size_t Mesh<d>::vertices() const {
@@ -131,23 +150,25 @@ Strategy Mesh<d>::strategy() const {
     return locked([this] { return mesh_.strategy(); });
 }
 
-#define ANNULUS_READINGS(d)                                         \
-    template py::array Mesh<d>::points();                           \
-    template py::array Mesh<d>::is_vertex() const;                  \
-    template std::vector<Index> Mesh<d>::vacant() const;            \
-    template std::vector<Index> Mesh<d>::index_of_input() const;    \
-    template std::shared_ptr<const Cells<d>> Mesh<d>::kept_cells(); \
-    template std::shared_ptr<const Cells<d>> Mesh<d>::cells();      \
-    template std::shared_ptr<const Adjacency> Mesh<d>::adjacency(); \
-    template std::vector<Index> Mesh<d>::find(const Points_in<d>&); \
-    template std::vector<double> Mesh<d>::tolerances() const;       \
-    template std::vector<double> Mesh<d>::thetas() const;           \
-    template std::vector<double> Mesh<d>::displacements() const;    \
-    template std::vector<double> Mesh<d>::voronoi_volumes();        \
-    template Audit_result Mesh<d>::audit() const;                   \
-    template std::size_t Mesh<d>::vertices() const;                 \
-    template std::size_t Mesh<d>::index_bound() const;              \
-    template int Mesh<d>::dimension() const;                        \
+#define ANNULUS_READINGS(d)                                                          \
+    template py::array Mesh<d>::points();                                            \
+    template auto Mesh<d>::kept_points()->std::shared_ptr<const std::vector<Point>>; \
+    template std::pair<py::array, std::vector<Index>> Mesh<d>::state();              \
+    template std::pair<std::size_t, Strategy> Mesh<d>::summary() const;              \
+    template py::array Mesh<d>::is_vertex() const;                                   \
+    template std::vector<Index> Mesh<d>::index_of_input() const;                     \
+    template std::shared_ptr<const Cells<d>> Mesh<d>::kept_cells();                  \
+    template std::shared_ptr<const Cells<d>> Mesh<d>::cells();                       \
+    template std::shared_ptr<const Adjacency> Mesh<d>::adjacency();                  \
+    template std::vector<Index> Mesh<d>::find(const Points_in<d>&);                  \
+    template std::vector<double> Mesh<d>::tolerances() const;                        \
+    template std::vector<double> Mesh<d>::thetas() const;                            \
+    template std::vector<double> Mesh<d>::displacements() const;                     \
+    template std::vector<double> Mesh<d>::voronoi_volumes();                         \
+    template Audit_result Mesh<d>::audit() const;                                    \
+    template std::size_t Mesh<d>::vertices() const;                                  \
+    template std::size_t Mesh<d>::index_bound() const;                               \
+    template int Mesh<d>::dimension() const;                                         \
     template Strategy Mesh<d>::strategy() const;
 ANNULUS_READINGS(2)
 ANNULUS_READINGS(3)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The classes Mesh2 and Mesh3, behind annulus.MovingDelaunay.
+#include <module/finalizing.h>
 #include <module/mesh.h>
 #include <module/parts.h>
 #include <module/report.h>
@@ -53,13 +54,22 @@ void add_mesh(py::module_& m, const char* name) {
              })
         .def("insert", [](M& mesh, const py::object& points) { return give(mesh.insert(Points_in<d>(points))); })
         .def("remove", [](M& mesh, const py::object& indices) { mesh.remove(indices_of(indices)); })
+        .def("state",
+             [](M& mesh) {
+                 auto [points, vacant] = mesh.state();
+                 return py::make_tuple(std::move(points), give(std::move(vacant)));
+             })
+        .def("summary",
+             [](const M& mesh) {
+                 const auto [vertices, strategy] = mesh.summary();
+                 return py::make_tuple(vertices, std::string(name_of(strategy)));
+             })
         .def("settle", [report](M& mesh) { return report(mesh, mesh.settle()); })
         .def("find_simplex", &find_simplex<d>)
         .def("audit", [](const M& mesh) { return audit_tuple(mesh.audit()); })
         .def("voronoi_volumes", [](M& mesh) { return give(mesh.voronoi_volumes()); })
         .def_property_readonly("points", &M::points)
         .def_property_readonly("is_vertex", &M::is_vertex)
-        .def_property_readonly("vacant", [](const M& mesh) { return give(mesh.vacant()); })
         .def_property_readonly("index_of_input", [](const M& mesh) { return give(mesh.index_of_input()); })
         .def_property_readonly("simplices",
                                [](M& mesh) {
@@ -83,7 +93,7 @@ void add_mesh(py::module_& m, const char* name) {
                                    const auto cells = mesh.cells();
                                    std::vector<std::array<Index, static_cast<std::size_t>(d)>> hull;
                                    {
-                                       const py::gil_scoped_release without_gil;
+                                       const Without_gil without_gil;
                                        hull = hull_of(*cells);
                                    }
                                    return give_rows(std::move(hull));
@@ -109,6 +119,7 @@ void add_mesh(py::module_& m, const char* name) {
 void add_meshes(py::module_& m) {
     py::class_<Options>(m, "Options", not_by_new());
     m.def("options", &options_of);
+    m.def("numbers", [](const py::object& object) { return numbers_of(object, "points"); });
     add_mesh<2>(m, "Mesh2");
     add_mesh<3>(m, "Mesh3");
 }

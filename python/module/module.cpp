@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // annulus._core: what of the Python package is compiled. The package says what things are for.
 #include <module/errors.h>
+#include <module/finalizing.h>
 #include <module/parts.h>
 
+// What pybind11 defines is called by what is asked for, below: in a subinterpreter pybind11 waits for ever, before anything of ours is
+// called.
+namespace {
+bool in_main_interpreter() { return PyInterpreterState_Get() == PyInterpreterState_Main(); }
+}  // namespace
+
+#define PyInit__core annulus_core_of_pybind11
 PYBIND11_MODULE(_core, m) {
     using namespace annulus::python;
+    wait_at_the_end();
     m.doc() = "What is compiled of the package annulus; nothing here is for users.";
     m.attr("version") = ANNULUS_VERSION;
+    m.def("in_main_interpreter", &in_main_interpreter);
     translate_errors();
     add_report(m);
     add_meshes(m);
@@ -14,4 +24,12 @@ PYBIND11_MODULE(_core, m) {
     add_counterexample(m);
     add_lloyd(m);
     add_nodt(m);
+}
+#undef PyInit__core
+
+extern "C" PYBIND11_EXPORT PyObject* PyInit__core();
+extern "C" PYBIND11_EXPORT PyObject* PyInit__core() {
+    if (in_main_interpreter()) return annulus_core_of_pybind11();
+    PyErr_SetString(PyExc_ImportError, "annulus works in the main interpreter only, and this is a subinterpreter");
+    return nullptr;
 }

@@ -20,44 +20,30 @@ namespace annulus::python {
 namespace {
 
 /// A closed surface: points, and triangles that turn left seen from outside, or all of them right.
-Triangle_surface surface_from(const py::object& object) {
-    if (!py::isinstance<py::sequence>(object))
-        throw py::type_error("a surface is \"sphere\", a file, or a pair: points and triangles");
-    const auto pair = py::reinterpret_borrow<py::sequence>(object);
-    if (pair.size() != 2) throw Error(Error_code::wrong_size, "a surface is a pair: points and triangles");
-    const Points_in<3> points(pair[0]);
-    const py::array_t<std::int64_t, c_array> triangles(pair[1].cast<py::object>());
-    if (triangles.ndim() != 2 || triangles.shape(1) != 3)
-        throw Error(Error_code::wrong_size, "triangles must have shape (m, 3), not " + shape_of(triangles));
+Triangle_surface surface_from(const py::sequence& pair) {
+    if (pair.size() != 2) throw Error(Error_code::wrong_size, "surface must be a pair, points and triangles");
+    const Points_in<3> points(pair[0], "surface: points");
     Triangle_surface s;
     s.points.assign(points.span().begin(), points.span().end());
-    for (py::ssize_t k = 0; k < triangles.shape(0); ++k) {
-        auto& t = s.triangles.emplace_back();
-        for (py::ssize_t i = 0; i < 3; ++i) {
-            const std::int64_t v = triangles.at(k, i);
-            if (v < 0 || static_cast<std::size_t>(v) >= s.points.size())
-                throw Error(Error_code::unknown_vertex,
-                            "triangle " + std::to_string(k) + " names point " + std::to_string(v));
-            t[static_cast<std::size_t>(i)] = static_cast<Index>(v);
-        }
-    }
+    s.triangles = triangles_of(pair[1], s.points.size());
     if (!s.points.empty() && enclosed_volume(s) < 0)
         for (auto& t : s.triangles) std::swap(t[0], t[2]);  // as they are read backwards
     return s;
 }
 
+/// The unit ball for None, a file for bytes, or a pair of arrays.
 std::unique_ptr<const Domain_3> domain_of(const py::object& surface, bool allow_crossing) {
-    if (py::isinstance<py::str>(surface) && surface.cast<std::string>() == "sphere") return std::make_unique<Ball_3>(1);
+    if (surface.is_none()) return std::make_unique<Ball_3>(1);
     Triangle_surface s;
-    if (py::isinstance<py::str>(surface) || py::hasattr(surface, "__fspath__")) {
-        const auto file = py::module_::import("os").attr("fspath")(surface).cast<std::string>();
-        const py::gil_scoped_release without_gil;
-        s = read_surface(std::filesystem::path(file)).surface;
+    if (!py::isinstance<py::bytes>(surface)) s = surface_from(surface);
+    const auto file = py::isinstance<py::bytes>(surface) ? surface.cast<std::string>() : std::string();
+    const Without_gil without_gil;
+    try {
+        if (!file.empty()) s = read_surface(std::filesystem::path(file)).surface;
         return std::make_unique<Surface_3>(s, allow_crossing);
+    } catch (const Error& e) {
+        throw Error(e.code(), std::string("surface: ") + e.what());
     }
-    s = surface_from(surface);
-    const py::gil_scoped_release without_gil;
-    return std::make_unique<Surface_3>(s, allow_crossing);
 }
 
 /// The cells of the triangulation, and which of them are of the domain.
@@ -116,13 +102,14 @@ py::tuple run(const py::object& surface, std::int64_t vertices, double gradation
               const py::object& callback) {
     require_iterations(iterations);
     if (vertices < 4 || vertices > 10'000'000)
-        throw Error(Error_code::usage, "there can be 4 to 10000000 vertices, not " + std::to_string(vertices));
+        throw Error(Error_code::usage, "vertices must be from 4 to 10000000, not " + std::to_string(vertices));
+    if (lock && !(*lock > 0 && *lock < 70.5)) throw Error(Error_code::usage, "lock must be between 0 and 70.5 degrees");
     if (!(gradation >= 0 && gradation <= 100)) throw Error(Error_code::usage, "gradation must be from 0 to 100");
     const auto domain = domain_of(surface, allow_crossing);
     History history;
     Mesh_of_domain mesh;
     {
-        const py::gil_scoped_release without_gil;
+        const Without_gil without_gil;
         mesh = iterate(*domain, static_cast<std::size_t>(vertices), gradation, lock, iterations, options, seed,
                        callback, history);
     }

@@ -112,8 +112,11 @@ py::str Report::repr() const {
 
 py::tuple Report::state() const { return py::make_tuple(as_dict(), d_, changed_simplices(), removed_simplices()); }
 
-Report Report::of_state(const py::tuple& state) {
-    if (state.size() != 4) throw Error(Error_code::bad_input, "this is not the state of a report");
+Report Report::of_state(const py::object& object) {
+    if (!py::isinstance<py::tuple>(object))
+        throw Error(Error_code::bad_input, "state must be that of a pickled report");
+    const auto state = py::reinterpret_borrow<py::tuple>(object);
+    if (state.size() != 4) throw Error(Error_code::bad_input, "state must be that of a pickled report");
     Move_report r;
     const auto numbers = state[0].cast<py::dict>();
     for (const Field& f : fields) f.of(r) = numbers[f.name].cast<std::uint64_t>();

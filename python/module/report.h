@@ -23,7 +23,7 @@ class Report {
     [[nodiscard]] py::dict as_dict() const;
     [[nodiscard]] py::str repr() const;
     [[nodiscard]] py::tuple state() const;
-    [[nodiscard]] static Report of_state(const py::tuple& state);
+    [[nodiscard]] static Report of_state(const py::object& state);
 
   private:
     [[nodiscard]] py::object simplices(const std::vector<Index>& vertices) const;

@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Arrays in and out: types, shapes, order, whose memory, how long it lives."""
 
+import ctypes
 import gc
+import mmap
+import os
 import sys
+import threading
 import weakref
 
 import annulus
@@ -165,6 +169,57 @@ def test_nothing_is_copied_that_need_not_be():
     simplices = filtered.simplices
     assert filtered.move(X + 1e-12).within_tolerance == 40
     assert np.shares_memory(simplices, filtered.simplices), "the same simplices, the same array"
+
+
+def test_only_private_memory_is_read_where_it_is(tmp_path):
+    """What another process, a file, or another package may write in is copied before it is looked at: nothing is read twice."""
+    shared = mmap.mmap(-1, X.nbytes)
+    from_map = np.frombuffer(shared).reshape(X.shape)
+    from_map[:] = X
+    np.save(tmp_path / "x.npy", X)
+    buffer = bytearray(X.tobytes())
+    numbers = annulus._core.numbers
+    for x in (X, np.concatenate([X, X])[:40], np.stack([X, X])[1], X[:7].copy()):
+        assert np.shares_memory(numbers(x), x), "NumPy's own, and no other thread"
+    for x in (from_map, from_map[3:], np.load(tmp_path / "x.npy", mmap_mode="r"), np.load(tmp_path / "x.npy", mmap_mode="r+"), np.frombuffer(buffer).reshape(X.shape),
+              np.ctypeslib.as_array((ctypes.c_double * 6)(*range(6))).reshape(3, 2), X.astype(np.int64), X.astype(np.float32), X[:, ::-1], X[::2]):
+        read = numbers(x)
+        assert not np.shares_memory(read, x) and np.array_equal(read, x) and read.flags.c_contiguous
+        assert read.dtype == np.float64
+    with_another = []
+    other = threading.Thread(target=lambda: with_another.append(np.shares_memory(numbers(X), X)))
+    other.start()
+    other.join()
+    assert with_another == [False], "another thread of Python may write"
+
+
+def test_memory_that_another_process_writes():
+    """What is proved is proved of positions as they were at one moment, whatever another process writes."""
+    memory = mmap.mmap(-1, 500 * 2 * 8 + 8)
+    x = np.frombuffer(memory, count=1000).reshape(500, 2)
+    over = np.frombuffer(memory, dtype=np.int64, offset=8000)
+    home = np.random.default_rng(4).random((500, 2))
+    x[:] = home
+    child = os.fork()
+    if child == 0:
+        try:
+            own = np.random.default_rng(5)
+            while not over[0]:
+                some = own.integers(0, 500, 50)
+                x[some] = home[some] + 1e-2 * own.standard_normal((50, 2))
+        finally:
+            os._exit(0)
+    try:
+        dt = annulus.MovingDelaunay(home)
+        for _ in range(200):
+            try:
+                dt.move(x)
+            except annulus.Error as e:
+                assert e.code == "collision"
+            assert dt.audit()
+    finally:
+        over[0] = 1
+        assert os.waitpid(child, 0)[1] == 0
 
 
 def test_an_argument_is_left_alone():

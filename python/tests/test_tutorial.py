@@ -23,7 +23,7 @@ def sections():
                 yield pytest.param(page, NEEDS.findall(section), blocks, id=f"{page.name}: {section.splitlines()[0]}")
 
 
-@pytest.mark.parametrize("page, needs, blocks", sections())
+@pytest.mark.parametrize("page, needs, blocks", list(sections()))
 def test_section(page, needs, blocks, tmp_path, monkeypatch):
     for name in needs:
         if importlib.util.find_spec(name) is None:

@@ -62,7 +62,7 @@ typedef struct annulus_options {
     const char* strategy;
     const char* tolerance;     // "certified" (default), "paper", "floating"
     const char* second_look;   // "off" (default); in the plane "unequal", "safe-region"
-    int32_t threads;           // default 1; results do not depend on it
+    int32_t threads;           // default 1; results do not depend on it. Negative: ANNULUS_USAGE
     int32_t merge_duplicates;  // not 0: equal points become one vertex instead of ANNULUS_COLLISION
     int32_t report_changes;    // not 0: annulus_changed lists cells
     int32_t reserved;          // 0
@@ -102,7 +102,7 @@ typedef struct annulus_audit_result {
     uint64_t concave_ridges;
     uint64_t topological_faults;
     uint64_t degenerate_facets;  // no fault: d + 2 cospherical points
-    char first_fault[232];       // in words, cut where they do not fit; empty when there is none
+    char first_fault[232];       // in words, vertices by their index; cut where they do not fit; empty when there is none
 } annulus_audit_result;
 
 // ---- A mesh, and what went wrong ----------------------------------------------------------------

@@ -123,7 +123,7 @@ class Usage(ToolTest):
                 self.refuse(2, *words)
 
     def test_negative_counts_are_wrong_usage(self):
-        for option in ("--iterations", "--audit", "--seed"):
+        for option in ("--iterations", "--audit", "--seed", "--threads"):
             with self.subTest(option=option):
                 self.refuse(2, "lloyd", "--points", "10", option, "-1")
 

@@ -23,7 +23,9 @@ Engine<d>::Engine(Embedding<d>& embedding, const Options& options)
     : options_(options), strategy_(options.strategy), embedding_(embedding), upkeep_(upkeep_of(strategy_)), random_(options.seed) {
     if (options.report_changes) journal_ = std::make_unique<Cell_journal<d>>();
     require_sound_environment();
-    embedding.set_threads(std::max(1, options.threads));
+    if (options.threads < 1)
+        throw Error(Error_code::usage, "threads must be 1 or more, not " + std::to_string(options.threads));
+    embedding.set_threads(options.threads);
 }
 
 template <int d>
@@ -34,7 +36,7 @@ std::unique_ptr<Upkeep<d>> Engine<d>::upkeep_of(Strategy strategy) const {
     using Means = typename Filter<d>::Means;
     const auto filter_by = [&](Means means, Tolerance_kind kind) {
         auto filter = std::make_unique<Filter<d>>(embedding_, kind, options_.second_look, means);
-        filter->set_threads(std::max(1, options_.threads));
+        filter->set_threads(options_.threads);
         return filter;
     };
     if (strategy == Strategy::automatic) return filter_by(Means::any, options_.tolerance);
@@ -240,6 +242,7 @@ Audit_input<d> Engine<d>::audit_input() const {
         if (!is_vertex(static_cast<Index>(i))) continue;
         squeezed[i] = static_cast<Index>(input.points.size());
         input.points.push_back(positions()[i]);
+        input.names.push_back(static_cast<Index>(i));
     }
     std::vector<Index> corners;
     embedding_.list_cells(corners);

@@ -50,7 +50,7 @@ struct Options {
     Strategy strategy = Strategy::automatic;
     Tolerance_kind tolerance = Tolerance_kind::certified;
     Second_look second_look = Second_look::off;
-    int threads = 1;                ///< for the work that is parallel; results do not depend on it
+    int threads = 1;                ///< 1 or more, else Error(usage); results do not depend on it
     bool merge_duplicates = false;  ///< equal input points become one vertex instead of an error
     bool report_changes = false;    ///< list the cells that came and went in a call: Move_report::changed, gone
     std::uint64_t seed = 0;         ///< of the sample that `hybrid` draws

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,10 @@ struct Audit_input {
     /// d + 1 indices into `points` a cell, positively oriented. For points that span a lower dimension k < d: the
     /// k-simplices, padded with `none`.
     std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>> cells;
+    /// What the caller calls each point, for the words of a fault; empty where these are 0, 1, 2 ...
+    std::vector<Index> names = {};
+    /// Called now and then, by the thread that audits; what it throws ends the audit. Empty where that is not needed.
+    std::function<void()> between = {};
 };
 
 /// The verdict of an audit, and the first fault found.
@@ -28,7 +33,6 @@ struct Audit_result {
     std::uint64_t topological_faults = 0;  ///< facet shared by more than two cells, open boundary, missing vertex ...
     std::uint64_t degenerate_facets = 0;   ///< cospherical bi-cells: no fault, the triangulation is not unique there
     std::string first_fault;               ///< in words; empty when there is none
-    Index first = 0;                       ///< where the numbers of vertices in first_fault start
 
     /// The cells are a Delaunay triangulation of the points.
     [[nodiscard]] bool delaunay() const {
@@ -40,7 +44,7 @@ struct Audit_result {
 /// once, every vertex used, no two at one place. Integer arithmetic throughout; shares no code with the certificates
 /// it audits, nor with CGAL's predicates. O(n) big-integer determinants, a few hundred nanoseconds each.
 /// Precondition: finite coordinates. Theory 1 has why these conditions suffice; docs/theory.md the turning number.
-/// The first fault names vertices by their index, counted from `first`.
+/// The first fault names vertices by `input.names`, or by their index, counted from `first`.
 [[nodiscard]] Audit_result audit(const Audit_input<2>& input, Index first = 0);
 
 /// The same in space. That the boundary is one convex surface that winds once is decided from the middle of a cell: every

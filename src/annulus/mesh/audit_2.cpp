@@ -52,7 +52,7 @@ int Plane_judge::half_plane(Index a, Index b) const {
 }
 
 Audit_result audit_plane(Plane_judge& judge, std::size_t n, const std::vector<std::array<Index, 3>>& cells,
-                         Audit_result r) {
+                         Findings r) {
     std::vector<char> used(n, 0);
     // Directed edge a -> b of a cell, with its opposite vertex.
     std::unordered_map<std::uint64_t, Index> opposite;
@@ -61,6 +61,7 @@ Audit_result audit_plane(Plane_judge& judge, std::size_t n, const std::vector<st
         return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) | static_cast<std::uint32_t>(b);
     };
     for (const auto& c : cells) {
+        r.go_on();
         if (*std::min_element(c.begin(), c.end()) < 0 || at(*std::max_element(c.begin(), c.end())) >= n) {
             fault(r, r.topological_faults, named(r, "a cell names a vertex that is not there:", {c[0], c[1], c[2]}));
             return r;
@@ -79,6 +80,7 @@ Audit_result audit_plane(Plane_judge& judge, std::size_t n, const std::vector<st
     // Interior edges are locally Delaunay; border edges a -> b (interior on their left) give the next on the border.
     std::unordered_map<Index, Index> next;
     for (const auto& [edge, apex] : opposite) {
+        r.go_on();
         const auto a = static_cast<Index>(edge >> 32);
         const auto b = static_cast<Index>(edge & 0xffffffffU);
         const auto other = opposite.find(key(b, a));
@@ -128,8 +130,7 @@ Audit_result audit_plane(Plane_judge& judge, std::size_t n, const std::vector<st
 
 Audit_result audit(const Audit_input<2>& in, Index first_index) {
     using namespace auditing;
-    Audit_result r;
-    r.first = first_index;
+    Findings r(in, first_index);
     const std::vector<Index> order = lexicographic<2>(in.points);
     find_duplicates<2>(in.points, order, r);
     const auto sites = integer_sites<2>(in.points);

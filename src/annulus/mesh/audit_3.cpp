@@ -33,7 +33,7 @@ constexpr std::array<std::array<std::size_t, 4>, 4> outer_facets{
     {{1, 2, 3, 0}, {0, 3, 2, 1}, {0, 1, 3, 2}, {0, 2, 1, 3}}};
 
 /// A boundary that is one convex surface, traversed once. `border` has triangles that turn left as seen from outside.
-void audit_border(Judge_3& judge, const Cell& any, const std::vector<Triple>& border, Audit_result& r) {
+void audit_border(Judge_3& judge, const Cell& any, const std::vector<Triple>& border, Findings& r) {
     if (border.empty()) {
         fault(r, r.topological_faults, "no boundary");
         return;
@@ -78,7 +78,7 @@ void audit_border(Judge_3& judge, const Cell& any, const std::vector<Triple>& bo
 }
 
 /// Points that span no volume.
-Audit_result audit_flat(const Audit_input<3>& in, const std::vector<Index>& order, Audit_result r) {
+Audit_result audit_flat(const Audit_input<3>& in, const std::vector<Index>& order, Findings r) {
     const auto sites = integer_sites<3>(in.points);
     Judge_3 judge(sites);
     const bool triangles = std::any_of(in.cells.begin(), in.cells.end(), [](const Cell& c) { return c[2] != none; });
@@ -122,8 +122,7 @@ Audit_result audit_flat(const Audit_input<3>& in, const std::vector<Index>& orde
 }  // namespace
 
 Audit_result audit(const Audit_input<3>& in, Index first_index) {
-    Audit_result r;
-    r.first = first_index;
+    Findings r(in, first_index);
     const std::vector<Index> order = lexicographic<3>(in.points);
     find_duplicates<3>(in.points, order, r);
     if (std::none_of(in.cells.begin(), in.cells.end(), [](const Cell& c) { return c[3] != none; }))
@@ -138,6 +137,7 @@ Audit_result audit(const Audit_input<3>& in, Index first_index) {
     behind.reserve(4 * in.cells.size());
     std::vector<std::uint64_t> edges;
     for (const Cell& c : in.cells) {
+        r.go_on();
         if (*std::min_element(c.begin(), c.end()) < 0 || at(*std::max_element(c.begin(), c.end())) >= n) {
             fault(r, r.topological_faults,
                   named(r, "a cell names a vertex that is not there:", {c[0], c[1], c[2], c[3]}));
@@ -160,6 +160,7 @@ Audit_result audit(const Audit_input<3>& in, Index first_index) {
 
     std::vector<Triple> border;
     for (const auto& [f, q] : behind) {
+        r.go_on();
         const auto other = behind.find(canonical({f[0], f[2], f[1]}));
         if (other == behind.end()) {
             border.push_back(f);

@@ -61,17 +61,38 @@ std::vector<Site<d>> integer_sites(const std::vector<Coordinates<d>>& points) {
     return sites;
 }
 
+/// What is found, and what finding it takes: how vertices are called, and what is called between two parts of the work.
+struct Findings : Audit_result {
+    template <int d>
+    Findings(const Audit_input<d>& input, Index first_index)
+        : first(first_index), names(input.names), between(input.between) {}
+
+    [[nodiscard]] long long name_of(Index i) const {
+        if (i >= 0 && at(i) < names.size()) i = names[at(i)];
+        return static_cast<long long>(i) + first;
+    }
+    /// To be called once a cell or a facet: asks each 1024th time, which is after some milliseconds at most.
+    void go_on() {
+        if (++steps % 1024 == 0 && between) between();
+    }
+
+    Index first;
+    std::span<const Index> names;
+    const std::function<void()>& between;
+    std::uint32_t steps = 0;
+};
+
 inline void fault(Audit_result& r, std::uint64_t& counter, const std::string& words) {
     ++counter;
     if (r.first_fault.empty()) r.first_fault = words;
 }
 
-/// Words and vertices, counted from r.first.
-inline std::string named(const Audit_result& r, const char* what, std::initializer_list<Index> v) {
+/// Words and vertices, as the caller calls them.
+inline std::string named(const Findings& r, const char* what, std::initializer_list<Index> v) {
     std::string s = what;
     for (const Index i : v) {
         s += ' ';
-        s += std::to_string(static_cast<long long>(i) + r.first);
+        s += std::to_string(r.name_of(i));
     }
     return s;
 }
@@ -86,7 +107,7 @@ std::vector<Index> lexicographic(const std::vector<Coordinates<d>>& p) {
 
 /// Notes vertices at one place. `order` is lexicographic.
 template <int d>
-void find_duplicates(const std::vector<Coordinates<d>>& p, const std::vector<Index>& order, Audit_result& r) {
+void find_duplicates(const std::vector<Coordinates<d>>& p, const std::vector<Index>& order, Findings& r) {
     for (std::size_t i = 1; i < order.size(); ++i)
         if (p[at(order[i - 1])] == p[at(order[i])])
             fault(r, r.topological_faults, named(r, "two vertices at one place:", {order[i - 1], order[i]}));
@@ -94,7 +115,7 @@ void find_duplicates(const std::vector<Coordinates<d>>& p, const std::vector<Ind
 
 /// Compares the edges with those that join consecutive points of a line; `order` is lexicographic.
 template <std::size_t k>
-void expect_chain(const std::vector<std::array<Index, k>>& cells, const std::vector<Index>& order, Audit_result& r) {
+void expect_chain(const std::vector<std::array<Index, k>>& cells, const std::vector<Index>& order, Findings& r) {
     if (order.size() <= 1 && !cells.empty()) fault(r, r.topological_faults, "cells, but not two points to join");
     if (order.size() <= 1) return;
     std::vector<std::array<Index, 2>> expected;
@@ -136,6 +157,6 @@ class Plane_judge {
 
 /// The audit of triangles that fill a convex polygon; r has what is known already.
 Audit_result audit_plane(Plane_judge& judge, std::size_t vertices, const std::vector<std::array<Index, 3>>& cells,
-                         Audit_result r);
+                         Findings r);
 
 }  // namespace annulus::auditing

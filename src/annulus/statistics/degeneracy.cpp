@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/statistics/degeneracy.h>
 
+#include <annulus/arithmetic/error.h>
 #include <annulus/mesh/parallel_runs.h>
 #include <annulus/statistics/certificate_batch.h>
 #include <annulus/statistics/paper_tolerance.h>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 namespace annulus {
 
@@ -46,6 +48,8 @@ class Survey {
   public:
     Survey(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Degeneracy_options<d>& options)
         : t_(t), x_(x), options_(options), tolerance_(x.size(), infinity), marks_(x.size(), 0), paper_(t, x.size(), options.threads) {
+        if (options.threads < 1)
+            throw Error(Error_code::usage, "threads must be 1 or more, not " + std::to_string(options.threads));
         r_.dimension = d;
         r_.spacing = mean_spacing(t, x);
         r_.resolution = resolution(x);

@@ -107,7 +107,7 @@ struct Degeneracy_options {
     static constexpr std::size_t most_thresholds = 30;
     /// Distributions have quantiles, for which all samples are kept until the end: eight bytes each.
     bool quantiles = true;
-    /// That work on it at once (TBB). Nothing that is found depends on it, nor the order in which `raw` is told.
+    /// That work on it at once (TBB), 1 or more, else Error(usage). Nothing that is found depends on it, nor the order in which `raw` is told.
     int threads = 1;
     /// Told of every certificate, where there is anybody: of one at a time, by any of the threads.
     std::function<void(const Raw_certificate<d>&)> raw{};

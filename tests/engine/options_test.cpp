@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is refused of options, by both classes; and what they call vertices once indices are vacant.
+
+#include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_delaunay_3.h>
+#include <annulus/moving_mesh.h>
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+using namespace annulus;
+
+namespace {
+
+template <int d>
+std::vector<Coordinates<d>> corners() {
+    std::vector<Coordinates<d>> x(d + 3);
+    for (std::size_t i = 0; i < x.size(); ++i)
+        for (std::size_t k = 0; k < d; ++k) x[i][k] = i == k + 1 ? 1.0 : 0.01 * static_cast<double>(i * i * (k + 1));
+    return x;
+}
+
+template <class Object, int d>
+void refuses_threads() {
+    const auto x = corners<d>();
+    const std::span<const Coordinates<d>> points(x);
+    for (const int threads : {0, -1, -3, std::numeric_limits<int>::min()})
+        for (const Strategy strategy : {Strategy::automatic, Strategy::filter, Strategy::rebuild, Strategy::relocate}) {
+            Options options;
+            options.threads = threads;
+            options.strategy = strategy;
+            try {
+                const Object made(points, options);
+                FAIL("threads = " << threads << " was taken");
+            } catch (const Error& e) {
+                CHECK(e.code() == Error_code::usage);
+                CHECK(std::string(e.what()) == "threads must be 1 or more, not " + std::to_string(threads));
+            }
+        }
+    Options options;
+    options.threads = 2;
+    CHECK(Object(points, options).audit().delaunay());
+}
+
+template <class Object>
+void names_vertices(Object& object, const std::vector<Index>& names) {
+    auto input = object.audit_input();
+    CHECK(input.names == names);
+    CHECK(audit(input).delaunay());
+    std::swap(input.cells.front()[0], input.cells.front()[1]);
+    const auto& cell = input.cells.front();
+    std::string expected = "cell not positively oriented:";
+    for (const Index v : cell) expected += " " + std::to_string(names[static_cast<std::size_t>(v)]);
+    CHECK(audit(input).first_fault == expected);
+}
+
+}  // namespace
+
+TEST_CASE("Threads must be one or more", "[engine][options]") {
+    refuses_threads<Moving_mesh_2, 2>();
+    refuses_threads<Moving_mesh_3, 3>();
+    refuses_threads<Moving_delaunay_2, 2>();
+    refuses_threads<Moving_delaunay_3, 3>();
+}
+
+TEST_CASE("An audit names vertices by their indices, also when lower ones are vacant", "[engine][audit]") {
+    const auto x = corners<2>();
+    Moving_mesh_2 mesh{std::span<const Coordinates<2>>(x)};
+    mesh.remove(0);
+    mesh.remove(3);
+    names_vertices(mesh, {1, 2, 4});
+    const auto y = corners<3>();
+    Moving_delaunay_3 dt{std::span<const Coordinates<3>>(y)};
+    dt.remove(dt.vertex(1));
+    names_vertices(dt, {0, 2, 3, 4, 5});
+}
