@@ -9,7 +9,7 @@
 #include <support/generators.h>
 #include <support/meshes.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <algorithm>
 #include <array>

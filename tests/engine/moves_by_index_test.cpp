@@ -9,7 +9,7 @@
 #include <support/failing_new.h>
 #include <support/generators.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <algorithm>
 #include <cmath>

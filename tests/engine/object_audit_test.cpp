@@ -5,7 +5,7 @@
 
 #include <support/meshes.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <type_traits>
 

@@ -5,7 +5,7 @@
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <limits>
 #include <span>

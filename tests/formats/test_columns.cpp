@@ -5,7 +5,7 @@
 #include <annulus/formats/motion_reader.h>
 #include <annulus/formats/read_points.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <vector>
 

@@ -13,7 +13,7 @@
 #include <annulus/formats/read_tetrahedra.h>
 #include <annulus/formats/text_input.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -7,7 +7,7 @@
 #include <support/generators.h>
 #include <support/meshes.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <set>
 #include <string>

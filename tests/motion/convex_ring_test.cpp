@@ -3,7 +3,7 @@
 #include <annulus/motion/domain_2.h>
 #include <annulus/motion/moments_2.h>
 
-#include <catch2/catch.hpp>
+#include <support/catch.h>
 
 #include <algorithm>
 #include <array>
