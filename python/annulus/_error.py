@@ -52,13 +52,8 @@ class Error(ValueError):
         self.code = code
         self.vertices = tuple(vertices)
 
-<<<<<<< HEAD
     def __reduce__(self) -> tuple[type[Error], tuple[str, str, tuple[int, ...]]]:
         return type(self), (str(self), self.code, self.vertices)
-=======
-    def __reduce__(self) -> tuple[type[Error], tuple[str, str]]:
-        return type(self), (str(self), self.code)
->>>>>>> refs/heads/python
 
 
 class OpenBoundariesWarning(UserWarning):

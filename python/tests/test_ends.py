@@ -129,15 +129,6 @@ over = True
 sender.join()
 print(most > 4)
 def raising(number, frame):
-<<<<<<< HEAD
-    raise KeyError("enough")
-signal.signal(signal.SIGUSR1, raising)
-threading.Thread(target=lambda: os.kill(os.getpid(), signal.SIGUSR1)).start()
-try:
-    while True: CALL
-except KeyError as e:
-    print(e)
-=======
     handled.release()
     if frame.f_code.co_name in ("audit", "degeneracy"):
         raise KeyError("enough")
@@ -151,5 +142,4 @@ except KeyError as e:
     over = True
     print(e)
 sender.join()
->>>>>>> refs/heads/python
 """.replace("CALL", call), "True\n'enough'\n")
