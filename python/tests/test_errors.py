@@ -72,7 +72,7 @@ def test_errors_name_the_vertices_concerned(d, strategy):
             (lambda: dt.move(x[[11]], [2]), "collision", (2, 11), both.format(2, 11)),
             (lambda: dt.move(x[[2]], [11]), "collision", (2, 11), both.format(2, 11)),
             (lambda: dt.move(x[[8, 10, 1]], [1, 6, 8]), "collision", (6, 10), both.format(6, 10)),
-            (lambda: dt.move(x[[8, 8]], [1, 6]), "collision", (1, 6), None),
+            (lambda: dt.move(x[[8, 8]] + 0.001, [1, 6]), "collision", (1, 6), None),
             (lambda: dt.insert(x[[7]]), "collision", (7,), there.format(7) + "the point to be inserted"),
             (lambda: dt.insert([x[7] + 1, x[7] + 2, x[7]]), "collision", (7,), there.format(7) + "point 2 to be inserted"),
             (lambda: dt.insert([x[7] + 1, x[7] + 2, x[7] + 1]), "collision", (), "points 0 and 2 to be inserted have the same position"),

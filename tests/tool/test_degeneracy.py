@@ -82,8 +82,8 @@ class Degeneracy(tool.ToolTest):
         for name in files:
             result = self.study(name)
             self.check_sums(result)
-            for key in ("command", "file", "seconds"):
-                del result[key]
+            for key in ("command", "file", "seconds", "columns"):
+                result.pop(key, None)  # formats with a fixed order of coordinates have no columns
             results.append(result)
         for result in results[1:]:
             self.assertEqual(result, results[0])

@@ -382,7 +382,7 @@ class Degeneracy(tool.ToolTest):
         page = (self.here / "out" / "degeneracy.html").read_text(encoding="utf-8")
         self.assertIn("Widths and tolerances", page)
         lines = self.succeed("degeneracy", self.motion(), "--every", "1").stdout.splitlines()
-        self.assertEqual(len(lines), 6)
+        self.assertEqual(len(lines), 8)
 
     def test_flat_frames_have_no_numbers(self):
         self.write("a.xyz", "3\n\n0 0\n1 1\n2 2\n0\n\n3\n\n0 0\n1 0\n0 1\n")
