@@ -49,6 +49,6 @@ TEMPLATE_TEST_CASE_SIG("Timestamps in several threads are those in one, counters
     for (const Strategy strategy : {Strategy::automatic, Strategy::filter})
         for (const double spacings : {3e-3, 0.05}) {
             const auto alone = walked<d>(1, strategy, spacings);
-            for (const int with : {2, 5, 0, -3}) CHECK((walked<d>(with, strategy, spacings) == alone));
+            for (const int with : {2, 3, 5}) CHECK((walked<d>(with, strategy, spacings) == alone));
         }
 }
