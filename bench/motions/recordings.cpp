@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
     int failed = 0;
     for (const std::string& file : files) {
         try {
-            const annulus::Recorded_motion recorded = annulus::read_motion(file, annulus::Absent_frames::skip);
+            const annulus::Recorded_motion recorded = annulus::read_motion(file, {.absent = annulus::Absent_frames::skip, .box = {.ignored = true}});
             const std::string name = std::filesystem::path(file).filename().string();
             failed += dimension_of(recorded) == 2 ? run<2>(recorded, race, name, json) : run<3>(recorded, race, name, json);
         } catch (const std::exception& e) {
