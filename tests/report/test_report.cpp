@@ -301,7 +301,9 @@ TEST_CASE("A film never has more than its most pictures, the first and the last 
         CHECK(contains(html, "Frame " + std::to_string(frames - 1) + " &amp;"));
         CHECK(contains(html, "max=\"" + std::to_string(shown - 1) + "\""));
         CHECK(contains(html,
-                       shown == frames ? "All " + grouped(frames) + " frames" : "of " + grouped(frames) + " frames"));
+                       shown < frames ? "of " + grouped(frames) + " frames"
+                       : frames == 1  ? "The one frame is shown"
+                                      : "All " + grouped(frames) + " frames"));
     }
 }
 

@@ -58,7 +58,6 @@ Json summary_json(const Run_record& run) {
     json["seed"] = run.seed;
     json["seconds"] = Json{
         {"triangulation", run.seconds.triangulation}, {"motion", run.seconds.motion}, {"total", run.seconds.total}};
-    json["seconds_construction"] = run.seconds.construction;
     json["moves"] = Json{{"asked", run.moves.asked},
                          {"within_tolerance", run.moves.within_tolerance},
                          {"kept_in_place", run.moves.kept_in_place},
@@ -69,6 +68,7 @@ Json summary_json(const Run_record& run) {
         Json{{"filter", run.arithmetic.filter}, {"interval", run.arithmetic.interval}, {"exact", run.arithmetic.exact}};
     json["audit"] = Json{{"checked", run.audit.checked}, {"failed", run.audit.failed}};
     json["version"] = ANNULUS_VERSION;
+    json["seconds_construction"] = run.seconds.construction;
     if (run.interrupted) json["interrupted"] = true;
     json["memory"] = Json{{"peak_bytes", run.memory_peak_bytes == 0 ? Json() : Json(run.memory_peak_bytes)}};
     json["mean_spacing"] = run.mean_spacing;
