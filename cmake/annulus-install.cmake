@@ -21,7 +21,8 @@ if(TARGET annulus-c)
             COMPONENT development)
 endif()
 install(DIRECTORY src/annulus/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/annulus" COMPONENT development
-        FILES_MATCHING PATTERN "*.h" PATTERN cli EXCLUDE PATTERN c EXCLUDE PATTERN experiment EXCLUDE)
+        FILES_MATCHING PATTERN "*.h" PATTERN cli EXCLUDE PATTERN c EXCLUDE PATTERN experiment EXCLUDE
+        PATTERN reproduction EXCLUDE)
 install(EXPORT annulusTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}" COMPONENT development)
 if(TARGET annulus-toolkit)
     install(EXPORT annulusToolkitTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}" COMPONENT development)
@@ -38,6 +39,8 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/annulusConfig.cmake"
 # ---- The tool, its man pages and completion, which are made from its own --help --------------------
 if(TARGET annulus-cli)
     install(TARGETS annulus-cli COMPONENT tool)
+endif()
+if(TARGET annulus-programs)
     install(TARGETS annulus-sweep annulus-reproduce DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/annulus" COMPONENT tool)
     find_package(Python3 COMPONENTS Interpreter QUIET)
     if(Python3_Interpreter_FOUND AND NOT CMAKE_CROSSCOMPILING AND NOT ANNULUS_BUILD_FUZZ)

@@ -25,6 +25,9 @@ namespace py = pybind11;
 constexpr int c_array = py::array::c_style | 0x0100;  // NPY_ARRAY_ALIGNED, which pybind11 does not name
 using Numbers = py::array_t<double, c_array>;
 
+/// Where a vertex is in an array.
+[[nodiscard]] inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
 [[nodiscard]] std::string shape_of(const py::array& a);
 
 /// What numpy.asarray makes of it as doubles in C order: itself if it is that and its memory is NumPy's own, of this process, with no

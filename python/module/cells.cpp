@@ -6,12 +6,6 @@
 
 namespace annulus::python {
 
-namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 template <int d>
 Cells<d>::Cells(const Moving_mesh<d>& mesh)
     : dimension(mesh.dimension()), simplices(mesh.cells()), simplex_of(mesh.index_bound(), -1) {

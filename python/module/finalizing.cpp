@@ -41,7 +41,7 @@ void wait_for_others() {
 }
 
 // Of the threads that compute a child of a fork has the one that forked, at most.
-[[maybe_unused]] const int counting_forks = pthread_atfork(nullptr, nullptr, [] { computing = computing_here; });
+[[maybe_unused]] const int children_count_anew = pthread_atfork(nullptr, nullptr, [] { computing = computing_here; });
 
 }  // namespace
 

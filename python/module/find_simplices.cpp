@@ -12,8 +12,6 @@ namespace annulus::python {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 /// Walks from simplex to simplex towards a point: first jumps to the nearest of a few vertices, then crosses facets that the point is
 /// beyond. With exact signs such a walk through a Delaunay triangulation comes to an end; which facet is looked at first is drawn, by
 /// the same numbers every time.

@@ -18,8 +18,6 @@ namespace annulus::python {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 template <int d>
 Moving_mesh<d> mesh_of(std::span<const Coordinates<d>> points, const Options& options) {
     const Without_gil without_gil;

@@ -97,7 +97,7 @@ Mesh_of_domain iterate(const Domain_3& domain, std::size_t vertices, double grad
     return out;
 }
 
-py::tuple run(const py::object& surface, std::int64_t vertices, double gradation, std::optional<double> lock,
+py::tuple run_nodt(const py::object& surface, std::int64_t vertices, double gradation, std::optional<double> lock,
               bool allow_crossing, std::int64_t iterations, const Options& options, std::uint64_t seed,
               const py::object& callback) {
     require_iterations(iterations);
@@ -121,6 +121,6 @@ py::tuple run(const py::object& surface, std::int64_t vertices, double gradation
 
 }  // namespace
 
-void add_nodt(py::module_& m) { m.def("nodt", &run); }
+void add_nodt(py::module_& m) { m.def("nodt", &run_nodt); }
 
 }  // namespace annulus::python

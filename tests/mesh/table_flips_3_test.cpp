@@ -17,8 +17,8 @@ namespace {
 using Embedding_3 = Cgal_embedding_3<No_info>;
 
 /// Every cell of the mirror, sorted within and among themselves: a triangulation whatever its numbers.
-Cells_3 cells_of_mirror(const Cell_table<3>& t) {
-    Cells_3 cells;
+Cell_list_3 cells_of_mirror(const Cell_table<3>& t) {
+    Cell_list_3 cells;
     for (const Cell_index c : t.cells()) {
         auto x = cell_points(t, c);
         std::sort(x.begin(), x.end());
@@ -55,7 +55,7 @@ bool is_facet(const Cell_table<3>& t, Index p, Index q, Index r) {
 }
 
 /// The cells of the mirror without some and with others, as cells_of_mirror has them.
-Cells_3 exchanged(Cells_3 cells, const Cells_3& gone, const Cells_3& came) {
+Cell_list_3 exchanged(Cell_list_3 cells, const Cell_list_3& gone, const Cell_list_3& came) {
     for (auto x : gone) {
         std::sort(x.begin(), x.end());
         const auto it = std::find(cells.begin(), cells.end(), x);
@@ -109,7 +109,7 @@ TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL
                 t.corner(cell, static_cast<int>((static_cast<std::size_t>(t.slot_of(h)) + 1 + random() % 3) % 4));
             const auto [a, b, c, q] = facet_and_vertex(t, h);
             const Index p = t.vertex(t.twin(h));
-            const Cells_3 before = cells_of_mirror(t);
+            const Cell_list_3 before = cells_of_mirror(t);
             const std::size_t kind = random() % 3;
             std::array<Cell_index, 3> cells{};
             if (kind == 0) {
@@ -132,11 +132,11 @@ TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL
             } else {
                 const auto flip = flip_4_4(t, h, k);
                 if (!flip || is_edge(t, p, q)) continue;
-                Cells_3 gone;
+                Cell_list_3 gone;
                 for (const Cell_index g : flip->gone) gone.push_back(cell_points(t, g));
                 touched.assign(flip->gone.begin(), flip->gone.end());
                 replace_cells<3>(t, flip->gone, flip->came, touched);
-                CHECK(cells_of_mirror(t) == exchanged(before, gone, Cells_3(flip->came.begin(), flip->came.end())));
+                CHECK(cells_of_mirror(t) == exchanged(before, gone, Cell_list_3(flip->came.begin(), flip->came.end())));
             }
             ++made[kind];
             check_orientations(t);
@@ -183,7 +183,7 @@ TEST_CASE("A flip of the table is undone by its opposite", "[flips][space]") {
     e.build(point_set(Set_3::uniform, 40, random));
     e.mirror();
     auto& t = static_cast<Embedding<3>&>(e).table();
-    const Cells_3 before = cells_of_mirror(t);
+    const Cell_list_3 before = cells_of_mirror(t);
     int undone = 0;
     for (Corner_index h(0); h < t.facet_bound(); ++h) {  // flips change the numbers
         if (!t.is_facet(h)) continue;

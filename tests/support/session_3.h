@@ -9,7 +9,7 @@
 
 namespace annulus::testing {
 
-using Cells_3 = oracle::Cells_of<3>;
+using Cell_list_3 = oracle::Cells_of<3>;
 using oracle::cells_of;
 using oracle::Operation_3;
 using oracle::Program_3;
