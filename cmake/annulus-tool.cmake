@@ -47,24 +47,19 @@ file(GLOB annulus_cli_sources CONFIGURE_DEPENDS src/annulus/cli/*.cpp)
 set(annulus_sweep_sources src/annulus/cli/sweep.cpp src/annulus/cli/sweep_main.cpp)
 set(annulus_reproduce_sources src/annulus/cli/reproduce.cpp src/annulus/cli/reproduce_main.cpp
     src/annulus/cli/reproduction_scenes.cpp)
-# What they share: arguments and files, and the scenes, of which sweep has none.
-set(annulus_frame_sources ${annulus_cli_sources})
-list(FILTER annulus_frame_sources INCLUDE REGEX "/(arguments|interruption|process|progress|result_files|tool)[.]cpp$")
+# What they share: arguments, files, and the scenes of motions.
 set(annulus_scene_sources ${annulus_cli_sources})
-list(FILTER annulus_scene_sources INCLUDE REGEX
-     "/(files|frame_files|guided_motion|input|lloyd_scene|mesh_3|nodt_scene|replay_scene|tracker)[.]cpp$")
-list(FILTER annulus_cli_sources EXCLUDE REGEX
-     "/(sweep|sweep_main|reproduce|reproduce_main|reproduction_scenes|arguments|interruption|process|progress|result_files|tool)[.]cpp$")
+list(FILTER annulus_scene_sources INCLUDE REGEX "/(arguments|interruption|process|progress|result_files|tool)[.]cpp$|\
+/(files|frame_files|guided_motion|input|lloyd_scene|mesh_3|nodt_scene|replay_scene|tracker)[.]cpp$")
+list(FILTER annulus_cli_sources EXCLUDE REGEX "/(sweep|sweep_main|reproduce|reproduce_main|reproduction_scenes)[.]cpp$")
 list(REMOVE_ITEM annulus_cli_sources ${annulus_scene_sources})
 
-add_library(annulus-frame STATIC EXCLUDE_FROM_ALL ${annulus_frame_sources})
 add_library(annulus-scenes STATIC EXCLUDE_FROM_ALL ${annulus_scene_sources})
 add_executable(annulus-cli ${annulus_cli_sources})
-foreach(target IN ITEMS annulus-frame annulus-scenes annulus-cli)
+foreach(target IN ITEMS annulus-scenes annulus-cli)
     annulus_program(${target})
 endforeach()
-target_link_libraries(annulus-scenes PUBLIC annulus-frame)
-target_link_libraries(annulus-cli PRIVATE annulus-scenes annulus-frame)
+target_link_libraries(annulus-cli PRIVATE annulus-scenes)
 set_target_properties(annulus-cli PROPERTIES OUTPUT_NAME annulus)
 # Where installed companions lie, seen from the directory above that of `annulus`.
 target_compile_definitions(annulus-cli PRIVATE ANNULUS_LIBEXEC="${CMAKE_INSTALL_LIBEXECDIR}/annulus")
@@ -73,7 +68,7 @@ if(ANNULUS_BUILD_STUDIES)
     add_executable(annulus-reproduce ${annulus_reproduce_sources})
     annulus_program(annulus-sweep)
     annulus_program(annulus-reproduce)
-    target_link_libraries(annulus-sweep PRIVATE annulus-frame annulus-experiment)
-    target_link_libraries(annulus-reproduce PRIVATE annulus-scenes annulus-frame annulus-reproduction)
+    target_link_libraries(annulus-sweep PRIVATE annulus-scenes annulus-experiment)
+    target_link_libraries(annulus-reproduce PRIVATE annulus-scenes annulus-reproduction)
     add_custom_target(annulus-programs DEPENDS annulus-cli annulus-sweep annulus-reproduce)
 endif()

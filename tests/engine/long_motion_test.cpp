@@ -53,7 +53,7 @@ std::vector<std::uint64_t> diary(Strategy strategy, std::uint64_t mess) {
         if (sizes() % 2 == 0) holes[i].reset();
 
     Random random(8);
-    Motion<3> motion(Motion_kind::walk_middle, 60, random);
+    Long_motion<3> motion(Motion_kind::walk_middle, 60, random);
     Moving_delaunay_3 dt(motion.positions(), Options{.strategy = strategy});
     std::vector<std::uint64_t> said;
     for (int step = 0; step < 40; ++step) {

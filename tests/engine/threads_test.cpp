@@ -82,7 +82,7 @@ void say_the_same(Tolerance_kind kind = Tolerance_kind::certified) {
                                     Strategy::filter_each, Strategy::automatic, Strategy::hybrid}) {
         CAPTURE(name_of(strategy));
         Random random(4);
-        Motion<d> motion(Motion_kind::walk_small, 120, random);
+        Long_motion<d> motion(Motion_kind::walk_small, 120, random);
         Moving dt(motion.positions(), Options{.strategy = strategy, .tolerance = kind});
         for (int step = 0; step < 3; ++step) {
             (void)dt.move_all(motion.advance());
@@ -113,7 +113,7 @@ TEST_CASE("Objects of their own may be moved at the same time", "[threads]") {
         for (const Strategy strategy :
              {Strategy::relocate, Strategy::filter, Strategy::filter_each, Strategy::automatic, Strategy::hybrid}) {
             Random random(8);
-            Motion<d> motion(Motion_kind::walk_middle, 60, random);
+            Long_motion<d> motion(Motion_kind::walk_middle, 60, random);
             Moving dt(motion.positions(), Options{.strategy = strategy});
             for (int step = 0; step < 20; ++step) (void)dt.move_all(motion.advance());
             dt.remove(dt.vertex(3));
@@ -139,7 +139,7 @@ TEST_CASE("Objects of their own may be moved at the same time", "[threads]") {
 
 TEST_CASE("One Lloyd and one natural ODT may be asked by several threads, with threads of their own", "[threads]") {
     Random random(5);
-    const Motion<2> plane(Motion_kind::jitter, 2000, random);
+    const Long_motion<2> plane(Motion_kind::jitter, 2000, random);
     const Moving_delaunay_2 dt2(plane.positions());
     const Lloyd_2 lloyd(Domain_2::square(1), Density::one, 2);
     Neighbours_2 neighbours;

@@ -11,7 +11,7 @@ namespace annulus::soak {
 
 namespace {
 
-using testing::Motion;
+using testing::Long_motion;
 using testing::Motion_kind;
 using testing::Random;
 
@@ -238,7 +238,7 @@ class Runner {
     }
 
     const Case& case_;
-    Motion<d> motion_;
+    Long_motion<d> motion_;
     Random calls_;
     Random looks_;
     Options options_;

@@ -59,11 +59,11 @@ inline constexpr std::array all_motions{
 /// Positions of n points, step after step. Most kinds keep to a box of side 1; none leaves the domain.
 /// Points are distinct at the start and nearly always later: a degenerate kind may bring two together.
 template <int d>
-class Motion {
+class Long_motion {
   public:
     using Place = Coordinates<d>;
 
-    Motion(Motion_kind kind, std::size_t n, Random& random)
+    Long_motion(Motion_kind kind, std::size_t n, Random& random)
         : kind_(kind), random_(random()), spacing_(std::pow(static_cast<double>(n), -1.0 / d)), members_(n), x_(n) {
         pace_ = std::exp2(between(random_, -20, -7)) * spacing_;
         amplitude_ = std::exp2(between(random_, -12, -1)) * spacing_;

@@ -8,6 +8,7 @@ import pty
 import struct
 import subprocess
 import termios
+import threading
 
 import tool
 from tool import OPTIONS, ToolTest
@@ -51,21 +52,20 @@ class ProgressLine(ToolTest):
         ours, theirs = pty.openpty()
         fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", rows if columns else 0, columns, 0, 0))
         env = {k: v for k, v in os.environ.items() if k not in ("COLUMNS", "TERM")} | {"TERM": "xterm"} | dict(environment)
+        end = b"\0"
         with subprocess.Popen([OPTIONS["tool"], *map(str, words)], cwd=self.here, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                               stderr=theirs, env=env) as process:
-            os.close(theirs)
+            # A terminal that is closed may lose what was written last, so it is not: a byte of ours comes after all of the tool's.
+            closing = threading.Thread(target=lambda: (process.wait(), os.write(theirs, end)))
+            closing.start()
             text = b""
-            while True:
-                try:
-                    piece = os.read(ours, 65536)
-                except OSError:  # the other end is closed
-                    break
-                if not piece:
-                    break
-                text += piece
+            while not text.endswith(end):
+                text += os.read(ours, 65536)
+            closing.join()
+        os.close(theirs)
         os.close(ours)
         self.assertEqual(process.returncode, 0, text)
-        return text.decode("utf-8")
+        return text.removesuffix(end).decode("utf-8")
 
     # The last step is drawn whatever the clock says.
     LLOYD = ("lloyd", "--points", "300", "--iterations", "40")

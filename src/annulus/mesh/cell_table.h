@@ -132,6 +132,12 @@ class Cell_table {
     void clear(std::size_t vertices);
     /// The same with room for this many cells, which have no vertices or twins yet. Throws Error(too_large).
     void clear(std::size_t vertices, std::size_t cells);
+    /// Makes sure that clear(vertices, cells) will find its memory. Throws bad_alloc, with nothing changed.
+    void reserve(std::size_t vertices, std::size_t cells) {
+        vertex_.reserve(4 * cells);
+        twin_.reserve(4 * cells);
+        corner_of_vertex_.reserve(vertices);
+    }
     void set_vertex_bound(std::size_t vertices) { corner_of_vertex_.resize(vertices, no_corner); }
 
     /// A new cell with no vertices or twins yet, hence not is_cell() before it has. Throws Error(too_large) when its corners would have no index.
@@ -144,6 +150,8 @@ class Cell_table {
     }
     /// The same of h alone, for several threads that set different ones at once. `note_corners` is to follow.
     void set_vertex_only(Corner_index h, Index v) { vertex_[h] = v; }
+    /// The same of its twin.
+    void set_twin_only(Corner_index h, Corner_index t) { twin_[h] = t; }
     /// Notes a corner for every vertex. Precondition: all cells exist. O(n).
     void note_corners() {
         for (Cell_index c(0); c < cell_bound(); ++c)

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The kernel's cells are CGAL's: every family of the benchmarks, small sets on and near what is degenerate, scales from one end of the
+// domain to the other.
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <annulus/kernel/builder.h>
+#include <annulus/kernel/spatial_order.h>
+#include <annulus/mesh/certificates.h>
+
+#include <support/catch.h>
+#include <support/repeats.h>
+#include <support/small_sets.h>
+
+#include "../../bench/motions/families.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+template <int d>
+using Cell_set = std::set<Cell_points<d>>;
+
+/// Cells as sets of vertices, those at infinity too.
+template <int d>
+Cell_set<d> cells_of(const Cell_table<d>& t) {
+    Cell_set<d> cells;
+    for (const Cell_index c : t.cells()) {
+        auto v = cell_points(t, c);
+        std::sort(v.begin(), v.end());
+        cells.insert(v);
+    }
+    return cells;
+}
+
+template <int d>
+Cell_set<d> cells_by_cgal(const std::vector<Coordinates<d>>& x) {
+    Cell_set<d> cells;
+    std::map<Coordinates<d>, Index> index;
+    for (std::size_t i = 0; i < x.size(); ++i) index.emplace(x[i], static_cast<Index>(i));
+    const auto list = [&](const auto& tr, auto cell) {
+        Cell_points<d> v{};
+        for (int k = 0; k <= d; ++k) {
+            const auto w = cell->vertex(k);
+            Coordinates<d> p{};
+            for (int c = 0; c < d && !tr.is_infinite(w); ++c) p[static_cast<std::size_t>(c)] = w->point()[c];
+            v[static_cast<std::size_t>(k)] = tr.is_infinite(w) ? infinite : index.at(p);
+        }
+        std::sort(v.begin(), v.end());
+        cells.insert(v);
+    };
+    if constexpr (d == 2) {
+        CGAL::Delaunay_triangulation_2<Kernel> tr;
+        for (const auto& p : x) tr.insert(Kernel::Point_2(p[0], p[1]));
+        for (auto f = tr.all_faces_begin(); f != tr.all_faces_end(); ++f) list(tr, f);
+    } else {
+        CGAL::Delaunay_triangulation_3<Kernel> tr;
+        for (const auto& p : x) tr.insert(Kernel::Point_3(p[0], p[1], p[2]));
+        for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c) list(tr, c);
+    }
+    return cells;
+}
+
+template <int d>
+int dimension_by_cgal(const std::vector<Coordinates<d>>& x) {
+    if constexpr (d == 2) {
+        CGAL::Delaunay_triangulation_2<Kernel> tr;
+        for (const auto& p : x) tr.insert(Kernel::Point_2(p[0], p[1]));
+        return tr.dimension();
+    } else {
+        CGAL::Delaunay_triangulation_3<Kernel> tr;
+        for (const auto& p : x) tr.insert(Kernel::Point_3(p[0], p[1], p[2]));
+        return tr.dimension();
+    }
+}
+
+/// Twins are mutual and share their vertices.
+template <int d>
+bool glued(const Cell_table<d>& t) {
+    for (const Cell_index c : t.cells())
+        for (int i = 0; i <= d; ++i) {
+            const Corner_index h = t.corner(c, i), k = t.twin(h);
+            if (t.twin(k) != h) return false;
+            auto a = cell_points(t, c), b = cell_points(t, t.cell_of(k));
+            a[static_cast<std::size_t>(t.slot_of(h))] = b[static_cast<std::size_t>(t.slot_of(k))] = none;
+            std::sort(a.begin(), a.end());
+            std::sort(b.begin(), b.end());
+            if (a != b) return false;
+        }
+    return true;
+}
+
+template <int d>
+void distinct(std::vector<Coordinates<d>>& x) {
+    std::set<Coordinates<d>> met;
+    std::erase_if(x, [&](const auto& p) { return !met.insert(p).second; });
+}
+
+template <int d>
+void check(Builder<d>& builder, const std::vector<Coordinates<d>>& x) {
+    std::vector<Index> order(x.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    spatial_order<d>(x, order);
+    Cell_table<d> table;
+    const bool full = builder.build(x, order, table);
+    REQUIRE(full == (dimension_by_cgal<d>(x) == d));
+    if (!full) return;
+    REQUIRE(glued(table));
+    REQUIRE(cells_of(table) == cells_by_cgal<d>(x));
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("The kernel builds the cells that CGAL builds, whatever the family, dimension", "[kernel]", ((int d), d), 2, 3) {
+    Builder<d> builder;
+    for (const std::string_view family : bench::families)
+        for (const std::size_t n : {5U, 30U, 300U, 1500U}) {
+            CAPTURE(d, family, n);
+            const bench::Scene<d> scene(family, "walk", n, 0.1, n);
+            check<d>(builder, {scene.points().begin(), scene.points().end()});
+        }
+}
+
+TEMPLATE_TEST_CASE_SIG("The kernel builds the cells that CGAL builds of small degenerate sets, dimension", "[kernel]", ((int d), d), 2, 3) {
+    Builder<d> builder;
+    Random random(run_seed());
+    for (int k = 0; k < repeats(400); ++k)
+        for (const auto set : all_small_sets) {
+            const double off = k % 3 == 0 ? 0.0 : std::ldexp(1.0, -static_cast<int>(random() % 60));
+            auto x = small_set<d>(set, 1 + random() % 40, off, random);
+            const int scale = k % 4 != 0 ? 0 : static_cast<int>(random() % 1500) - 1000;
+            for (auto& p : x)
+                for (double& c : p) c = std::ldexp(c, scale);
+            distinct<d>(x);
+            CAPTURE(d, k, static_cast<int>(set), off, scale);
+            check<d>(builder, x);
+        }
+}
+
+TEMPLATE_TEST_CASE_SIG("The kernel builds coordinates of all magnitudes at once, dimension", "[kernel]", ((int d), d), 2, 3) {
+    Builder<d> builder;
+    Random random(run_seed());
+    for (int k = 0; k < repeats(100); ++k) {
+        std::vector<Coordinates<d>> x(1 + random() % 30);
+        for (auto& p : x)
+            for (double& c : p) c = std::ldexp(between(random, -1, 1), static_cast<int>(random() % 1570) - 1070);
+        distinct<d>(x);
+        CAPTURE(d, k);
+        check<d>(builder, x);
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("The kernel names two points at one place, dimension", "[kernel]", ((int d), d), 2, 3) {
+    Builder<d> builder;
+    const bench::Scene<d> scene("uniform", "walk", 200, 0.1, 1);
+    std::vector<Coordinates<d>> x(scene.points().begin(), scene.points().end());
+    const std::vector<Coordinates<d>> good = x;
+    x[120] = x[17];
+    std::vector<Index> order(x.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    Cell_table<d> table;
+    try {
+        (void)builder.build(x, order, table);
+        FAIL("two points at one place");
+    } catch (const Error& e) {
+        CHECK(e.code() == Error_code::collision);
+        CHECK(std::vector(e.vertices().begin(), e.vertices().end()) == std::vector<std::int64_t>{17, 120});
+    }
+    check<d>(builder, good);  // its buffers are none the worse
+}
