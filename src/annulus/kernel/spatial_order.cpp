@@ -96,7 +96,7 @@ class Rounds {
     Rounds(std::size_t n, std::size_t first) {
         for (std::size_t m = n; m > first; m /= 8) ++last_;
     }
-    [[nodiscard]] int bits() const { return std::bit_width(static_cast<unsigned>(last_)); }
+    [[nodiscard]] int bits() const { return static_cast<int>(std::bit_width(static_cast<unsigned>(last_))); }
     [[nodiscard]] std::uint64_t of(Index v) const {
         const std::uint64_t h = mixed(2 * static_cast<std::uint64_t>(v) + 1);
         return static_cast<std::uint64_t>(last_ - std::min(last_, std::countr_zero(h | 1ULL << 63) / 3));
