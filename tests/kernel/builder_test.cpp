@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernel's cells are CGAL's: every family of the benchmarks, small sets on and near what is degenerate, scales from one end of the
-// domain to the other.
+// The kernel's cells are CGAL's: every family of the benchmarks, small sets on and near what is degenerate, scales from
+// one end of the domain to the other.
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -121,7 +121,8 @@ void check(Builder<d>& builder, const std::vector<Coordinates<d>>& x) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("The kernel builds the cells that CGAL builds, whatever the family, dimension", "[kernel]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("The kernel builds the cells that CGAL builds, whatever the family, dimension", "[kernel]",
+                       ((int d), d), 2, 3) {
     Builder<d> builder;
     for (const std::string_view family : bench::families)
         for (const std::size_t n : {5U, 30U, 300U, 1500U}) {
@@ -131,7 +132,8 @@ TEMPLATE_TEST_CASE_SIG("The kernel builds the cells that CGAL builds, whatever t
         }
 }
 
-TEMPLATE_TEST_CASE_SIG("The kernel builds the cells that CGAL builds of small degenerate sets, dimension", "[kernel]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("The kernel builds the cells that CGAL builds of small degenerate sets, dimension", "[kernel]",
+                       ((int d), d), 2, 3) {
     Builder<d> builder;
     Random random(run_seed());
     for (int k = 0; k < repeats(400); ++k)
@@ -147,7 +149,8 @@ TEMPLATE_TEST_CASE_SIG("The kernel builds the cells that CGAL builds of small de
         }
 }
 
-TEMPLATE_TEST_CASE_SIG("The kernel builds coordinates of all magnitudes at once, dimension", "[kernel]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("The kernel builds coordinates of all magnitudes at once, dimension", "[kernel]", ((int d), d),
+                       2, 3) {
     Builder<d> builder;
     Random random(run_seed());
     for (int k = 0; k < repeats(100); ++k) {

@@ -66,7 +66,9 @@ template <std::size_t N, std::size_t M>
             borrow = static_cast<std::uint64_t>(s >> 64) & 1U;
         }
     };
-    const auto mask_of = [](std::uint64_t top) { return static_cast<std::int64_t>(top) < 0 ? ~std::uint64_t{0} : std::uint64_t{0}; };
+    const auto mask_of = [](std::uint64_t top) {
+        return static_cast<std::int64_t>(top) < 0 ? ~std::uint64_t{0} : std::uint64_t{0};
+    };
     subtract_above(N, b.word, mask_of(a.word[N - 1]));
     subtract_above(M, a.word, mask_of(b.word[M - 1]));
     return r;
@@ -74,7 +76,8 @@ template <std::size_t N, std::size_t M>
 
 [[nodiscard]] inline Wide_integer<1> wide(std::int64_t x) { return {{static_cast<std::uint64_t>(x)}}; }
 [[nodiscard]] inline Wide_integer<2> wide(Int128 x) {
-    return {{static_cast<std::uint64_t>(static_cast<Unsigned128>(x)), static_cast<std::uint64_t>(static_cast<Unsigned128>(x) >> 64)}};
+    return {{static_cast<std::uint64_t>(static_cast<Unsigned128>(x)),
+             static_cast<std::uint64_t>(static_cast<Unsigned128>(x) >> 64)}};
 }
 
 }  // namespace annulus

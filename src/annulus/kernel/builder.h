@@ -14,21 +14,23 @@
 
 namespace annulus {
 
-/// Builds Delaunay triangulations from nothing, by incremental insertion (Bowyer, Watson) along a space-filling curve: locate by a
-/// walk, find the cells whose sphere holds the point, replace them by cells between their border and the point.
+/// Builds Delaunay triangulations from nothing, by incremental insertion (Bowyer, Watson) along a space-filling curve:
+/// locate by a walk, find the cells whose sphere holds the point, replace them by cells between their border and the
+/// point.
 ///
-/// All decisions are exact: a filter on spheres that are kept with the cells (Kept_sphere), then the exact stage, then CGAL's
-/// symbolic perturbation where points are cospherical. So the cells are those that insertion one by one, CGAL and repair give.
-/// Buffers are kept from one build to the next: a rebuild touches no memory that is new.
+/// All decisions are exact: a filter on spheres that are kept with the cells (Kept_sphere), then the exact stage, then
+/// CGAL's symbolic perturbation where points are cospherical. So the cells are those that insertion one by one, CGAL
+/// and repair give. Buffers are kept from one build to the next: a rebuild touches no memory that is new.
 ///
-/// Inside, vertices are ranks in the order of insertion, and a cell is one line of 64 bytes with its sphere. Not for several
-/// threads at once.
+/// Inside, vertices are ranks in the order of insertion, and a cell is one line of 64 bytes with its sphere. Not for
+/// several threads at once.
 template <int d>
 class Builder {
   public:
-    /// Makes `table` the triangulation of the vertices in `order` (distinct indices below x.size()), inserted in this order, at x.
-    /// False, with `table` as it was, where they lie in a hyperplane. Throws Error(collision) naming two at one place, Error(too_large).
-    /// Expected O(n) after sorting, for points that are not all on few spheres or curves.
+    /// Makes `table` the triangulation of the vertices in `order` (distinct indices below x.size()), inserted in this
+    /// order, at x. False, with `table` as it was, where they lie in a hyperplane. Throws Error(collision) naming two
+    /// at one place, Error(too_large). Expected O(n) after sorting, for points that are not all on few spheres or
+    /// curves.
     [[nodiscard]] bool build(std::span<const Coordinates<d>> x, std::span<const Index> order, Cell_table<d>& table);
     /// Gives buffers back.
     void release() noexcept { *this = Builder(); }
@@ -63,6 +65,7 @@ class Builder {
         std::size_t size = 0, facets_size = 0;
     };
 
+    [[noreturn]] static void throw_too_large();
     void take_positions(std::span<const Coordinates<d>> x, std::span<const Index> order);
     void scale_positions(double extent);
     [[nodiscard]] bool find_simplex(std::array<Rank, corners>& simplex) const;
@@ -89,10 +92,10 @@ class Builder {
         return -1;
     }
 
-    Default_init_vector<Site> sites_;  // by rank
+    Default_init_vector<Site> sites_;   // by rank
     Default_init_vector<double> grid_;  // their scales (grid_scale)
     Default_init_vector<Cell_data> cells_;
-    Default_init_vector<float> bound_;      // of the sphere of a cell; negative: in the cavity, or gone
+    Default_init_vector<float> bound_;  // of the sphere of a cell; negative: in the cavity, or gone
     std::vector<Cell> free_;
     Cavity cavity_;
     Ridges<d> ridges_;

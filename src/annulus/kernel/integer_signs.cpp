@@ -60,13 +60,15 @@ Vector<3> small_cross(const Vector<3>& a, const Vector<3>& b) {
 std::array<Int128, 3> cross(const Vector<3>& a, const Vector<3>& b) {
     return {minor(a[1], a[2], b[1], b[2]), minor(a[2], a[0], b[2], b[0]), minor(a[0], a[1], b[0], b[1])};
 }
-Int128 small_dot(const Vector<3>& a, const Vector<3>& b) { return Int128{a[0]} * b[0] + Int128{a[1]} * b[1] + Int128{a[2]} * b[2]; }
+Int128 small_dot(const Vector<3>& a, const Vector<3>& b) {
+    return Int128{a[0]} * b[0] + Int128{a[1]} * b[1] + Int128{a[2]} * b[2];
+}
 Wide_integer<3> dot(const std::array<Int128, 3>& n, const Vector<3>& a) {
     return product(wide(n[0]), wide(a[0])) + product(wide(n[1]), wide(a[1])) + product(wide(n[2]), wide(a[2]));
 }
 
-/// The sign of the determinant of r_k and |r_k|^2, positive when the last point is inside, and those of its minors: orientation[i] is
-/// that of the cell with the last point in the place of corner i.
+/// The sign of the determinant of r_k and |r_k|^2, positive when the last point is inside, and those of its minors:
+/// orientation[i] is that of the cell with the last point in the place of corner i.
 template <int d>
 struct Sphere_signs {
     int sphere;
@@ -75,28 +77,33 @@ struct Sphere_signs {
 
 Sphere_signs<2> sphere_signs(const std::array<Vector<2>, 3>& r, int bits) {
     const auto& [a, b, c] = r;
-    const Int128 bc = minor(b[0], b[1], c[0], c[1]), ca = minor(c[0], c[1], a[0], a[1]), ab = minor(a[0], a[1], b[0], b[1]);
+    const Int128 bc = minor(b[0], b[1], c[0], c[1]), ca = minor(c[0], c[1], a[0], a[1]),
+                 ab = minor(a[0], a[1], b[0], b[1]);
     const std::array orientation{sign_of(bc), sign_of(ca), sign_of(ab)};
     if (bits <= 30)  // products of degree 4 and their sum: below 2^(4 * 30 + 4)
         return {sign_of(square<2>(a) * bc + square<2>(b) * ca + square<2>(c) * ab), orientation};
     // Below 2^(4 * 61 + 4) < 2^255.
-    return {sign_of(product(wide(square<2>(a)), wide(bc)) + product(wide(square<2>(b)), wide(ca)) + product(wide(square<2>(c)), wide(ab))),
+    return {sign_of(product(wide(square<2>(a)), wide(bc)) + product(wide(square<2>(b)), wide(ca)) +
+                    product(wide(square<2>(c)), wide(ab))),
             orientation};
 }
 
 Sphere_signs<3> sphere_signs(const std::array<Vector<3>, 4>& r, int bits) {
     const auto& [a, b, c, e] = r;
     const auto signs = [&r](const auto& bce, const auto& ace, const auto& abe, const auto& abc, auto times) {
-        const auto sum = (times(bce, square<3>(r[0])) - times(ace, square<3>(r[1]))) + (times(abe, square<3>(r[2])) - times(abc, square<3>(r[3])));
+        const auto sum = (times(bce, square<3>(r[0])) - times(ace, square<3>(r[1]))) +
+                         (times(abe, square<3>(r[2])) - times(abc, square<3>(r[3])));
         return Sphere_signs<3>{sign_of(sum), {sign_of(bce), -sign_of(ace), sign_of(abe), -sign_of(abc)}};
     };
     if (bits <= 24) {  // minors below 2^50, of degree 3 below 2^76, products of degree 5 below 2^125
         const Vector<3> ce = small_cross(c, e), ab = small_cross(a, b);
-        return signs(small_dot(b, ce), small_dot(a, ce), small_dot(e, ab), small_dot(c, ab), [](Int128 x, Int128 y) { return x * y; });
+        return signs(small_dot(b, ce), small_dot(a, ce), small_dot(e, ab), small_dot(c, ab),
+                     [](Int128 x, Int128 y) { return x * y; });
     }
     // Minors below 2^123, of degree 3 below 2^186, squares below 2^124, the sum below 2^312.
     const auto ce = cross(c, e), ab = cross(a, b);
-    return signs(dot(ce, b), dot(ce, a), dot(ab, e), dot(ab, c), [](const Wide_integer<3>& x, Int128 y) { return product(x, wide(y)); });
+    return signs(dot(ce, b), dot(ce, a), dot(ab, e), dot(ab, c),
+                 [](const Wide_integer<3>& x, Int128 y) { return product(x, wide(y)); });
 }
 
 }  // namespace
@@ -108,7 +115,8 @@ double grid_scale(const Coordinates<d>& x) {
     for (const double c : x) {
         const auto bits = std::bit_cast<std::uint64_t>(c);
         const int exponent = static_cast<int>(bits >> 52 & 2047);
-        const std::uint64_t mantissa = (bits & ((std::uint64_t{1} << 52) - 1)) | (exponent != 0 ? std::uint64_t{1} << 52 : 0);
+        const std::uint64_t mantissa =
+            (bits & ((std::uint64_t{1} << 52) - 1)) | (exponent != 0 ? std::uint64_t{1} << 52 : 0);
         if (mantissa != 0) lowest = std::min(lowest, std::max(exponent, 1) + std::countr_zero(mantissa));
     }
     if (lowest == nothing) return std::ldexp(1.0, -most);  // the origin: an integer by any
@@ -132,7 +140,8 @@ std::optional<bool> integer_sphere_holds(const std::array<Scaled_point<d>, stati
     if (r.bits > 61) return {};
     const Sphere_signs<d> s = sphere_signs(r.v, r.bits);
     if (s.sphere != 0) return s.sphere > 0;
-    // CGAL's perturbation lifts the lexicographically largest point most: what it does to the sphere decides, then the second largest.
+    // CGAL's perturbation lifts the lexicographically largest point most: what it does to the sphere decides, then the
+    // second largest.
     const auto largest_but = [&p](std::size_t but) {
         std::size_t f = but == 0 ? 1 : 0;
         for (std::size_t i = 0; i <= last; ++i)

@@ -9,8 +9,8 @@
 
 namespace annulus {
 
-// The exact stage of the kernel: signs of determinants of integers of a fixed width, without memory from the heap. Points on the unit
-// sphere, lattices and their like are decided here; what spans too many bits is left to GMP.
+// The exact stage of the kernel: signs of determinants of integers of a fixed width, without memory from the heap.
+// Points on the unit sphere, lattices and their like are decided here; what spans too many bits is left to GMP.
 
 /// A point, and a power of two by which its coordinates are integers (0: there is none that a double has).
 template <int d>
@@ -25,12 +25,14 @@ template <int d>
 
 /// Orientation of d + 1 points. Empty: too many bits.
 template <int d>
-[[nodiscard]] std::optional<int> integer_orientation(const std::array<Scaled_point<d>, static_cast<std::size_t>(d + 1)>& p);
+[[nodiscard]] std::optional<int> integer_orientation(
+    const std::array<Scaled_point<d>, static_cast<std::size_t>(d + 1)>& p);
 
-/// Whether the sphere of a positive cell, the first d + 1 points, holds the last one; where it passes through it, by the
-/// perturbation that decides everywhere (perturbed_sign, docs/theory.md 6.7). Empty: too many bits.
+/// Whether the sphere of a positive cell, the first d + 1 points, holds the last one; where it passes through it, by
+/// the perturbation that decides everywhere (perturbed_sign, docs/theory.md 6.7). Empty: too many bits.
 template <int d>
-[[nodiscard]] std::optional<bool> integer_sphere_holds(const std::array<Scaled_point<d>, static_cast<std::size_t>(d + 2)>& p);
+[[nodiscard]] std::optional<bool> integer_sphere_holds(
+    const std::array<Scaled_point<d>, static_cast<std::size_t>(d + 2)>& p);
 
 extern template double grid_scale<2>(const Coordinates<2>&);
 extern template double grid_scale<3>(const Coordinates<3>&);

@@ -18,18 +18,19 @@ namespace annulus {
 ///
 /// With the corners relative to one of them, p, and |b|^2 appended, the empty-sphere determinant of a point q is
 ///   value(q) = |q - p|^2 D - (q - p) . N,
-/// D the determinant of the corners (twice the area, six times the volume) and N their generalised cross product weighted by
-/// the squares: negative when q is inside, for a positive cell. Of a cell at infinity, whose corner at infinity is taken as
-/// b = 0 with |b|^2 = m^2, D is 0 and N the outward normal of its finite facet: negative when q is beyond the facet, and no
-/// branch tells the two kinds apart.
+/// D the determinant of the corners (twice the area, six times the volume) and N their generalised cross product
+/// weighted by the squares: negative when q is inside, for a positive cell. Of a cell at infinity, whose corner at
+/// infinity is taken as b = 0 with |b|^2 = m^2, D is 0 and N the outward normal of its finite facet: negative when q is
+/// beyond the facet, and no branch tells the two kinds apart.
 ///
-/// N and D are divided by t^d, t the power of two above the largest coordinate m of the corners, so that bounds and values of
-/// large and small cells are alike. Error, for R = |q - p| and coordinates of q - p up to r <= R: of the two terms at most
-/// s u m^d r^2 and l u m^(d+1) r (bounds::kept_sphere_d_square, _linear; proofs/gappa/kept_sphere_d.g), and of their difference u
-/// times their sum, at most a m^d r^2 + b m^(d+1) r (a = 4, b = 8 in 2D, 18 and 54 in 3D: the largest values of the terms). With
-/// 2 r m <= r^2 + m^2 and m < t that is at most unit (R^2 + t^2) for a unit of s + a + (l + b) / 2 times u, and of more: the rest
-/// covers the rounding of R^2 and of the bound itself. It holds for t between 2^-200 and 2^60; `bound` is infinite outside, and
-/// at least 2^-120, which covers what underflows. Round to nearest.
+/// N and D are divided by t^d, t the power of two above the largest coordinate m of the corners, so that bounds and
+/// values of large and small cells are alike. Error, for R = |q - p| and coordinates of q - p up to r <= R: of the two
+/// terms at most s u m^d r^2 and l u m^(d+1) r (bounds::kept_sphere_d_square, _linear; proofs/gappa/kept_sphere_d.g),
+/// and of their difference u times their sum, at most a m^d r^2 + b m^(d+1) r (a = 4, b = 8 in 2D, 18 and 54 in 3D: the
+/// largest values of the terms). With 2 r m <= r^2 + m^2 and m < t that is at most unit (R^2 + t^2) for a unit of s + a
+/// + (l + b) / 2 times u, and of more: the rest covers the rounding of R^2 and of the bound itself. It holds for t
+/// between 2^-200 and 2^60; `bound` is infinite outside, and at least 2^-120, which covers what underflows. Round to
+/// nearest.
 template <int d>
 struct Kept_sphere {
     static constexpr double units = d == 3 ? 1024 : 128;
@@ -41,7 +42,8 @@ struct Kept_sphere {
     std::array<double, static_cast<std::size_t>(d)> normal;
     double determinant;
 
-    /// What is certain of a point: its value, and that the sign of it is right where it is above the bound in magnitude.
+    /// What is certain of a point: its value, and that the sign of it is right where it is above the bound in
+    /// magnitude.
     struct Value {
         double value;
         double bound;
@@ -91,7 +93,8 @@ template <int d>
     constexpr std::uint64_t exponent_bits = 0x7ff0000000000000ULL, one = 0x0010000000000000ULL;
     const std::uint64_t t = (std::bit_cast<std::uint64_t>(m) & exponent_bits) + one;
     const double power = std::bit_cast<double>(t), inverse = std::bit_cast<double>((2046ULL << 52) - t);
-    if (!(m >= 0x1p-200 && m <= 0x1p60)) [[unlikely]] return {1.0, std::numeric_limits<float>::infinity()};
+    if (!(m >= 0x1p-200 && m <= 0x1p60)) [[unlikely]]
+        return {1.0, std::numeric_limits<float>::infinity()};
     return {inverse, std::max(static_cast<float>(Kept_sphere<d>::unit * (power * power)), Kept_sphere<d>::least_bound)};
 }
 
@@ -105,8 +108,9 @@ template <int d>
     const detail::Power t = detail::power_above<2>(m);
     bound = t.bound;
     const double scale = t.inverse * t.inverse;
-    return {{(a.square * b.from[1] - b.square * a.from[1]) * scale, (b.square * a.from[0] - a.square * b.from[0]) * scale},
-            (a.from[0] * b.from[1] - a.from[1] * b.from[0]) * scale};
+    return {
+        {(a.square * b.from[1] - b.square * a.from[1]) * scale, (b.square * a.from[0] - a.square * b.from[0]) * scale},
+        (a.from[0] * b.from[1] - a.from[1] * b.from[0]) * scale};
 }
 [[nodiscard]] inline Kept_sphere<3> kept_sphere(Lifted<3> a, Lifted<3> b, Lifted<3> c, float& bound) {
     const double m = std::max(a.magnitude(), std::max(b.magnitude(), c.magnitude()));
@@ -122,7 +126,8 @@ template <int d>
     };
     const auto bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
     Kept_sphere<3> s;
-    for (std::size_t k = 0; k < 3; ++k) s.normal[k] = ((a.square * bc[k] + b.square * ca[k]) + c.square * ab[k]) * scale;
+    for (std::size_t k = 0; k < 3; ++k)
+        s.normal[k] = ((a.square * bc[k] + b.square * ca[k]) + c.square * ab[k]) * scale;
     s.determinant = ((a.from[0] * bc[0] + a.from[1] * bc[1]) + a.from[2] * bc[2]) * scale;
     return s;
 }

@@ -12,11 +12,12 @@
 
 namespace annulus {
 
-/// Finds who is whose neighbour among the new cells {v, facet of the border}: two of them share the facet of v and a ridge that two
-/// facets of the border have in common, a vertex in 2D and an edge in 3D, which they run through in opposite directions.
+/// Finds who is whose neighbour among the new cells {v, facet of the border}: two of them share the facet of v and a
+/// ridge that two facets of the border have in common, a vertex in 2D and an edge in 3D, which they run through in
+/// opposite directions.
 ///
-/// glue(facets, cells, set): cells[f] is 4 times the new cell of facets[f]; calls set(half-facet, its twin) for each half-facet that
-/// has v. O(number of facets).
+/// glue(facets, cells, set): cells[f] is 4 times the new cell of facets[f]; calls set(half-facet, its twin) for each
+/// half-facet that has v. O(number of facets).
 template <int d>
 class Ridges;
 
@@ -54,7 +55,8 @@ class Ridges<3> {
     void glue(std::span<const Facet> facets, std::span<const std::uint32_t> cells, Set set) {
         renumber(facets);
         if (met_ <= few) {
-            glue_by(facets, cells, set, [this](std::uint32_t a, std::uint32_t b) -> std::uint32_t& { return few_[a * few + b]; });
+            glue_by(facets, cells, set,
+                    [this](std::uint32_t a, std::uint32_t b) -> std::uint32_t& { return few_[a * few + b]; });
             return;
         }
         std::size_t size = 64;

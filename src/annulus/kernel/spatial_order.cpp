@@ -11,8 +11,8 @@ namespace annulus {
 
 namespace {
 
-/// The Hilbert curve as an automaton (Hamilton, "Compact Hilbert indices", 2006): in a state, an octant (or quadrant) has a
-/// place on the curve, and leads to a state for what is inside it.
+/// The Hilbert curve as an automaton (Hamilton, "Compact Hilbert indices", 2006): in a state, an octant (or quadrant)
+/// has a place on the curve, and leads to a state for what is inside it.
 template <int d>
 struct Hilbert_curve {
     static constexpr unsigned octants = 1U << d;
@@ -128,7 +128,8 @@ void sort_along_curve(std::span<const Coordinates<d>> x, std::span<Index> vertic
     for (std::size_t i = 0; i < n; ++i) {
         std::array<std::uint32_t, d> box{};
         for (std::size_t c = 0; c < d; ++c)
-            box[c] = static_cast<std::uint32_t>((x[static_cast<std::size_t>(vertices[i])][c] - low[c]) / extent * boxes);
+            box[c] =
+                static_cast<std::uint32_t>((x[static_cast<std::size_t>(vertices[i])][c] - low[c]) / extent * boxes);
         keyed[i] = {rounds.of(vertices[i]) << (d * bits) | hilbert_curve<d>.key(box, bits), vertices[i]};
     }
     radix_sort(keyed, other, d * bits + rounds.bits());
