@@ -30,8 +30,8 @@ if(ANNULUS_BUILD_STUDIES)
     annulus_describe(annulus-reproduction PRIVATE)
     target_link_libraries(annulus-reproduction PUBLIC annulus-toolkit)
     # What races, ours and CGAL's alike, as fast as the library.
-    target_compile_options(annulus-reproduction PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-fno-math-errno>
-        $<$<CONFIG:Release>:-O3>)
+    target_compile_options(annulus-reproduction PRIVATE
+        $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-fno-math-errno> $<$<CONFIG:Release>:-O3>)
     annulus_unite(annulus-reproduction reproduction "/reproduction/[a-z_]*[.]cpp$")
 endif()
 

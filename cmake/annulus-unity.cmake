@@ -32,10 +32,10 @@ if(ANNULUS_BUILD_TOOLKIT)
     endforeach()
 endif()
 
-# Tests: the files of LIST become pieces of at most SIZE files of one folder, for a build that compiles all of them anyway: what they
-# include is parsed once a piece, and templates are instantiated once. Names of two files may be the same, so each file is in a namespace of
-# its own, after everything that any of them includes. A file that opens a namespace that others know, has conditional includes or no test
-# stays alone.
+# Tests: the files of LIST become pieces of at most SIZE files of one folder, for a build that compiles all of them
+# anyway: what they include is parsed once a piece, and templates are instantiated once. Names of two files may be the
+# same, so each file is in a namespace of its own, after everything that any of them includes. A file that opens a
+# namespace that others know, has conditional includes or no test stays alone.
 function(annulus_unite_tests list size)
     if(NOT ANNULUS_UNITY)
         return()

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Forward errors of the two terms of the in-sphere determinant of src/annulus/kernel/kept_sphere.h, for its order of operations.
+# Forward errors of the two terms of the in-sphere determinant of src/annulus/kernel/kept_sphere.h, for its order of
+# operations.
 # Model and notation are those of certificates_2.g.
 @mul = mul_rel<53>;
 @add = add_rel<53>;

@@ -82,7 +82,7 @@ class Killed(Stopped):
         kept = 0
         for victim in (1, 0, "mpirun", 2):
             self.kill(kept, victim)
-            # How many lines are written before all have gone is open, and whether these are all: then the journal has gone, too.
+            # How many lines are written before all have gone is open. When these are all, the journal has gone, too.
             if (self.here / "out" / "costs.jsonl").exists():
                 print(f"killed: {victim}, when all was done")
                 self.assertEqual(self.results("out"), whole)

@@ -55,7 +55,7 @@ class ProgressLine(ToolTest):
         end = b"\0"
         with subprocess.Popen([OPTIONS["tool"], *map(str, words)], cwd=self.here, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                               stderr=theirs, env=env) as process:
-            # A terminal that is closed may lose what was written last, so it is not: a byte of ours comes after all of the tool's.
+            # A terminal may lose what was written last when it is closed. So it stays open, and a byte of ours ends it.
             closing = threading.Thread(target=lambda: (process.wait(), os.write(theirs, end)))
             closing.start()
             text = b""

@@ -6,7 +6,6 @@
 #include <annulus/certificate/bounds.h>
 #include <annulus/certificate/exact_sign.h>
 #include <annulus/mesh/degenerate.h>
-#include <annulus/mesh/walk.h>
 
 #include <algorithm>
 #include <cmath>
@@ -130,12 +129,9 @@ bool Builder<d>::holds_exactly(Cell c, Rank v) const {
     for (std::size_t j = 0; j <= d; ++j) p[j] = on_grid(cells_[c].vertex[j]);
     p[d + 1] = on_grid(v);
     if (const std::optional<bool> told = integer_sphere_holds<d>(p)) return *told;
-    Tuple<d, d + 2> x;
-    for (std::size_t j = 0; j < d; ++j) x[j] = p[j].x;
-    x[d] = p[d + 1].x;
-    x[d + 1] = p[d].x;
-    const int sign = exact_empty_sphere_sign(x).sign;
-    return (sign != 0 ? sign : perturbed_sign(x)) < 0;
+    Tuple<d, d + 1> x;
+    for (std::size_t j = 0; j <= d; ++j) x[j] = p[j].x;
+    return sphere_holds_exactly<d>(x, at(v));
 }
 
 template <int d>

@@ -2,6 +2,8 @@
 // Builder: how it begins, and what it hands over.
 #include <annulus/kernel/builder.h>
 
+#include <annulus/kernel/bounding_box.h>
+#include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/walk.h>
 
 #include <algorithm>
@@ -17,11 +19,7 @@ namespace {
 /// Whether three points are, which they are when they are seen along each axis.
 bool on_a_line(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c) {
     for (std::size_t i = 0; i < 3; ++i) {
-        std::array<Coordinates<2>, 3> y{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Coordinates<3>& p = k == 0 ? a : k == 1 ? b : c;
-            y[k] = {p[(i + 1) % 3], p[(i + 2) % 3]};
-        }
+        const auto y = seen_along<3>(i, {&a, &b, &c});
         if (sure_orientation<2>({&y[0], &y[1], &y[2]}) != 0) return false;
     }
     return true;
@@ -40,19 +38,8 @@ void Builder<d>::take_positions(std::span<const Coordinates<d>> x, std::span<con
     sites_.resize(n + 1);
     infinity_ = static_cast<Rank>(n);
     sites_[n].x = {};
-    Coordinates<d> low, high;
-    low.fill(std::numeric_limits<double>::infinity());
-    high.fill(-std::numeric_limits<double>::infinity());
-    for (std::size_t r = 0; r < n; ++r) {
-        const Coordinates<d>& p = sites_[r].x = x[static_cast<std::size_t>(order[r])];
-        for (std::size_t c = 0; c < d; ++c) {
-            low[c] = std::min(low[c], p[c]);
-            high[c] = std::max(high[c], p[c]);
-        }
-    }
-    double extent = 0;
-    for (std::size_t c = 0; c < d; ++c) extent = std::max(extent, high[c] - low[c]);
-    scale_positions(extent);
+    for (std::size_t r = 0; r < n; ++r) sites_[r].x = x[static_cast<std::size_t>(order[r])];
+    scale_positions(Bounding_box<d>(x, order).extent());
     grid_.resize(n);
     for (std::size_t r = 0; r < n; ++r) grid_[r] = grid_scale<d>(sites_[r].x);
 }

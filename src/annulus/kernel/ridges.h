@@ -6,15 +6,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
 namespace annulus {
 
-/// Finds who is whose neighbour among the new cells {v, facet of the border}: two of them share the facet of v and a
-/// ridge that two facets of the border have in common, a vertex in 2D and an edge in 3D, which they run through in
-/// opposite directions.
+/// Glues the new cells {v, facet of the border} to one another. Two of them are neighbours when their facets of the border
+/// share a ridge, a vertex in 2D and an edge in 3D; the two facets run through it in opposite directions.
 ///
 /// glue(facets, cells, set): cells[f] is 4 times the new cell of facets[f]; calls set(half-facet, its twin) for each
 /// half-facet that has v. O(number of facets).
@@ -78,8 +76,7 @@ class Ridges<3> {
     /// Numbers the vertices of the facets from 0 in the order in which they are met.
     template <class Facet>
     void renumber(std::span<const Facet> facets) {
-        if (round_ == std::numeric_limits<std::uint32_t>::max()) begin(number_.size());
-        ++round_;
+        ++round_;  // one an insertion: a build has fewer than there are vertices
         met_ = 0;
         if (numbers_.size() < facets.size()) numbers_.resize(2 * facets.size());
         for (std::size_t f = 0; f < facets.size(); ++f)

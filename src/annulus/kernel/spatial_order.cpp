@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/kernel/spatial_order.h>
 
+#include <annulus/kernel/bounding_box.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <limits>
 
 namespace annulus {
 
@@ -110,16 +111,8 @@ template <int d>
 void sort_along_curve(std::span<const Coordinates<d>> x, std::span<Index> vertices, bool in_rounds) {
     constexpr std::size_t least_run = 4, first_round = 64;
     const std::size_t n = vertices.size();
-    Coordinates<d> low, high;
-    low.fill(std::numeric_limits<double>::infinity());
-    high.fill(-std::numeric_limits<double>::infinity());
-    for (const Index v : vertices)
-        for (std::size_t c = 0; c < d; ++c) {
-            low[c] = std::min(low[c], x[static_cast<std::size_t>(v)][c]);
-            high[c] = std::max(high[c], x[static_cast<std::size_t>(v)][c]);
-        }
-    double extent = 0;
-    for (std::size_t c = 0; c < d; ++c) extent = std::max(extent, high[c] - low[c]);
+    const Bounding_box<d> around(x, vertices);
+    const double extent = around.extent();
     if (!(extent > 0)) return;
     const int bits = d == 3 ? (n < 100'000 ? 12 : 17) : (n < 100'000 ? 11 : n < 2'000'000 ? 14 : 16);
     const double boxes = static_cast<double>(1U << bits) - 0.5;
@@ -128,8 +121,8 @@ void sort_along_curve(std::span<const Coordinates<d>> x, std::span<Index> vertic
     for (std::size_t i = 0; i < n; ++i) {
         std::array<std::uint32_t, d> box{};
         for (std::size_t c = 0; c < d; ++c)
-            box[c] =
-                static_cast<std::uint32_t>((x[static_cast<std::size_t>(vertices[i])][c] - low[c]) / extent * boxes);
+            box[c] = static_cast<std::uint32_t>((x[static_cast<std::size_t>(vertices[i])][c] - around.low[c]) /
+                                                extent * boxes);
         keyed[i] = {rounds.of(vertices[i]) << (d * bits) | hilbert_curve<d>.key(box, bits), vertices[i]};
     }
     radix_sort(keyed, other, d * bits + rounds.bits());

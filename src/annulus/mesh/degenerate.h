@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/certificate/exact_sign.h>
 #include <annulus/certificate/ladder.h>
+
+#include <algorithm>
+#include <array>
 
 // What decides a certificate whose determinant is 0 (docs/theory.md 6.7), for every dimension by overloads on the tuple.
 namespace annulus {
@@ -9,6 +13,25 @@ namespace annulus {
 /// Sign of an empty sphere whose points are cospherical, by CGAL's perturbation. Precondition: both cells are positive.
 [[nodiscard]] inline int perturbed_sign(const Tuple<2, 4>& x) { return perturbed_empty_circle_sign(x); }
 [[nodiscard]] inline int perturbed_sign(const Tuple<3, 5>& x) { return perturbed_empty_sphere_sign(x); }
+
+/// Whether the sphere of a positive cell holds p, exactly; where it passes through p, by the perturbation.
+template <int d>
+[[nodiscard]] bool sphere_holds_exactly(const Tuple<d, d + 1>& cell, const Coordinates<d>& p) {
+    Tuple<d, d + 2> x{};  // as the ladder takes them: p before the last corner
+    std::copy_n(cell.begin(), d, x.begin());
+    x[d] = &p;
+    x[d + 1] = cell[d];
+    const int sign = exact_empty_sphere_sign(x).sign;
+    return (sign != 0 ? sign : perturbed_sign(x)) < 0;
+}
+
+/// Points of space as they are seen along an axis.
+template <std::size_t n>
+[[nodiscard]] std::array<Coordinates<2>, n> seen_along(std::size_t axis, const std::array<const Coordinates<3>*, n>& x) {
+    std::array<Coordinates<2>, n> y{};
+    for (std::size_t k = 0; k < n; ++k) y[k] = {(*x[k])[(axis + 1) % 3], (*x[k])[(axis + 2) % 3]};
+    return y;
+}
 
 /// A ridge of determinant 0 is convex enough unless the hull folds back there. In the plane x is {u, w, v}, v the vertex of
 /// the ridge: it lies between its neighbours.
@@ -18,8 +41,7 @@ namespace annulus {
 /// In space x is {u, w, c, d}, u w the ridge: c and d lie on different sides of it, in the plane that they share.
 [[nodiscard]] inline bool flat_ridge_holds(const Tuple<3, 4>& x) {
     for (std::size_t i = 0; i < 3; ++i) {  // seen along an axis along which the plane has an area
-        std::array<Coordinates<2>, 4> y{};
-        for (std::size_t k = 0; k < 4; ++k) y[k] = {(*x[k])[(i + 1) % 3], (*x[k])[(i + 2) % 3]};
+        const auto y = seen_along<4>(i, x);
         const int c = orientation_verdict({&y[0], &y[1], &y[2]}, false).sign;
         if (c != 0) return orientation_verdict({&y[0], &y[1], &y[3]}, false).sign == -c;
     }

@@ -3,7 +3,6 @@
 
 #include <annulus/certificate/circumcircle_2.h>
 #include <annulus/certificate/circumsphere_3.h>
-#include <annulus/certificate/exact_sign.h>
 #include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/small_set.h>
@@ -13,18 +12,8 @@ namespace annulus {
 
 namespace {
 
-Circumcircle_2 sphere_of(const Tuple<2, 4>& x) { return {*x[0], *x[1], *x[3]}; }
-Circumsphere_3 sphere_of(const Tuple<3, 5>& x) { return {*x[0], *x[1], *x[2], *x[4]}; }
-
-/// The points of a finite cell and one more, as the ladder takes them: that one before the last of the cell.
-template <int d>
-Tuple<d, d + 2> with_point(const Tuple<d, d + 1>& cell, const Coordinates<d>& p) {
-    Tuple<d, d + 2> x{};
-    for (std::size_t k = 0; k < d; ++k) x[k] = cell[k];
-    x[d] = &p;
-    x[d + 1] = cell[d];
-    return x;
-}
+Circumcircle_2 sphere_of(const Tuple<2, 3>& x) { return {*x[0], *x[1], *x[2]}; }
+Circumsphere_3 sphere_of(const Tuple<3, 4>& x) { return {*x[0], *x[1], *x[2], *x[3]}; }
 
 template <int d>
 class Conflicts {
@@ -47,14 +36,13 @@ class Conflicts {
 
   private:
     [[nodiscard]] bool sphere_holds(Cell_index c) const {
-        const Tuple<d, d + 2> x = with_point<d>(tuple<d, d + 1>(cell_points(t_, c), x_), p_);
-        const auto sphere = sphere_of(x);
+        const Tuple<d, d + 1> cell = tuple<d, d + 1>(cell_points(t_, c), x_);
+        const auto sphere = sphere_of(cell);
         if (sphere.positive()) {
             if (sphere.excludes(p_)) return false;
             if (sphere.contains(p_)) return true;
         }
-        const int sign = exact_empty_sphere_sign(x).sign;
-        return (sign != 0 ? sign : perturbed_sign(x)) < 0;
+        return sphere_holds_exactly<d>(cell, p_);
     }
 
     const Cell_table<d>& t_;
