@@ -39,11 +39,6 @@ endforeach()
 target_precompile_headers(annulus-headers PRIVATE ${annulus_test_headers})
 target_precompile_headers(annulus-headers-cgal PRIVATE ${annulus_test_headers} ${annulus_cgal_headers})
 
-# What g++ believes about CGAL's and Boost's code it does not say where they are system headers, but does once they come
-# precompiled. These warnings come from the optimiser; the library, which has no precompiled header, is watched by all.
-set(annulus_quiet_about_precompiled
-    "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-maybe-uninitialized>")
-
 # A target of tests. HEADERS: annulus-headers, or annulus-headers-cgal where most of its files include CGAL, themselves or
 # through our headers. LIBRARY: annulus::annulus, annulus::toolkit or annulus-tiny.
 function(annulus_test_target target headers library)

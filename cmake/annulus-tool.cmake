@@ -40,6 +40,7 @@ function(annulus_program target)
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
     target_compile_definitions(${target} PRIVATE ANNULUS_VERSION="${PROJECT_VERSION}")
     target_link_libraries(${target} PUBLIC annulus::toolkit CLI11::CLI11 annulus_warnings)
+    target_compile_options(${target} PRIVATE ${annulus_compiled_quickly})
     annulus_unite(${target} ${target} "/cli/[a-z_0-9]*[.]cpp$")
 endfunction()
 

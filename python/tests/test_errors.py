@@ -174,7 +174,7 @@ def test_an_interrupted_move():
     """Ctrl-C in a call is seen after it; what it did is done."""
     program = """
 import annulus, numpy, os, signal, threading, time
-x = numpy.random.default_rng(0).random((100000, 3))
+x = numpy.random.default_rng(0).random((20000, 3))
 dt = annulus.MovingDelaunay(x, "rebuild")
 mine = time.pthread_getcpuclockid(threading.main_thread().ident)
 before = time.clock_gettime(mine)

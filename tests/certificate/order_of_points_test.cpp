@@ -47,7 +47,7 @@ bool agree(const Five& x, Cell_widths cells) {
 
 }  // namespace
 
-TEST_CASE("The order of its points changes a bi-cell's tolerance by rounding alone", "[certificate][space]") {
+TEST_CASE("The order of its points changes a bi-cell's tolerance by rounding alone", "[certificate][space][deep]") {
     // One of the sums of lambda is 0 but for the last bits, and a cell is nearly flat. Whether its width is in the minimum is more than
     // the first two stages can tell here in four of the six orders, and the first one in all below.
     const Five doubtful{{{0x1.fffffffffffffp+1, 0x1.8000000000001p+1, 0x1.fffffffffffffp-1},

@@ -240,7 +240,7 @@ TEST_CASE("A call that runs out of memory leaves all as it was, whichever alloca
 }
 
 TEST_CASE("A call in space that runs out of memory leaves all as it was, whichever allocation fails",
-          "[allocation][space]") {
+          "[allocation][space][deep]") {
     starve_all<3>(oracle::certified_settings_3);
 }
 

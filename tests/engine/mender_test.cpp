@@ -125,8 +125,8 @@ TEMPLATE_TEST_CASE_SIG("A step that is clearly too dear is given up before it is
     CHECK(dt.audit().delaunay());
 }
 
-TEMPLATE_TEST_CASE_SIG("No timestamp costs more than one and a half rebuilds, whatever the points and the motion, dimension", "[mender]",
-                       ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("No timestamp costs more than one and a half rebuilds, whatever the points and the motion, dimension",
+                       "[mender][price][deep]", ((int d), d), 2, 3) {
     for (const std::string_view family : bench::families)
         for (const std::string_view motion : bench::kinds_of_motion)
             for (const double spacings : {1e-4, 1e-2, 0.1, 1.0}) {

@@ -12,7 +12,8 @@
 using namespace annulus;
 using namespace annulus::testing;
 
-TEMPLATE_TEST_CASE_SIG("A mesh whose call runs out of memory is as it was, and goes on, dimension", "[mesh]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("A mesh whose call runs out of memory is as it was, and goes on, dimension",
+                       "[mesh][deep]", ((int d), d), 2, 3) {
     struct Call {
         const char* name;
         std::function<void(Moving_mesh<d>&)> make;

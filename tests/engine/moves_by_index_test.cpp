@@ -163,8 +163,8 @@ void check_collision(Scene scene) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("Moves by index of points in convex position cost some rebuilds, dimension", "[engine][moves]",
-                       ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Moves by index of points in convex position cost some rebuilds, dimension",
+                       "[engine][moves][deep]", ((int d), d), 2, 3) {
     for (const Scene scene : {Scene::sphere, Scene::moment_curve})
         for (const double pace : {1e-5, 1e-2}) {
             check_cost<d, Moving_mesh<d>>(scene, pace);
@@ -172,7 +172,7 @@ TEMPLATE_TEST_CASE_SIG("Moves by index of points in convex position cost some re
         }
 }
 
-TEMPLATE_TEST_CASE_SIG("Moves by index that turn out too dear collide as others do, dimension", "[engine][moves]",
+TEMPLATE_TEST_CASE_SIG("Moves by index that turn out too dear collide as others do, dimension", "[engine][moves][deep]",
                        ((int d), d), 2, 3) {
     for (const Scene scene : {Scene::sphere, Scene::moment_curve}) {
         check_collision<d, Moving_mesh<d>>(scene);

@@ -104,7 +104,8 @@ std::pair<std::vector<std::int64_t>, std::vector<double>> built(Points<d> x, Str
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("What several threads build is what one builds, bit for bit, dimension", "[parallel]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("What several threads build is what one builds, bit for bit, dimension",
+                       "[parallel][deep]", ((int d), d), 2, 3) {
     const auto compare = [](const Points<d>& x, Strategy strategy) {
         const auto alone = built<d>(x, strategy, 1);
         for (const int threads : {2, 5}) CHECK((built<d>(x, strategy, threads) == alone));
@@ -114,8 +115,8 @@ TEMPLATE_TEST_CASE_SIG("What several threads build is what one builds, bit for b
     compare(lattice<d>(), Strategy::rebuild);
 }
 
-TEMPLATE_TEST_CASE_SIG("The spatial sort in several threads is that in one, points at one place included, dimension", "[parallel]",
-                       ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("The spatial sort in several threads is that in one, points at one place included, dimension",
+                       "[parallel][deep]", ((int d), d), 2, 3) {
     Points<d> twice = uniform<d>();
     for (std::size_t i = 0; i < twice.size(); ++i) twice[i] = twice[i % 100];
     for (const Points<d>& x : {uniform<d>(), lattice<d>(), twice}) {

@@ -175,7 +175,7 @@ TEST_CASE("formats are told by extensions, or by whoever asks", "[io][formats]")
     CHECK_FALSE(is_packed("gz"));
 }
 
-TEST_CASE("long lines and many empty ones", "[io][motion]") {
+TEST_CASE("long lines and many empty ones", "[io][motion][deep]") {
     const Temporary_directory directory;
     const std::string wide(300'000, ' ');
     CHECK(all_of(directory.file("a.xyz", "1\n" + std::string(300'000, 'c') + "\n" + wide + "1" + wide + "2\n")).size() == 1);

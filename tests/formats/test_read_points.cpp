@@ -144,7 +144,7 @@ TEST_CASE("what gzip packed is read in every format, damaged or cut off it is re
     expect_fault(directory.file("a.txt.gz", gzip("1 2\n")), 0, "unknown extension '.txt'", read);
 }
 
-TEST_CASE("a small file that unpacks without end is refused before it fills the memory") {
+TEST_CASE("a small file that unpacks without end is refused before it fills the memory", "[deep]") {
     std::string bomb;
     const std::string member = gzip(std::string(1 << 20, '\n'));
     for (int i = 0; i < 100; ++i) bomb += member;

@@ -148,7 +148,7 @@ TEST_CASE("moments of a circular segment, however thin, have their closed form",
     }
 }
 
-TEST_CASE("sin2 moments of caps add up", "[motion][moments]") {
+TEST_CASE("sin2 moments of caps add up", "[motion][moments][deep]") {
     // A sector piece between two circles would need a clockwise arc; a cap does: moments are additive, so the cap cut
     // by a ray through its middle must give the cap.
     for (const double radius : {0.8, 1.3, 4.0, 30.0, 56.0})

@@ -250,7 +250,7 @@ TEST_CASE("a linear axis has ticks at steps of one, two or five") {
     CHECK(none_at_all.ticks().back().label == "1.0");
 }
 
-TEST_CASE("numbers for people do not follow the locale of the host", "[io][report]") {
+TEST_CASE("numbers for people do not follow the locale of the host", "[io][report][deep]") {
     const Temporary_directory directory;
     const std::string before = std::setlocale(LC_NUMERIC, nullptr);
     if (std::setlocale(LC_NUMERIC, "de_DE.UTF-8") == nullptr) {  // few machines have one: it is made

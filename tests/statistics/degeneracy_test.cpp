@@ -270,7 +270,7 @@ void check_counts(const Width_counts& c, const std::vector<Item>& items, const s
 
 }  // namespace
 
-TEST_CASE("counts in space are those of rational arithmetic", "[statistics][degeneracy]") {
+TEST_CASE("counts in space are those of rational arithmetic", "[statistics][degeneracy][deep]") {
     Random random(11);
     std::uint64_t unsound = 0;
     for (const Set_3 set : all_sets_3) {

@@ -83,7 +83,7 @@ void check(Point_family family, std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("Several threads count what one counts and tell it in the same order", "[statistics][degeneracy]") {
+TEST_CASE("Several threads count what one counts and tell it in the same order", "[statistics][degeneracy][deep]") {
     check<2>(Point_family::uniform, 20000);
     check<2>(Point_family::grid, 10000);
     check<2>(Point_family::cospherical, 10000);  // a circle: the border is long
