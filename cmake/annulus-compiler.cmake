@@ -37,7 +37,7 @@ endif()
 add_library(annulus_warnings INTERFACE)
 if(PROJECT_IS_TOP_LEVEL)
     target_compile_options(annulus_warnings INTERFACE
-        $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wall;-Wextra;-Wshadow;-Wconversion>
+        $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wall;-Wextra;-Wshadow;-Wconversion;-Wno-psabi>
         $<$<COMPILE_LANG_AND_ID:CXX,Clang,AppleClang>:-Wall;-Wextra;-Wconversion>
         # clang calls it shadowing where a local name is that of another file's unnamed namespace, in what is compiled together.
         $<$<AND:$<COMPILE_LANG_AND_ID:CXX,Clang,AppleClang>,$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>>:-Wshadow>

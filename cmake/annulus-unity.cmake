@@ -34,7 +34,7 @@ endif()
 
 # ANNULUS_PRECOMPILE: what files of the core parse of the standard library and of Boost, two fifths of what compiling them
 # takes, is parsed once. What g++ believes about code of others it does not say where it is a system header's, but does once
-# it comes precompiled; where nothing is precompiled, as in packages, all warnings watch the library.
+# it comes precompiled.
 set(annulus_quiet_about_precompiled
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-maybe-uninitialized>")
 if(ANNULUS_PRECOMPILE)

@@ -53,7 +53,7 @@ static void* reads(void* given) {
         faults += failed(annulus_tolerances(mesh, n, lengths));
         faults += annulus_points(mesh, 1, lengths) != ANNULUS_WRONG_SIZE;  // all write one message
         faults += annulus_message(mesh, text, sizeof text) != strlen(text);
-        faults += strcmp(text, "there is room for 1 vertices of 400") != 0;
+        faults += strcmp(text, "there is room for 1 of 400 vertices") != 0;
     }
     return faults == 0 ? NULL : &wrong;
 }

@@ -51,6 +51,14 @@ TEMPLATE_TEST_CASE("Info stays with its vertex", "[relocation]", Moving_delaunay
                 auto some = std::next(name.begin(), static_cast<std::ptrdiff_t>(random() % name.size()));
                 dt.move(some->first, Coordinates<d>{3.0 + 0.01 * step, 0.5});
                 check();
+                // Some by CGAL's points: named by indices, and in pairs with their handles.
+                const std::array<Index, 1> which{some->first};
+                dt.move(which, std::vector{point({4.0 + 0.01 * step, 0.5})});
+                CHECK(handle.at(some->first)->point() == point({4.0 + 0.01 * step, 0.5}));
+                const std::vector pairs{std::pair(handle.at(some->first), point({5.0 + 0.01 * step, 0.5}))};
+                dt.move(pairs.begin(), pairs.end());
+                CHECK(handle.at(some->first)->point() == point({5.0 + 0.01 * step, 0.5}));
+                check();
                 if (step % 2 == 0) {
                     some = std::next(name.begin(), static_cast<std::ptrdiff_t>(random() % name.size()));
                     dt.remove(handle.at(some->first));

@@ -41,10 +41,11 @@ TEST_CASE("xyz: rows alone are x, y and perhaps z, and nothing else", "[io][colu
         return read_points<3>(directory.file("a.xyz", content)).notes;
     };
     REQUIRE(note("1 0.5 0.25\n2 1.5 0.25\n3 0.5 1.25\n").size() == 1);
-    CHECK(note("1 0.5 0.25\n2 1.5 0.25\n3 0.5 1.25\n")[0].find("a.xyz:1: column 1 counts the rows as an id does") !=
+    CHECK(note("1 0.5 0.25\n2 1.5 0.25\n3 0.5 1.25\n")[0].find("a.xyz:1: column 1 has integers as ids are") !=
           std::string::npos);
     CHECK(note("3\n\n0 0.5 0.25\n1 1.5 0.25\n2 0.5 1.25\n").size() == 1);
-    CHECK(note("1 0.5 0.25\n3 1.5 0.25\n2 0.5 1.25\n").empty());
+    CHECK(note("5 1.25 -3.5\n2 -1.5 4.5\n9 0.5 0.25\n").size() == 1);  // ids in any order
+    CHECK(note("1 0.5 0.25\n1.5 1.5 0.25\n2 0.5 1.25\n").empty());
     CHECK(note("1 0 0\n2 1 0\n3 0 1\n").empty());
 }
 
@@ -69,6 +70,12 @@ TEST_CASE("xyz: after a count the first column is stepped over if it is an eleme
     // Four integers may be x y z charge, and the first of them no element.
     refuse("2\n\n1 0 0 -1\n2 0 0 1\n", 3, "has 4 columns of integers: the first may be x or an element");
     CHECK(points("2\n\n1 0 0 -1.0\n2 0 0 1.0\n") == Points_3{{0, 0, -1}, {0, 0, 1}});
+    // It is said, since x y z charge looks the same where every x is such a number.
+    const Temporary_directory directory;
+    const auto notes = read_points<3>(directory.file("a.xyz", two + "6 0.5 0.25 1\n8 1.5 0.25 2\n")).notes;
+    REQUIRE(notes.size() == 1);
+    CHECK(notes[0].find("a.xyz:3: column 1 is taken for atomic numbers, column 2 for x") != std::string::npos);
+    CHECK(read_points<3>(directory.file("b.xyz", two + "C 0.5 0.25 1\nO 1.5 0.25 2\n")).notes.empty());
 }
 
 TEST_CASE("xyz: numbers beyond x, y and z are passed over only where x is no id and no type", "[io][columns]") {

@@ -113,6 +113,11 @@ TEST_CASE("LAMMPS: a periodic box is refused, or announced and not obeyed", "[io
         CHECK(notes[0].find("ignored") != std::string::npos);
     }
     CHECK(accept(frame("0", "ff ss mm\n0 1\n0 1\n0 1\n", "x y", "0 0", "1 1")).notes.empty());
+    // What would unwrap them is not used, and that is said.
+    const auto both = accept(frame("0", upright, "x y ix iy xu yu", "0 0 0 0 0 0", "1 1 0 0 1 1")).notes;
+    REQUIRE(both.size() == 1);
+    CHECK(both[0].find("not used: ix iy xu yu; positions are as written") != std::string::npos);
+    CHECK(accept(frame("0", upright, "xu yu ix iy", "0 0 0 0", "1 1 0 0")).notes.empty());
     // Early versions did not write how the sides are: then they are as by default.
     refuse(frame("0", "\n0 1\n0 1\n0 1\n", "x y", "0 0", "1 1"), 5, "without a word on its sides");
     // A later frame decides, too, and so does the only one of a set of points.

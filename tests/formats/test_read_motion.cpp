@@ -226,5 +226,10 @@ TEST_CASE("motions are read in capitals, packed, and with their header behind a 
     refuse("a.csv", "0,1,2,3\n", 1, "no column frame");
     refuse("a.csv", "frame,id,x,y\n#1,2,3,4\n", 2, "the frame is not an integer");
     refuse("a.csv", "frame,id,id,x,y\n1,2,3,4,5\n", 1, "two columns id");
+    refuse("a.csv", "frame id x y\n1 2 3 4\n", 1, "the header is separated by blanks: 'frame id x y'");
+    refuse("a.csv", "frame,id,x,y\n0,1.0,3,4\n", 2, "the id is not an integer");
+    refuse("a.csv", "frame,id,x,y\n0,cell_1,3,4\n", 2, "the id is not an integer");
+    refuse("a.csv", "frame,id,x,y\n0,-1,3,4\n", 2, "the id is");
+    refuse("a.csv", "frame,id,x,y\n0.0,1,3,4\n", 2, "the frame is not an integer");
     refuse("a.txt", "0 0\n", 0, "unknown extension '.txt'");
 }

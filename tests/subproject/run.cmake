@@ -23,6 +23,22 @@ foreach(flags IN ITEMS "" -O3 "-O2 -march=native -flto" -fno-fast-math -fno-math
     refused("${flags}" 0)
 endforeach()
 
+# Nor do the headers take them, or an older standard, where a build has no CMake.
+function(header flags expected)
+    separate_arguments(flags)
+    execute_process(COMMAND "${COMPILER}" ${flags} "-I${SOURCE}/src" -x c++ -fsyntax-only
+                            "${SOURCE}/src/annulus/arithmetic/environment.h"
+                    RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
+    if((status EQUAL 0) EQUAL expected OR (expected AND NOT said MATCHES "annulus: "))
+        message(SEND_ERROR "environment.h with '${flags}': refused should be ${expected}\n${said}")
+    endif()
+endfunction()
+header("-std=c++20" 0)
+header("-std=c++17" 1)
+foreach(flag IN ITEMS -ffast-math -ffinite-math-only -fassociative-math\ -fno-signed-zeros\ -fno-trapping-math)
+    header("-std=c++20 ${flag}" 1)
+endforeach()
+
 function(configure status_variable)
     execute_process(COMMAND "${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${SCRATCH}/build" -G "${GENERATOR}"
                             "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DANNULUS_SOURCE=${SOURCE}" ${ARGN}

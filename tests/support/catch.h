@@ -9,6 +9,7 @@
 #endif
 
 #include <cstdint>
+#include <string>
 
 #if CATCH_VERSION_MAJOR >= 3
 using Catch::Approx;
@@ -22,6 +23,15 @@ inline std::uint32_t run_seed() {
     return Catch::getSeed();
 #else
     return Catch::rngSeed();
+#endif
+}
+
+/// Has a string these words in it?
+inline auto contains(const std::string& words) {
+#if CATCH_VERSION_MAJOR >= 3
+    return Catch::Matchers::ContainsSubstring(words);
+#else
+    return Catch::Contains(words);
 #endif
 }
 

@@ -93,6 +93,9 @@ class Stipples(ToolTest):
         for name in ("missing.png", "white.pgm", "short.png", "vast.pgm"):
             with self.subTest(name=name):
                 self.assertIn(name, self.refuse(3, "lloyd", "--points", "50", "--density", name, "--output", "none"))
+        for name in ("a.jpg", "a.ppm"):
+            with self.subTest(name=name):
+                self.assertIn("no picture (.png, .pgm)", self.refuse(2, "lloyd", "--points", "50", "--density", name))
         self.assertFalse((self.here / "none").exists())
 
 

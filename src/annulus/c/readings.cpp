@@ -23,7 +23,7 @@ int answer(const annulus_mesh* mesh, To* to, const char* name, Read read) {
 void require_capacity(std::size_t capacity, std::size_t needed, const char* of) {
     if (capacity < needed)
         throw Refused(ANNULUS_WRONG_SIZE,
-                      "there is room for " + std::to_string(capacity) + ' ' + of + " of " + std::to_string(needed));
+                      "there is room for " + std::to_string(capacity) + " of " + std::to_string(needed) + ' ' + of);
 }
 
 /// An array by vertex index.

@@ -70,6 +70,11 @@ class Moving_delaunay {
     /// that is named twice. While they are fewer than one in 64, under the filters, it costs as much as their single moves, else as
     /// much as move_all. Throws wrong_size, and what move throws.
     Move_report move(std::span<const Index> indices, std::span<const Coordinates<d>> points) { return engine_->move(indices, points); }
+    template <class Range>
+    requires std::is_convertible_v<decltype(*std::begin(std::declval<const Range&>())), Point> Move_report
+    move(std::span<const Index> indices, const Range& points) {
+        return move(indices, std::span<const Coordinates<d>>(coordinates(std::begin(points), std::end(points))));
+    }
     /// The same for a range of pairs (vertex handle, point).
     template <std::input_iterator It>
     requires requires(It pair) { Point(pair->second); Vertex_handle(pair->first); }

@@ -64,6 +64,8 @@ class Frame_reader {
     /// A line that says `what`, "Lattice", and means a periodic box: refuses it, or notes the first one.
     void meet_box(const std::string& what);
     void note(std::uint64_t line, const std::string& text);
+    static constexpr const char* x_may_be_an_id =
+        "column 1 has integers as ids are, and is taken for x; z is column 3";
     /// Writes down where an id, if any is wanted, and coordinates are; once.
     void take_columns(Taken_columns columns) {
         if (columns_.empty()) columns_ = std::move(columns);
@@ -164,6 +166,7 @@ class Lammps_frames : public Frame_reader {
         std::optional<std::size_t> id;
         bool scaled = false;
         std::string_view kind;  ///< what follows x in its name
+        std::string unused;     ///< columns of unwrapped positions and of images that are there, and not taken
     };
 
     bool seek() override;
@@ -173,6 +176,7 @@ class Lammps_frames : public Frame_reader {
     void require_values(std::size_t columns, std::string_view what);
     [[nodiscard]] Box read_box();
     [[nodiscard]] Columns find_columns() const;
+    [[nodiscard]] std::string unwrapping(std::string_view taken) const;
     void take(const Columns& at);
     void read_atoms(Raw_frame& frame, std::uint64_t count, const std::optional<Box>& box);
 

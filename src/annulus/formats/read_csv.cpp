@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/formats/csv_fields.h>
 #include <annulus/formats/frame_readers.h>
+#include <annulus/formats/xyz_guess.h>
 
 #include <array>
 
@@ -81,9 +82,13 @@ void Csv_frames::begin() {
         }
     }
     for (std::size_t k = motion ? frame_column : x_column; k <= y_column; ++k)
-        if (!columns_.at[k])
-            reader_.fail("the header names no column " + std::string(names[k]),
-                         motion ? "frame, id, x, y and perhaps z" : "columns x, y and perhaps z");
+        if (!columns_.at[k]) {
+            const char* expected = motion ? "frame, id, x, y and perhaps z" : "columns x, y and perhaps z";
+            if (fields_.size() == 1 && fields_[0].find(' ') != std::string_view::npos)
+                reader_.fail("the header is separated by blanks: " + shown(fields_[0]),
+                             std::string(expected) + ", separated by comma, semicolon or tab");
+            reader_.fail("the header names no column " + std::string(names[k]), expected);
+        }
     take_columns(columns_.taken);
     if (!row_is_due_) (void)next_row();
 }
@@ -102,6 +107,8 @@ bool Csv_frames::seek() {
 void Csv_frames::read(Raw_frame& frame) {
     const auto& at = columns_.at;
     frame.points.has_z = at[z_column].has_value();
+    std::array<bool, 3> integers{!has_header_ && columns_.all == 3, true, true};  // of x, y, z
+    const std::uint64_t first = reader_.number();
     do {
         if (fields_.size() != columns_.all)
             reader_.fail("has " + counted(fields_.size(), "column"),
@@ -120,7 +127,10 @@ void Csv_frames::read(Raw_frame& frame) {
                                        reader_.real(fields_[*at[y_column]], "y"),
                                        at[z_column] ? reader_.real(fields_[*at[z_column]], "z") : 0.});
         frame.points.lines.push_back(reader_.number());
+        if (integers[0])
+            for (std::size_t k = 0; k < 3; ++k) integers[k] = integers[k] && is_integer(fields_[k]);
     } while (next_row());
+    if (frame.points.points.size() >= 3 && integers[0] && !integers[1] && !integers[2]) note(first, x_may_be_an_id);
 }
 
 void Csv_frames::refuse_more(const Raw_frame& frame) const {

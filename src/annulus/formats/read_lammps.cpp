@@ -106,6 +106,7 @@ Lammps_frames::Columns Lammps_frames::find_columns() const {
         result.kind = kind;
         result.scaled = kind.starts_with('s');
         result.at = at;
+        result.unused = unwrapping(kind);
         if (at[2]) return result;
         flat = at;
     }
@@ -117,12 +118,24 @@ Lammps_frames::Columns Lammps_frames::find_columns() const {
     reader_.fail("ITEM: ATOMS names no columns of positions", "x y [z], xu yu [zu], xs ys [zs] or xsu ysu [zsu]");
 }
 
+/// What of the header says where atoms are that have crossed the box, if positions are those within it.
+std::string Lammps_frames::unwrapping(std::string_view taken) const {
+    std::string result;
+    if (taken == kinds[1] || taken == kinds[3]) return result;
+    const auto& words = reader_.fields();
+    for (auto word = words.begin() + 2; word != words.end(); ++word)
+        for (const std::string_view name : {"xu", "yu", "zu", "xsu", "ysu", "zsu", "ix", "iy", "iz"})
+            if (*word == name) result += (result.empty() ? "" : " ") + std::string(name);
+    return result;
+}
+
 void Lammps_frames::take(const Columns& at) {
     if (kind_.value_or(at.kind) != at.kind)
         reader_.fail(
             "positions are x" + std::string(at.kind) + " .. here, and x" + std::string(*kind_) + " .. in frames before",
             "the same in every frame");
     if (std::exchange(kind_, at.kind)) return;
+    if (!at.unused.empty()) note(reader_.number(), "not used: " + at.unused + "; positions are as written, not unwrapped");
     Taken_columns taken;
     if (wants_ids() && at.id) taken.emplace_back("id", column_words(*at.id, "id"));
     else if (wants_ids()) taken.emplace_back("id", place_as_id);

@@ -51,7 +51,7 @@ void Xyz_frames::read_plain(Raw_frame& frame) {
         read_row(guess.columns(), frame);
     } while (reader_.next_record());
     take(guess.columns());
-    if (guess.x_counts()) note(first, "column 1 counts the rows as an id does, and is taken for x; z is column 3");
+    if (guess.x_may_be_an_id()) note(first, x_may_be_an_id);
 }
 
 void Xyz_frames::read(Raw_frame& frame) {
@@ -81,8 +81,9 @@ void Xyz_frames::read(Raw_frame& frame) {
     frame.points.has_z = comment.columns->has_z;
     frame.ids_are_places = !comment.columns->id;
     if (count > 0) take(*comment.columns);
-    if (guess && guess->x_counts() && notes().empty())
-        note(comment_row.line + 1, "column 1 counts the rows as an id does, and is taken for x; z is column 3");
+    if (!guess || !notes().empty()) return;
+    if (guess->x_may_be_an_id()) note(comment_row.line + 1, x_may_be_an_id);
+    if (guess->numbers_elements()) note(comment_row.line + 1, "column 1 is taken for atomic numbers, column 2 for x");
 }
 
 void Xyz_frames::refuse_more(const Raw_frame& frame) const {

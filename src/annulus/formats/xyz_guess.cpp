@@ -19,12 +19,6 @@ bool is_number(std::string_view text) {
     return parse_double(text, unused) != Number_kind::not_a_number;
 }
 
-/// Digits alone, a sign before them.
-bool is_integer(std::string_view text) {
-    if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
-    return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
-}
-
 std::uint64_t value_of(std::string_view integer) {
     std::uint64_t value = 0;
     const auto [end, code] = std::from_chars(integer.data(), integer.data() + integer.size(), value);
@@ -37,6 +31,11 @@ bool is_atomic_number(std::string_view text) {
 }
 
 }  // namespace
+
+bool is_integer(std::string_view text) {
+    if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+    return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
 
 bool is_element_name(std::string_view text) {
     if (is_number(text)) return false;  // nan, inf
@@ -110,8 +109,8 @@ void Xyz_guess::require_clear(const Line_reader& reader) const {
                        how_to_say);
 }
 
-bool Xyz_guess::x_counts() const noexcept {
-    return columns_.all == 3 && rows_ >= 3 && (from_0_ || from_1_) && !integers_[1] && !integers_[2];
+bool Xyz_guess::x_may_be_an_id() const noexcept {
+    return columns_.all == 3 && rows_ >= 3 && integers_[0] && !integers_[1] && !integers_[2];
 }
 
 }  // namespace annulus

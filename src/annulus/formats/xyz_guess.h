@@ -22,8 +22,10 @@ class Xyz_guess {
     void look_at(const Line_reader& reader);
     /// After the last row: fails where the columns may be others than those taken, at the line of the first row.
     void require_clear(const Line_reader& reader) const;
-    /// Does the first of three columns count the rows, while the others are no integers? Then it may be an id.
-    [[nodiscard]] bool x_counts() const noexcept;
+    /// Has the first of three columns integers, while the others have none? Then it may be an id.
+    [[nodiscard]] bool x_may_be_an_id() const noexcept;
+    /// Was the first column taken for atomic numbers?
+    [[nodiscard]] bool numbers_elements() const noexcept { return lead_ == Lead::number; }
 
   private:
     enum class Lead { nothing, name, number };
@@ -36,6 +38,9 @@ class Xyz_guess {
     std::array<bool, 3> integers_{true, true, true};  ///< of x, y, z: has every row an integer, written as one?
     bool from_0_ = true, from_1_ = true;              ///< does x count the rows?
 };
+
+/// Digits alone, a sign before them.
+[[nodiscard]] bool is_integer(std::string_view text);
 
 /// `C`, `H_2`, `*`, `13C`; not what a number is in other notations: `1.5D+01`, `0,5`, `1_000`.
 [[nodiscard]] bool is_element_name(std::string_view text);

@@ -12,7 +12,8 @@ namespace annulus {
 /// script where there is one of ours.
 [[nodiscard]] std::uint64_t peak_resident_memory() noexcept;
 
-/// The memory that processes may still take before the machine swaps, in bytes; 0 where the system does not say. From /proc/meminfo (Linux).
+/// The memory that processes may still take before the machine swaps, in bytes; 0 where the system does not say. From /proc/meminfo
+/// (Linux), and no more than the limit of the control group (cgroup v2) leaves.
 [[nodiscard]] std::uint64_t available_memory() noexcept;
 
 }  // namespace annulus
