@@ -76,11 +76,12 @@ bool signs_agree_in_all_orders(const Case<d, k>& x, int sign) {
 
 template <int d, std::size_t k>
 void check_file() {
-    const std::vector<Row> rows = rows_of(certificate_name<d, k>());
+    const auto certificate = certificate_name<d, k>();
+    const std::vector<Row> rows = rows_of(certificate);
     CHECK(rows.size() >= 300);
     std::vector<Case<d, k>> all;
     for (const Row& row : rows) {
-        CAPTURE(certificate_name<d, k>(), row.at("id"), row.at("source"), row.at("points"));
+        CAPTURE(certificate, row.at("id"), row.at("source"), row.at("points"));
         const Case<d, k> x = points_of<d, k>(row);
         all.push_back(x);
         const int sign = std::stoi(row.at("sign"));
@@ -103,7 +104,7 @@ void check_file() {
     evaluate(std::span<const typename decltype(tuples)::value_type>(tuples), Mode::fast, fast);
     evaluate(std::span<const typename decltype(tuples)::value_type>(tuples), Mode::tight, tight);
     for (std::size_t i = 0; i < all.size(); ++i) {
-        CAPTURE(certificate_name<d, k>(), rows[i].at("id"), rows[i].at("points"));
+        CAPTURE(certificate, rows[i].at("id"), rows[i].at("points"));
         CHECK(fast[i].tolerance == number(rows[i].at("certified")));
         CHECK(tight[i].tolerance == number(rows[i].at("tolerance")));
         CHECK(std::string(name_of(fast[i].stage)) == rows[i].at("stage"));

@@ -51,7 +51,7 @@ bool Cgal_embedding<Traits>::detach(Index v, std::vector<Cell_index>& changed) {
     return true;
 }
 
-/// CGAL's removal of v. Returns the cells that fill its star, none when the rest is flat.
+/// CGAL's removal of v. Precondition: dimension d. Returns the cells that fill its star, none when the rest is flat.
 template <class Traits>
 auto Cgal_embedding<Traits>::take_out(Vertex_handle v) -> std::vector<Cell_handle> {
     std::vector<std::pair<Cell_handle, int>> border;  // facets of cells that stay
@@ -172,8 +172,12 @@ void Cgal_embedding<Traits>::remove(std::span<const Coordinates<d>>, Index v, st
         handle_[at(v)] = Vertex_handle();
         return;
     }
-    shuffled_ = true;
-    Traits::edit([&] { Traits::remove(tr_, handle); });
+    if (tr_.dimension() == d) {
+        auto cells = take_out(handle);
+        put_in_order(cells);
+    } else {
+        Traits::edit([&] { Traits::remove(tr_, handle); });
+    }
     handle_[at(v)] = Vertex_handle();
     if (mirrored_) mirror();
 }
@@ -202,7 +206,7 @@ Relocation Cgal_embedding<Traits>::relocate(std::span<Coordinates<d>> home, Inde
     substitute(handle, stand_in);
     exchange(handle, inserted, p);
     auto cells = take_out(stand_in);
-    put_in_order(cells);  // what is computed from their corners is the same in another run
+    put_in_order(cells);
     home[at(v)] = p;
     return Relocation::reinserted;
 }

@@ -135,7 +135,8 @@ void Lammps_frames::take(const Columns& at) {
             "positions are x" + std::string(at.kind) + " .. here, and x" + std::string(*kind_) + " .. in frames before",
             "the same in every frame");
     if (std::exchange(kind_, at.kind)) return;
-    if (!at.unused.empty()) note(reader_.number(), "not used: " + at.unused + "; positions are as written, not unwrapped");
+    if (!at.unused.empty())
+        note(reader_.number(), "not used: " + at.unused + "; positions are as written, not unwrapped");
     Taken_columns taken;
     if (wants_ids() && at.id) taken.emplace_back("id", column_words(*at.id, "id"));
     else if (wants_ids()) taken.emplace_back("id", place_as_id);

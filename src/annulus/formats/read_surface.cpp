@@ -80,7 +80,8 @@ Surface_file read_surface(const std::filesystem::path& file) {
     const auto fail = [&](std::uint64_t line, std::string fault, std::string expected) {
         throw Input_error(Error_code::bad_input, source.name, line, std::move(fault), std::move(expected));
     };
-    if (faces.size() == 0) fail(1, "has no faces", "a closed surface, its faces one by one (in PLY the element face, not tristrips)");
+    if (faces.size() == 0)
+        fail(1, "has no faces", "a closed surface, its faces one by one (in PLY the element face, not tristrips)");
 
     Numbering number(raw, surface);
     std::vector<std::uint64_t> lines;
