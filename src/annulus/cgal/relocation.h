@@ -176,6 +176,7 @@ void Cgal_embedding<Traits>::remove(std::span<const Coordinates<d>>, Index v, st
         auto cells = take_out(handle);
         put_in_order(cells);
     } else {
+        shuffled_ = true;
         Traits::edit([&] { Traits::remove(tr_, handle); });
     }
     handle_[at(v)] = Vertex_handle();

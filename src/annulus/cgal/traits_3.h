@@ -90,8 +90,8 @@ struct Cgal_traits_3 {
         return true;
     }
     /// CGAL's removal goes through a map ordered by addresses: the order of its cells, and of their corners, is not the same in
-    /// another run of the program. Whoever calls it puts both in order (put_in_order): what is computed from corners, a
-    /// tolerance, has other last bits where they come in another order.
+    /// another run of the program. So put_in_order follows each removal: the last bits of a tolerance depend on the
+    /// order of corners.
     static constexpr bool shuffles = true;
 };
 

@@ -37,9 +37,10 @@ std::uint64_t peak_resident_memory() noexcept { return read_entry("/proc/self/st
 
 std::uint64_t available_memory() noexcept {
     const std::uint64_t of_machine = read_entry("/proc/meminfo", "MemAvailable:");
-    const std::uint64_t most = read_number("/sys/fs/cgroup/memory.max"), used = read_number("/sys/fs/cgroup/memory.current");
+    const std::uint64_t most = read_number("/sys/fs/cgroup/memory.max");
+    const std::uint64_t used = read_number("/sys/fs/cgroup/memory.current");
     if (most == 0 || used == 0) return of_machine;  // no limit (the word `max`), or none that is told
-    return std::min(of_machine, most > used ? most - used : 0);
+    return std::min(of_machine, most > used ? most - used : 1);  // 0 would mean that nothing is known
 }
 
 }  // namespace annulus
