@@ -15,6 +15,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 
 using namespace annulus;
 using annulus_test::content_of;
@@ -79,6 +80,29 @@ TEST_CASE("without a commit nothing is left, not even the directories", "[io][ou
     } catch (const std::runtime_error&) {
     }
     CHECK(directory.entries() == 0);
+}
+
+TEST_CASE("runs that begin and end below the same missing directory do not disturb each other", "[io][output]") {
+    const Temporary_directory directory;
+    const fs::path parent = directory.path() / "new" / "one";
+    const auto begin_and_end = [&](const char* name, std::string& said) {
+        for (int k = 0; k < 2000 && said.empty(); ++k) {
+            try {
+                const Output_directory out(parent / name, is_result, false);
+            } catch (const std::exception& error) {
+                said = error.what();
+            }
+            std::error_code ignored;  // one that found the parents does not take them away
+            fs::remove(parent, ignored);
+            fs::remove(parent.parent_path(), ignored);
+        }
+    };
+    std::string first, second;
+    std::thread other([&] { begin_and_end("a", first); });
+    begin_and_end("b", second);
+    other.join();
+    CHECK(first == "");
+    CHECK(second == "");
 }
 
 TEST_CASE("what is written before the commit is in a directory that is new, hidden and closed to others",

@@ -76,6 +76,13 @@ bool is_left_over(const fs::path& path) {
     return !code;
 }
 
+/// Is something there that is no directory, a link that leads nowhere included?
+bool is_in_the_way(const fs::path& path) {
+    std::error_code code;
+    const fs::file_status own = fs::symlink_status(path, code);  // asked once: what other runs make are directories
+    return fs::is_symlink(own) ? !fs::is_directory(path, code) : fs::exists(own) && !fs::is_directory(own);
+}
+
 /// Something is mounted there: it cannot be renamed.
 bool is_mount_point(const fs::path& path) {
     struct statx s {};
@@ -126,6 +133,7 @@ void Output_directory::look_at_what_is_there(bool may_hold_files) {
     one_by_one_ = one_by_one_ || target_ == fs::current_path(code) || is_mount_point(target_);
 }
 
+/// Another run may take away at any time what it has made: then some of them are missing, and making our own directory fails.
 void Output_directory::make_parents() {
     if (path_.filename() == "." || path_.filename() == "..") refuse(path_, "is not there");
     target_ = fs::absolute(path_);
@@ -135,17 +143,19 @@ void Output_directory::make_parents() {
         missing.push_back(p);
     for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
         if (fs::create_directory(*p, code)) made_.push_back(*p);
+        else if (code == std::errc::no_such_file_or_directory) return;
+        else if (code == std::errc::file_exists && !is_in_the_way(*p)) return;
         else if (code == std::errc::not_a_directory) refuse(p->parent_path(), "is not a directory");
         else if (code) fail(*p, "cannot be made", code);
     }
-    if (!fs::is_directory(target_.parent_path(), code)) refuse(path_.parent_path(), "is not a directory");
+    if (is_in_the_way(target_.parent_path())) refuse(path_.parent_path(), "is not a directory");
 }
 
 void Output_directory::make_room_for_content() {
     std::error_code code;
     fs::path made;
     if (!one_by_one_) made = private_directory_in(target_.parent_path(), code);
-    // Another run may have taken away the parents that it had made, before anything of ours was in them.
+    // Parents that another run has taken away, before anything of ours was in them.
     for (int turn = 0; !exists_ && code == std::errc::no_such_file_or_directory && turn < 100; ++turn) {
         make_parents();
         made = private_directory_in(target_.parent_path(), code);
