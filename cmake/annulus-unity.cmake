@@ -17,7 +17,7 @@ function(annulus_unite target group pattern)
     target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage;-Wno-restrict>")
 endfunction()
 
-annulus_unite(annulus cgal "/(moving_delaunay_[23]|mesh_embedding)[.]cpp$")
+annulus_unite(annulus cgal "/moving_delaunay_[23][.]cpp$")
 if(ANNULUS_BUILD_TOOLKIT)
     annulus_unite(annulus-toolkit readers "/formats/read_[a-z_]*[.]cpp$")
     annulus_unite(annulus-toolkit formats "/formats/[^r][a-z_]*[.]cpp$")

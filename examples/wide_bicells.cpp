@@ -6,7 +6,7 @@
 //
 // KIND, POINTS and SEED are those of `annulus generate`; DIGITS behind the point, to which coordinates are rounded. Without arguments a small
 // set of clusters. Wide: a width of 1e7 units in the last place of the largest coordinate, or more. docs/degeneracy.md quotes what it prints.
-#include <annulus/cgal/mesh_embedding.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/certificate/ladder_3.h>
 #include <annulus/motion/generated_motion.h>
 #include <annulus/statistics/degeneracy.h>
@@ -70,8 +70,8 @@ int run(int argc, char** argv) {
     for (const auto& p : x)
         for (const double c : p) largest = std::max(largest, std::fabs(c));
     const double ulp = std::nextafter(largest, INFINITY) - largest;
-    Mesh_embedding<3> embedding;
-    embedding.build(x);
+    Delaunay_mesh<3> mesh;
+    mesh.build(x);
     std::map<std::string, std::vector<double>> found;  // stretches
     Degeneracy_options<3> options;
     options.raw = [&](const Raw_certificate<3>& c) {
@@ -80,7 +80,7 @@ int run(int argc, char** argv) {
         for (std::size_t i = 0; i < t.size(); ++i) t[i] = &x[static_cast<std::size_t>(c.point[i])];
         found[ways(t)].push_back(stretch(t));
     };
-    (void)degeneracy(embedding.table(), x, options);
+    (void)degeneracy(mesh.table(), x, options);
     for (auto& [how, stretches] : found) {
         std::sort(stretches.begin(), stretches.end());
         std::printf("%8zu %s; longest over shortest distance: median %.3g\n", stretches.size(), how.c_str(), stretches[stretches.size() / 2]);

@@ -50,11 +50,10 @@ template <int d>
 void loops(std::size_t n) {
     const auto all = static_cast<double>(n);
     Workbench<d> w("uniform", n);
-    typename Workbench<d>::Embedding fresh;
+    typename Workbench<d>::Mesh fresh;
     const bench::Points<d> start = w.points();
     count(d, "construction", "vertex", [&] { return fresh.build(start), all; });
-    count(d, "mirror", "vertex", [&] { return fresh.mirror(), all; });
-    count(d, "rebuild in the last order", "vertex", [&] { return fresh.rebuild(start), all; });
+    count(d, "rebuild", "vertex", [&] { return fresh.rebuild(start), all; });
     count(d, "settling", "vertex", [&] { return w.settle(), all; });
     w.walk(1e-9);
     count(d, "step, all pass", "vertex", [&] { return (void)w.step(), all; });
@@ -66,7 +65,7 @@ void loops(std::size_t n) {
     count(d, "expired certificates", "evaluated", [&] { return static_cast<double>(follow(w, near).evaluated); });
 
     w.stop_tracking();
-    Signs<d> signs(w.embedding().table());
+    Signs<d> signs(w.mesh().table());
     count(d, "signs of everything", "vertex", [&] {
         signs.begin(w.points());
         signs.look_at_everything();

@@ -7,6 +7,7 @@
 #include "../motions/cgal_rebuild.h"
 
 #include <annulus/certificate/batch.h>
+#include <annulus/engine/sample.h>
 #include <annulus/engine/signs.h>
 #include <annulus/mesh/evaluate.h>
 
@@ -51,7 +52,7 @@ class Repetition {
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     /// What looking at a cell takes, of all of them, in the order that they have: anew before each part, since a machine is not always as fast.
     void find_unit() {
-        const auto& table = w_.embedding().table();
+        const auto& table = w_.mesh().table();
         Signs<d> signs(table);
         const double s = least(5, [&] {
             signs.begin(w_.points());
@@ -62,7 +63,7 @@ class Repetition {
 
     /// What is counted, and what is done around one vertex.
     void counts() {
-        const auto& table = w_.embedding().table();
+        const auto& table = w_.mesh().table();
         std::size_t cells = 0;
         std::size_t certificates = 0;
         for (const Cell_index c : table.cells()) {
@@ -76,7 +77,7 @@ class Repetition {
         out_["cells"] = static_cast<double>(cells) / all_;
         out_["certificates"] = static_cast<double>(certificates) / all_;
         // Around one vertex, which moves alone.
-        Repair<d> repair(w_.embedding(), Tolerance_kind::certified, true);
+        Repair<d> repair(w_.mesh(), Tolerance_kind::certified, true);
         const std::size_t some = 2000;
         bool held = true;
         const double star = least(3, [&] {
@@ -90,25 +91,20 @@ class Repetition {
     }
 
     void building() {
-        typename Workbench<d>::Embedding fresh;
+        typename Workbench<d>::Mesh fresh;
         auto x = w_.points();
         fresh.build(x);
-        out_["mirror"] = vertex(least(3, [&] {
-            fresh.drop_mirror();
-            fresh.mirror();
-        }));
-        fresh.drop_mirror();
-        std::vector<double> again;
         std::vector<double> rebuild;
+        std::vector<double> insertion;
         bench::Random random(seed_);
         for (int k = 0; k < 5; ++k) {
             for (auto& p : x)
                 for (double& c : p) c += 0.1 * w_.spacing() * random.normal();
-            again.push_back(seconds([&] { fresh.rebuild(x); }));
-            rebuild.push_back(bench::cgal_rebuild<d>(x, bench::Stopwatch()));
+            rebuild.push_back(seconds([&] { fresh.rebuild(x); }));
+            insertion.push_back(bench::cgal_rebuild<d>(x, bench::Stopwatch()));
         }
-        out_["again"] = vertex(*std::min_element(again.begin(), again.end()));
         out_["rebuild"] = vertex(*std::min_element(rebuild.begin(), rebuild.end()));
+        out_["insertion"] = vertex(*std::min_element(insertion.begin(), insertion.end()));
     }
 
     void settling() {
@@ -155,7 +151,7 @@ class Repetition {
 
     /// As the engine guesses it: the mean of way / tolerance over bi-cells, of a step that begins where `before` says.
     double expiring_share(const bench::Points<d>& before) {
-        const auto& table = w_.embedding().table();
+        const auto& table = w_.mesh().table();
         const auto& x = w_.points();
         double sum = 0.0;
         std::size_t sampled = 0;
@@ -192,7 +188,7 @@ class Repetition {
         for (int k = 0; k < 8; ++k)
             for (const double s : {0.003, 0.01, 0.02, 0.03, 0.05}) {
                 w_.walk(d == 2 ? 2.0 * s : s);
-                const Sample sample = w_.embedding().sample(w_.points(), static_cast<std::size_t>(10.0 * all_));
+                const Sample sample = annulus::sample_cells<d>(w_.mesh().table(), w_.points(), static_cast<std::size_t>(10.0 * all_));
                 Move_report report;
                 const double t = seconds([&] { report = w_.step(); });
                 if (report.sign_steps != 1 || report.settlings != 0 || report.moves.rebuilt != 0) continue;
@@ -207,8 +203,8 @@ class Repetition {
     /// Certificates that the filter stage cannot tell: a lattice with noise of an ulp.
     void doubtful_signs() {
         Workbench<d> lattice("lattice", n_ / 2, seed_);
-        const Sample sample = lattice.embedding().sample(lattice.points(), 10 * n_);
-        const auto& table = lattice.embedding().table();
+        const Sample sample = annulus::sample_cells<d>(lattice.mesh().table(), lattice.points(), 10 * n_);
+        const auto& table = lattice.mesh().table();
         Signs<d> signs(table);
         std::size_t cells = 0;
         for ([[maybe_unused]] const Cell_index c : table.cells()) ++cells;
@@ -249,10 +245,9 @@ class Repetition {
             const double off = 1.0 + noise * random.normal();
             for (double& c : p) c *= off;
         }
-        typename Workbench<d>::Embedding embedding;
-        embedding.build(x);
-        embedding.mirror();
-        const auto& table = embedding.table();
+        typename Workbench<d>::Mesh mesh;
+        mesh.build(x);
+        const auto& table = mesh.table();
         std::vector<Tuple<d, d + 2>> tuples;
         for (const Corner_index f : table.facets())
             if (facet_kind(table, f) == Facet_kind::empty_sphere)

@@ -3,9 +3,8 @@
 
 #include "../motions/families.h"
 
-#include <annulus/cgal/embedding_2.h>
-#include <annulus/cgal/embedding_3.h>
 #include <annulus/engine/filter.h>
+#include <annulus/kernel/delaunay_mesh.h>
 
 #include <memory>
 #include <string_view>
@@ -13,27 +12,26 @@
 
 namespace bench {
 
-/// The parts of an engine by themselves: a triangulation of points of a family, CGAL's object with its mirror, and the strategy `filter` on it. What
+/// The parts of an engine by themselves: a triangulation of points of a family, and the strategy `filter` on it. What
 /// Moving_delaunay does but for the door.
 template <int d>
 class Workbench {
   public:
-    using Embedding = std::conditional_t<d == 2, annulus::Cgal_embedding_2<annulus::No_info>, annulus::Cgal_embedding_3<annulus::No_info>>;
+    using Mesh = annulus::Delaunay_mesh<d>;
 
     /// In the unit of a uniform family in the unit cube, whatever the family.
     Workbench(std::string_view family, std::size_t n, std::uint64_t seed = 1)
         : random_(seed + 1000), x_(Scene<d>(family, "walk", n, 0.0, seed).points()), spacing_(std::pow(static_cast<double>(n), -1.0 / d)) {
-        embedding_ = std::make_unique<Embedding>();
-        embedding_->build(x_);
-        embedding_->mirror();
-        filter_ = std::make_unique<annulus::Filter<d>>(*embedding_, annulus::Tolerance_kind::certified, annulus::Second_look::off);
+        mesh_ = std::make_unique<Mesh>();
+        mesh_->build(x_);
+        filter_ = std::make_unique<annulus::Filter<d>>(*mesh_, annulus::Tolerance_kind::certified, annulus::Second_look::off);
         annulus::Move_report report;
         filter_->begin(x_, report);
     }
 
     [[nodiscard]] const Points<d>& points() const { return x_; }
     [[nodiscard]] Points<d>& points() { return x_; }
-    [[nodiscard]] Embedding& embedding() { return *embedding_; }
+    [[nodiscard]] Mesh& mesh() { return *mesh_; }
     [[nodiscard]] annulus::Filter<d>& filter() { return *filter_; }
     [[nodiscard]] double spacing() const { return spacing_; }
 
@@ -63,7 +61,7 @@ class Workbench {
     Random random_;
     Points<d> x_;
     double spacing_;
-    std::unique_ptr<Embedding> embedding_;
+    std::unique_ptr<Mesh> mesh_;
     std::unique_ptr<annulus::Filter<d>> filter_;
 };
 

@@ -100,8 +100,6 @@ int run(Motion& motion, std::uint64_t iterations, const Choice& choice, ordered_
                 const double begin = watch.seconds();
                 const Move_report report = f.dt->move_all(std::span<const Coordinates<d>>(block[i]));
                 f.seconds += watch.seconds() - begin;
-                // What the strategy rebuild spends to keep handles valid is not CGAL's: it would flatter the others.
-                if (f.word.options.strategy == Strategy::rebuild) f.seconds -= report.handle_seconds;
                 f.report += report;
             }
         }

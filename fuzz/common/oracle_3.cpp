@@ -16,25 +16,25 @@ Cells_of<3> rebuilt_cells(const Sites_of<3>& sites) {
     return cells_of(tr);
 }
 
-std::string mirror_fault(const Moving_delaunay_3& dt) {
+std::string view_fault(const Moving_delaunay_3& dt) {
     const auto& tr = dt.triangulation();
-    if (tr.dimension() != 3 || !dt.embedding().mirrored()) return {};
-    const auto& t = dt.embedding().table();
+    if (tr.dimension() != 3) return {};
+    const auto& t = dt.mesh().table();
     std::size_t cells = 0;
     for (Cell_index c(0); c < t.cell_bound(); ++c) cells += t.is_cell(c) ? 1U : 0U;
-    if (cells != tr.number_of_cells()) return "the mirror has another number of cells";
+    if (cells != tr.number_of_cells()) return "the mesh has another number of cells";
     std::set<Corner_index> facets;
     for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c) {
         const Cell_index k(c->cell());
-        if (!t.is_cell(k) || dt.embedding().cell(k) != Moving_delaunay_3::Triangulation::Cell_handle(c))
-            return "a cell has no mirror";
+        if (!t.is_cell(k))
+            return "a cell is none of the mesh";
         for (int i = 0; i <= 3; ++i) {
             const Corner_index h = t.corner(k, i);
             const Index v = tr.is_infinite(c->vertex(i)) ? infinite : c->vertex(i)->index();
-            if (t.vertex(h) != v) return "a corner of the mirror has another vertex";
+            if (t.vertex(h) != v) return "a corner of the mesh has another vertex";
             if (t.twin(h) != t.corner(Cell_index(c->neighbor(i)->cell()), tr.tds().mirror_index(c, i)))
-                return "a corner of the mirror has another neighbour";
-            if (t.facet(h) != t.facet(t.twin(h)) || !t.is_facet(t.facet(h))) return "a facet of the mirror is wrong";
+                return "a corner of the mesh has another neighbour";
+            if (t.facet(h) != t.facet(t.twin(h)) || !t.is_facet(t.facet(h))) return "a facet of the mesh is wrong";
             if (t.facet(h) != h && t.facet(h) != t.twin(h)) return "a facet has a foreign half";
             facets.insert(t.facet(h));
             if (v != infinite && t.vertex(t.corner_of(v)) != v) return "a vertex has a foreign corner";

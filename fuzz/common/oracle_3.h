@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// As oracle.h, in space: a fresh CGAL triangulation, the mirror corner for corner, and tolerances in rational arithmetic.
+// As oracle.h, in space: a fresh CGAL triangulation, the view corner for corner, and tolerances in rational arithmetic.
 
 #include "oracle.h"
 
@@ -46,8 +46,8 @@ template <class Triangulation>
 
 [[nodiscard]] Cells_of<3> rebuilt_cells(const Sites_of<3>& sites);
 
-/// Empty, or in what the mirror is not CGAL's object corner for corner.
-[[nodiscard]] std::string mirror_fault(const Moving_delaunay_3& dt);
+/// Empty, or in what the mesh is not CGAL's object corner for corner.
+[[nodiscard]] std::string view_fault(const Moving_delaunay_3& dt);
 
 /// Empty, or what is wrong with settled tolerances: each is at most the half width of every certificate that contains the vertex, and
 /// not far below the least of these and of the cells of its bi-cells. Nothing is said where the points are flat.

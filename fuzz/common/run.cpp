@@ -54,7 +54,7 @@ void Session_of<d>::check() const {
                                                  : "the cells are not those of a rebuild (degenerate)"};
     if (const std::string words = twin_->fault(sites_, cells); !words.empty()) throw Fault{words};
     if constexpr (d == 3)
-        if (const std::string words = mirror_fault(*dt_); !words.empty()) throw Fault{words};
+        if (const std::string words = view_fault(*dt_); !words.empty()) throw Fault{words};
 }
 
 template <int d>

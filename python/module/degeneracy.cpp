@@ -8,7 +8,7 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/environment.h>
-#include <annulus/cgal/mesh_embedding.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/report/degeneracy_report.h>
 
 #include <algorithm>
@@ -50,13 +50,13 @@ Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_dupli
     if (x.size() < 2) throw Error(Error_code::too_few, "degeneracy needs two points that differ");
     r.vertices = x.size();
     const auto begin = Clock::now();
-    Mesh_embedding<d> embedding;
-    embedding.build(x);
+    Delaunay_mesh<d> mesh;
+    mesh.build(x);
     r.seconds_triangulation = since(begin);
     const auto built = Clock::now();
-    r.affine_dimension = embedding.dimension();
+    r.affine_dimension = mesh.dimension();
     std::vector<Index> corners;
-    embedding.list_cells(corners);
+    mesh.list_cells(corners);
     r.simplices = corners.size() / (d + 1);
     if (r.affine_dimension == d) {
         Degeneracy_options<d> options;
@@ -64,7 +64,7 @@ Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_dupli
         options.raw = [told = 0U](const Raw_certificate<d>&) mutable {
             if (++told % 16384 == 0) look_for_signals();
         };
-        r.measured = degeneracy(embedding.table(), x, options);
+        r.measured = degeneracy(mesh.table(), x, options);
     }
     r.seconds_analysis = since(built);
     return r;

@@ -3,6 +3,7 @@
 #include <module/parts.h>
 
 #include <annulus/arithmetic/domain.h>
+#include <annulus/kernel/read_neighbours.h>
 #include <annulus/motion/lloyd_2.h>
 #include <annulus/motion/sampling_2.h>
 #include <annulus/moving_delaunay_2.h>
@@ -45,10 +46,9 @@ std::vector<Coordinates<2>> points_in(const std::optional<Domain_2>& domain, std
 }
 
 void read_stars(const Moving_delaunay_2& dt, Stars_2& stars) {
-    const auto& embedding = dt.embedding();
-    if (embedding.mirrored() && embedding.dimension() == 2) return stars.read(embedding.table());
+    if (dt.mesh().dimension() == 2) return stars.read(dt.mesh().table());
     Neighbours_2 lists;
-    embedding.neighbours(lists);
+    read_neighbours(dt.mesh(), lists);
     stars.read(lists);
 }
 

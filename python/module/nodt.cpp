@@ -48,16 +48,8 @@ std::unique_ptr<const Domain_3> domain_of(const py::object& surface, bool allow_
 
 /// The cells of the triangulation, and which of them are of the domain.
 void read_cells(const Moving_delaunay_3& dt, bool changed, const Domain_3& domain, int threads, Kept_cells_3& kept) {
-    const auto& embedding = dt.embedding();
-    if (changed && embedding.mirrored() && embedding.dimension() == 3) {
-        kept.read(embedding.table(), threads);
-    } else if (changed) {
-        std::vector<std::array<Index, 4>> cells;
-        embedding.for_each_finite_cell([&](const auto& c) {
-            if (c[3] != none) cells.push_back(c);
-        });
-        kept.read(std::move(cells), dt.positions().size(), threads);
-    }
+    if (changed && dt.mesh().dimension() == 3) kept.read(dt.mesh().table(), threads);
+    else if (changed) kept.read(std::vector<std::array<Index, 4>>(), dt.positions().size(), threads);
     kept.measure(domain, dt.positions(), threads);
 }
 

@@ -2,18 +2,18 @@
 #pragma once
 
 #include <annulus/cgal/moving_delaunay.h>
-#include <annulus/cgal/embedding_2.h>
+#include <annulus/cgal/view_2.h>
 
 namespace annulus {
 
 /// A moving Delaunay triangulation of the plane whose vertices carry the caller's Info: `dt.vertex(i)->info()`.
 template <class Info>
-using Moving_delaunay_with_info_2 = Moving_delaunay<Cgal_embedding_2<Info>>;
+using Moving_delaunay_with_info_2 = Moving_delaunay<Cgal_view_2<Info>>;
 
 /// A moving Delaunay triangulation of the plane.
 using Moving_delaunay_2 = Moving_delaunay_with_info_2<No_info>;
 
-extern template class Cgal_embedding<Cgal_traits_2<No_info>>;
-extern template class Moving_delaunay<Cgal_embedding_2<No_info>>;
+extern template class Cgal_view<Cgal_traits_2<No_info>>;
+extern template class Moving_delaunay<Cgal_view_2<No_info>>;
 
 }  // namespace annulus

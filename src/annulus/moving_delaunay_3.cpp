@@ -4,7 +4,7 @@
 
 namespace annulus {
 
-template class Cgal_embedding<Cgal_traits_3<No_info>>;
-template class Moving_delaunay<Cgal_embedding_3<No_info>>;
+template class Cgal_view<Cgal_traits_3<No_info>>;
+template class Moving_delaunay<Cgal_view_3<No_info>>;
 
 }  // namespace annulus

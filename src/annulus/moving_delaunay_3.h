@@ -2,18 +2,18 @@
 #pragma once
 
 #include <annulus/cgal/moving_delaunay.h>
-#include <annulus/cgal/embedding_3.h>
+#include <annulus/cgal/view_3.h>
 
 namespace annulus {
 
 /// A moving Delaunay triangulation of space whose vertices carry the caller's Info: `dt.vertex(i)->info()`.
 template <class Info>
-using Moving_delaunay_with_info_3 = Moving_delaunay<Cgal_embedding_3<Info>>;
+using Moving_delaunay_with_info_3 = Moving_delaunay<Cgal_view_3<Info>>;
 
 /// A moving Delaunay triangulation of space.
 using Moving_delaunay_3 = Moving_delaunay_with_info_3<No_info>;
 
-extern template class Cgal_embedding<Cgal_traits_3<No_info>>;
-extern template class Moving_delaunay<Cgal_embedding_3<No_info>>;
+extern template class Cgal_view<Cgal_traits_3<No_info>>;
+extern template class Moving_delaunay<Cgal_view_3<No_info>>;
 
 }  // namespace annulus

@@ -2,8 +2,8 @@
 #include <annulus/moving_mesh.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/cgal/mesh_embedding.h>
 #include <annulus/engine/engine.h>
+#include <annulus/kernel/delaunay_mesh.h>
 
 #include <cstring>
 
@@ -11,8 +11,8 @@ namespace annulus {
 
 template <int d>
 struct Moving_mesh<d>::Parts {
-    explicit Parts(const Options& options) : engine(embedding, options) {}
-    Mesh_embedding<d> embedding;
+    explicit Parts(const Options& options) : engine(mesh, options) {}
+    Delaunay_mesh<d> mesh;
     Engine<d> engine;
 };
 
@@ -80,11 +80,11 @@ Move_report Moving_mesh<d>::settle() {
 
 template <int d>
 std::size_t Moving_mesh<d>::number_of_vertices() const {
-    return parts_->embedding.vertices();
+    return parts_->mesh.vertices();
 }
 template <int d>
 int Moving_mesh<d>::dimension() const {
-    return parts_->embedding.dimension();
+    return parts_->mesh.dimension();
 }
 template <int d>
 std::size_t Moving_mesh<d>::index_bound() const {
@@ -133,11 +133,11 @@ double Moving_mesh<d>::displacement(Index i) const {
 template <int d>
 double Moving_mesh<d>::theta(Index i) const {
     parts_->engine.require_vertex(i);
-    return parts_->embedding.theta(parts_->engine.standing(), i);
+    return parts_->mesh.theta(parts_->engine.standing(), i);
 }
 template <int d>
 Measures Moving_mesh<d>::measure() const {
-    return parts_->embedding.measure(parts_->engine.standing());
+    return parts_->mesh.measure(parts_->engine.standing());
 }
 template <int d>
 Audit_input<d> Moving_mesh<d>::audit_input() const {

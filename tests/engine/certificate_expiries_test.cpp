@@ -3,8 +3,8 @@
 #include <annulus/engine/certificate_expiries.h>
 #include <annulus/moving_mesh.h>
 
-#include <annulus/cgal/embedding_2.h>
-#include <annulus/cgal/embedding_3.h>
+#include <annulus/kernel/delaunay_mesh.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <support/catch.h>
 #include <support/generators.h>
 #include <support/session_3.h>
@@ -26,16 +26,12 @@ auto some_points(Random& random) {
     return x;
 }
 
-template <int d>
-using Some_embedding = std::conditional_t<d == 2, Cgal_embedding_2<No_info>, Cgal_embedding_3<No_info>>;
-
 }  // namespace
 
 TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, in a place of its own, dimension", "[expiry]", ((int d), d), 2, 3) {
     Random random(41);
-    Some_embedding<d> e;
+    Delaunay_mesh<d> e;
     e.build(some_points<d>(random));
-    e.mirror();
     const Cell_table<d>& t = e.table();
     Certificate_expiries<d> expiries;
     expiries.resize(t.cell_bound());

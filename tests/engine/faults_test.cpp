@@ -133,7 +133,7 @@ TEMPLATE_TEST_CASE_SIG("A conveyor, each vertex to the place of the next, is no 
 }
 
 TEST_CASE("The same input gives the same run, wherever memory lies", "[faults]") {
-    // CGAL's removal in space goes through a map that is ordered by addresses.
+    // Junk between the blocks that the run takes.
     const auto run = [](std::uint64_t junk) {
         std::mt19937_64 random(junk);
         std::vector<std::unique_ptr<char[]>> held;
@@ -169,7 +169,7 @@ TEMPLATE_TEST_CASE_SIG("More cells than indices can name are refused, and nothin
         const std::int32_t wide = Horizons_of<d>::cells;
         for (const Strategy strategy : {Strategy::filter, Strategy::filter_each}) {
             Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(30, 6)), with(strategy));
-            Horizons_of<d>::cells = dt.embedding().table().cell_bound().value();
+            Horizons_of<d>::cells = dt.mesh().table().cell_bound().value();
             CHECK_THROWS_AS((Moving<d>(std::span<const Coordinates<d>>(uniform<d>(60, 7)), with(strategy))), Error);
             int refused = 0;
             for (unsigned i = 0; i < 20; ++i) {

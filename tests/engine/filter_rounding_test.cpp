@@ -50,11 +50,11 @@ struct Filter_session : Session<Filter<2>> {
 /// The expiries of facet f, point by point.
 std::vector<Expiry*> expiries(Filter_session& s, Corner_index f) {
     std::vector<Expiry*> out;
-    for (std::size_t k = 0; k < 4; ++k) out.push_back(&s[Expiries{}].of_facet(f, s.embedding.table().twin(f), k));
+    for (std::size_t k = 0; k < 4; ++k) out.push_back(&s[Expiries{}].of_facet(f, s.mesh.table().twin(f), k));
     return out;
 }
 bool is_empty_sphere(const Filter_session& s, Corner_index f) {
-    return facet_kind(s.embedding.table(), f) == Facet_kind::empty_sphere;
+    return facet_kind(s.mesh.table(), f) == Facet_kind::empty_sphere;
 }
 
 double odd(Random& random, int exponent) { return std::ldexp(1.0 + unit(random), exponent); }
@@ -129,7 +129,7 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
             for (const auto& e : s.examination().facets()) {
                 if (e.kind == Facet_kind::nothing) continue;
                 for (const Index v : e.point)
-                    if (v != none) check(v, std::as_const(s[Expiries{}]).of_facet(s.embedding.table(), e.id, v), e.verdict.tolerance);
+                    if (v != none) check(v, std::as_const(s[Expiries{}]).of_facet(s.mesh.table(), e.id, v), e.verdict.tolerance);
             }
             for (const auto& e : s.examination().cells()) {
                 if (e.kind == Facet_kind::nothing) continue;
@@ -148,7 +148,7 @@ TEST_CASE("Rebasing leaves no certificate more than it had", "[relocation][round
             const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
             const double base = random() % 2 == 0 ? odd(random, -integer(random, 55, 70)) : unit(random);
             std::vector<Expiry*> of_v;
-            const auto& t = s.embedding.table();
+            const auto& t = s.mesh.table();
             for (const Corner_index f : t.facets())
                 for (std::size_t k = 0; k < 4; ++k)
                     if (bicell_points(t, f)[k] == v) of_v.push_back(expiries(s, f)[k]);
@@ -173,7 +173,7 @@ TEST_CASE("Rebasing leaves no second look to a certificate that is overdue", "[r
         Filter_session s(random, Second_look::unequal_moves);
         const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
         const double base = 1.0;
-        const auto& t = s.embedding.table();
+        const auto& t = s.mesh.table();
         By_corner<char> overdue(t.facet_bound().offset(), 0);
         const auto expiry_of_v = [&](Corner_index f) {
             const Facet_points<2> point = bicell_points(t, f);
@@ -198,7 +198,7 @@ TEST_CASE("Second looks leave the two sides of a circle no more than its width",
     REQUIRE(rc::check("where the sums round up", [](const Seed& seed) {
         Random random = seed.random();
         Filter_session s(random, Second_look::unequal_moves);
-        const auto& t = s.embedding.table();
+        const auto& t = s.mesh.table();
         for (const Corner_index f : t.facets()) {
             if (!is_empty_sphere(s, f)) continue;
             const Facet_points<2> point = bicell_points(t, f);
@@ -226,7 +226,7 @@ TEST_CASE("Second looks leave the two sides of a circle no more than its width",
     REQUIRE(rc::check("and room from where a point is now is added to its base, rounded down", [](const Seed& seed) {
         Random random = seed.random();
         Filter_session s(random, Second_look::safe_region);
-        const auto& t = s.embedding.table();
+        const auto& t = s.mesh.table();
         for (const Corner_index f : t.facets()) {
             if (!is_empty_sphere(s, f)) continue;
             const Facet_points<2> point = bicell_points(t, f);
@@ -254,11 +254,10 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
     const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     const Point moved{0x1p-600, 0};
     SECTION("filter") {
-        Cgal_embedding_2<int> embedding;
-        Filter<2> filter(embedding, Tolerance_kind::certified, Second_look::off);
+        Delaunay_mesh<2> mesh;
+        Filter<2> filter(mesh, Tolerance_kind::certified, Second_look::off);
         Move_report report;
-        embedding.build(square);
-        embedding.mirror();
+        mesh.build(square);
         filter.settle(square, report);
         auto x = square;
         x[0] = moved;
@@ -266,11 +265,10 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
         CHECK(report.moves.within_tolerance == 3U);
     }
     SECTION("filter-each") {
-        Cgal_embedding_2<int> embedding;
-        Paper_queue<2> filter(embedding, Tolerance_kind::floating);
+        Delaunay_mesh<2> mesh;
+        Paper_queue<2> filter(mesh, Tolerance_kind::floating);
         Move_report report;
-        embedding.build(square);
-        embedding.mirror();
+        mesh.build(square);
         filter.settle(square, report);
         filter.move(0, moved, report);
         CHECK(report.moves.within_tolerance == 0U);

@@ -7,7 +7,7 @@
 
 #include <annulus/engine/filter.h>
 #include <annulus/engine/paper_queue.h>
-#include <annulus/cgal/embedding_2.h>
+#include <annulus/kernel/delaunay_mesh.h>
 
 #include <gmpxx.h>
 
@@ -49,16 +49,15 @@ struct Session {
     static constexpr Tolerance_kind kind =
         std::is_same_v<Strategy, Paper_queue<2>> ? Tolerance_kind::floating : Tolerance_kind::certified;
     std::vector<Point> points;
-    Cgal_embedding_2<int> embedding;
+    Delaunay_mesh<2> mesh;
     Strategy filter;
     Move_report report;
 
     template <class... Arguments>
     explicit Session(Random& random, Arguments... arguments)
-        : points(point_set(Family::uniform, 7, random)), filter(embedding, kind, arguments...) {
+        : points(point_set(Family::uniform, 7, random)), filter(mesh, kind, arguments...) {
         points[0] = {0.0, 0.0};
-        embedding.build(points);
-        embedding.mirror();
+        mesh.build(points);
         filter.settle(points, report);
     }
     template <class Name>
@@ -71,7 +70,7 @@ struct Session {
     }
     [[nodiscard]] std::vector<Cell_index> finite_cells() {
         std::vector<Cell_index> cells;
-        for (const Cell_index c : embedding.table().finite_cells()) cells.push_back(c);
+        for (const Cell_index c : mesh.table().finite_cells()) cells.push_back(c);
         return cells;
     }
 };

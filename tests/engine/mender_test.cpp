@@ -121,7 +121,7 @@ TEMPLATE_TEST_CASE_SIG("A step that is clearly too dear is given up before it is
     CHECK(report.sign_steps == 1);
     CHECK(report.moves.rebuilt == n);
     CHECK(report.undone_flips == 0);
-    CHECK(report.price < 1.2 * Chooser<d>::rebuild_price(n, true));
+    CHECK(report.price < 1.2 * Chooser<d>::rebuild_price(n));
     CHECK(dt.audit().delaunay());
 }
 
@@ -139,7 +139,7 @@ TEMPLATE_TEST_CASE_SIG("No timestamp costs more than one and a half rebuilds, wh
                         CAPTURE(step);
                         scene.step();
                         const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
-                        const double most = 1.5 * Chooser<d>::rebuild_price(n, true);
+                        const double most = 1.5 * Prices<d>::insertion * static_cast<double>(n);
                         const double in_hand = 6.0 * Prices<d>::exact;  // a flip that the repair that gives up was trying
                         REQUIRE(report.price < most + in_hand);
                         REQUIRE(report.tolerance_steps + report.sign_steps + report.rebuild_steps <= 1);
@@ -226,14 +226,14 @@ TEMPLATE_TEST_CASE_SIG("Single moves to anywhere on a small grid leave neither a
         options.strategy = strategy;
         options.merge_duplicates = true;
         Moving_of<d> dt(std::span<const Coordinates<d>>(x), options);
-        if (dt.embedding().dimension() != d) return;
+        if (dt.mesh().dimension() != d) return;
         for (int k = 0; k < 40; ++k) {
             try {
                 dt.move(static_cast<Index>(random() % dt.number_of_vertices()), place());
             } catch (const Error& e) {
                 REQUIRE(e.code() == Error_code::collision);
             }
-            if (dt.embedding().dimension() != d) return;
+            if (dt.mesh().dimension() != d) return;
             REQUIRE(dt.audit().first_fault == "");
             REQUIRE(dt.triangulation().tds().is_valid());
         }

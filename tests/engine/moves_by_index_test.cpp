@@ -82,10 +82,9 @@ void check_cost(Scene scene, double pace) {
         CAPTURE(d, static_cast<int>(scene), pace, name_of(strategy));
         Random random(3);
         std::vector<Coordinates<d>> x = convex_position<d>(scene, vertices_of<d>(scene), random);
-        Options options;
-        options.strategy = Strategy::rebuild;
-        Triangulation rebuilt(std::span<const Coordinates<d>>(x), options);
+        Options options, plain;
         options.strategy = strategy;
+        plain.strategy = Strategy::rebuild;
         Triangulation dt(std::span<const Coordinates<d>>(x), options);
         const auto n = static_cast<double>(x.size());
         const auto cells = static_cast<double>(dt.cells().vertices.size());
@@ -103,7 +102,7 @@ void check_cost(Scene scene, double pace) {
             }
             {
                 const Failing_new counting(std::uint64_t{1} << 60);
-                (void)rebuilt.move_all(std::span<const Coordinates<d>>(x));
+                const Triangulation fresh(std::span<const Coordinates<d>>(x), plain);
                 once = Failing_new::bytes();
             }
             CAPTURE(step, report.price / (Prices<d>::rebuild * n), report.evaluated, spent / once,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Construction and rebuilds in several threads. Not a part of the tests under ThreadSanitizer, for the reason that parallel_test.cpp has.
-#include <annulus/cgal/spatial_sort.h>
+// What is built does not depend on the number of threads.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
@@ -87,14 +86,13 @@ std::pair<std::vector<std::int64_t>, std::vector<double>> built(Points<d> x, Str
         for (const auto& c : all.vertices) cells.insert(cells.end(), c.begin(), c.end());
         for (const auto& c : all.neighbours) cells.insert(cells.end(), c.begin(), c.end());
         for (const auto& c : dt.audit_input().cells) cells.insert(cells.end(), c.begin(), c.end());
-        if (dt.embedding().mirrored()) say_table<d>(dt.embedding().table(), cells);
+        say_table<d>(dt.mesh().table(), cells);
         for (std::size_t i = 0; i < x.size(); i += 64) {
             tolerances.push_back(mesh.tolerance(static_cast<Index>(i)));
             tolerances.push_back(dt.tolerance(dt.vertex(i)));
         }
     };
     say();
-    CHECK(dt.embedding().mirrored() == (strategy == Strategy::filter));
     std::rotate(x.begin(), x.begin() + 1, x.end());
     for (const Move_report& r : {mesh.move_all(std::span<const Coordinates<d>>(x)), dt.move_all(std::span<const Coordinates<d>>(x))})
         CHECK(r.moves.rebuilt == x.size());
@@ -111,24 +109,6 @@ TEMPLATE_TEST_CASE_SIG("What several threads build is what one builds, bit for b
         for (const int threads : {2, 5}) CHECK((built<d>(x, strategy, threads) == alone));
     };
     compare(uniform<d>(), Strategy::rebuild);
-    compare(uniform<d>(), Strategy::filter);  // the mirror of Moving_delaunay too
+    compare(uniform<d>(), Strategy::filter);
     compare(lattice<d>(), Strategy::rebuild);
-}
-
-TEMPLATE_TEST_CASE_SIG("The spatial sort in several threads is that in one, points at one place included, dimension",
-                       "[parallel][deep]", ((int d), d), 2, 3) {
-    Points<d> twice = uniform<d>();
-    for (std::size_t i = 0; i < twice.size(); ++i) twice[i] = twice[i % 100];
-    for (const Points<d>& x : {uniform<d>(), lattice<d>(), twice}) {
-        std::vector<Index> alone(x.size());
-        for (std::size_t i = 0; i < x.size(); ++i) alone[i] = static_cast<Index>(i);
-        const std::vector<Index> all = alone;
-        spatial_sort<d>(alone, x, 1);
-        CHECK(std::is_permutation(alone.begin(), alone.end(), all.begin()));
-        for (const int threads : {2, 5}) {
-            std::vector<Index> order = all;
-            spatial_sort<d>(order, x, threads);
-            CHECK((order == alone));
-        }
-    }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Const members may run at the same time, and say then what they say alone. ThreadSanitizer sees more than equal results:
 // the target annulus-threads is these tests alone, to be built with it.
+#include <annulus/kernel/read_neighbours.h>
 #include <annulus/motion/lloyd_2.h>
 #include <annulus/motion/nodt_3.h>
 #include <annulus/motion/surface_3.h>
@@ -68,7 +69,7 @@ std::vector<double> everything(const Moving& dt) {
     say(dt.index_of_input().size());
     say(dt.options().seed);
     say(dt.strategy());
-    say(dt.embedding().dimension());
+    say(dt.mesh().dimension());
     // CGAL's own const members that change nothing.
     for (auto v = dt.triangulation().finite_vertices_begin(); v != dt.triangulation().finite_vertices_end(); ++v)
         say_point(v->point());
@@ -143,7 +144,7 @@ TEST_CASE("One Lloyd and one natural ODT may be asked by several threads, with t
     const Moving_delaunay_2 dt2(plane.positions());
     const Lloyd_2 lloyd(Domain_2::square(1), Density::one, 2);
     Neighbours_2 neighbours;
-    dt2.embedding().neighbours(neighbours);
+    read_neighbours(dt2.mesh(), neighbours);
     const auto lloyd_targets = [&] {
         std::vector<Coordinates<2>> target(plane.positions().size());
         (void)lloyd.step(neighbours, plane.positions(), target);

@@ -6,7 +6,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <annulus/kernel/builder.h>
-#include <annulus/kernel/spatial_order.h>
 #include <annulus/mesh/certificates.h>
 
 #include <support/catch.h>
@@ -102,12 +101,12 @@ template <int d>
 void check(Builder<d>& builder, const std::vector<Coordinates<d>>& x) {
     std::vector<Index> order(x.size());
     std::iota(order.begin(), order.end(), Index{0});
-    spatial_order<d>(x, order);
-    Cell_table<d> table;
-    const bool full = builder.build(x, order, table);
+    const bool full = builder.build(x, order);
     const auto [dimension, cells] = by_cgal<d>(x);
     REQUIRE(full == (dimension == d));
     if (!full) return;
+    Cell_table<d> table;
+    builder.copy_to(table, x.size());
     REQUIRE(glued(table));
     REQUIRE(cells_of(table) == cells);
 }
@@ -175,9 +174,8 @@ TEMPLATE_TEST_CASE_SIG("The kernel names two points at one place, dimension", "[
     x[120] = x[17];
     std::vector<Index> order(x.size());
     std::iota(order.begin(), order.end(), Index{0});
-    Cell_table<d> table;
     try {
-        (void)builder.build(x, order, table);
+        (void)builder.build(x, order);
         FAIL("two points at one place");
     } catch (const Error& e) {
         CHECK(e.code() == Error_code::collision);

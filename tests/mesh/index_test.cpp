@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is an index of what: mix-ups do not compile, and what is none is nothing else.
-#include <annulus/cgal/embedding_2.h>
-#include <annulus/cgal/embedding_3.h>
+#include <annulus/cgal/view_2.h>
+#include <annulus/cgal/view_3.h>
 
 #include <support/catch.h>
 #include <support/point_sets_3.h>
 
 #include <concepts>
+#include <memory>
 #include <set>
 
 using namespace annulus;
@@ -40,10 +41,9 @@ static_assert(std::is_trivially_copyable_v<Cell_index> && sizeof(Cell_index) == 
 
 TEST_CASE("The cells and facets of a table are each visited once", "[mesh][index]") {
     Random random(5);
-    Cgal_embedding_3<No_info> e;
+    Delaunay_mesh<3> e;
     const auto points = point_set(Set_3::uniform, 40, random);
     e.build(points);
-    e.mirror();
     std::vector<Cell_index> changed;
     e.remove(points, 7, changed);  // leaves holes
     const Cell_table<3>& t = std::as_const(e).table();
@@ -54,7 +54,6 @@ TEST_CASE("The cells and facets of a table are each visited once", "[mesh][index
         CHECK(cells.insert(c).second);
         for (int i = 0; i <= 3; ++i) facets.insert(t.facet(t.corner(c, i)));
     }
-    CHECK(cells.size() == e.triangulation().number_of_cells());
     CHECK(cells.size() < t.cell_bound().offset());
     std::vector<Corner_index> visited;
     for (const Corner_index f : t.facets()) visited.push_back(f);
@@ -64,7 +63,9 @@ TEST_CASE("The cells and facets of a table are each visited once", "[mesh][index
         CHECK(!t.is_infinite(c));
         ++finite;
     }
-    CHECK(finite == e.triangulation().number_of_finite_cells());
+    std::vector<Index> corners;
+    e.list_cells(corners);
+    CHECK(finite == corners.size() / 4);
     const Cell_table<3> empty;
     for (const Cell_index c : empty.cells()) FAIL("cell " << c.value());
     for (const Corner_index f : empty.facets()) FAIL("facet " << f.value());
@@ -72,21 +73,21 @@ TEST_CASE("The cells and facets of a table are each visited once", "[mesh][index
 
 TEST_CASE("CGAL's vertex at infinity has the index of infinity, and a vertex without a place in the table no corner",
           "[mesh][index]") {
-    const auto check = [](auto& e, const auto& points) {
+    const auto check = [](auto& e, const auto& points, auto view_of) {
         e.build(points);
-        CHECK(e.triangulation().infinite_vertex()->index() == infinite);
-        e.mirror();
+        const auto view = view_of(e, points);
+        CHECK(view->update(points).infinite_vertex()->index() == infinite);
         CHECK(e.table().vertex(e.table().corner_of_infinity()) == infinite);
         std::vector<Cell_index> changed;
         e.remove(points, 2, changed);
         CHECK(e.table().corner_of(2) == no_corner);
         CHECK(e.table().corner_of(1) != no_corner);
-        e.rebuild(points);
-        CHECK(e.triangulation().infinite_vertex()->index() == infinite);
     };
-    Cgal_embedding_2<No_info> plane;
-    check(plane, std::vector<Coordinates<2>>{{0, 0}, {4, 0}, {1, 1}, {0, 4}, {5, 5}, {2, 3}});
+    Delaunay_mesh<2> plane;
+    check(plane, std::vector<Coordinates<2>>{{0, 0}, {4, 0}, {1, 1}, {0, 4}, {5, 5}, {2, 3}},
+          [](auto& e, const auto& points) { return std::make_unique<Cgal_view_2<No_info>>(e, points); });
     Random random(6);
-    Cgal_embedding_3<No_info> space;
-    check(space, point_set(Set_3::uniform, 20, random));
+    Delaunay_mesh<3> space;
+    check(space, point_set(Set_3::uniform, 20, random),
+          [](auto& e, const auto& points) { return std::make_unique<Cgal_view_3<No_info>>(e, points); });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Walks that begin at landmarks are short however many vertices there are, and end in the cell that holds the place.
-#include <annulus/cgal/mesh_embedding.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/landmarks.h>
 #include <annulus/mesh/walk.h>
 
@@ -40,7 +40,7 @@ double steps_of(const std::string& family, std::size_t vertices) {
     std::set<Coordinates<d>> distinct;
     while (distinct.size() < vertices) distinct.insert(place<d>(family, random));
     const Points_d<d> x(distinct.begin(), distinct.end());  // an order that a stride would fall in with
-    Mesh_embedding<d> mesh;
+    Delaunay_mesh<d> mesh;
     mesh.build(std::span<const Coordinates<d>>(x));
     const Cell_table<d>& t = mesh.table();
     Landmarks<d> landmarks;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Flips of space in the table, and in CGAL's object, which follows: made, and made back.
 #include <annulus/certificate/ladder.h>
-#include <annulus/cgal/embedding_3.h>
+#include <annulus/cgal/view_3.h>
 #include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/distinct_facets.h>
 #include <annulus/mesh/table_flips_3.h>
@@ -14,10 +14,8 @@ using namespace annulus::testing;
 
 namespace {
 
-using Embedding_3 = Cgal_embedding_3<No_info>;
-
-/// Every cell of the mirror, sorted within and among themselves: a triangulation whatever its numbers.
-Cell_list_3 cells_of_mirror(const Cell_table<3>& t) {
+/// Every cell of the table, sorted within and among themselves: a triangulation whatever its numbers.
+Cell_list_3 cells_of_table(const Cell_table<3>& t) {
     Cell_list_3 cells;
     for (const Cell_index c : t.cells()) {
         auto x = cell_points(t, c);
@@ -28,8 +26,10 @@ Cell_list_3 cells_of_mirror(const Cell_table<3>& t) {
     return cells;
 }
 
-void check_same(const Embedding_3& e) {
-    const auto& tr = e.triangulation();
+/// A view that is brought up to date after flips.
+void check_same(const Delaunay_mesh<3>& e, Cgal_view_3<No_info>& view, const Points_3& x) {
+    view.outdate_cells();
+    const auto& tr = view.update(x);
     CHECK(tr.tds().is_valid());
     for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
         for (int i = 0; i <= 3; ++i) {
@@ -54,7 +54,7 @@ bool is_facet(const Cell_table<3>& t, Index p, Index q, Index r) {
     return false;
 }
 
-/// The cells of the mirror without some and with others, as cells_of_mirror has them.
+/// The cells of the table without some and with others, as cells_of_table has them.
 Cell_list_3 exchanged(Cell_list_3 cells, const Cell_list_3& gone, const Cell_list_3& came) {
     for (auto x : gone) {
         std::sort(x.begin(), x.end());
@@ -95,12 +95,12 @@ TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL
     std::array<int, 3> made{};
     for (const Set_3 set : {Set_3::uniform, Set_3::lattice, Set_3::sphere}) {
         Random random(17);
-        Embedding_3 e;
-        e.build(point_set(set, 30, random));
+        Delaunay_mesh<3> e;
+        const Points_3 places = point_set(set, 30, random);
+        e.build(places);
         REQUIRE(e.dimension() == 3);
-        e.mirror();
-        auto& t = static_cast<Embedding<3>&>(e).table();
-        std::vector<Cell_index> touched;
+        Cgal_view_3<No_info> view(e, places);
+        auto& t = e.table();
         for (int attempt = 0; attempt < 900; ++attempt) {
             const Cell_index cell(static_cast<Index>(random() % t.cell_bound().offset()));
             if (!t.is_cell(cell)) continue;
@@ -109,39 +109,35 @@ TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL
                 t.corner(cell, static_cast<int>((static_cast<std::size_t>(t.slot_of(h)) + 1 + random() % 3) % 4));
             const auto [a, b, c, q] = facet_and_vertex(t, h);
             const Index p = t.vertex(t.twin(h));
-            const Cell_list_3 before = cells_of_mirror(t);
+            const Cell_list_3 before = cells_of_table(t);
             const std::size_t kind = random() % 3;
             std::array<Cell_index, 3> cells{};
             if (kind == 0) {
                 if (is_edge(t, p, q)) continue;
-                const Cell_index gone = t.cell_of(t.twin(h));
                 REQUIRE(flip_facet(t, h, cells));
-                touched = {cells[0], cells[1], cells[2], gone};
-                CHECK(cells_of_mirror(t) == exchanged(before, {{a, b, c, q}, {a, b, c, p}}, {{a, b, p, q}, {b, c, p, q}, {c, a, p, q}}));
+                CHECK(cells_of_table(t) == exchanged(before, {{a, b, c, q}, {a, b, c, p}}, {{a, b, p, q}, {b, c, p, q}, {c, a, p, q}}));
             } else if (kind == 1) {
                 Cell_points<3> x = facet_and_vertex(t, h);
                 while (x[2] != t.vertex(k)) x = {x[1], x[2], x[0], x[3]};
                 if (is_facet(t, x[2], p, q) || !flip_edge(t, h, k, cells)) {
-                    CHECK(cells_of_mirror(t) == before);
+                    CHECK(cells_of_table(t) == before);
                     continue;
                 }
                 CHECK_FALSE(t.is_cell(cells[2]));
-                touched = {cells[0], cells[1], cells[2]};
-                CHECK(cells_of_mirror(t) == exchanged(before, {{a, b, c, q}, {a, b, c, p}, {x[0], x[1], p, q}},
+                CHECK(cells_of_table(t) == exchanged(before, {{a, b, c, q}, {a, b, c, p}, {x[0], x[1], p, q}},
                                                       {{x[2], p, q, x[0]}, {x[2], p, q, x[1]}}));
             } else {
                 const auto flip = flip_4_4(t, h, k);
                 if (!flip || is_edge(t, p, q)) continue;
                 Cell_list_3 gone;
                 for (const Cell_index g : flip->gone) gone.push_back(cell_points(t, g));
-                touched.assign(flip->gone.begin(), flip->gone.end());
+                std::vector<Cell_index> touched;
                 replace_cells<3>(t, flip->gone, flip->came, touched);
-                CHECK(cells_of_mirror(t) == exchanged(before, gone, Cell_list_3(flip->came.begin(), flip->came.end())));
+                CHECK(cells_of_table(t) == exchanged(before, gone, Cell_list_3(flip->came.begin(), flip->came.end())));
             }
             ++made[kind];
             check_orientations(t);
-            e.follow(touched);
-            check_same(e);
+            check_same(e, view, places);
         }
     }
     for (const int n : made) CHECK(n > 10);
@@ -152,10 +148,9 @@ TEST_CASE("Flips that nobody has looked at keep the table a manifold", "[flips][
     int refused = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         Random random(seed);
-        Embedding_3 e;
+        Delaunay_mesh<3> e;
         e.build(point_set(Set_3::uniform, 5 + static_cast<std::size_t>(seed % 4), random));
-        e.mirror();
-        auto& t = static_cast<Embedding<3>&>(e).table();
+        auto& t = e.table();
         for (int attempt = 0; attempt < 200; ++attempt) {
             const Cell_index cell(static_cast<Index>(random() % t.cell_bound().offset()));
             if (!t.is_cell(cell)) continue;
@@ -179,11 +174,10 @@ TEST_CASE("Flips that nobody has looked at keep the table a manifold", "[flips][
 
 TEST_CASE("A flip of the table is undone by its opposite", "[flips][space]") {
     Random random(31);
-    Embedding_3 e;
+    Delaunay_mesh<3> e;
     e.build(point_set(Set_3::uniform, 40, random));
-    e.mirror();
-    auto& t = static_cast<Embedding<3>&>(e).table();
-    const Cell_list_3 before = cells_of_mirror(t);
+    auto& t = e.table();
+    const Cell_list_3 before = cells_of_table(t);
     int undone = 0;
     for (Corner_index h(0); h < t.facet_bound(); ++h) {  // flips change the numbers
         if (!t.is_facet(h)) continue;
@@ -196,7 +190,7 @@ TEST_CASE("A flip of the table is undone by its opposite", "[flips][space]") {
         const Corner_index third = t.corner(three[0], 1);
         std::array<Cell_index, 3> two{};
         REQUIRE(flip_edge(t, inner, third, two));
-        REQUIRE(cells_of_mirror(t) == before);
+        REQUIRE(cells_of_table(t) == before);
         check_orientations(t);
         ++undone;
     }
@@ -205,10 +199,9 @@ TEST_CASE("A flip of the table is undone by its opposite", "[flips][space]") {
 
 TEST_CASE("The corners of a ridge and of a bi-cell are in the order that the certificates take", "[flips][space]") {
     Random random(29);
-    Embedding_3 e;
+    Delaunay_mesh<3> e;
     const Points_3 x = point_set(Set_3::uniform, 60, random);
     e.build(x);
-    e.mirror();
     const auto& t = e.table();
     const auto at = [&](Index v) { return &x[static_cast<std::size_t>(v)]; };
     int ridges = 0;
@@ -239,10 +232,9 @@ TEST_CASE("A flip to an edge that is there already, and makes a facet twice, is 
     Random random(31);
     int doubled = 0;
     for (int k = 0; k < 40; ++k) {
-        Embedding_3 e;
+        Delaunay_mesh<3> e;
         e.build(point_set(Set_3::uniform, 9, random));
-        e.mirror();
-        auto& t = static_cast<Embedding<3>&>(e).table();
+        auto& t = e.table();
         for (int flips = 0; flips < 6; ++flips) {
             const Corner_index h(static_cast<Index>(random() % t.facet_bound().offset()));
             std::array<Cell_index, 3> made{};

@@ -72,8 +72,7 @@ TEST_CASE("cells kept from step to step are those of a new triangulation, in the
     Kept_cells_3 cells;
     for (int step = 0; step < 50; ++step) {
         CAPTURE(step);
-        REQUIRE(dt.embedding().mirrored());
-        cells.read(dt.embedding().table(), 1 + step % 3);
+        cells.read(dt.mesh().table(), 1 + step % 3);
         check_same(cells, cells_of(dt));
         Kept_cells_3 listed;
         listed.read(dt.audit_input().cells, points.size(), 1 + step % 2);
@@ -92,7 +91,7 @@ TEST_CASE("kept cells follow vertices that come and go, hull and all", "[motion]
         const Coordinates<3>& p = points[i];
         if (i % 4 == 3) (void)dt.insert(Moving_delaunay_3::Point(3 * p[0], p[1], p[2]));
         else if (i % 4 == 1) (void)dt.move(static_cast<Index>(i), {p[0] + 0.01, p[1], p[2]});
-        cells.read(dt.embedding().table());
+        cells.read(dt.mesh().table());
         check_same(cells, cells_of(dt));
     }
 }
@@ -106,10 +105,10 @@ TEST_CASE("what is kept of cells at rest is what measuring them again gives", "[
     for (int step = 0; step < 30; ++step) {
         CAPTURE(step);
         const Ball_3& domain = step < 25 ? ball : other;
-        cells.read(dt.embedding().table());
+        cells.read(dt.mesh().table());
         cells.measure(domain, dt.positions(), 1 + step % 3);
         Kept_cells_3 fresh;
-        fresh.read(dt.embedding().table());
+        fresh.read(dt.mesh().table());
         fresh.measure(domain, dt.positions());
         REQUIRE(cells.inside() == fresh.inside());
         REQUIRE(same_bits(cells.moments(), fresh.moments()));
@@ -140,13 +139,13 @@ TEST_CASE("natural ODT with a memory does what it does without, in any number of
             CAPTURE(gradation, step);
             Points expected(x.size());
             Kept_cells_3 fresh;
-            fresh.read(dt.embedding().table());
+            fresh.read(dt.mesh().table());
             fresh.measure(domain, dt.positions());
             const Nodt_step one = Nodt_3(domain, Sizing_3(domain, gradation), on_surface, 20.0, 1)
                                       .step(fresh.cells(), fresh.inside(), dt.positions(), expected);
             for (std::size_t k = 0; k < 3; ++k) {
                 Points target(x.size());
-                cells[k].read(dt.embedding().table(), threads[k]);
+                cells[k].read(dt.mesh().table(), threads[k]);
                 cells[k].measure(domain, dt.positions(), threads[k]);
                 const Nodt_step got = Nodt_3(domain, Sizing_3(domain, gradation), on_surface, 20.0, threads[k])
                                           .step(cells[k], dt.positions(), target, memory[k]);

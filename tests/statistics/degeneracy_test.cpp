@@ -17,17 +17,15 @@ using namespace annulus::testing;
 namespace {
 
 Degeneracy of(const std::vector<Coordinates<2>>& x) {
-    Cgal_embedding_2<No_info> e;
+    Delaunay_mesh<2> e;
     e.build(x);
     REQUIRE(e.dimension() == 2);
-    e.mirror();
     return degeneracy(e.table(), x);
 }
 Degeneracy of(const std::vector<Coordinates<3>>& x) {
-    Cgal_embedding_3<No_info> e;
+    Delaunay_mesh<3> e;
     e.build(x);
     REQUIRE(e.dimension() == 3);
-    e.mirror();
     return degeneracy(e.table(), x);
 }
 
@@ -169,7 +167,7 @@ TEST_CASE("counts do not depend on the unit of length if it is a power of two", 
 
 namespace {
 
-using Tr = Cgal_embedding_3<No_info>::Triangulation;
+using Tr = Moving_delaunay_3::Triangulation;
 
 struct Bounds {
     double lower = 0, upper = 0;
@@ -275,13 +273,12 @@ TEST_CASE("counts in space are those of rational arithmetic", "[statistics][dege
     std::uint64_t unsound = 0;
     for (const Set_3 set : all_sets_3) {
         const Points_3 x = point_set(set, 10 + static_cast<std::size_t>(repeats(30)), random);
-        Cgal_embedding_3<No_info> e;
+        Delaunay_mesh<3> e;
         e.build(x);
         if (e.dimension() < 3) continue;
-        e.mirror();
         INFO(name_of(set));
         const Degeneracy d = degeneracy(e.table(), x);
-        const Independent i = count_independently(e.triangulation());
+        const Independent i = count_independently(Cgal_view_3<No_info>(e, x).update(x));
         check_counts(d.bicells.least, i.bicells, d.thresholds);
         check_counts(d.standard, i.standard, d.thresholds);
         check_counts(d.cells.least, i.cells, d.thresholds);
@@ -326,10 +323,9 @@ TEST_CASE("in the plane the paper's tolerance is sound", "[statistics][degenerac
     Random random(13);
     for (const Family family : all_families) {
         const Points x = point_set(family, 120, random);
-        Cgal_embedding_2<No_info> e;
+        Delaunay_mesh<2> e;
         e.build(x);
         if (e.dimension() < 2) continue;
-        e.mirror();
         INFO(name_of(family));
         const Degeneracy d = degeneracy(e.table(), x);
         CHECK(d.vertices.paper_unsound == 0);

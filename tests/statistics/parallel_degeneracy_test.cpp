@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several threads find what one finds, and tell it in the same order.
-#include <annulus/cgal/mesh_embedding.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/parallel_runs.h>
 #include <annulus/motion/generated_points.h>
 #include <annulus/statistics/degeneracy.h>
@@ -66,14 +66,14 @@ std::vector<double> everything(const Cell_table<d>& t, const std::vector<Coordin
 template <int d>
 void check(Point_family family, std::size_t n) {
     const std::vector<Coordinates<d>> x = generate<d>(family, n, 7);
-    Mesh_embedding<d> embedding;
-    embedding.build(x);
-    REQUIRE(embedding.dimension() == d);
-    const std::vector<double> one = everything<d>(embedding.table(), x, 1);
+    Delaunay_mesh<d> mesh;
+    mesh.build(x);
+    REQUIRE(mesh.dimension() == d);
+    const std::vector<double> one = everything<d>(mesh.table(), x, 1);
     CHECK(one.size() > 5 * n);  // of more than one batch
     for (const int threads : {2, 3, 8}) {
         CAPTURE(threads);
-        const std::vector<double> many = everything<d>(embedding.table(), x, threads);
+        const std::vector<double> many = everything<d>(mesh.table(), x, threads);
         REQUIRE(many.size() == one.size());
         std::size_t differ = 0;
         for (std::size_t i = 0; i < one.size(); ++i) differ += one[i] == many[i] || (one[i] != one[i] && many[i] != many[i]) ? 0U : 1U;

@@ -187,9 +187,9 @@ class Nodt(tool.ToolTest):
             self.assertGreater(float(row["annulus_width_mean"]), float(row["tolerance_mean"]))
 
     def test_compare_strategies_that_disagree(self):
-        """The paper's tolerances let twelve vertices keep cells that are wrong at step 3, and are right again at step 12: one seed of 1,500."""
+        """The paper's tolerances let twelve vertices keep cells that are wrong at step 3, and are right again at step 12: one seed of several hundred."""
         for steps, audit, agree in (("3", "0", False), ("12", "1", True)):
-            done = self.run_tool("compare", "--strategies", "rebuild,filter:paper", "--seed", "1479", "--output", "out", "--",
+            done = self.run_tool("compare", "--strategies", "rebuild,filter:paper", "--seed", "90", "--output", "out", "--",
                                  "nodt", "--sphere", "--vertices", "12", "--iterations", steps, "--audit", audit)
             self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
             written = json.loads((self.here / "out" / "compare.json").read_text(encoding="utf-8"))

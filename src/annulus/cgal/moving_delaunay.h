@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/cgal/view.h>
 #include <annulus/engine/engine.h>
 
 #include <iterator>
@@ -12,12 +13,17 @@ namespace annulus {
 
 /// A Delaunay triangulation that is kept right while its vertices move.
 ///
-/// Cgal is the embedding of one dimension (Cgal_embedding_2<Info>); everything here is the same in every dimension.
+/// View is CGAL's triangulation of one dimension as a copy of the mesh (Cgal_view_2<Info>); everything here is the same in
+/// every dimension.
 /// Positions are in the caller's unit of length. With Tolerance_kind::certified the triangulation is Delaunay at the
 /// positions of its vertices after every call, proved. Not thread-safe; const members may run concurrently.
 ///
 /// Vertices have an index in input order and a CGAL handle; no move, whatever the strategy, invalidates either.
 /// Removing a vertex leaves its index vacant; the next insertion takes the index vacated last.
+///
+/// The strategies work on arrays. CGAL's object is a copy of them which triangulation(), vertex() and audit() bring up to
+/// date before they return, for what has changed since; a program that never calls them pays nothing for it. So ask for
+/// triangulation() after a change, also to read the points of handles: a reference of before shows what was asked for last.
 ///
 /// Errors are annulus::Error; the object is as it was before the call that threw, except that after a collision
 /// tolerances may have been computed anew and measured from other fixed positions. Every function
@@ -30,14 +36,14 @@ namespace annulus {
 /// cells (an audit says so) until a later call that changes something, settle() for one, has built them. GMP's allocation
 /// functions abort the process when they get nothing unless the program sets others (mp_set_memory_functions); so may CGAL's Mpzf, in
 /// predicates of coordinates that are hundreds of bits apart.
-template <class Cgal>
+template <class View>
 class Moving_delaunay {
   public:
-    static constexpr int dimension_of_space = Cgal::dimension_of_space;
+    static constexpr int dimension_of_space = View::dimension_of_space;
     static constexpr int d = dimension_of_space;
-    using Triangulation = typename Cgal::Triangulation;  ///< CGAL's
-    using Point = typename Cgal::Point;
-    using Vertex_handle = typename Cgal::Vertex_handle;
+    using Triangulation = typename View::Triangulation;  ///< CGAL's
+    using Point = typename View::Point;
+    using Vertex_handle = typename View::Vertex_handle;
 
     explicit Moving_delaunay(const Options& options = {})
         : Moving_delaunay(std::span<const Coordinates<d>>{}, options) {}
@@ -51,8 +57,9 @@ class Moving_delaunay {
     /// The same from plain coordinates.
     /// Throws too_large besides.
     explicit Moving_delaunay(std::span<const Coordinates<d>> points, const Options& options = {})
-        : embedding_(std::make_unique<Cgal>()), engine_(std::make_unique<Engine<d>>(*embedding_, options)) {
+        : mesh_(std::make_unique<Delaunay_mesh<d>>()), engine_(std::make_unique<Engine<d>>(*mesh_, options)) {
         engine_->build(points);
+        view_ = std::make_unique<View>(*mesh_, engine_->positions());
     }
 
     /// Handles, and pointers to CGAL's object, stay valid and belong to the object that was moved to. One that was moved from can be
@@ -64,12 +71,18 @@ class Moving_delaunay {
 
     /// Moves one vertex. Expected O(degree) for a short way. Throws not_finite, out_of_domain, collision,
     /// unknown_vertex.
-    Move_report move(Vertex_handle v, const Point& p) { return move(index(v), Cgal::coordinates(p)); }
-    Move_report move(Index i, const Coordinates<d>& p) { return engine_->move(i, p); }
+    Move_report move(Vertex_handle v, const Point& p) { return move(index(v), View::coordinates(p)); }
+    Move_report move(Index i, const Coordinates<d>& p) {
+        outdate({&i, 1});
+        return engine_->move(i, p);
+    }
     /// Moves some vertices: indices[k] to points[k], all at once (a vertex may go where another one was); the last holds for an index
     /// that is named twice. While they are fewer than one in 64, under the filters, it costs as much as their single moves, else as
     /// much as move_all. Throws wrong_size, and what move throws.
-    Move_report move(std::span<const Index> indices, std::span<const Coordinates<d>> points) { return engine_->move(indices, points); }
+    Move_report move(std::span<const Index> indices, std::span<const Coordinates<d>> points) {
+        outdate(indices);
+        return engine_->move(indices, points);
+    }
     template <class Range>
     requires std::is_convertible_v<decltype(*std::begin(std::declval<const Range&>())), Point> Move_report
     move(std::span<const Index> indices, const Range& points) {
@@ -77,13 +90,16 @@ class Moving_delaunay {
     }
     /// The same for a range of pairs (vertex handle, point).
     template <std::input_iterator It>
-    requires requires(It pair) { Point(pair->second); Vertex_handle(pair->first); }
+    requires requires(It pair) {
+        Point(pair->second);
+        Vertex_handle(pair->first);
+    }
     Move_report move(It first, It last) {
         std::vector<Index> indices;
         std::vector<Coordinates<d>> points;
         for (; first != last; ++first) {
             indices.push_back(index(first->first));
-            points.push_back(Cgal::coordinates(first->second));
+            points.push_back(View::coordinates(first->second));
         }
         return move(indices, points);
     }
@@ -91,7 +107,10 @@ class Moving_delaunay {
     /// Moves every vertex: points[i] is the new position of vertex i; what stands at a vacant index is ignored.
     /// O(n) with a small constant when few tolerances fail. Throws wrong_size unless there are index_bound() points,
     /// not_finite, out_of_domain, collision.
-    Move_report move_all(std::span<const Coordinates<d>> points) { return engine_->move_all(points); }
+    Move_report move_all(std::span<const Coordinates<d>> points) {
+        view_->outdate();
+        return engine_->move_all(points);
+    }
     template <class Range>
     requires std::is_convertible_v<decltype(*std::begin(std::declval<const Range&>())), Point> Move_report
     move_all(const Range& points) {
@@ -101,47 +120,70 @@ class Moving_delaunay {
     /// Inserts a vertex. Throws not_finite, out_of_domain, collision.
     Vertex_handle insert(const Point& p, Move_report* report = nullptr) {
         Move_report done;
-        const Index i = engine_->insert(Cgal::coordinates(p), done);
+        outdate({});
+        view_->reserve_vertex();
+        Index i = none;
+        try {
+            i = engine_->insert(View::coordinates(p), done);
+        } catch (...) {
+            view_->drop_reserved();
+            throw;
+        }
         if (report) *report = std::move(done);
-        return embedding_->handle(i);
+        return view_->adopt(i, positions()[at(i)]);
     }
     /// Removes a vertex; its handle dies, its index is vacant. Throws unknown_vertex. When memory runs out the vertex may be gone:
     /// then vertex(i) is null at its index, the last one vacated, and everything else is right.
     void remove(Vertex_handle v, Move_report* report = nullptr) {
         Move_report done;
-        engine_->remove(index(v), done);
+        const Index i = index(v);
+        outdate({});
+        try {
+            engine_->remove(i, done);
+        } catch (...) {
+            if (!engine_->is_vertex(i)) view_->forget(i);
+            throw;
+        }
+        view_->forget(i);
         if (report) *report = std::move(done);
     }
     /// Makes every fixed position the moving one and every tolerance fresh. O(n). With tolerances that are not certified two vertices
     /// may have come to one place unnoticed; then it throws collision, as insert and remove do, until one of them has moved away.
-    Move_report settle() { return engine_->settle(); }
+    Move_report settle() {
+        view_->outdate();
+        return engine_->settle();
+    }
 
     /// CGAL's object; with certified tolerances its points are the positions and it is Delaunay. With `paper` and
-    /// `floating` under filter-each its points are the fixed positions.
-    [[nodiscard]] const Triangulation& triangulation() const { return embedding_->triangulation(); }
-    [[nodiscard]] std::size_t number_of_vertices() const { return embedding_->vertices(); }
+    /// `floating` under filter-each its points are the fixed positions. O(k) for the k cells that have changed and vertices
+    /// that have moved since it was asked for last. Throws bad_alloc.
+    [[nodiscard]] const Triangulation& triangulation() const { return view_->update(engine_->standing()); }
+    [[nodiscard]] std::size_t number_of_vertices() const { return mesh_->vertices(); }
     /// One more than the largest index in use or vacant: the number of points move_all takes.
     [[nodiscard]] std::size_t index_bound() const { return engine_->index_bound(); }
-    /// Null for a vacant index. Throws unknown_vertex beyond index_bound().
+    /// Null for a vacant index. O(1) after triangulation(). Throws unknown_vertex beyond index_bound().
     [[nodiscard]] Vertex_handle vertex(std::size_t i) const {
-        if (i >= index_bound()) throw Error(Error_code::unknown_vertex, "no vertex has index " + std::to_string(i), {static_cast<std::int64_t>(i)});
-        return embedding_->handle(static_cast<Index>(i));
+        if (i >= index_bound())
+            throw Error(Error_code::unknown_vertex, "no vertex has index " + std::to_string(i),
+                        {static_cast<std::int64_t>(i)});
+        (void)triangulation();
+        return view_->handle(static_cast<Index>(i));
     }
     /// O(1). Throws unknown_vertex.
     [[nodiscard]] Index index(Vertex_handle v) const {
         const Index i = v == Vertex_handle() ? none : v->index();
-        if (i < 0 || at(i) >= index_bound() || embedding_->handle(i) != v)
+        if (i < 0 || at(i) >= index_bound() || view_->handle(i) != v)
             throw Error(Error_code::unknown_vertex, "the handle names no vertex of this triangulation");
         return i;
     }
     /// Vertex index of every input point; differs from 0, 1, 2 ... only where duplicates were merged.
     [[nodiscard]] std::span<const Index> index_of_input() const { return engine_->index_of_input(); }
 
-    [[nodiscard]] Point position(Vertex_handle v) const { return Cgal::point(positions()[at(index(v))]); }
+    [[nodiscard]] Point position(Vertex_handle v) const { return View::point(positions()[at(index(v))]); }
     /// Positions by index; vacant entries are unspecified.
     [[nodiscard]] std::span<const Coordinates<d>> positions() const { return engine_->positions(); }
     /// Where D is measured from; the position itself for strategies without tolerances.
-    [[nodiscard]] Point fixed_position(Vertex_handle v) const { return Cgal::point(engine_->fixed_position(index(v))); }
+    [[nodiscard]] Point fixed_position(Vertex_handle v) const { return View::point(engine_->fixed_position(index(v))); }
     /// How far v may be from its fixed position while every other vertex is within its own tolerance of its own: a
     /// certified lower bound with Tolerance_kind::certified. After settle() (and always for strategies that keep no
     /// tolerances) the least tolerance of the certificates of v.
@@ -149,21 +191,22 @@ class Moving_delaunay {
     /// Upper bound of |position - fixed position|.
     [[nodiscard]] double displacement(Vertex_handle v) const { return engine_->displacement(index(v)); }
     /// Least theta of the finite bi-cells of v in radians (theory 4); pi/2 when it has none.
-    [[nodiscard]] double theta(Vertex_handle v) const { return embedding_->theta(engine_->standing(), index(v)); }
+    [[nodiscard]] double theta(Vertex_handle v) const { return mesh_->theta(engine_->standing(), index(v)); }
 
-    /// Fresh tolerances, annulus widths and theta of everything at CGAL's points, whatever the strategy. O(n).
-    [[nodiscard]] Measures measure() const { return embedding_->measure(engine_->standing()); }
+    /// Fresh tolerances, annulus widths and theta of everything, whatever the strategy. O(n).
+    [[nodiscard]] Measures measure() const { return mesh_->measure(engine_->standing()); }
 
     /// Every finite cell, by vertex indices. O(n).
     [[nodiscard]] Mesh_cells<d> cells() const { return engine_->cells(); }
 
-    /// Exact verdict on the cells of CGAL's object at the present positions; see audit.h. Faults of the object itself
-    /// count as topological ones: handles let a caller write in it (`vertex(i)->set_point(p)`), and what was written is
-    /// no motion that the strategy knows of. So the points of its vertices must be what triangulation() says they are,
-    /// its cells must fit together, and those that the strategy works on must be the same. O(n).
+    /// Exact verdict on the cells at the present positions; see audit.h. Faults of CGAL's object itself count as
+    /// topological ones: handles let a caller write in it (`vertex(i)->set_point(p)`), and what was written is no motion
+    /// that the strategy knows of. So the points of its vertices must be what triangulation() says they are, its cells
+    /// must fit together, and be those of the mesh. O(n).
     [[nodiscard]] Audit_result audit() const {
         Audit_result object;
-        if (!embedding_->audit_object(engine_->standing(), object)) return object;
+        (void)triangulation();
+        if (!view_->audit(engine_->standing(), object)) return object;
         Audit_result result = annulus::audit(audit_input());
         result.topological_faults += object.topological_faults;
         if (!object.first_fault.empty()) result.first_fault = std::move(object.first_fault);
@@ -175,19 +218,28 @@ class Moving_delaunay {
     [[nodiscard]] const Options& options() const { return engine_->options(); }
     /// The strategy in force: that of the options, except that `hybrid` becomes `filter` when it switches.
     [[nodiscard]] Strategy strategy() const { return engine_->strategy(); }
-    [[nodiscard]] const Cgal& embedding() const { return *embedding_; }
+    /// What the strategies work on.
+    [[nodiscard]] const Delaunay_mesh<d>& mesh() const { return *mesh_; }
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     template <class It>
     static std::vector<Coordinates<d>> coordinates(It first, It last) {
         std::vector<Coordinates<d>> x;
-        for (; first != last; ++first) x.push_back(Cgal::coordinates(*first));
+        for (; first != last; ++first) x.push_back(View::coordinates(*first));
         return x;
     }
 
-    std::unique_ptr<Cgal> embedding_;
+    /// These vertices are about to move. Where tolerances are not certified others may, too.
+    void outdate(std::span<const Index> indices) noexcept {
+        if (options().tolerance != Tolerance_kind::certified) return view_->outdate();
+        view_->outdate_cells();
+        for (const Index i : indices) view_->outdate(i);
+    }
+
+    std::unique_ptr<Delaunay_mesh<d>> mesh_;
     std::unique_ptr<Engine<d>> engine_;
+    std::unique_ptr<View> view_;
 };
 
 }  // namespace annulus

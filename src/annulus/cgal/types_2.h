@@ -39,7 +39,7 @@ class Indexed_vertex_base_2 : public Vb {
     Index index_ = none;
 };
 
-/// CGAL's face with the number of its cell in the flat mirror (Cell_index::value).
+/// CGAL's face with the number of its cell in the mesh (Cell_index::value).
 template <class Gt, class Fb = CGAL::Triangulation_face_base_2<Gt>>
 class Indexed_face_base_2 : public Fb {
   public:

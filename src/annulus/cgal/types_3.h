@@ -39,7 +39,7 @@ class Indexed_vertex_base_3 : public Vb {
     Index index_ = none;
 };
 
-/// CGAL's cell with the number of its cell in the flat mirror (Cell_index::value).
+/// CGAL's cell with the number of its cell in the mesh (Cell_index::value).
 template <class Gt, class Cb = CGAL::Delaunay_triangulation_cell_base_3<Gt>>
 class Indexed_cell_base_3 : public Cb {
   public:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
 #include <annulus/cli/input.h>
@@ -12,8 +13,6 @@
 #include <annulus/formats/read_points.h>
 #include <annulus/formats/text_output.h>
 #include <annulus/formats/write_json.h>
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
 #include <annulus/report/degeneracy_series.h>
 
 #include <algorithm>
@@ -115,12 +114,14 @@ Degeneracy_record study_points(const Degeneracy_call& a, std::string file, const
     r.dimension = d;
     r.vertices = x.size();
     const auto begin = Clock::now();
-    std::conditional_t<d == 2, Cgal_embedding_2<No_info>, Cgal_embedding_3<No_info>> embedding;
-    embedding.build(x);
+    Delaunay_mesh<d> mesh;
+    mesh.build(x);
     r.seconds_triangulation = since(begin);
     const auto built = Clock::now();
-    r.affine_dimension = embedding.dimension();
-    embedding.for_each_finite_cell([&r](const auto&) { ++r.simplices; });
+    r.affine_dimension = mesh.dimension();
+    std::vector<Index> corners;
+    mesh.list_cells(corners);
+    r.simplices = corners.size() / (d + 1);
     std::optional<Raw_file<d>> raw;
     if (!a.raw.empty()) raw.emplace(a.raw, id);
     if (r.affine_dimension == d) {
@@ -128,8 +129,7 @@ Degeneracy_record study_points(const Degeneracy_call& a, std::string file, const
         options.threads = a.common.threads;
         if (!a.thresholds.empty()) options.thresholds = thresholds_of(a.thresholds);
         if (raw) options.raw = [&raw](const Raw_certificate<d>& c) { (*raw)(c); };
-        embedding.mirror();
-        r.measured = degeneracy(embedding.table(), x, options);
+        r.measured = degeneracy(mesh.table(), x, options);
     }
     if (raw) raw->commit();
     r.seconds_analysis = since(built);

@@ -4,6 +4,7 @@
 #include <annulus/certificate/ladder.h>
 #include <annulus/formats/read_gray_image.h>
 #include <annulus/formats/read_points.h>
+#include <annulus/kernel/read_neighbours.h>
 #include <annulus/motion/convex_ring_2.h>
 #include <annulus/motion/moments_2.h>
 #include <annulus/motion/sampling_2.h>
@@ -200,10 +201,9 @@ std::string stipples_of(const Lloyd_arguments& a, const Lloyd_scene& scene, cons
 }
 
 void read_stars(const Moving_delaunay_2& dt, Stars_2& stars) {
-    const auto& embedding = dt.embedding();
-    if (embedding.mirrored() && embedding.dimension() == 2) return stars.read(embedding.table());
+    if (dt.mesh().dimension() == 2) return stars.read(dt.mesh().table());
     Neighbours_2 lists;
-    embedding.neighbours(lists);
+    read_neighbours(dt.mesh(), lists);
     stars.read(lists);
 }
 

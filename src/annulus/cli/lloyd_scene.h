@@ -49,7 +49,7 @@ struct Lloyd_scene {
 [[nodiscard]] std::string stipples_of(const Lloyd_arguments& arguments, const Lloyd_scene& scene,
                                       const Moving_delaunay_2& dt);
 
-/// The stars of a triangulation: of its mirror where there is one, which costs what has changed, else of CGAL's object. The same lists.
+/// The stars of a triangulation, which costs what has changed.
 void read_stars(const Moving_delaunay_2& dt, Stars_2& stars);
 
 }  // namespace annulus::cli

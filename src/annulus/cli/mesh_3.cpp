@@ -20,16 +20,8 @@ void Mesh_3::read(const Moving_delaunay_3& dt) {
 
 void Mesh_3::read(const Moving_delaunay_3& dt, bool cells_changed, const Domain_3& domain, int threads) {
     points_.assign(dt.positions().begin(), dt.positions().end());
-    const auto& embedding = dt.embedding();
-    if (cells_changed && embedding.mirrored() && embedding.dimension() == 3) {
-        kept_.read(embedding.table(), threads);
-    } else if (cells_changed) {
-        std::vector<std::array<Index, 4>> cells;
-        embedding.for_each_finite_cell([&](const auto& c) {
-            if (c[3] != none) cells.push_back(c);
-        });
-        kept_.read(std::move(cells), points_.size(), threads);
-    }
+    if (cells_changed && dt.mesh().dimension() == 3) kept_.read(dt.mesh().table(), threads);
+    else if (cells_changed) kept_.read(std::vector<std::array<Index, 4>>(), points_.size(), threads);
     kept_.measure(domain, points_, threads);
     domain_ = true;
 }

@@ -66,8 +66,7 @@ void Tracker<Moving>::step(std::span<const Coordinates<d>> x, double motion_seco
                            double displacement_max) {
     const auto start = Clock::now();
     Move_report report = dt_.move_all(x);
-    // What a rebuild spends to keep our handles valid is not part of CGAL's rebuild: it would flatter the others.
-    const double seconds = since(start) - report.handle_seconds;
+    const double seconds = since(start);
     hear(report, none);
     record_step(report, seconds, motion_seconds, displacement_mean, displacement_max);
 }
@@ -83,7 +82,7 @@ std::vector<Index> Tracker<Moving>::follow(std::span<const Index> leave, std::sp
         Move_report one;
         const auto start = Clock::now();
         const Index arrived = change(one);
-        seconds += since(start) - one.handle_seconds;
+        seconds += since(start);
         hear(one, arrived);
         if (!counts) one.moves = {};  // what happened to the moves asked for is counted, no more
         report += one;

@@ -51,20 +51,19 @@ std::vector<Index> without(const Sorted<Points>& cells, const Sorted<Points>& ot
 }  // namespace
 
 template <int d>
-Cell_changes<d>::Cell_changes(Embedding<d>& embedding, Cell_journal<d>& journal)
-    : embedding_(embedding),
+Cell_changes<d>::Cell_changes(Delaunay_mesh<d>& mesh, Cell_journal<d>& journal)
+    : mesh_(mesh),
       journal_(journal),
-      solid_(embedding.dimension() == d),
-      watched_(solid_ && embedding.tabulated()) {
+      watched_(mesh.dimension() == d) {
     journal.begin();
-    if (watched_) embedding.table().tell(&journal);
+    if (watched_) mesh.table().tell(&journal);
     else before_ = all_cells();
 }
 
 template <int d>
 auto Cell_changes<d>::all_cells() const -> std::vector<Points> {
     std::vector<Index> corners;
-    embedding_.list_all_cells(corners);
+    mesh_.list_all_cells(corners);
     std::vector<Points> cells(corners.size() / (d + 1));
     for (std::size_t c = 0; c < cells.size(); ++c) std::copy_n(&corners[c * (d + 1)], d + 1, cells[c].begin());
     return cells;
@@ -75,14 +74,14 @@ void Cell_changes<d>::list(Move_report& report) {
     journal_.check();
     std::vector<Points> came;
     if (watched_ && !journal_.replaced()) {
-        const Cell_table<d>& t = embedding_.table();
+        const Cell_table<d>& t = mesh_.table();
         for (const Cell_index c : journal_.places())
             if (t.is_cell(c)) came.push_back(cell_points(t, c));
     } else {
         came = all_cells();
     }
     const Sorted<Points> before = sorted(watched_ ? journal_.gone() : before_), after = sorted(came);
-    const bool flat = !solid_ || embedding_.dimension() != d;
+    const bool flat = !watched_ || mesh_.dimension() != d;
     report.changed = without(after, before, flat);
     report.gone = without(before, after, flat);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/embedding.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/engine/move_report.h>
 #include <annulus/mesh/cell_journal.h>
 
@@ -10,14 +10,14 @@
 
 namespace annulus {
 
-/// The cells that come and go while it lives. The table writes down what it changes (Cell_journal); where it is not the triangulation all
-/// cells are listed before and after, which is what a timestamp without a mirror costs anyway.
+/// The cells that come and go while it lives. The table writes down what it changes (Cell_journal); cells of lower
+/// dimension are listed before and after.
 template <int d>
 class Cell_changes {
   public:
-    /// Both outlive it. O(1) where the embedding is tabulated, else O(n).
-    Cell_changes(Embedding<d>& embedding, Cell_journal<d>& journal);
-    ~Cell_changes() { embedding_.table().tell(nullptr); }
+    /// Both outlive it. O(1), but O(n) where all points lie in a hyperplane.
+    Cell_changes(Delaunay_mesh<d>& mesh, Cell_journal<d>& journal);
+    ~Cell_changes() { mesh_.table().tell(nullptr); }
     Cell_changes(const Cell_changes&) = delete;
     Cell_changes& operator=(const Cell_changes&) = delete;
 
@@ -28,10 +28,9 @@ class Cell_changes {
     using Points = typename Cell_journal<d>::Points;
     [[nodiscard]] std::vector<Points> all_cells() const;
 
-    Embedding<d>& embedding_;
+    Delaunay_mesh<d>& mesh_;
     Cell_journal<d>& journal_;
-    bool solid_;                  ///< there are cells of dimension d
-    bool watched_;                ///< the table is
+    bool watched_;                ///< the table is: there are cells of dimension d
     std::vector<Points> before_;  ///< all cells, where it is not
 };
 

@@ -15,26 +15,23 @@ namespace annulus {
 template <int d>
 class Chooser {
   public:
-    /// Of a rebuild, CGAL's or ours, that sorts the vertices or not.
-    [[nodiscard]] static double rebuild_price(std::size_t vertices, bool sorts) {
-        return (sorts ? Prices<d>::rebuild : Prices<d>::again) * static_cast<double>(vertices);
+    [[nodiscard]] static double rebuild_price(std::size_t vertices) {
+        return Prices<d>::rebuild * static_cast<double>(vertices);
     }
-    /// What repair may cost before it gives up: with the rebuild that follows, no step costs more than one and a half of CGAL's.
-    [[nodiscard]] static double most_repair(std::size_t vertices, bool sorts) { return share(sorts) * static_cast<double>(vertices); }
-    /// The same where nobody promised that: a few vertices are not rebuilt because they are few.
-    [[nodiscard]] static double most_generous_repair(std::size_t vertices, bool sorts) {
-        return 4000.0 + most_repair(vertices, sorts);
-    }
+    /// What repair may cost before it gives up.
+    [[nodiscard]] static double most_repair(std::size_t vertices) { return share() * static_cast<double>(vertices); }
+    /// The same where no step is promised to cost so little: a few vertices are not rebuilt because they are few.
+    [[nodiscard]] static double most_generous_repair(std::size_t vertices) { return 4000.0 + most_repair(vertices); }
 
     /// What may be done to a part before all is built anew instead.
     [[nodiscard]] static double most_generous_rebuild(std::size_t vertices) {
-        return 4000.0 + rebuild_price(vertices, true);
+        return 4000.0 + rebuild_price(vertices);
     }
     /// Of vertices that move one by one, `done` of them at a price so far: whether all `movers` are going to cost more than
     /// a rebuild, by what these did. Not before they have cost a part of one, so that they tell something.
     [[nodiscard]] static bool is_too_dear_one_by_one(double price, std::size_t done, std::size_t movers,
                                                      std::size_t vertices) {
-        const double rebuild = rebuild_price(vertices, true);
+        const double rebuild = rebuild_price(vertices);
         return price > rebuild / 8.0 && price / static_cast<double>(done) * static_cast<double>(movers) > rebuild;
     }
     /// The same where a strategy goes one by one: more than such moves cost where what they change is local, and a rebuild.
@@ -43,7 +40,7 @@ class Chooser {
     }
 
     /// While every step is a rebuild: no need to ask a larger sample, nor to count how often it was asked.
-    [[nodiscard]] bool is_hopeless(const Sample& few) const { return price_of(few) > 3.0 * share(false); }
+    [[nodiscard]] bool is_hopeless(const Sample& few) const { return price_of(few) > 3.0 * share(); }
     /// While every step is a rebuild: whether the next is to be mended, as far as these cells tell.
     [[nodiscard]] bool mends(const Sample& sample) {
         const double price = price_of(sample);
@@ -54,7 +51,7 @@ class Chooser {
         }
         wait_ = 0;
         tried_ = price;
-        return price < std::min(share(false), Prices<d>::again);
+        return price < share();
     }
     /// A step was mended.
     void mended() {
@@ -68,10 +65,10 @@ class Chooser {
         patience_ = std::min(2 * patience_, longest_wait);
     }
 
-    /// That, a vertex.
-    static constexpr double share(bool sorts) {
-        return 1.36 * Prices<d>::rebuild - (sorts ? Prices<d>::rebuild : Prices<d>::again) - (Prices<d>::signs - Prices<d>::cells);
-    }
+    /// That, a vertex: as much as a rebuild, so that with the one that follows no step costs more than twice what was the
+    /// best (rent or buy), which is less than one and a half of CGAL's insertions.
+    static constexpr double share() { return Prices<d>::rebuild - (Prices<d>::signs - Prices<d>::cells); }
+    static_assert(share() + Prices<d>::rebuild + (Prices<d>::signs - Prices<d>::cells) < 1.45 * Prices<d>::insertion);
 
   private:
     static constexpr std::uint32_t longest_wait = 64;

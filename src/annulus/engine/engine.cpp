@@ -19,13 +19,12 @@
 namespace annulus {
 
 template <int d>
-Engine<d>::Engine(Embedding<d>& embedding, const Options& options)
-    : options_(options), strategy_(options.strategy), embedding_(embedding), upkeep_(upkeep_of(strategy_)), random_(options.seed) {
+Engine<d>::Engine(Delaunay_mesh<d>& mesh, const Options& options)
+    : options_(options), strategy_(options.strategy), mesh_(mesh), upkeep_(upkeep_of(strategy_)), random_(options.seed) {
     if (options.report_changes) journal_ = std::make_unique<Cell_journal<d>>();
     require_sound_environment();
     if (options.threads < 1)
         throw Error(Error_code::usage, "threads must be 1 or more, not " + std::to_string(options.threads));
-    embedding.set_threads(options.threads);
 }
 
 template <int d>
@@ -35,7 +34,7 @@ template <int d>
 std::unique_ptr<Upkeep<d>> Engine<d>::upkeep_of(Strategy strategy) const {
     using Means = typename Filter<d>::Means;
     const auto filter_by = [&](Means means, Tolerance_kind kind) {
-        auto filter = std::make_unique<Filter<d>>(embedding_, kind, options_.second_look, means);
+        auto filter = std::make_unique<Filter<d>>(mesh_, kind, options_.second_look, means);
         filter->set_threads(options_.threads);
         return filter;
     };
@@ -43,8 +42,8 @@ std::unique_ptr<Upkeep<d>> Engine<d>::upkeep_of(Strategy strategy) const {
     if (strategy == Strategy::filter || (strategy == Strategy::filter_each && certified()))
         return filter_by(Means::tolerances, options_.tolerance);
     if (strategy == Strategy::in_place) return filter_by(Means::signs, Tolerance_kind::certified);
-    if (strategy == Strategy::filter_each) return std::make_unique<Paper_queue<d>>(embedding_, options_.tolerance);
-    return std::make_unique<Plain<d>>(embedding_, strategy);
+    if (strategy == Strategy::filter_each) return std::make_unique<Paper_queue<d>>(mesh_, options_.tolerance);
+    return std::make_unique<Plain<d>>(mesh_, strategy);
 }
 
 template <int d>
@@ -66,7 +65,7 @@ void Engine<d>::build(std::span<const Point> points) {
     } else {
         for (std::size_t i = 0; i < points.size(); ++i) index_of_input_.push_back(static_cast<Index>(i));
     }
-    embedding_.build(points);
+    mesh_.build(points);
     Move_report report;
     begin(points, report);
 }
@@ -74,7 +73,6 @@ void Engine<d>::build(std::span<const Point> points) {
 /// Hands positions and triangulation to the strategy in force as given and Delaunay.
 template <int d>
 void Engine<d>::begin(std::span<const Point> x, Move_report& report) {
-    if (upkeep_->uses_mirror() && strategy_ != Strategy::automatic && !embedding_.mirrored()) embedding_.mirror();
     upkeep_->begin(x, report);
 }
 
@@ -91,18 +89,18 @@ void Engine<d>::recover(std::size_t bound, Index fresh) noexcept {
     whole_ = false;
     try {
         upkeep_->cut(bound);
-        embedding_.restore(positions(), fresh);
+        mesh_.restore(positions(), fresh);
         Move_report nobody_asked;
         upkeep_->begin(positions(), nobody_asked);
         whole_ = true;
     } catch (...) {
-        embedding_.clear_cells();
+        mesh_.clear_cells();
     }
 }
 
 template <int d>
 bool Engine<d>::is_vertex(Index i) const {
-    return i >= 0 && at(i) < index_bound() && at(i) < embedding_.vertex_bound() && embedding_.has(i);
+    return i >= 0 && at(i) < index_bound() && at(i) < mesh_.vertex_bound() && mesh_.has(i);
 }
 
 template <int d>
@@ -127,9 +125,9 @@ auto Engine<d>::fixed_position(Index i) const -> Point {
 
 template <int d>
 double Engine<d>::tolerance(Index i) const {
-    if (embedding_.dimension() != d) return 0.0;
+    if (mesh_.dimension() != d) return 0.0;
     const auto kept = upkeep_->tolerance(i);
-    return kept ? *kept : embedding_.star_tolerance(upkeep_->standing(), i);
+    return kept ? *kept : mesh_.star_tolerance(upkeep_->standing(), i);
 }
 
 template <int d>
@@ -141,7 +139,6 @@ template <int d>
 Move_report Engine<d>::settle() {
     Move_report report;
     guarded([&] {
-        return_mirror(report);
         listing_changes(report, {}, [&] {
             if (certified()) upkeep_->refresh_all(report);
             else make_trusted(report);
@@ -154,26 +151,10 @@ Move_report Engine<d>::settle() {
 /// positions.
 template <int d>
 void Engine<d>::make_trusted(Move_report& report) {
-    if (certified() || !upkeep_->uses_mirror()) return;
+    if (certified() || !upkeep_->repairs()) return;
     const std::vector<Point> x(positions().begin(), positions().end());
-    embedding_.rebuild(x);
+    mesh_.rebuild(x);
     upkeep_->begin(x, report);
-}
-
-/// What few insertions and removals change is known to a table without looking at all cells, so they have one until vertices move.
-template <int d>
-void Engine<d>::lend_mirror() {
-    if (!journal_ || embedding_.tabulated() || embedding_.dimension() != d) return;
-    mirror_is_lent_ = true;
-    embedding_.mirror();
-}
-
-/// The strategy is as it would be without one.
-template <int d>
-void Engine<d>::return_mirror(Move_report& report) {
-    if (!std::exchange(mirror_is_lent_, false)) return;
-    upkeep_->begin(positions(), report);
-    embedding_.drop_mirror();
 }
 
 template <int d>
@@ -187,9 +168,9 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
     const auto put = [&] {
         make_trusted(report);
         std::vector<Cell_index> changed;
-        const int before = embedding_.dimension();
+        const int before = mesh_.dimension();
         const std::size_t bound = index_bound();
-        if (!embedding_.insert(upkeep_->lend(std::max(bound, at(i) + 1)), i, here, changed)) {
+        if (!mesh_.insert(upkeep_->lend(std::max(bound, at(i) + 1)), i, here, changed)) {
             (void)upkeep_->lend(bound);
             for (Index other = 0; at(other) < bound; ++other)
                 if (is_vertex(other) && positions()[at(other)] == here)
@@ -198,15 +179,10 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
             throw Error(Error_code::collision, "a vertex has the position of the point to be inserted");
         }
         upkeep_->place(i, here);
-        if (before != d && embedding_.mirrored()) upkeep_->refresh_all(report);
+        if (before != d) upkeep_->refresh_rebuilt(report);
         else upkeep_->refresh(changed, report);
     };
-    guarded(
-        [&] {
-            lend_mirror();
-            listing_changes(report, {}, put);
-        },
-        i);
+    guarded([&] { listing_changes(report, {}, put); }, i);
     if (!vacant_.empty()) vacant_.pop_back();
     return i;
 }
@@ -218,24 +194,21 @@ void Engine<d>::remove(Index i, Move_report& report) {
         make_trusted(report);
         std::vector<Cell_index> changed;
         try {
-            embedding_.remove(positions(), i, changed);
+            mesh_.remove(positions(), i, changed);
         } catch (...) {
-            if (!embedding_.has(i)) vacant_.push_back(i);  // gone, but what followed failed
+            if (!mesh_.has(i)) vacant_.push_back(i);  // gone, but what followed failed
             throw;
         }
         vacant_.push_back(i);
         if (!changed.empty()) upkeep_->refresh(changed, report);
-        else if (embedding_.mirrored()) upkeep_->refresh_all(report);
+        else upkeep_->refresh_rebuilt(report);
     };
-    guarded([&] {
-        lend_mirror();
-        listing_changes(report, {}, take);
-    });
+    guarded([&] { listing_changes(report, {}, take); });
 }
 
 template <int d>
 Mesh_cells<d> Engine<d>::cells() const {
-    return embedding_.cells(index_bound());
+    return mesh_.cells(index_bound());
 }
 
 template <int d>
@@ -249,7 +222,7 @@ Audit_input<d> Engine<d>::audit_input() const {
         input.names.push_back(static_cast<Index>(i));
     }
     std::vector<Index> corners;
-    embedding_.list_cells(corners);
+    mesh_.list_cells(corners);
     for (std::size_t k = 0; k < corners.size(); k += d + 1) {
         auto& cell = input.cells.emplace_back();
         for (std::size_t i = 0; i <= d; ++i) cell[i] = corners[k + i] == none ? none : squeezed[at(corners[k + i])];

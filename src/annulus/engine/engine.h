@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/embedding.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/engine/move_report.h>
 #include <annulus/engine/options.h>
 #include <annulus/mesh/audit.h>
@@ -18,15 +18,15 @@ namespace annulus {
 template <int d>
 class Upkeep;
 
-/// Vertices that move, under a strategy, and their triangulation in an embedding: what Moving_delaunay and Moving_mesh promise is kept
+/// Vertices that move, under a strategy, and their triangulation: what Moving_delaunay and Moving_mesh promise is kept
 /// here, and they say what it is. Vertices are named by index.
 template <int d>
 class Engine {
   public:
     using Point = Coordinates<d>;
 
-    /// The embedding must outlive it, and is changed by nobody else.
-    Engine(Embedding<d>& embedding, const Options& options);
+    /// The mesh must outlive it, and is changed by nothing else.
+    Engine(Delaunay_mesh<d>& mesh, const Options& options);
     ~Engine();
 
     /// Triangulates these points. Once.
@@ -91,19 +91,16 @@ class Engine {
     void consider_switch(std::span<const Point> x, Move_report& report);
     template <class Call>
     void listing_changes(Move_report& report, std::span<const Index> movers, Call call);
-    void lend_mirror();
-    void return_mirror(Move_report& report);
 
     Options options_;
     Strategy strategy_;
-    Embedding<d>& embedding_;
+    Delaunay_mesh<d>& mesh_;
     std::unique_ptr<Upkeep<d>> upkeep_;
     std::unique_ptr<Upkeep<d>> before_;  // of `hybrid`, in the call in which it switches
     std::vector<Index> vacant_;
     std::vector<Index> index_of_input_;
     std::mt19937_64 random_;
     std::unique_ptr<Cell_journal<d>> journal_;  // where changes are reported
-    bool mirror_is_lent_ = false;
     std::uint64_t steps_ = 0;
     bool whole_ = true;  // false: there are positions but no cells, because memory ran out twice
 };

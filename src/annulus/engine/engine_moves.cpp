@@ -22,7 +22,6 @@ Move_report Engine<d>::move(Index i, const Point& p) {
     Move_report report;
     const Point goal = p;  // it may be one of positions(), which change on the way
     guarded_moves(std::span(&i, 1), std::span(&goal, 1), [&] {
-        return_mirror(report);
         listing_changes(report, std::span(&i, 1), [&] { move_one(i, goal, report); });
     });
     return report;
@@ -31,7 +30,7 @@ Move_report Engine<d>::move(Index i, const Point& p) {
 /// Under the filters single moves of flat sets are rebuilds.
 template <int d>
 void Engine<d>::move_one(Index i, const Point& p, Move_report& report) {
-    if (!upkeep_->uses_mirror() || embedding_.dimension() == d) {
+    if (!upkeep_->repairs() || mesh_.dimension() == d) {
         upkeep_->move(i, p, report);
         return;
     }
@@ -53,7 +52,6 @@ Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Poin
     Move_report report;
     const std::vector<Point> goals(points.begin(), points.end());  // they may be positions(), which change on the way
     guarded_moves(indices, goals, [&] {
-        return_mirror(report);
         listing_changes(report, indices, [&] { move_some(indices, goals, report); });
     });
     return report;
@@ -76,7 +74,7 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
     };
     bool too_dear = false;
     try {
-        if (share * movers.size() <= embedding_.vertices() && upkeep_->uses_mirror() && embedding_.dimension() == d) {
+        if (share * movers.size() <= mesh_.vertices() && upkeep_->repairs() && mesh_.dimension() == d) {
             home.reserve(movers.size());
             try {
                 if (move_one_by_one(movers, points, home, report)) return;
@@ -126,9 +124,9 @@ bool Engine<d>::move_one_by_one(std::span<const std::pair<Index, std::size_t>> m
                                 std::vector<std::pair<Index, Point>>& home, Move_report& report) {
     const double before = report.price;
     for (const auto& [i, k] : movers) {
-        if (embedding_.dimension() != d) return false;
+        if (mesh_.dimension() != d) return false;
         const double price = report.price - before;
-        if (!home.empty() && Chooser<d>::is_too_dear_one_by_one(price, home.size(), movers.size(), embedding_.vertices()))
+        if (!home.empty() && Chooser<d>::is_too_dear_one_by_one(price, home.size(), movers.size(), mesh_.vertices()))
             return false;
         home.emplace_back(i, positions()[at(i)]);
         upkeep_->move(i, points[k], report);
@@ -142,7 +140,7 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
         throw Error(Error_code::wrong_size, "move_all takes " + std::to_string(index_bound()) + " points, not " +
                                                 std::to_string(points.size()));
     // The filter looks at every position anyway and finds out itself.
-    if ((strategy_ != Strategy::filter && strategy_ != Strategy::automatic) || embedding_.dimension() != d)
+    if ((strategy_ != Strategy::filter && strategy_ != Strategy::automatic) || mesh_.dimension() != d)
         for (std::size_t i = 0; i < points.size(); ++i)
             if (is_vertex(static_cast<Index>(i))) require_in_domain(points[i], "vertex", static_cast<Index>(i));
     Move_report report;
@@ -152,7 +150,6 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
         std::iota(movers.begin(), movers.end(), Index{0});
     }
     guarded_moves({}, points, [&] {
-        return_mirror(report);
         listing_changes(report, movers, [&] { move_everything(points, report); });
     });
     return report;
@@ -161,17 +158,16 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
 template <int d>
 void Engine<d>::move_everything(std::span<const Point> points, Move_report& report) {
     if (strategy_ == Strategy::hybrid && steps_++ % 4 == 0) consider_switch(points, report);
-    if (upkeep_->uses_mirror() && embedding_.dimension() != d) rebuild_all(points, report);
+    if (upkeep_->repairs() && mesh_.dimension() != d) rebuild_all(points, report);
     else if (goes_in_turn()) move_in_turn(points, report);
     else upkeep_->move_all(points, report);
 }
 
 template <int d>
 void Engine<d>::rebuild_all(std::span<const Point> x, Move_report& report) {
-    embedding_.rebuild(x);
-    report.handle_seconds += embedding_.handle_seconds();
-    report.moves.asked += embedding_.vertices();
-    report.moves.rebuilt += embedding_.vertices();
+    mesh_.rebuild(x);
+    report.moves.asked += mesh_.vertices();
+    report.moves.rebuilt += mesh_.vertices();
     upkeep_->begin(x, report);
 }
 
@@ -216,8 +212,8 @@ void Engine<d>::try_move_in_turn(std::span<const Point> x, Move_report& report) 
     for (bool progress = true; progress && !waiting.empty();) {
         refused.clear();
         for (const Index i : waiting) {
-            if (upkeep_->uses_mirror() && (embedding_.dimension() != d ||
-                                           Chooser<d>::is_too_dear_in_turn(report.price - before, turns++, embedding_.vertices()))) {
+            if (upkeep_->repairs() && (mesh_.dimension() != d ||
+                                           Chooser<d>::is_too_dear_in_turn(report.price - before, turns++, mesh_.vertices()))) {
                 // Single moves of a flat set are rebuilds, and may be as dear where much is on one sphere: all at once.
                 report.moves = {};
                 rebuild_all(x, report);
@@ -254,7 +250,7 @@ void Engine<d>::move_in_turn(std::span<const Point> x, Move_report& report) {
     } catch (const Error& e) {
         upkeep_->take_back();
         if (e.code() == Error_code::too_large) throw;
-        embedding_.rebuild(upkeep_->standing());
+        mesh_.rebuild(upkeep_->standing());
         upkeep_->resume();
         throw;
     } catch (...) {  // the caller builds anew
@@ -269,13 +265,13 @@ template <int d>
 void Engine<d>::consider_switch(std::span<const Point> x, Move_report& report) {
     constexpr int sample = 40;
     constexpr double share = d == 2 ? 0.75 : 0.55;
-    if (embedding_.dimension() != d || embedding_.vertices() < 4) return;
+    if (mesh_.dimension() != d || mesh_.vertices() < 4) return;
     int within = 0;
     for (int k = 0; k < sample; ++k) {
         Index i = 0;
         do i = static_cast<Index>(random_() % index_bound());
         while (!is_vertex(i));
-        within += distance_upper<d>(x[at(i)], positions()[at(i)]) < embedding_.star_tolerance(positions(), i) ? 1 : 0;
+        within += distance_upper<d>(x[at(i)], positions()[at(i)]) < mesh_.star_tolerance(positions(), i) ? 1 : 0;
     }
     if (within < share * sample) return;
     before_ = std::move(upkeep_);

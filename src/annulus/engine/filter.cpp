@@ -50,14 +50,14 @@ void Filter<d>::require_domain(std::span<const Coordinates<d>> x) const {
 template <int d>
 bool Filter<d>::too_many_failed(const Step<d>& step) const {
     if (repair_.kind() == Tolerance_kind::paper) return false;
-    return tracking_.is_too_dear(step.failed.size(), embedding_.vertices()) ||
+    return tracking_.is_too_dear(step.failed.size(), mesh_.vertices()) ||
            Prices<d>::failure * static_cast<double>(step.failed.size()) > 0.25 * step.most;
 }
 
 template <int d>
 void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
-    if (odometers_.kept() || means_ == Means::signs || !tracking_.settles_for_single_move(embedding_.vertices())) {
-        require_mirror();
+    if (odometers_.kept() || means_ == Means::signs || !tracking_.settles_for_single_move(mesh_.vertices())) {
+        stop_rebuilding();
         move_one(v, p, report);
         return;
     }
@@ -74,7 +74,6 @@ template <int d>
 void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) {
     if (odometers_.kept() ? odometers_.passes(v, p) : p == position_[at(v)]) {
         position_[at(v)] = p;
-        embedding_.show_point(v, p);
         ANNULUS_TRACED(passed(odometers_, v, p));
         ++report.moves.asked;
         ++report.moves.within_tolerance;
@@ -87,7 +86,7 @@ void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) 
         step.home = old;
         step.failed.push_back(v);
         ANNULUS_TRACED(tested(odometers_, step));
-        step.most = Chooser<d>::most_generous_repair(embedding_.vertices(), true);
+        step.most = Chooser<d>::most_generous_repair(mesh_.vertices());
         process(step, [&] { return repair_.mend_one(position_, v, old, step.most); }, report);
     } catch (const Error& e) {
         position_[at(v)] = old;
@@ -101,7 +100,7 @@ void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) 
 
 template <int d>
 void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
-    if (!embedding_.mirrored()) {
+    if (rebuilding_) {
         require_domain(x);
         ANNULUS_TRACED(untracking(odometers_));
         rebuild_all(x, next_is_mended(x), report);
@@ -110,13 +109,12 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
     Step<d> step = new_step(x, none, Scope::expired);
     if (!find_failed(step)) require_domain(x);
     ANNULUS_TRACED(tested(odometers_, step));
-    if (!step.failed.empty()) step.most = most_repair(x);
+    if (!step.failed.empty()) step.most = most_repair();
     if (!odometers_.kept() || too_many_failed(step)) step.scope = Scope::everything;
     note_displacements(x);
     if (step.failed.empty()) {
-        report.moves.asked += embedding_.vertices();
-        report.moves.within_tolerance += embedding_.vertices();
-        embedding_.show_points(x);
+        report.moves.asked += mesh_.vertices();
+        report.moves.within_tolerance += mesh_.vertices();
         std::copy(x.begin(), x.end(), position_.begin());
         over_ = std::move(step);
     } else {
@@ -127,7 +125,7 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
             throw;
         }
     }
-    if (!embedding_.mirrored()) return;
+    if (rebuilding_) return;
     if (!odometers_.kept()) settle_afterwards(report);
     end_timestamp(false, report);
 }
@@ -166,7 +164,7 @@ template <class Mend>
 void Filter<d>::process(Step<d>& step, Mend mend, Move_report& report) {
     try {
         if (!examine(step) && !mend()) {
-            step.rebuilding = rebuild_price(step.x);
+            step.rebuilding = Chooser<d>::rebuild_price(mesh_.vertices());
             rebuild(step);
             step.rebuilt = true;
         }
@@ -188,12 +186,10 @@ void Filter<d>::finish(Step<d>& step, Move_report& report) {
     report.tours += step.tours;
     if (!alone) ++(tolerances ? report.tolerance_steps : report.sign_steps);
     if (tolerances) tracking_.note_step(step.failed.size(), repair_.report().evaluated);
-    outcomes_.count(step, repair_, alone ? 1 : embedding_.vertices(), report.moves);
+    outcomes_.count(step, repair_, alone ? 1 : mesh_.vertices(), report.moves);
     if (!step.rebuilt) {
         if (!alone) chooser_.mended();
         if (tolerances) odometers_.commit(step, repair_);
-        if (alone) embedding_.show_point(step.mover, step.x[at(step.mover)]);
-        else embedding_.show_points(step.x);
     }
     if (tolerances && step.rebuilt && repair_.kind() == Tolerance_kind::paper) {
         settle(step.x, report);

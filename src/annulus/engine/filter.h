@@ -26,14 +26,14 @@ class Filter final : public Upkeep<d> {
     /// By what means.
     enum class Means : std::uint8_t {
         tolerances,  ///< while they pay; signs else
-        any,         ///< timestamps are rebuilt while that is the cheapest, and then there is no mirror: `auto`
+        any,         ///< timestamps are rebuilt while that is the cheapest: `auto`
         signs,       ///< of all certificates of what moves, never tolerances: `in-place`
     };
-    Filter(Embedding<d>& embedding, Tolerance_kind kind, Second_look look, Means means = Means::tolerances)
+    Filter(Delaunay_mesh<d>& mesh, Tolerance_kind kind, Second_look look, Means means = Means::tolerances)
         : means_(means),
-          embedding_(embedding),
-          table_(embedding.table()),
-          repair_(embedding, kind, kind == Tolerance_kind::certified),
+          mesh_(mesh),
+          table_(mesh.table()),
+          repair_(mesh, kind, kind == Tolerance_kind::certified),
           odometers_(table_, look) {}
 
     /// For the step test, evaluations and signs. Nothing that is found or counted depends on it.
@@ -45,9 +45,12 @@ class Filter final : public Upkeep<d> {
     /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh. When it
     /// throws (bad_alloc), no position was written. O(n).
     void settle(std::span<const Coordinates<d>> x, Move_report& report);
-    /// The same; without tolerances nothing is evaluated, with `any` nor mirrored: the first timestamps tell whether that pays.
+    /// The same; without tolerances nothing is evaluated: the first timestamps tell whether that pays.
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
     void refresh_all(Move_report& report) override;
+    void refresh_rebuilt(Move_report& report) override {
+        if (!rebuilding_) refresh_all(report);
+    }
 
     /// Moves every vertex to x. Throws Error, with everything as it was: not_finite, out_of_domain, or collision when two
     /// would coincide. Anything else that is thrown (bad_alloc, Error(too_large)) leaves positions() as they were and all else
@@ -77,7 +80,7 @@ class Filter final : public Upkeep<d> {
     [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const override {
         return odometers_.kept() ? odometers_.fixed(v) : position_[at(v)];
     }
-    [[nodiscard]] bool uses_mirror() const override { return true; }
+    [[nodiscard]] bool repairs() const override { return true; }
     /// False while the motion is so fast that tolerances would not last a step and are not kept.
     [[nodiscard]] bool tracks() const { return odometers_.kept(); }
     /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own; while tracks().
@@ -87,15 +90,11 @@ class Filter final : public Upkeep<d> {
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    [[nodiscard]] bool lives(std::size_t v) const { return embedding_.has(static_cast<Index>(v)); }
-    /// Of a timestamp at x.
-    [[nodiscard]] double most_repair(std::span<const Coordinates<d>> x) const {
-        const std::size_t n = embedding_.vertices();
-        const bool sorts = embedding_.rebuild_sorts(x);
-        return means_ == Means::any ? Chooser<d>::most_repair(n, sorts) : Chooser<d>::most_generous_repair(n, sorts);
-    }
-    [[nodiscard]] double rebuild_price(std::span<const Coordinates<d>> x) const {
-        return Chooser<d>::rebuild_price(embedding_.vertices(), embedding_.rebuild_sorts(x));
+    [[nodiscard]] bool lives(std::size_t v) const { return mesh_.has(static_cast<Index>(v)); }
+    /// Of a timestamp.
+    [[nodiscard]] double most_repair() const {
+        const std::size_t n = mesh_.vertices();
+        return means_ == Means::any ? Chooser<d>::most_repair(n) : Chooser<d>::most_generous_repair(n);
     }
     [[nodiscard]] Step<d> new_step(std::span<const Coordinates<d>> x, Index mover, Scope scope) {
         return Step<d>::recycled(over_, x, mover, scope);
@@ -116,7 +115,7 @@ class Filter final : public Upkeep<d> {
 
     // filter_upkeep.cpp: how it starts, what it keeps, rebuilds.
     void resize();
-    void require_mirror();
+    void stop_rebuilding();
     void take_up(std::span<const Coordinates<d>> x, Move_report& report);
     void evaluate_all(std::span<const Coordinates<d>> x, Move_report& report);
     void stop_tracking();
@@ -126,12 +125,13 @@ class Filter final : public Upkeep<d> {
     void end_timestamp(bool each, Move_report& report);
     [[nodiscard]] bool next_is_mended(std::span<const Coordinates<d>> x);
     void rebuild(const Step<d>& step);
-    void rebuild_all(std::span<const Coordinates<d>> x, bool mirrors, Move_report& report);
+    void rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_report& report);
 
     Means means_;
     int threads_ = 1;
+    bool rebuilding_ = false;  // each timestamp is rebuilt, with `any`
     bool renumbered_ = false;  // cells are, by a call that failed
-    Embedding<d>& embedding_;
+    Delaunay_mesh<d>& mesh_;
     const Cell_table<d>& table_;
     Repair<d> repair_;
     Odometers<d> odometers_;

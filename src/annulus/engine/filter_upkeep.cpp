@@ -3,9 +3,11 @@
 #include <annulus/engine/filter.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/engine/sample.h>
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 namespace annulus {
 
@@ -17,18 +19,17 @@ void Filter<d>::resize() {
     if (odometers_.kept()) odometers_.resize();
 }
 
-/// A mirror, if there is none because timestamps were rebuilt.
+/// The cells are worked on from now on.
 template <int d>
-void Filter<d>::require_mirror() {
-    if (embedding_.mirrored()) return;
-    embedding_.mirror();
+void Filter<d>::stop_rebuilding() {
+    if (!std::exchange(rebuilding_, false)) return;
     resize();
 }
 
 template <int d>
 void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
     const bool own = x.data() == position_.data();
-    if (!embedding_.mirrored()) embedding_.mirror();
+    rebuilding_ = false;
     odometers_.invalidate();
     resize();
     if (own) x = position_;
@@ -42,7 +43,7 @@ void Filter<d>::take_up(std::span<const Coordinates<d>> x, Move_report& report) 
     tracking_.settled();
     ++report.settlings;
     odometers_.begin(x);
-    if (embedding_.dimension() == d) evaluate_all(x, report);
+    if (mesh_.dimension() == d) evaluate_all(x, report);
     odometers_.finish_beginning();
 }
 
@@ -51,9 +52,8 @@ void Filter<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
     if (means_ == Means::tolerances) return settle(x, report);
     if (x.data() != position_.data()) position_.assign(x.begin(), x.end());
     stop_tracking();
-    if (means_ == Means::any) return embedding_.drop_mirror();
-    if (!embedding_.mirrored()) embedding_.mirror();
-    resize();
+    rebuilding_ = means_ == Means::any;
+    if (!rebuilding_) resize();
 }
 
 template <int d>
@@ -121,7 +121,7 @@ template <int d>
 void Filter<d>::place(Index v, const Coordinates<d>& p) {
     if (at(v) >= position_.size()) position_.resize(at(v) + 1);
     position_[at(v)] = p;
-    if (!embedding_.mirrored()) return;
+    if (rebuilding_) return;
     resize();
     if (odometers_.kept()) odometers_.place(v, p);
 }
@@ -140,7 +140,7 @@ void Filter<d>::cut(std::size_t bound) {
 
 template <int d>
 void Filter<d>::refresh(std::span<const Cell_index> cells, Move_report& report) {
-    if (!embedding_.mirrored()) return;
+    if (rebuilding_) return;
     resize();
     if (!odometers_.kept()) return;
     Step<d> step = new_step(position_, none, Scope::expired);
@@ -163,7 +163,7 @@ void Filter<d>::note_displacements(std::span<const Coordinates<d>> x) {
 template <int d>
 void Filter<d>::end_timestamp(bool each, Move_report& report) {
     if (odometers_.kept()) {
-        if (tracking_.end_tracked(each, embedding_.vertices())) stop_tracking();
+        if (tracking_.end_tracked(each, mesh_.vertices())) stop_tracking();
     } else if (each) {
         tracking_.note_untracked();
     }
@@ -174,7 +174,7 @@ void Filter<d>::end_timestamp(bool each, Move_report& report) {
 /// nobody knows whether a rebuild is to come. The two cost no more than a timestamp may.
 template <int d>
 void Filter<d>::settle_afterwards(Move_report& report) {
-    static_assert(Chooser<d>::share(false) + Prices<d>::settling < 1.45 * Prices<d>::rebuild);
+    static_assert(Chooser<d>::share() + Prices<d>::settling < 1.45 * Prices<d>::insertion);
     try {
         settle_if_it_pays(report);
     } catch (const std::bad_alloc&) {  // the timestamp has been made
@@ -184,48 +184,45 @@ void Filter<d>::settle_afterwards(Move_report& report) {
 template <int d>
 void Filter<d>::settle_if_it_pays(Move_report& report) {
     if (!tracking_.take_settling()) return;
-    report.price += Prices<d>::settling * static_cast<double>(embedding_.vertices());
+    report.price += Prices<d>::settling * static_cast<double>(mesh_.vertices());
     settle(position_, report);
 }
 
-/// Without a mirror, by what this timestamp brings: whether it will pay to have one. This timestamp is rebuilt all the same, since a
-/// mirror, repair that gives up, and then a rebuild would be too much for one.
+/// While timestamps are rebuilt, by what this one brings: whether it will pay to mend the next. This one is rebuilt all the
+/// same.
 template <int d>
 bool Filter<d>::next_is_mended(std::span<const Coordinates<d>> x) {
     constexpr std::size_t most_cells = 512;
     constexpr std::size_t share = 16;
     const std::size_t cells = std::min(most_cells, 1 + x.size() / share);
-    return !chooser_.is_hopeless(embedding_.sample(x, cells / 8)) && chooser_.mends(embedding_.sample(x, cells));
+    return !chooser_.is_hopeless(sample_cells<d>(table_, x, cells / 8)) && chooser_.mends(sample_cells<d>(table_, x, cells));
 }
 
 template <int d>
-void Filter<d>::rebuild_all(std::span<const Coordinates<d>> x, bool mirrors, Move_report& report) {
-    report.price += rebuild_price(x);
-    embedding_.rebuild(x);
-    if (mirrors) {
-        require_mirror();
-        report.price += Prices<d>::mirror * static_cast<double>(embedding_.vertices());
-    }
+void Filter<d>::rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_report& report) {
+    report.price += Chooser<d>::rebuild_price(mesh_.vertices());
+    mesh_.rebuild(x);
+    if (last) stop_rebuilding();
     std::copy(x.begin(), x.end(), position_.begin());
     ++report.rebuild_steps;
-    report.moves.asked += embedding_.vertices();
-    report.moves.rebuilt += embedding_.vertices();
+    report.moves.asked += mesh_.vertices();
+    report.moves.rebuilt += mesh_.vertices();
 }
 
-/// After repair gave up. A collision, of which CGAL finds out before anything of its own has changed, leaves the cells with other numbers.
+/// After repair gave up. After a collision the cells are built at the old positions, with other numbers.
 template <int d>
 void Filter<d>::rebuild(const Step<d>& step) {
     try {
         if (means_ == Means::any) {
             chooser_.gave_up();
             stop_tracking();
-            embedding_.drop_mirror();
+            rebuilding_ = true;
         }
-        embedding_.rebuild(step.x);
+        mesh_.rebuild(step.x);
     } catch (const Error&) {
         if (step.mover != none) position_[at(step.mover)] = step.home;
-        embedding_.revert(position_);
-        renumbered_ = embedding_.mirrored();
+        mesh_.rebuild(position_);
+        renumbered_ = !rebuilding_;
         throw;
     }
 }

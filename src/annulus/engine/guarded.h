@@ -23,7 +23,6 @@ void Engine<d>::guarded(Call call, Index fresh) {
         if (!before_) return;
         strategy_ = strategy;  // hybrid
         upkeep_ = std::move(before_);
-        embedding_.drop_mirror();
     };
     try {
         call();

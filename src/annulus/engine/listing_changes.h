@@ -18,7 +18,7 @@ void Engine<d>::listing_changes(Move_report& report, std::span<const Index> move
     std::vector<Point> home;
     home.reserve(movers.size());
     for (const Index i : movers) home.push_back(positions()[at(i)]);
-    Cell_changes<d> changes(embedding_, *journal_);
+    Cell_changes<d> changes(mesh_, *journal_);
     call();
     try {
         changes.list(report);

@@ -188,8 +188,11 @@ bool Mender<d>::finish_locally() {
     make_unique(seeds);
     built_anew_ = true;
     const std::size_t first = touched_.size();
-    const bool built = local_.rebuild(course_.x, seeds, most_ - price(), touched_);
-    price_ += local_.price();
+    const double room = std::max(0.0, most_ - price()) / Prices<d>::point;
+    const std::size_t most_points = at(table_.vertex_bound()) + 64;  // with more, everything is built anew
+    const bool built = local_.rebuild(
+        course_.x, seeds, static_cast<std::size_t>(std::min(room, static_cast<double>(most_points))), touched_);
+    price_ += Prices<d>::point * static_cast<double>(local_.points());
     if (!built) return false;
     for (std::size_t i = first; i < touched_.size(); ++i)
         if (table_.is_cell(touched_[i])) signs_.look_at(touched_[i], true);

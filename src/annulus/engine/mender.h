@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/local_delaunay.h>
+#include <annulus/kernel/local_delaunay.h>
 #include <annulus/engine/signs.h>
-#include <annulus/engine/embedding.h>
+#include <annulus/kernel/delaunay_mesh.h>
 
 #include <span>
 #include <vector>
@@ -38,7 +38,7 @@ struct Course {
 template <int d>
 class Mender {
   public:
-    explicit Mender(Embedding<d>& embedding) : table_(embedding.table()), signs_(table_), local_(embedding) {}
+    explicit Mender(Delaunay_mesh<d>& mesh) : table_(mesh.table()), signs_(table_), local_(mesh.table()) {}
 
     /// Starts an examination at the goals x. The lists of signs() are to be filled with what is not known to hold there, before mend().
     void begin(std::span<const Coordinates<d>> x);

@@ -17,9 +17,9 @@ enum class Second_look : std::uint8_t {
 
 /// How the triangulation is kept right.
 enum class Strategy : std::uint8_t {
-    rebuild,         ///< from scratch at every call, CGAL with spatial sort
-    relocate,        ///< one vertex at a time: locate, insert, remove (the paper's baseline)
-    relocate_flips,  ///< one vertex at a time: flips when no incident cell inverts, else relocate (paper 3.1)
+    rebuild,         ///< from scratch at every call (Builder)
+    relocate,        ///< one vertex at a time: remove, locate, insert (the paper's baseline)
+    relocate_flips,  ///< one vertex at a time: only written where that needs no flip, else relocate (paper 3.1)
     in_place,        ///< one vertex at a time: its certificates are evaluated, and flips where one is violated; no tolerances
     filter,          ///< whole timestamps: only certificates whose tolerance expired are evaluated
     filter_each,     ///< one vertex at a time, Delaunay after each; uncertified: the paper's algorithm (3.2)

@@ -15,7 +15,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 template <int d>
 void Paper_queue<d>::resize() {
-    const std::size_t n = at(embedding_.table().vertex_bound());
+    const std::size_t n = at(mesh_.table().vertex_bound());
     position_.resize(n);
     fixed_.resize(n);
     epsilon_.resize(n, unlimited);
@@ -33,7 +33,7 @@ void Paper_queue<d>::settle(std::span<const Coordinates<d>> x, Move_report& repo
     least_.clear();
     std::fill(epsilon_.begin(), epsilon_.end(), unlimited);
     std::fill(threshold_.begin(), threshold_.end(), 0.0);
-    if (embedding_.dimension() == d) {
+    if (mesh_.dimension() == d) {
         repair_.begin(x);
         repair_.suspect_everything();
         (void)repair_.evaluate();
@@ -117,7 +117,7 @@ void Paper_queue<d>::process(Index h, Move_report& report, bool first) {
     }
     if (!holds) {
         try {
-            rebuilt = !repair_.mend_one(fixed_, h, old_fixed, Chooser<d>::most_generous_repair(embedding_.vertices(), true));
+            rebuilt = !repair_.mend_one(fixed_, h, old_fixed, Chooser<d>::most_generous_repair(mesh_.vertices()));
         } catch (const Error&) {
             fixed_[at(h)] = old_fixed;
             // Two vertices at one place among the fixed positions need not be so among the moving ones.
@@ -140,22 +140,20 @@ void Paper_queue<d>::process(Index h, Move_report& report, bool first) {
         settle(position_, report);
         return;
     }
-    embedding_.show_point(h, fixed_[at(h)]);
     epsilon_[at(h)] = unlimited;
     threshold_[at(h)] = 0.0;
     if (held) lower_points();
     else update();
 }
 
-/// At the moving positions, after repair gave up on h. Where two of them coincide CGAL's object stays what it was, and the table becomes
-/// its mirror again.
+/// At the moving positions, after repair gave up on h. Where two of them coincide the cells of before are built again.
 template <int d>
 void Paper_queue<d>::rebuild(Index h, const Coordinates<d>& old_fixed) {
     try {
-        embedding_.rebuild(position_);
+        mesh_.rebuild(position_);
     } catch (const Error&) {
         fixed_[at(h)] = old_fixed;
-        embedding_.revert(fixed_);
+        mesh_.rebuild(fixed_);
         throw;
     }
 }
@@ -186,7 +184,7 @@ void Paper_queue<d>::move(Index v, const Coordinates<d>& p, Move_report& report)
 template <int d>
 void Paper_queue<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
     for (std::size_t v = 0; v < x.size(); ++v)
-        if (embedding_.has(static_cast<Index>(v))) move(static_cast<Index>(v), x[v], report);
+        if (mesh_.has(static_cast<Index>(v))) move(static_cast<Index>(v), x[v], report);
 }
 
 template class Paper_queue<2>;

@@ -21,11 +21,11 @@ namespace annulus {
 /// a call (its D is 0 from then on), so the queue ends.
 ///
 /// Certificates are evaluated at the fixed positions, where the triangulation is Delaunay at all times: a tolerance that is
-/// too large gives a wrong answer at the moving positions but never breaks the triangulation CGAL works on.
+/// too large gives a wrong answer at the moving positions but never breaks the triangulation.
 template <int d>
 class Paper_queue final : public Upkeep<d> {
   public:
-    Paper_queue(Embedding<d>& embedding, Tolerance_kind kind) : embedding_(embedding), repair_(embedding, kind, true) {}
+    Paper_queue(Delaunay_mesh<d>& mesh, Tolerance_kind kind) : mesh_(mesh), repair_(mesh, kind, true) {}
 
     /// As in Filter.
     void settle(std::span<const Coordinates<d>> x, Move_report& report);
@@ -52,7 +52,7 @@ class Paper_queue final : public Upkeep<d> {
     [[nodiscard]] std::span<const Coordinates<d>> positions() const override { return position_; }
     [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const override { return fixed_[at(v)]; }
     [[nodiscard]] std::optional<double> tolerance(Index v) const override { return std::max(0.0, epsilon_[at(v)]); }
-    [[nodiscard]] bool uses_mirror() const override { return true; }
+    [[nodiscard]] bool repairs() const override { return true; }
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -73,7 +73,7 @@ class Paper_queue final : public Upkeep<d> {
         std::vector<double> epsilon, threshold;
     };
 
-    Embedding<d>& embedding_;
+    Delaunay_mesh<d>& mesh_;
     Repair<d> repair_;
     Snapshot noted_;
     std::vector<Coordinates<d>> position_;

@@ -13,16 +13,10 @@ void Plain<d>::begin(std::span<const Coordinates<d>> x, Move_report&) {
 }
 
 template <int d>
-void Plain<d>::rebuild(std::span<const Coordinates<d>> x, Move_report& report) {
-    embedding_.rebuild(x);
-    report.handle_seconds += embedding_.handle_seconds();
-}
-
-template <int d>
 void Plain<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
-    rebuild(x, report);
-    report.moves.asked += embedding_.vertices();
-    report.moves.rebuilt += embedding_.vertices();
+    mesh_.rebuild(x);
+    report.moves.asked += mesh_.vertices();
+    report.moves.rebuilt += mesh_.vertices();
     if (x.data() != position_.data()) std::copy(x.begin(), x.end(), position_.begin());
 }
 
@@ -36,15 +30,14 @@ void Plain<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     if (strategy_ == Strategy::rebuild || strategy_ == Strategy::hybrid) {
         std::vector<Coordinates<d>> x = position_;
         x[at(v)] = p;
-        rebuild(x, report);
+        mesh_.rebuild(x);
         ++report.moves.rebuilt;
     } else {
         const Coordinates<d> home = position_[at(v)];
         try {
-            switch (strategy_ == Strategy::relocate_flips ? embedding_.relocate_by_flips(position_, v, p) : embedding_.relocate(position_, v, p)) {
+            switch (strategy_ == Strategy::relocate_flips ? mesh_.relocate_in_place(position_, v, p) : mesh_.relocate(position_, v, p)) {
                 case Relocation::refused: throw Error(Error_code::collision, "another vertex is at that position");
                 case Relocation::kept: ++report.moves.kept_in_place; break;
-                case Relocation::flipped: ++report.moves.flipped; break;
                 case Relocation::reinserted: ++report.moves.reinserted; break;
             }
                 } catch (...) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/embedding.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/engine/options.h>
 #include <annulus/engine/upkeep.h>
 
@@ -9,19 +9,19 @@
 
 namespace annulus {
 
-/// The strategies that keep no mirror and leave everything to the embedding: `rebuild` (and `hybrid` until it switches), `relocate`,
-/// `relocate-flips`.
+/// The strategies that repair nothing and leave everything to the mesh: `rebuild` (and `hybrid` until it switches),
+/// `relocate`, `relocate-flips`.
 template <int d>
 class Plain final : public Upkeep<d> {
   public:
-    Plain(Embedding<d>& embedding, Strategy strategy) : embedding_(embedding), strategy_(strategy) {}
+    Plain(Delaunay_mesh<d>& mesh, Strategy strategy) : mesh_(mesh), strategy_(strategy) {}
 
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
     void refresh_all(Move_report&) override {}
     [[nodiscard]] std::span<const Coordinates<d>> positions() const override { return position_; }
     [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const override { return position_[at(v)]; }
     [[nodiscard]] std::optional<double> tolerance(Index) const override { return std::nullopt; }
-    [[nodiscard]] bool uses_mirror() const override { return false; }
+    [[nodiscard]] bool repairs() const override { return false; }
 
     /// By a rebuild. O(n log n).
     void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;
@@ -42,9 +42,8 @@ class Plain final : public Upkeep<d> {
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    void rebuild(std::span<const Coordinates<d>> x, Move_report& report);
 
-    Embedding<d>& embedding_;
+    Delaunay_mesh<d>& mesh_;
     Strategy strategy_;
     std::vector<Coordinates<d>> position_;
     std::vector<Coordinates<d>> noted_;

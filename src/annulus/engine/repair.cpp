@@ -27,7 +27,7 @@ void Repair<d>::begin(std::span<const Coordinates<d>> x, bool many) {
     mender_.begin(x);
     forget();
     x_ = x;
-    grow(suspects_of_, embedding_.table().cell_bound());
+    grow(suspects_of_, mesh_.table().cell_bound());
     disturbed_.clear();
     reinserted_.clear();
     changed_.clear();
@@ -91,7 +91,7 @@ template <int d>
 void Repair<d>::describe(Facet_suspect& s, Corner_index f) const {
     s.id = f;
     s.stale = true;
-    const Facet_certificate<d> facet = facet_certificate(embedding_.table(), f, kind_ == Tolerance_kind::paper);
+    const Facet_certificate<d> facet = facet_certificate(mesh_.table(), f, kind_ == Tolerance_kind::paper);
     s.kind = facet.kind;
     s.point = facet.point;
 }
@@ -100,7 +100,7 @@ template <int d>
 void Repair<d>::describe(Cell_suspect& s, Cell_index c) const {
     s.id = c;
     s.stale = true;
-    s.point = cell_points(embedding_.table(), c);
+    s.point = cell_points(mesh_.table(), c);
     const bool infinite_cell = std::find(s.point.begin(), s.point.end(), infinite) != s.point.end();
     s.kind = infinite_cell ? Facet_kind::nothing : Facet_kind::empty_sphere;
 }
@@ -117,14 +117,14 @@ void Repair<d>::suspect_cell(Cell_index c) {
 
 template <int d>
 void Repair<d>::suspect_everything() {
-    const auto& t = embedding_.table();
+    const auto& t = mesh_.table();
     for (const Corner_index f : t.facets()) suspect_facet(f);
     for (const Cell_index c : t.cells()) suspect_cell(c);
 }
 
 template <int d>
 void Repair<d>::suspect_star(Index v) {
-    const auto& t = embedding_.table();
+    const auto& t = mesh_.table();
     const bool alone = facets_.empty() && cells_.empty();
     if (alone) placed_ = false;
     for_each_certificate(
@@ -141,7 +141,7 @@ void Repair<d>::suspect_star(Index v) {
 
 template <int d>
 void Repair<d>::suspect_cells(std::span<const Cell_index> cells) {
-    const auto& t = embedding_.table();
+    const auto& t = mesh_.table();
     for (const Cell_index c : cells) {
         suspect_cell(c);
         for (int i = 0; i <= d; ++i) suspect_facet(t.facet(t.corner(c, i)));
@@ -182,10 +182,10 @@ bool Repair<d>::mend_one(std::span<Coordinates<d>> x, Index v, const Coordinates
     if (mend({x, {}, v, old}, std::min(most, Prices<d>::reinsertion))) return true;
     if (!trusted_) return false;  // nor need it be simplicial then, which restoring wants
     const Coordinates<d> goal = std::exchange(x[at(v)], old);
-    embedding_.restore_cells(x, mender_.touched(), renumbered_);
+    mesh_.restore_cells(x, mender_.touched(), renumbered_);
     aside_ += Prices<d>::flip * static_cast<double>(mender_.touched().size());
     const double price = reinsertion_price(v);
-    if (price <= Chooser<d>::most_generous_rebuild(embedding_.vertices()) && reinsert(x, v, goal, price)) return true;
+    if (price <= Chooser<d>::most_generous_rebuild(mesh_.vertices()) && reinsert(x, v, goal, price)) return true;
     x[at(v)] = goal;
     return false;
 }
@@ -195,17 +195,17 @@ bool Repair<d>::mend_one(std::span<Coordinates<d>> x, Index v, const Coordinates
 template <int d>
 double Repair<d>::reinsertion_price(Index v) const {
     double cells = 0.0;
-    embedding_.table().for_each_corner(v, [&cells](Corner_index) { ++cells; });
-    const double filling = d == 2 ? Prices<d>::rebuild * cells + 0.05 * cells * cells : Prices<d>::rebuild * cells;
+    mesh_.table().for_each_corner(v, [&cells](Corner_index) { ++cells; });
+    const double filling = d == 2 ? Prices<d>::insertion * cells + 0.05 * cells * cells : Prices<d>::insertion * cells;
     return std::max(Prices<d>::reinsertion, filling);
 }
 
 template <int d>
 bool Repair<d>::reinsert(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& goal, double price) {
-    const auto gone = [this](Cell_index c) { return !embedding_.table().is_cell(c); };
+    const auto gone = [this](Cell_index c) { return !mesh_.table().is_cell(c); };
     std::vector<Cell_index> changed;
     try {
-        if (!embedding_.reinsert(x, v, goal, changed)) return false;
+        if (!mesh_.reinsert(x, v, goal, changed)) return false;
     } catch (const Error&) {
         renumbered_.insert(renumbered_.end(), changed.begin(), changed.end());
         std::erase_if(renumbered_, gone);
@@ -236,7 +236,6 @@ bool Repair<d>::mend(const Course<d>& course, double most) {
         report_.flips += mender_.flips();
         changed_ = mender_.touched();
         reinserted_ = mender_.reinserted();
-        embedding_.follow(changed_);
         return true;
     }
     report_.undone_flips += mender_.flips();
@@ -245,7 +244,7 @@ bool Repair<d>::mend(const Course<d>& course, double most) {
 
 template <int d>
 bool Repair<d>::holds_after_mending(double most) {
-    const auto& t = embedding_.table();
+    const auto& t = mesh_.table();
     std::vector<Cell_index> alive;
     std::copy_if(mender_.touched().begin(), mender_.touched().end(), std::back_inserter(alive),
                  [&t](Cell_index c) { return t.is_cell(c); });

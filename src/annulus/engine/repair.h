@@ -6,7 +6,7 @@
 #include <annulus/engine/move_report.h>
 #include <annulus/engine/prices.h>
 #include <annulus/mesh/certificates.h>
-#include <annulus/engine/embedding.h>
+#include <annulus/kernel/delaunay_mesh.h>
 
 #include <span>
 #include <vector>
@@ -36,9 +36,10 @@ class Repair {
     using Facet_suspect = Suspect<Corner_index, Facet_points<d>>;
     using Cell_suspect = Suspect<Cell_index, Cell_points<d>>;
 
-    /// `trusted`: CGAL's object is Delaunay at its points whenever mend_one() is called, so that CGAL may remove and insert.
-    Repair(Embedding<d>& embedding, Tolerance_kind kind, bool trusted)
-        : embedding_(embedding), mender_(embedding), kind_(kind), trusted_(trusted) {}
+    /// `trusted`: the triangulation is Delaunay at the old positions whenever mend_one() is called, so that a vertex may
+    /// be taken out and put back in.
+    Repair(Delaunay_mesh<d>& mesh, Tolerance_kind kind, bool trusted)
+        : mesh_(mesh), mender_(mesh), kind_(kind), trusted_(trusted) {}
 
     /// For evaluations and signs. Verdicts and counters do not depend on it.
     void set_threads(int threads) {
@@ -83,9 +84,9 @@ class Repair {
     /// Repairs after `evaluate` or one of its kind returned false. False: it would cost more than `most` (in cells looked at), or led
     /// nowhere; then the table is of no use any more, and all is to be rebuilt at x. `old` has the positions of before.
     [[nodiscard]] bool mend_all(std::span<const Coordinates<d>> old, double most);
-    /// The same after v alone moved, from `old`. x is what begin() was given, and changes for a while. Throws Error(collision), with
-    /// nothing changed but numbers of cells, when another vertex is where v goes. Where flips would be dearer, v is taken out and put back in;
-    /// then the points of CGAL's object are x.
+    /// The same after v alone moved, from `old`. x is what begin() was given, and changes for a while. Throws
+    /// Error(collision), with nothing changed but numbers of cells, when another vertex is where v goes. Where flips would
+    /// be dearer, v is taken out and put back in.
     [[nodiscard]] bool mend_one(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& old, double most);
 
     /// What this examination cost without evaluations, in cells looked at.
@@ -109,8 +110,8 @@ class Repair {
     [[nodiscard]] const Move_report& report() const { return report_; }
 
     /// False for an entry whose facet or cell did not survive the repair.
-    [[nodiscard]] bool exists(const Facet_suspect& s) const { return !mending_ || embedding_.table().is_facet(s.id); }
-    [[nodiscard]] bool exists(const Cell_suspect& s) const { return !mending_ || embedding_.table().is_cell(s.id); }
+    [[nodiscard]] bool exists(const Facet_suspect& s) const { return !mending_ || mesh_.table().is_facet(s.id); }
+    [[nodiscard]] bool exists(const Cell_suspect& s) const { return !mending_ || mesh_.table().is_cell(s.id); }
     [[nodiscard]] Tolerance_kind kind() const { return kind_; }
 
   private:
@@ -151,7 +152,7 @@ class Repair {
     [[nodiscard]] double reinsertion_price(Index v) const;
     void count_signs();
 
-    Embedding<d>& embedding_;
+    Delaunay_mesh<d>& mesh_;
     Mender<d> mender_;
     Tolerance_kind kind_;
     bool trusted_;

@@ -22,7 +22,7 @@ double distance(const Coordinates<3>& a, const Coordinates<3>& b) {
 /// Delaunay triangulation that ends at the nearest vertex. What rounding misses is found by the rebuild that follows when nothing else helps.
 template <int d>
 bool Repair<d>::collides(Index v, const Coordinates<d>& home) {
-    const auto& t = embedding_.table();
+    const auto& t = mesh_.table();
     const Coordinates<d>& goal = x_[at(v)];
     Index nearest = v;
     double least = distance(home, goal);

@@ -140,7 +140,7 @@ template <int d>
 bool Repair<d>::border_holds() {
     if (!border_in_doubt()) return true;
     std::size_t seen = 0;
-    const bool holds = border_winds_once(embedding_.table(), x_, seen);
+    const bool holds = border_winds_once(mesh_.table(), x_, seen);
     aside_ += Prices<d>::border * static_cast<double>(seen);
     return holds;
 }
@@ -149,7 +149,7 @@ bool Repair<d>::border_holds() {
 template <int d>
 bool Repair<d>::star_holds(Index v, Least_tolerance& least) {
     if (many_ || kind_ == Tolerance_kind::paper) return false;
-    const auto& t = embedding_.table();
+    const auto& t = mesh_.table();
     star_.clear();
     const auto add_orientation = [&](const Cell_points<d>& x) {
         star_.simplex.push_back(x);

@@ -11,7 +11,7 @@ namespace annulus {
 /// Leaves on the lists what does not hold.
 template <int d>
 bool Repair<d>::signs_hold(double most) {
-    const auto& t = embedding_.table();
+    const auto& t = mesh_.table();
     auto& signs = mender_.signs();
     signs_ = true;
     // So far beyond what it may cost that asking all of them would only make it dearer.

@@ -9,8 +9,9 @@ namespace annulus {
 namespace {
 
 template <int d>
-void add(Sample& sample, std::span<const Coordinates<d>> x, const Cell_points<d>& v, const Cell_points<d>& beyond) {
+void add_cell(Sample& sample, const Cell_table<d>& t, std::span<const Coordinates<d>> x, Cell_index c) {
     ++sample.cells;
+    const Cell_points<d> v = cell_points(t, c);
     Verdict verdict;
     if (!orientation_filter(tuple<d, d + 1>(v, x), false, verdict)) {
         ++sample.unclear;
@@ -21,9 +22,10 @@ void add(Sample& sample, std::span<const Coordinates<d>> x, const Cell_points<d>
         return;
     }
     for (std::size_t i = 0; i < v.size(); ++i) {
-        if (beyond[i] == infinite) continue;
+        const Index beyond = t.vertex(t.twin(t.corner(c, static_cast<int>(i))));
+        if (beyond == infinite) continue;
         ++sample.facets;
-        const Facet_points<d> points = bicell_points(v, i, beyond[i]);
+        const Facet_points<d> points = bicell_points(v, i, beyond);
         if (!empty_sphere_filter(tuple<d, d + 2>(points, x), false, verdict)) ++sample.unclear;
         else if (verdict.sign < 0) ++sample.violated;
     }
@@ -31,11 +33,18 @@ void add(Sample& sample, std::span<const Coordinates<d>> x, const Cell_points<d>
 
 }  // namespace
 
-void add_cell(Sample& sample, std::span<const Coordinates<2>> x, const std::array<Index, 3>& v, const std::array<Index, 3>& beyond) {
-    add<2>(sample, x, v, beyond);
+template <int d>
+Sample sample_cells(const Cell_table<d>& t, std::span<const Coordinates<d>> x, std::size_t count) {
+    Sample sample;
+    const auto bound = static_cast<std::size_t>(t.vertex_bound());
+    for (std::size_t v = 0; v < bound; v += 1 + bound / (count + 1)) {
+        const Corner_index h = t.corner_of(static_cast<Index>(v));
+        if (h != no_corner && !t.is_infinite(t.cell_of(h))) add_cell(sample, t, x, t.cell_of(h));
+    }
+    return sample;
 }
-void add_cell(Sample& sample, std::span<const Coordinates<3>> x, const std::array<Index, 4>& v, const std::array<Index, 4>& beyond) {
-    add<3>(sample, x, v, beyond);
-}
+
+template Sample sample_cells<2>(const Cell_table<2>&, std::span<const Coordinates<2>>, std::size_t);
+template Sample sample_cells<3>(const Cell_table<3>&, std::span<const Coordinates<3>>, std::size_t);
 
 }  // namespace annulus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
+#include <annulus/mesh/cell_table.h>
 
 #include <cstddef>
 #include <span>
@@ -17,8 +17,11 @@ struct Sample {
     std::size_t unclear = 0;  ///< cells and facets of which it cannot tell
 };
 
-/// Adds a cell: its vertices in positive order, and the vertex beyond each of its facets. Facets of an inverted cell say nothing.
-void add_cell(Sample& sample, std::span<const Coordinates<2>> x, const std::array<Index, 3>& v, const std::array<Index, 3>& beyond);
-void add_cell(Sample& sample, std::span<const Coordinates<3>> x, const std::array<Index, 4>& v, const std::array<Index, 4>& beyond);
+/// Looks at a cell of some `count` vertices, at x. Facets of an inverted cell say nothing. O(count).
+template <int d>
+[[nodiscard]] Sample sample_cells(const Cell_table<d>& t, std::span<const Coordinates<d>> x, std::size_t count);
+
+extern template Sample sample_cells<2>(const Cell_table<2>&, std::span<const Coordinates<2>>, std::size_t);
+extern template Sample sample_cells<3>(const Cell_table<3>&, std::span<const Coordinates<3>>, std::size_t);
 
 }  // namespace annulus

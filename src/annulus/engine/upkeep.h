@@ -9,7 +9,7 @@
 
 namespace annulus {
 
-/// A strategy at work: owns the positions of the vertices and keeps the triangulation of an embedding right at them.
+/// A strategy at work: owns the positions of the vertices and keeps the triangulation right at them.
 ///
 /// What throws leaves positions() as they were, unless it says otherwise; the triangulation and all else is then unspecified but
 /// after Error(collision), after which it is right. Engine builds anew after the others.
@@ -22,14 +22,16 @@ class Upkeep {
     virtual void begin(std::span<const Coordinates<d>> x, Move_report& report) = 0;
     /// Makes every tolerance fresh, where any are kept. O(n).
     virtual void refresh_all(Move_report& report) = 0;
+    /// After all cells were replaced by other hands.
+    virtual void refresh_rebuilt(Move_report& report) { refresh_all(report); }
 
     [[nodiscard]] virtual std::span<const Coordinates<d>> positions() const = 0;
     /// Where D is measured from; the position for strategies without tolerances. Precondition: dimension d.
     [[nodiscard]] virtual const Coordinates<d>& fixed_position(Index v) const = 0;
     /// How far v may be from there while every other vertex is within its own tolerance; nothing while none are kept.
     [[nodiscard]] virtual std::optional<double> tolerance(Index v) const = 0;
-    /// Whether it works on the mirror.
-    [[nodiscard]] virtual bool uses_mirror() const = 0;
+    /// Whether it repairs the mesh, for which there have to be cells of dimension d; others leave everything to the mesh.
+    [[nodiscard]] virtual bool repairs() const = 0;
 
     /// Moves every vertex to x.
     virtual void move_all(std::span<const Coordinates<d>> x, Move_report& report) = 0;

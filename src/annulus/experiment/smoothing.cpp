@@ -27,8 +27,8 @@ Options options_with(int threads) {
 }
 
 template <int d>
-void require_spanning(const Mesh_embedding<d>& embedding) {
-    if (embedding.dimension() < d) throw Error(Error_code::too_few, "a motion that smooths needs points that span the space");
+void require_spanning(const Delaunay_mesh<d>& mesh) {
+    if (mesh.dimension() < d) throw Error(Error_code::too_few, "a motion that smooths needs points that span the space");
 }
 
 /// Uniform ones, those on the sphere first: with h^3 of the ball to a point, its surface has room for as many as squares of a side h.
@@ -49,32 +49,32 @@ std::vector<Coordinates<3>> points_of_ball(const Ball_3& ball, std::size_t n, st
 
 Lloyd_motion::Lloyd_motion(std::vector<Coordinates<2>> points, int threads)
     : lloyd_(unit_square(), Density::one, threads),
-      embedding_(std::make_unique<Mesh_embedding<2>>()),
-      engine_(std::make_unique<Engine<2>>(*embedding_, options_with(threads))) {
+      mesh_(std::make_unique<Delaunay_mesh<2>>()),
+      engine_(std::make_unique<Engine<2>>(*mesh_, options_with(threads))) {
     engine_->build(points);
-    require_spanning(*embedding_);
+    require_spanning(*mesh_);
     target_.resize(engine_->index_bound());
 }
 
 void Lloyd_motion::step() {
-    stars_.read(embedding_->table());
+    stars_.read(mesh_->table());
     (void)lloyd_.step(stars_, engine_->positions(), target_, memory_);
     engine_->move_all(target_);
 }
 
 Nodt_motion::Nodt_motion(std::size_t n, std::uint64_t seed, int threads)
     : threads_(threads),
-      embedding_(std::make_unique<Mesh_embedding<3>>()),
-      engine_(std::make_unique<Engine<3>>(*embedding_, options_with(threads))) {
+      mesh_(std::make_unique<Delaunay_mesh<3>>()),
+      engine_(std::make_unique<Engine<3>>(*mesh_, options_with(threads))) {
     engine_->build(points_of_ball(ball_, n, seed));
-    require_spanning(*embedding_);
+    require_spanning(*mesh_);
     target_.resize(engine_->index_bound());
     nodt_ = std::make_unique<Nodt_3>(ball_, Sizing_3(ball_), vertices_on_surface(ball_, engine_->positions()),
                                      std::optional<double>(), threads);
 }
 
 void Nodt_motion::step() {
-    cells_.read(embedding_->table(), threads_);
+    cells_.read(mesh_->table(), threads_);
     cells_.measure(ball_, engine_->positions(), threads_);
     (void)nodt_->step(cells_, engine_->positions(), target_, memory_);
     engine_->move_all(target_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/cgal/mesh_embedding.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/engine/engine.h>
 #include <annulus/motion/ball_3.h>
 #include <annulus/motion/lloyd_2.h>
@@ -25,7 +25,7 @@ class Lloyd_motion {
 
   private:
     Lloyd_2 lloyd_;
-    std::unique_ptr<Mesh_embedding<2>> embedding_;
+    std::unique_ptr<Delaunay_mesh<2>> mesh_;
     std::unique_ptr<Engine<2>> engine_;
     Stars_2 stars_;
     Lloyd_memory memory_;
@@ -44,7 +44,7 @@ class Nodt_motion {
     Ball_3 ball_{1.0};
     int threads_;
     std::unique_ptr<Nodt_3> nodt_;
-    std::unique_ptr<Mesh_embedding<3>> embedding_;
+    std::unique_ptr<Delaunay_mesh<3>> mesh_;
     std::unique_ptr<Engine<3>> engine_;
     Kept_cells_3 cells_;
     Nodt_memory memory_;

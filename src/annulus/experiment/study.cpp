@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/experiment/study.h>
 
-#include <annulus/cgal/mesh_embedding.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/certificate/margin.h>
 #include <annulus/statistics/spacing.h>
 
@@ -67,9 +67,9 @@ template <int d>
 Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard, int threads) {
     Study s;
     s.vertices = x.size();
-    Mesh_embedding<d> embedding;
-    embedding.build(x);
-    s.affine_dimension = embedding.dimension();
+    Delaunay_mesh<d> mesh;
+    mesh.build(x);
+    s.affine_dimension = mesh.dimension();
     s.resolution = resolution(x);
     if (s.affine_dimension < d) {
         s.tally.counts["experiments"] = s.tally.counts["flat"] = 1;
@@ -80,7 +80,7 @@ Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard
     options.quantiles = false;
     options.threads = threads;
     options.raw = [&looker](const Raw_certificate<d>& c) { looker(c); };
-    const Degeneracy found = degeneracy(embedding.table(), x, options);
+    const Degeneracy found = degeneracy(mesh.table(), x, options);
     s.spacing = found.spacing;
     s.tally = tally_of(found);
     looker.tally().add_to(s.tally, s.spacing);

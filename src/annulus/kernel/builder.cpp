@@ -5,6 +5,7 @@
 #include <annulus/arithmetic/collision.h>
 #include <annulus/certificate/bounds.h>
 #include <annulus/certificate/exact_sign.h>
+#include <annulus/kernel/spatial_order.h>
 #include <annulus/mesh/degenerate.h>
 
 #include <algorithm>
@@ -44,8 +45,11 @@ double orientation_bound(double m) {
 }  // namespace
 
 template <int d>
-bool Builder<d>::build(std::span<const Coordinates<d>> x, std::span<const Index> order, Cell_table<d>& table) {
-    take_positions(x, order);
+bool Builder<d>::build(std::span<const Coordinates<d>> x, std::vector<Index> vertices) {
+    order_ = std::move(vertices);
+    spatial_order<d>(x, order_);
+    take_positions(x);
+    used_ = count_ = 0;
     std::array<Rank, corners> simplex;
     if (!find_simplex(simplex)) return false;
     first_cells(simplex);
@@ -55,12 +59,12 @@ bool Builder<d>::build(std::span<const Coordinates<d>> x, std::span<const Index>
         Rank taken = infinity_;
         const Cell first = locate(at(v), last, taken);
         if (first == no_cell)
-            throw collision_of("points", "have", order[static_cast<std::size_t>(taken)],
-                               order[static_cast<std::size_t>(v)]);
+            throw collision_of("points", "have", order_[static_cast<std::size_t>(taken)],
+                               order_[static_cast<std::size_t>(v)]);
         insert(v, first);
         last = cavity_.cells[cavity_.facets_size - 1];
     }
-    hand_over(order, x.size(), table);
+    number_cells();
     return true;
 }
 
@@ -198,10 +202,9 @@ void Builder<d>::take_cells() {
     }
     free_.insert(free_.end(), cavity.cells.begin() + static_cast<std::ptrdiff_t>(cavity.facets_size),
                  cavity.cells.begin() + static_cast<std::ptrdiff_t>(count));
-    if (used_ > cells_.size()) {
+    if (used_ > bound_.size()) {
         if (used_ > static_cast<std::size_t>(Horizons::cells)) throw_too_large();
-        cells_.resize(used_ + used_ / 2);
-        bound_.resize(cells_.size());
+        grow_cells(used_ + used_ / 2);
     }
 }
 

@@ -6,7 +6,9 @@
 #include <annulus/kernel/kept_sphere.h>
 #include <annulus/kernel/ridges.h>
 #include <annulus/mesh/cell_table.h>
+#include <annulus/mesh/certificates.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -22,16 +24,26 @@ namespace annulus {
 /// CGAL's symbolic perturbation where points are cospherical. So the cells are those that insertion one by one, CGAL
 /// and repair give. Buffers are kept from one build to the next: a rebuild touches no memory that is new.
 ///
-/// Inside, vertices are ranks in the order of insertion, and a cell is one line of 64 bytes with its sphere. Not for
-/// several threads at once.
+/// Inside, vertices are ranks in the order of insertion (spatial_order), and a cell is one line of 64 bytes with its
+/// sphere. Not for several threads at once.
 template <int d>
 class Builder {
   public:
-    /// Makes `table` the triangulation of the vertices in `order` (distinct indices below x.size()), inserted in this
-    /// order, at x. False, with `table` as it was, where they lie in a hyperplane. Throws Error(collision) naming two
-    /// at one place, Error(too_large). Expected O(n) after sorting, for points that are not all on few spheres or
-    /// curves.
-    [[nodiscard]] bool build(std::span<const Coordinates<d>> x, std::span<const Index> order, Cell_table<d>& table);
+    /// Triangulates these vertices (distinct indices of x) at x. False where they lie in a hyperplane; then there is
+    /// nothing to read. Throws Error(collision) naming two at one place, Error(too_large). Expected O(n), for points that
+    /// are not all on few spheres or curves.
+    [[nodiscard]] bool build(std::span<const Coordinates<d>> x, std::vector<Index> vertices);
+    /// The vertices in the order in which they were inserted.
+    [[nodiscard]] std::span<const Index> order() const { return order_; }
+    /// What build() made: the number of cells, those at infinity too, numbered from 0 in an order that depends on the
+    /// positions alone.
+    [[nodiscard]] std::size_t number_of_cells() const { return count_; }
+    /// Calls visit(cell, its vertices in positive order, its twins: of each corner the one across the facet opposite to
+    /// it, as in Cell_table) for each cell, by its number.
+    template <class Visit>
+    void for_each_cell(Visit visit) const;
+    /// Makes it the table's, whose vertices are below `bound`. When it throws (bad_alloc), the table is as it was.
+    void copy_to(Cell_table<d>& table, std::size_t bound) const;
     /// Gives buffers back.
     void release() noexcept { *this = Builder(); }
 
@@ -66,7 +78,12 @@ class Builder {
     };
 
     [[noreturn]] static void throw_too_large();
-    void take_positions(std::span<const Coordinates<d>> x, std::span<const Index> order);
+    /// bound_ last, whose size tells how many there is room for, also after bad_alloc.
+    void grow_cells(std::size_t room) {
+        cells_.resize(std::max(room, cells_.size()));
+        bound_.resize(room);
+    }
+    void take_positions(std::span<const Coordinates<d>> x);
     void scale_positions(double extent);
     [[nodiscard]] bool find_simplex(std::array<Rank, corners>& simplex) const;
     void first_cells(const std::array<Rank, corners>& simplex);
@@ -79,7 +96,7 @@ class Builder {
     void take_cells();
     void read_border();
     void fill(Rank v);
-    void hand_over(std::span<const Index> order, std::size_t bound, Cell_table<d>& table);
+    void number_cells();
 
     [[nodiscard]] const Coordinates<d>& at(Rank v) const { return sites_[static_cast<std::size_t>(v)].x; }
     [[nodiscard]] Scaled_point<d> on_grid(Rank v) const { return {&at(v), grid_[static_cast<std::size_t>(v)]}; }
@@ -92,6 +109,7 @@ class Builder {
         return -1;
     }
 
+    std::vector<Index> order_;          // by rank
     Default_init_vector<Site> sites_;   // by rank
     Default_init_vector<double> grid_;  // their scales (grid_scale)
     Default_init_vector<Cell_data> cells_;
@@ -101,7 +119,26 @@ class Builder {
     Ridges<d> ridges_;
     std::size_t used_ = 0;  // cells that are in use or free
     Rank infinity_ = 0;
+    Default_init_vector<Cell> number_;  // of a cell, once all of them are made
+    Cell count_ = 0;
 };
+
+template <int d>
+template <class Visit>
+void Builder<d>::for_each_cell(Visit visit) const {
+    for (std::size_t c = 0; c < used_; ++c) {
+        if (!(bound_[c] > 0)) continue;
+        Cell_points<d> vertices;
+        std::array<Corner_index, corners> twins;
+        for (std::size_t i = 0; i <= d; ++i) {
+            const Rank v = cells_[c].vertex[i];
+            const Half_facet t = cells_[c].across[i];
+            vertices[i] = v == infinity_ ? infinite : order_[static_cast<std::size_t>(v)];
+            twins[i] = Cell_table<d>::corner(Cell_index(static_cast<Index>(number_[t >> 2])), static_cast<int>(t & 3U));
+        }
+        visit(Cell_index(static_cast<Index>(number_[c])), vertices, twins);
+    }
+}
 
 extern template class Builder<2>;
 extern template class Builder<3>;

@@ -33,13 +33,13 @@ void Builder<d>::throw_too_large() {
 }
 
 template <int d>
-void Builder<d>::take_positions(std::span<const Coordinates<d>> x, std::span<const Index> order) {
-    const std::size_t n = order.size();
+void Builder<d>::take_positions(std::span<const Coordinates<d>> x) {
+    const std::size_t n = order_.size();
     sites_.resize(n + 1);
     infinity_ = static_cast<Rank>(n);
     sites_[n].x = {};
-    for (std::size_t r = 0; r < n; ++r) sites_[r].x = x[static_cast<std::size_t>(order[r])];
-    scale_positions(Bounding_box<d>(x, order).extent());
+    for (std::size_t r = 0; r < n; ++r) sites_[r].x = x[static_cast<std::size_t>(order_[r])];
+    scale_positions(Bounding_box<d>(x, order_).extent());
     grid_.resize(n);
     for (std::size_t r = 0; r < n; ++r) grid_[r] = grid_scale<d>(sites_[r].x);
 }
@@ -89,10 +89,7 @@ void Builder<d>::first_cells(const std::array<Rank, corners>& simplex) {
     ridges_.begin(static_cast<std::size_t>(infinity_) + 1);
     constexpr std::size_t expected = d == 2 ? 2 : 7, more = 64;  // cells a vertex
     const std::size_t room = expected * static_cast<std::size_t>(infinity_) + more;
-    if (cells_.size() < room) {
-        cells_.resize(room);
-        bound_.resize(room);
-    }
+    if (bound_.size() < room) grow_cells(room);
     used_ = corners + 1;
     cells_[0].vertex = simplex;
     for (std::size_t i = 0; i <= d; ++i) {
@@ -125,29 +122,25 @@ void Builder<d>::first_cells(const std::array<Rank, corners>& simplex) {
 }
 
 template <int d>
-void Builder<d>::hand_over(std::span<const Index> order, std::size_t bound, Cell_table<d>& table) {
-    std::vector<Cell>& number = cavity_.cells;  // of those that are left; it was a buffer
-    if (number.size() < used_) number.resize(used_);
-    Cell count = 0;
+void Builder<d>::number_cells() {
+    if (number_.size() < used_) number_.resize(used_);
     for (std::size_t c = 0; c < used_; ++c) {
-        number[c] = count;
-        count += bound_[c] > 0 ? 1U : 0U;
+        number_[c] = count_;
+        count_ += bound_[c] > 0 ? 1U : 0U;
     }
-    if (count > static_cast<std::size_t>(Horizons::cells)) throw_too_large();
-    table.reserve(bound, count);
-    table.clear(bound, count);
-    for (std::size_t c = 0; c < used_; ++c) {
-        if (!(bound_[c] > 0)) continue;
-        const Cell_data& cell = cells_[c];
-        const Cell_index own(static_cast<Index>(number[c]));
+    if (count_ > static_cast<std::size_t>(Horizons::cells)) throw_too_large();
+}
+
+template <int d>
+void Builder<d>::copy_to(Cell_table<d>& table, std::size_t bound) const {
+    table.reserve(bound, count_);
+    table.clear(bound, count_);
+    for_each_cell([&table](Cell_index c, const Cell_points<d>& vertices, const auto& twins) {
         for (int i = 0; i <= d; ++i) {
-            const Rank v = cell.vertex[static_cast<std::size_t>(i)];
-            const Half_facet t = cell.across[static_cast<std::size_t>(i)];
-            table.set_vertex_only(table.corner(own, i), v == infinity_ ? infinite : order[static_cast<std::size_t>(v)]);
-            table.set_twin_only(table.corner(own, i),
-                                table.corner(Cell_index(static_cast<Index>(number[t >> 2])), static_cast<int>(t & 3U)));
+            table.set_vertex_only(table.corner(c, i), vertices[static_cast<std::size_t>(i)]);
+            table.set_twin_only(table.corner(c, i), twins[static_cast<std::size_t>(i)]);
         }
-    }
+    });
     table.note_corners();
 }
 

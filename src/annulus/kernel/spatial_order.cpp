@@ -68,8 +68,13 @@ struct Keyed {
     Index vertex;
 };
 
-/// Stable, by the lowest `bits` bits of the keys, 11 at a time.
+/// Stable, by keys of `bits` bits, 11 at a time.
 void radix_sort(std::vector<Keyed>& a, std::vector<Keyed>& other, int bits) {
+    constexpr std::size_t few = 512;  // to sort them costs less than to count 2,048 digits
+    if (a.size() < few) {
+        std::stable_sort(a.begin(), a.end(), [](const Keyed& l, const Keyed& r) { return l.key < r.key; });
+        return;
+    }
     constexpr int digit = 11;
     constexpr std::uint64_t mask = (1U << digit) - 1;
     other.resize(a.size());

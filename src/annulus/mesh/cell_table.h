@@ -5,6 +5,7 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/horizons.h>
 #include <annulus/mesh/cell_journal.h>
+#include <annulus/mesh/cell_log.h>
 #include <annulus/mesh/grow.h>
 #include <annulus/mesh/index.h>
 #include <annulus/mesh/small_set.h>
@@ -25,8 +26,7 @@ namespace annulus {
 /// Cell c has d + 1 corners h = 4c + i. Corner h carries a vertex and stands for the facet opposite to it, seen from c
 /// (a half-facet). `twin(h)` is the same facet seen from the other side, so `vertex(h)` and `vertex(twin(h))` are the
 /// opposite vertices of the bi-cell. A facet has the index of the lesser of its two half-facets, which changes with its
-/// cells; nothing is stored of it. Cells are positively oriented as in CGAL, whose triangulation this mirrors corner by
-/// corner. All operations are O(1) unless they say otherwise.
+/// cells; nothing is stored of it. Cells are positively oriented as in CGAL. All operations are O(1) unless they say otherwise.
 template <int d>
 class Cell_table {
   public:
@@ -157,14 +157,10 @@ class Cell_table {
         for (Cell_index c(0); c < cell_bound(); ++c)
             for (int i = 0; i <= d; ++i) note_corner(vertex(corner(c, i)), corner(c, i));
     }
-    /// Takes the place of another one: what is watched stays so.
-    void become(Cell_table&& other) noexcept {
-        if (journal_ != nullptr) journal_->touch_everything(*this);
-        other.journal_ = journal_;
-        *this = std::move(other);
-    }
-    /// Whom it tells what is about to be written to; nullptr: nobody.
+    /// What is told before a place is written to; nullptr: nothing.
     void tell(Cell_journal<d>* journal) noexcept { journal_ = journal; }
+    /// The same for a log, as long as the table lives.
+    void write_log(Cell_log& log) noexcept { log_ = &log; }
     void set_absent(Index v) { corner_of_vertex_[at(v)] = no_corner; }
     /// Makes h and t the two sides of a facet.
     void glue(Corner_index h, Corner_index t) {
@@ -194,6 +190,11 @@ class Cell_table {
     }
     void touch(Cell_index c) noexcept {
         if (journal_ != nullptr) [[unlikely]] journal_->touch(c, &vertex_[corner(c, 0)]);
+        if (log_ != nullptr) [[unlikely]] log_->touch(c);
+    }
+    void touch_everything() noexcept {
+        if (journal_ != nullptr) journal_->touch_everything(*this);
+        if (log_ != nullptr) log_->touch_everything();
     }
     void note_corner(Index v, Corner_index h) { (v == infinite ? corner_of_infinity_ : corner_of_vertex_[at(v)]) = h; }
 
@@ -203,11 +204,12 @@ class Cell_table {
     std::vector<Corner_index> corner_of_vertex_;  // by vertex
     std::vector<Cell_index> free_cells_;
     Cell_journal<d>* journal_ = nullptr;
+    Cell_log* log_ = nullptr;
 };
 
 template <int d>
 void Cell_table<d>::clear(std::size_t vertices) {
-    if (journal_ != nullptr) journal_->touch_everything(*this);
+    touch_everything();
     vertex_.clear();
     twin_.clear();
     free_cells_.clear();

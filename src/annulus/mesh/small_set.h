@@ -58,12 +58,5 @@ struct Index_hash {
         return static_cast<std::uint32_t>(i.value());
     }
 };
-/// Of CGAL's handles, by the address of what they point to: for membership alone, nothing depends on an order.
-struct Handle_hash {
-    template <class Handle>
-    [[nodiscard]] std::uint64_t operator()(Handle h) const {
-        return reinterpret_cast<std::uintptr_t>(h.operator->()) >> 4;
-    }
-};
 
 }  // namespace annulus

@@ -19,8 +19,8 @@ namespace annulus {
 /// So what is computed from them is the same bit for bit under every strategy.
 class Stars_2 {
   public:
-    /// Reads a mirror. Its triangles are compared with those of the last reading: O(cells), and O(degree) for each vertex of a cell that
-    /// differs. All vacant where the points are on a line, because there are no cells then.
+    /// Reads a table. Its triangles are compared with those of the last reading: O(cells), and O(degree) for each vertex
+    /// of a cell that differs. All vacant where the points are on a line, because there are no cells then.
     void read(const Cell_table<2>& table);
     /// Reads lists, all of them. O(n).
     void read(const Neighbours_2& lists);

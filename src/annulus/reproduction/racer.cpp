@@ -101,7 +101,7 @@ void Racer<d>::follow(std::uint64_t step, std::span<const Coordinates<d>> before
     }
     const double begin = processor_seconds();
     const Move_report report = move_all(target);
-    note(step, processor_seconds() - begin - report.handle_seconds, report);
+    note(step, processor_seconds() - begin, report);
     count_streaks(step);
     if (plan_.audit_every > 0 && step % plan_.audit_every == 0) audit(step);
 }
@@ -124,7 +124,7 @@ void Racer<d>::follow_hybrid(std::uint64_t step, std::span<const Coordinates<d>>
     if (record_.switched_at == 0) return note(step, seconds + range_insertion<d>(target), {});
     const double begin = processor_seconds();
     const Move_report report = move_all(target);
-    note(step, seconds + processor_seconds() - begin - report.handle_seconds, report);
+    note(step, seconds + processor_seconds() - begin, report);
 }
 
 /// The tolerances of the sample are timed; that the triangulation with numbered vertices is built is not: whoever rebuilds has one.

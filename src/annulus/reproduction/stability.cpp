@@ -27,7 +27,7 @@ std::vector<double> theta_edges() {
 template <int d>
 Stability_record measure_stability(const Moving_of<d>& dt) {
     const auto x = dt.positions();
-    const auto& table = dt.embedding().table();
+    const auto& table = dt.mesh().table();
     Stability_record r;
     r.edges = theta_edges();
     std::vector<std::vector<double>> errors(r.edges.size() - 1);

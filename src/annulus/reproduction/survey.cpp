@@ -55,7 +55,7 @@ Survey_record survey(const Moving_of<d>& dt, std::span<const Coordinates<d>> nex
                      Width_record* widths) {
     const auto x = dt.positions();
     const auto n = static_cast<double>(x.size());
-    const auto& table = dt.embedding().table();
+    const auto& table = dt.mesh().table();
     Histogram histogram = Histogram::linear(0.0, 1.5, 75);
     double sum = 0, squares = 0, points = 0;
     std::uint64_t bicells = 0;
@@ -99,7 +99,7 @@ Degeneracy_count_record count_degeneracy(const Moving_of<d>& dt,
                                          const std::function<void(std::span<const Index>)>& unsound) {
     Degeneracy_options<d> options;
     options.unsound = unsound;
-    const Degeneracy g = degeneracy(dt.embedding().table(), dt.positions(), options);
+    const Degeneracy g = degeneracy(dt.mesh().table(), dt.positions(), options);
     Degeneracy_count_record r;
     r.vertices = g.vertices.total;
     r.bicells = g.bicells.least.total;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Cgal_embedding: whether CGAL's object is still what the engine takes it for. Its handles let callers write in it
-// although it is const.
-#include <annulus/cgal/embedding.h>
+// Cgal_view: whether CGAL's object is still what update() made it. Its handles let callers write in it although it is
+// const.
+#include <annulus/cgal/view.h>
 #include <annulus/mesh/audit.h>
 
 #include <algorithm>
@@ -34,15 +34,14 @@ template <std::size_t n>
 /// Vertices: each ours, at its place in x, in the cell it names; and none is missing. False when a cell names a vertex
 /// that is none of them.
 template <class Traits>
-bool Cgal_embedding<Traits>::audit_vertices(std::span<const Coordinates<d>> x, Audit_result& result) const {
+bool Cgal_view<Traits>::audit_vertices(std::span<const Coordinates<d>> x, Audit_result& result) const {
     const auto ours = [this](Vertex_handle v) {
         return v != Vertex_handle() &&
                (v == tr_.infinite_vertex() ||
                 (v->index() >= 0 && at(v->index()) < handle_.size() && handle_[at(v->index())] == v));
     };
     std::size_t found = 0;
-    auto& tds =
-        const_cast<typename Traits::Tds&>(tr_.tds());  // to read; what there is for readers has other names in space
+    auto& tds = tr_.tds();
     for (auto it = tds.vertices().begin(); it != tds.vertices().end(); ++it) {
         const Vertex_handle v = it;
         if (v == tr_.infinite_vertex()) continue;
@@ -76,13 +75,12 @@ bool Cgal_embedding<Traits>::audit_vertices(std::span<const Coordinates<d>> x, A
     return named;
 }
 
-/// Cells of dimension d: neighbours share a facet, mutually; vertices are in the cell they name; and the mirror, if
-/// there is one, has the same.
+/// Cells of dimension d: neighbours share a facet, mutually, and the mesh has the same.
 template <class Traits>
-void Cgal_embedding<Traits>::audit_adjacency(Audit_result& result) const {
+void Cgal_view<Traits>::audit_adjacency(Audit_result& result) const {
     const auto written = [this](Cell_handle c) {
         std::string s;
-        for (const Index v : points_of(tr_, c)) s += v == infinite ? " infinity" : " " + std::to_string(v);
+        for (const Index v : points_of(c)) s += v == infinite ? " infinity" : " " + std::to_string(v);
         return s;
     };
     // The facet of c opposite to slot i is that of n opposite to slot j.
@@ -91,16 +89,14 @@ void Cgal_embedding<Traits>::audit_adjacency(Audit_result& result) const {
             if (k != i && (!n->has_vertex(c->vertex(k)) || n->index(c->vertex(k)) == j)) return false;
         return true;
     };
-    std::size_t mirrored = 0;
+    const Cell_table<d>& t = mesh_.table();
+    std::size_t found = 0;
     Traits::for_each_cell(tr_, [&](Cell_handle c) {
         const Cell_index number = number_of(c);
-        const bool known = !mirrored_ || (number.value() >= 0 && number < table_.cell_bound() && cell_.has(number) &&
-                                          cell_[number] == c && table_.is_cell(number) &&
-                                          cell_points(table_, number) == points_of(tr_, c));
-        if (known) ++mirrored;
-        else
-            detail::object_fault(result,
-                                 "the strategy works on a mirror that has not the cell of CGAL's object" + written(c));
+        const bool known = number.value() >= 0 && number < t.cell_bound() && cell_.has(number) && cell_[number] == c &&
+                           t.is_cell(number) && cell_points(t, number) == points_of(c);
+        if (known) ++found;
+        else detail::object_fault(result, "the mesh has not the cell of CGAL's object" + written(c));
         for (int i = 0; i <= d; ++i) {
             const Cell_handle n = c->neighbor(i);
             bool back = false;
@@ -109,21 +105,26 @@ void Cgal_embedding<Traits>::audit_adjacency(Audit_result& result) const {
             if (!back)
                 detail::object_fault(
                     result, "a neighbour that CGAL's object has for this cell shares no facet with it:" + written(c));
-            else if (mirrored_ && known && number_of(n) != table_.cell_of(table_.twin(table_.corner(number, i))))
-                detail::object_fault(
-                    result, "the strategy works on a mirror that has another neighbour for the cell of CGAL's object" +
-                                written(c));
+            else if (known && number_of(n) != t.cell_of(t.twin(t.corner(number, i))))
+                detail::object_fault(result,
+                                     "the mesh has another neighbour for the cell of CGAL's object" + written(c));
         }
     });
-    if (!mirrored_) return;
     std::size_t cells = 0;
-    for (const Cell_index c : table_.cells()) cells += table_.is_cell(c) ? 1U : 0U;
-    if (cells != mirrored)
-        detail::object_fault(result, "the strategy works on a mirror that has cells which CGAL's object has not");
+    for (const Cell_index c : t.cells()) cells += t.is_cell(c) ? 1U : 0U;
+    if (cells != found) detail::object_fault(result, "the mesh has cells that CGAL's object has not");
 }
 
 template <class Traits>
-bool Cgal_embedding<Traits>::audit_object(std::span<const Coordinates<d>> x, Audit_result& result) const {
+auto Cgal_view<Traits>::points_of(Cell_handle c) const -> Points {
+    Points x{};
+    for (int i = 0; i <= d; ++i)
+        x[static_cast<std::size_t>(i)] = tr_.is_infinite(c->vertex(i)) ? infinite : c->vertex(i)->index();
+    return x;
+}
+
+template <class Traits>
+bool Cgal_view<Traits>::audit(std::span<const Coordinates<d>> x, Audit_result& result) const {
     if (!audit_vertices(x, result)) return false;
     if (tr_.dimension() == d) audit_adjacency(result);
     return true;

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/engine/local_delaunay.h>
+#include <annulus/kernel/local_delaunay.h>
 
-#include <annulus/engine/chooser.h>
-#include <annulus/engine/prices.h>
-#include <annulus/mesh/evaluate.h>
-#include <annulus/mesh/replace_cells.h>
+#include <annulus/arithmetic/error.h>
 #include <annulus/mesh/make_unique.h>
+#include <annulus/mesh/replace_cells.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace annulus {
 
@@ -47,10 +44,9 @@ auto Local_delaunay<d>::side(const Points& x, int slot, Cell cell) -> Side<Cell>
 }
 
 template <int d>
-bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, double most,
+bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, std::size_t most,
                                 std::vector<Cell_index>& touched) {
-    price_ = 0.0;
-    most = std::min(most, Chooser<d>::most_generous_rebuild(embedding_.vertices()));
+    points_ = 0;
     for (const Cell_index c : marked_) mark_[c] = 0;  // those of a call that threw or gave up
     grow(mark_, table_.cell_bound());                 // there may be fewer
     marked_.clear();
@@ -76,8 +72,8 @@ bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<con
 
 /// mark_ is 2 in the region.
 template <int d>
-bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region, double most,
-                                       std::vector<Cell_index>& touched) {
+bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region,
+                                       std::size_t most, std::vector<Cell_index>& touched) {
     std::vector<Cell_index> beyond;
     for (int round = 0; round < most_rounds; ++round) {
         vertices_.clear();
@@ -86,17 +82,13 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
             for (const Index v : cell_points(table_, c))
                 if (v != infinite) vertices_.push_back(v);
                 else at_infinity_ = true;
-        if (comes_ != none) vertices_.push_back(comes_);
         make_unique(vertices_);
         if (goes_ != none) std::erase(vertices_, goes_);
-        const double price = Prices<d>::point * static_cast<double>(vertices_.size());
-        if (price_ + price > most) return false;
-        price_ += price;
+        if (points_ + vertices_.size() > most) return false;
+        points_ += vertices_.size();
         cells_.clear();
         beyond.clear();
-        const bool filled = embedding_.delaunay_of(x, vertices_, cells_) && fill(region, beyond);
-        if (filled && comes_ != none) find_violated(x, beyond);
-        if (filled && beyond.empty()) {
+        if (triangulate(x) && fill(region, beyond)) {
             std::vector<Cell_index> made;
             replace_cells<d>(table_, region, filled_, made);
             for (const Cell_index c : region) mark_[c] = 0;
@@ -119,17 +111,24 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
 }
 
 template <int d>
-bool Local_delaunay<d>::insert(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
-                               std::vector<Cell_index>& touched) {
-    const Named named(comes_, v);
-    return rebuild(x, cells, std::numeric_limits<double>::infinity(), touched);
+bool Local_delaunay<d>::remove(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
+                               std::size_t most, std::vector<Cell_index>& touched) {
+    const Named named(goes_, v);
+    return rebuild(x, cells, most, touched);
 }
 
+/// False when the vertices are flat, or two of them are at one place.
 template <int d>
-bool Local_delaunay<d>::remove(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
-                               std::vector<Cell_index>& touched) {
-    const Named named(goes_, v);
-    return rebuild(x, cells, std::numeric_limits<double>::infinity(), touched);
+bool Local_delaunay<d>::triangulate(std::span<const Coordinates<d>> x) {
+    try {
+        if (!builder_.build(x, vertices_)) return false;
+    } catch (const Error& e) {
+        if (e.code() != Error_code::collision) throw;
+        return false;
+    }
+    cells_.reserve(builder_.number_of_cells());
+    builder_.for_each_cell([this](Cell_index, const Points& vertices, const auto&) { cells_.push_back(vertices); });
+    return true;
 }
 
 template <int d>
@@ -140,7 +139,6 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
         for (int i = 0; i <= d; ++i) sides_.push_back(side(cells_[c], i, c));
     std::sort(sides_.begin(), sides_.end(), precedes);
     border_.clear();
-    seam_.clear();
     std::vector<Small_index> behind;
     Indexed<Small_index, char> met(cells_.size(), 0);
     const auto enter = [&](Small_index c) {
@@ -150,8 +148,7 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
     };
     for (const Cell_index c : region)
         for (int i = 0; i <= d; ++i) {
-            const Corner_index twin = table_.twin(table_.corner(c, i));
-            const Cell_index out = table_.cell_of(twin);
+            const Cell_index out = table_.cell_of(table_.twin(table_.corner(c, i)));
             if (mark_[out] == 2) continue;
             border_.push_back(side(cell_points(table_, c), i, out));
             const auto it = std::lower_bound(sides_.begin(), sides_.end(), border_.back(), precedes);
@@ -160,7 +157,6 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
                 continue;
             }
             enter(it->cell);
-            seam_.push_back({it->cell, it->slot, out, table_.vertex(twin)});
         }
     if (!beyond.empty()) return false;
     if (border_.empty()) {  // the region is everything
@@ -194,18 +190,6 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
         }
     }
     return has_every_vertex();
-}
-
-template <int d>
-void Local_delaunay<d>::find_violated(std::span<const Coordinates<d>> x, std::vector<Cell_index>& beyond) const {
-    for (const Seam& s : seam_) {
-        const Facet_certificate<d> f =
-            facet_certificate<d>(cells_[s.inside], static_cast<std::size_t>(s.slot), s.beyond);
-        std::array<Coordinates<d>, static_cast<std::size_t>(d + 2)> y{};
-        for (std::size_t k = 0; k < y.size(); ++k)
-            if (f.point[k] != none) y[k] = x[at(f.point[k])];
-        if (facet_verdict(f.kind, y).sign < 0) beyond.push_back(s.outside);
-    }
 }
 
 template <int d>

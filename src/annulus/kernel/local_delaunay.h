@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/kernel/builder.h>
 #include <annulus/mesh/certificates.h>
-#include <annulus/engine/embedding.h>
 
 #include <span>
 #include <vector>
@@ -18,20 +18,18 @@ namespace annulus {
 template <int d>
 class Local_delaunay {
   public:
-    explicit Local_delaunay(Embedding<d>& embedding) : embedding_(embedding), table_(embedding.table()) {}
+    explicit Local_delaunay(Cell_table<d>& table) : table_(table) {}
 
-    /// Builds anew around these cells, at positions x; cells that touch are one region. `touched` receives what went and what came.
-    /// False when that would cost more than `most` (in cells looked at; price() is what it did), or than everything, or is
-    /// not possible.
-    [[nodiscard]] bool rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, double most,
+    /// Builds anew around these cells, at positions x; cells that touch are one region. `touched` receives what went and
+    /// what came. False when that takes more than `most` points to triangulate, the same ones again where a region grows,
+    /// or is not possible.
+    [[nodiscard]] bool rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, std::size_t most,
                                std::vector<Cell_index>& touched);
-    /// The same with one vertex more, whose place these cells hold, or with one less, whose star they are. With the vertex that comes the
-    /// region grows until no cell outside has it in its sphere.
-    [[nodiscard]] bool insert(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
-                              std::vector<Cell_index>& touched);
+    /// The same without v, whose star these cells are.
     [[nodiscard]] bool remove(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
-                              std::vector<Cell_index>& touched);
-    [[nodiscard]] double price() const { return price_; }
+                              std::size_t most, std::vector<Cell_index>& touched);
+    /// Points that the last of these calls has triangulated.
+    [[nodiscard]] std::size_t points() const { return points_; }
 
   private:
     using Points = Cell_points<d>;
@@ -54,37 +52,28 @@ class Local_delaunay {
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     template <class Cell>
     [[nodiscard]] static Side<Cell> side(const Points& x, int slot, Cell cell);
-    [[nodiscard]] bool rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region, double most,
-                                      std::vector<Cell_index>& touched);
+    [[nodiscard]] bool rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region,
+                                      std::size_t most, std::vector<Cell_index>& touched);
+    [[nodiscard]] bool triangulate(std::span<const Coordinates<d>> x);
     /// The Delaunay cells behind the border, in filled_. False when the border is not in them; `beyond` receives the cells that join.
     [[nodiscard]] bool fill(std::span<const Cell_index> region, std::vector<Cell_index>& beyond);
     [[nodiscard]] bool has_every_vertex() const;
-    /// Of filled cells and those beyond the border: where a vertex came, the latter need not be right any more.
-    void find_violated(std::span<const Coordinates<d>> x, std::vector<Cell_index>& beyond) const;
     void mark(Cell_index c, char m) {
         marked_.push_back(c);
         mark_[c] = m;
     }
 
-    Embedding<d>& embedding_;
     Cell_table<d>& table_;
-    double price_ = 0.0;
-    By_cell<char> mark_;              // 1 to be built anew, 2 in the region
-    std::vector<Cell_index> marked_;  // where it may not be 0
-    std::vector<Index> vertices_;  // of the region
-    bool at_infinity_ = false;     // and infinity
-    Index comes_ = none;           // a vertex that is not in it yet
-    Index goes_ = none;            // one that is not to be in it any more
+    Builder<d> builder_;
+    std::size_t points_ = 0;
+    By_cell<char> mark_;                    // 1 to be built anew, 2 in the region
+    std::vector<Cell_index> marked_;        // where it may not be 0
+    std::vector<Index> vertices_;           // of the region
+    bool at_infinity_ = false;              // and infinity
+    Index goes_ = none;                     // one that is not to be in it any more
     Indexed<Small_index, Points> cells_;    // Delaunay, of the vertices
     std::vector<Side<Small_index>> sides_;  // of these, sorted
     std::vector<Side<Cell_index>> border_;  // of the region, seen from inside, sorted; the cell is the one outside
-    struct Seam {
-        Small_index inside;
-        int slot;
-        Cell_index outside;
-        Index beyond;  // the vertex of that cell
-    };
-    std::vector<Seam> seam_;  // of cells_ and what is outside the region
     std::vector<Points> filled_;
 };
 

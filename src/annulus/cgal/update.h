@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Cgal_view: what keeps it up to date.
+#include <annulus/cgal/insert_in_order.h>
+#include <annulus/cgal/view.h>
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+namespace annulus {
+
+template <class Traits>
+Cgal_view<Traits>::Cgal_view(Delaunay_mesh<d>& mesh, std::span<const Coordinates<d>> x) : mesh_(mesh) {
+    tr_.infinite_vertex()->set_index(infinite);
+    handle_.resize(x.size());
+    create_vertices();
+    mesh.table().write_log(log_);
+}
+
+/// In the order of cells, which is one of places, so that vertices near each other are so in memory.
+template <class Traits>
+void Cgal_view<Traits>::create_vertices() {
+    const auto create = [this](Index v) {
+        if (v < 0 || !mesh_.has(v) || handle_[at(v)] != Vertex_handle()) return;
+        handle_[at(v)] = tr_.tds().create_vertex();
+        handle_[at(v)]->set_index(v);
+    };
+    const Cell_table<d>& t = mesh_.table();
+    for (const Cell_index c : t.cells())
+        for (const Index v : cell_points(t, c)) create(v);
+    for (std::size_t v = 0; v < handle_.size(); ++v) create(static_cast<Index>(v));
+}
+
+template <class Traits>
+void Cgal_view<Traits>::reserve_vertex() {
+    if (handle_.size() == handle_.capacity()) handle_.reserve(2 * handle_.size() + 1);
+    spare_ = tr_.tds().create_vertex();
+}
+
+template <class Traits>
+void Cgal_view<Traits>::drop_reserved() noexcept {
+    tr_.tds().delete_vertex(std::exchange(spare_, Vertex_handle()));
+}
+
+template <class Traits>
+auto Cgal_view<Traits>::adopt(Index v, const Coordinates<d>& p) noexcept -> Vertex_handle {
+    if (at(v) >= handle_.size()) handle_.resize(at(v) + 1);
+    spare_->set_index(v);
+    spare_->set_point(point(p));
+    return handle_[at(v)] = std::exchange(spare_, Vertex_handle());
+}
+
+template <class Traits>
+void Cgal_view<Traits>::forget(Index v) noexcept {
+    tr_.tds().delete_vertex(std::exchange(handle_[at(v)], Vertex_handle()));
+}
+
+template <class Traits>
+void Cgal_view<Traits>::outdate(Index v) noexcept {
+    constexpr std::size_t share = 16;
+    current_ = false;
+    if (all_moved_) return;
+    if (share * moved_.size() > handle_.size()) return outdate();
+    try {
+        moved_.push_back(v);
+    } catch (const std::bad_alloc&) {
+        outdate();
+    }
+}
+
+template <class Traits>
+auto Cgal_view<Traits>::update(std::span<const Coordinates<d>> x) const -> const Triangulation& {
+    if (current_.load(std::memory_order_acquire)) return tr_;
+    const std::lock_guard lock(updating_);
+    if (current_.load(std::memory_order_relaxed)) return tr_;
+    try {
+        update_cells(x);
+    } catch (...) {
+        log_.touch_everything();
+        throw;
+    }
+    log_.clear();
+    update_points(x);
+    moved_.clear();
+    all_moved_ = false;
+    current_.store(true, std::memory_order_release);
+    return tr_;
+}
+
+template <class Traits>
+void Cgal_view<Traits>::update_cells(std::span<const Coordinates<d>> x) const {
+    if (mesh_.dimension() < 0 && mesh_.vertices() > 0) remove_cells();  // there was no memory for cells
+    else if (mesh_.dimension() < d) follow_flat(x);
+    else if (log_.everything() || tr_.dimension() != d) follow_everything();
+    else follow(log_.cells());
+}
+
+template <class Traits>
+void Cgal_view<Traits>::update_points(std::span<const Coordinates<d>> x) const {
+    const auto show = [&](std::size_t v) {
+        if (v < handle_.size() && handle_[v] != Vertex_handle()) handle_[v]->set_point(point(x[v]));
+    };
+    if (all_moved_)
+        for (std::size_t v = 0; v < handle_.size(); ++v) show(v);
+    else
+        for (const Index v : moved_) show(at(v));
+}
+
+/// Its vertices and neighbours, all of which have a cell of CGAL's.
+template <class Traits>
+void Cgal_view<Traits>::write_cell(Cell_index c) const {
+    const Cell_table<d>& t = mesh_.table();
+    const Cell_handle cell = cell_[c];
+    cell->set_cell(c.value());
+    for (int i = 0; i <= d; ++i) {
+        const Corner_index twin = t.twin(t.corner(c, i));
+        const Vertex_handle v = vertex_of(t.vertex(t.corner(c, i)));
+        const Cell_handle beyond = cell_[t.cell_of(twin)];
+        cell->set_vertex(i, v);
+        cell->set_neighbor(i, beyond);
+        beyond->set_neighbor(t.slot_of(twin), cell);
+        Traits::set_cell_of(v, cell);
+    }
+}
+
+template <class Traits>
+void Cgal_view<Traits>::follow(std::span<const Cell_index> cells) const {
+    const Cell_table<d>& t = mesh_.table();
+    auto& tds = tr_.tds();
+    grow(cell_, t.cell_bound().offset());
+    std::vector<Cell_handle> left;
+    for (const Cell_index c : cells)
+        if (c < t.cell_bound() && !t.is_cell(c) && cell_[c] != Cell_handle())
+            left.push_back(std::exchange(cell_[c], Cell_handle()));
+    for (const Cell_index c : cells) {
+        if (!(c < t.cell_bound()) || !t.is_cell(c) || cell_[c] != Cell_handle()) continue;
+        if (left.empty()) {
+            cell_[c] = Traits::create_cell(tds);
+        } else {
+            cell_[c] = left.back();
+            left.pop_back();
+        }
+    }
+    for (const Cell_handle c : left) Traits::delete_cell(tds, c);
+    for (const Cell_index c : cells)
+        if (c < t.cell_bound() && t.is_cell(c)) write_cell(c);
+}
+
+/// The cells that there are are written over, in their order in memory.
+template <class Traits>
+void Cgal_view<Traits>::follow_everything() const {
+    const Cell_table<d>& t = mesh_.table();
+    auto& tds = tr_.tds();
+    auto& there = Traits::cells(tds);
+    const std::size_t bound = t.cell_bound().offset();
+    cell_.reserve(bound + bound / 32);  // so that follow() seldom moves it
+    cell_.assign(bound, Cell_handle());
+    auto next = there.begin();
+    for (const Cell_index c : t.cells())
+        if (next != there.end()) cell_[c] = next++;
+        else break;
+    std::vector<Cell_handle> left;
+    for (; next != there.end(); ++next) left.push_back(next);
+    for (const Cell_handle c : left) Traits::delete_cell(tds, c);
+    for (const Cell_index c : t.cells())
+        if (cell_[c] == Cell_handle()) cell_[c] = Traits::create_cell(tds);
+    tds.set_dimension(d);
+    for (const Cell_index c : t.cells()) write_cell(c);
+}
+
+template <class Traits>
+void Cgal_view<Traits>::remove_cells() const noexcept {
+    Traits::cells(tr_.tds()).clear();
+    tr_.tds().set_dimension(-1);
+    cell_.clear();
+}
+
+/// Of points in a hyperplane CGAL makes a triangulation, whose cells our vertices receive.
+template <class Traits>
+void Cgal_view<Traits>::follow_flat(std::span<const Coordinates<d>> x) const {
+    std::vector<Index> vertices;
+    for (std::size_t v = 0; v < handle_.size(); ++v)
+        if (handle_[v] != Vertex_handle()) vertices.push_back(static_cast<Index>(v));
+    Triangulation other;
+    insert_in_order<Traits>(other, x, vertices, [](Vertex_handle v, Index i) { v->set_index(i); });
+    remove_cells();
+    auto& tds = tr_.tds();
+    auto& cells = Traits::cells(tds);
+    cells.swap(Traits::cells(other.tds()));
+    tds.set_dimension(other.dimension());
+    const auto ours = [&](Vertex_handle v) {
+        return v == other.infinite_vertex() ? tr_.infinite_vertex() : handle_[at(v->index())];
+    };
+    const int last = std::max(tds.dimension(), 0);
+    for (auto c = cells.begin(); c != cells.end(); ++c)
+        for (int i = 0; i <= last; ++i)
+            if (c->vertex(i) != Vertex_handle()) c->set_vertex(i, ours(c->vertex(i)));
+    for (auto v = other.tds().vertices().begin(); v != other.tds().vertices().end(); ++v)
+        Traits::set_cell_of(ours(v), Traits::cell_of(v));
+    other.tds().set_dimension(-2);
+}
+
+}  // namespace annulus

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/environment.h>  // refuses -ffast-math: CGAL's predicates are compiled here, with the caller's flags
+#include <annulus/kernel/delaunay_mesh.h>
+#include <annulus/mesh/audit.h>
+#include <annulus/mesh/cell_log.h>
+
+#include <atomic>
+#include <mutex>
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// A mesh as a triangulation of CGAL's: a copy that is brought up to date when it is asked for. Traits is
+/// Cgal_traits_2<Info> or Cgal_traits_3<Info>.
+///
+/// Vertices are made and removed with those of the mesh, so handles and info live as long as they; cells and points
+/// follow in update(), by a log of what has changed. Cells are written over where they are, which costs a tenth of what
+/// it costs to create them.
+template <class Traits>
+class Cgal_view {
+  public:
+    static constexpr int d = Traits::dimension;
+    static constexpr int dimension_of_space = d;
+    using Triangulation = typename Traits::Triangulation;
+    using Point = typename Traits::Point;
+    using Vertex_handle = typename Traits::Vertex_handle;
+    using Cell_handle = typename Traits::Cell_handle;
+
+    [[nodiscard]] static Coordinates<d> coordinates(const Point& p) { return Traits::coordinates(p); }
+    [[nodiscard]] static Point point(const Coordinates<d>& x) { return Traits::point(x); }
+
+    /// Of a mesh that is built, at x, which is not changed any more once the view is gone. O(n).
+    Cgal_view(Delaunay_mesh<d>& mesh, std::span<const Coordinates<d>> x);
+    Cgal_view(const Cgal_view&) = delete;
+    Cgal_view& operator=(const Cgal_view&) = delete;
+
+    /// Brings it up to date with the mesh, whose positions are x: O(k) for k cells that have changed and vertices that have
+    /// moved. Safe from several threads at once; the mesh does not change meanwhile. When it throws (bad_alloc), the next
+    /// call begins again.
+    const Triangulation& update(std::span<const Coordinates<d>> x) const;
+    /// Cells are about to change, and vertex v, or all vertices, to move.
+    void outdate_cells() noexcept { current_ = false; }
+    void outdate(Index v) noexcept;
+    void outdate() noexcept {
+        all_moved_ = true;
+        current_ = false;
+    }
+
+    /// Null for a vacant index.
+    [[nodiscard]] Vertex_handle handle(Index v) const { return handle_[at(v)]; }
+    /// Makes a vertex for adopt() to take or drop_reserved() to remove. Throws bad_alloc, with nothing changed.
+    void reserve_vertex();
+    void drop_reserved() noexcept;
+    /// v is in the mesh now, at p. Precondition: reserve_vertex().
+    Vertex_handle adopt(Index v, const Coordinates<d>& p) noexcept;
+    /// v is not in the mesh any more. Its handle dies.
+    void forget(Index v) noexcept;
+
+    /// Adds to a verdict what is wrong with CGAL's object itself: points of vertices that are not at x, cells that do
+    /// not fit together or are not those of the mesh. False when not every vertex of a cell has an index, so that
+    /// there are no cells to judge. O(n). Precondition: update(x).
+    bool audit(std::span<const Coordinates<d>> x, Audit_result& result) const;
+    /// CGAL's cell of a cell of the mesh. Precondition: update().
+    [[nodiscard]] Cell_handle cell(Cell_index c) const { return cell_[c]; }
+
+  private:
+    using Points = Cell_points<d>;
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] Vertex_handle vertex_of(Index v) const {
+        return v == infinite ? tr_.infinite_vertex() : handle_[at(v)];
+    }
+    [[nodiscard]] Points points_of(Cell_handle c) const;
+    [[nodiscard]] static Cell_index number_of(Cell_handle c) { return Cell_index(c->cell()); }
+
+    // update.h
+    void create_vertices();
+    void update_cells(std::span<const Coordinates<d>> x) const;
+    void update_points(std::span<const Coordinates<d>> x) const;
+    void follow(std::span<const Cell_index> cells) const;
+    void write_cell(Cell_index c) const;
+    void follow_everything() const;
+    void follow_flat(std::span<const Coordinates<d>> x) const;
+    void remove_cells() const noexcept;
+
+    // view_audit.h
+    bool audit_vertices(std::span<const Coordinates<d>> x, Audit_result& result) const;
+    void audit_adjacency(Audit_result& result) const;
+
+    Delaunay_mesh<d>& mesh_;
+    mutable Triangulation tr_;
+    std::vector<Vertex_handle> handle_;  // by vertex; default for a vacant index
+    Vertex_handle spare_;                // of reserve_vertex()
+    mutable By_cell<Cell_handle> cell_;  // by cell of the mesh
+    mutable Cell_log log_;
+    mutable std::vector<Index> moved_;
+    mutable bool all_moved_ = true;
+    mutable std::atomic<bool> current_ = false;
+    mutable std::mutex updating_;
+};
+
+}  // namespace annulus
+
+#include <annulus/cgal/update.h>
+#include <annulus/cgal/view_audit.h>

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/kernel/delaunay_mesh.h>
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/kernel/flat_cells.h>
+#include <annulus/mesh/insert_vertex.h>
+#include <annulus/mesh/replace_cells.h>
+#include <annulus/mesh/table_readings.h>
+#include <annulus/mesh/walk.h>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+namespace annulus {
+
+template <int d>
+void Delaunay_mesh<d>::build(std::span<const Coordinates<d>> x) {
+    present_.assign(x.size(), 1);
+    vertices_ = x.size();
+    rebuild(x);
+    kernel_.release();  // some are never rebuilt
+}
+
+template <int d>
+std::vector<Index> Delaunay_mesh<d>::living() const {
+    std::vector<Index> vertices;
+    vertices.reserve(vertices_);
+    for (std::size_t v = 0; v < present_.size(); ++v)
+        if (present_[v] != 0) vertices.push_back(static_cast<Index>(v));
+    return vertices;
+}
+
+template <int d>
+void Delaunay_mesh<d>::rebuild(std::span<const Coordinates<d>> x) {
+    if (kernel_.build(x, living())) {
+        kernel_.copy_to(table_, x.size());
+        flat_cells_.clear();
+        dimension_ = d;
+        return;
+    }
+    std::vector<Index> cells;
+    const int dimension = annulus::flat_cells<d>(x, living(), cells);
+    table_.reserve(x.size(), 0);
+    table_.clear(x.size());
+    flat_cells_ = std::move(cells);
+    dimension_ = dimension;
+}
+
+template <int d>
+void Delaunay_mesh<d>::restore(std::span<const Coordinates<d>> x, Index fresh) {
+    if (fresh != none && at(fresh) < present_.size()) present_[at(fresh)] = 0;
+    present_.resize(x.size(), 0);
+    vertices_ = static_cast<std::size_t>(std::count(present_.begin(), present_.end(), char{1}));
+    rebuild(x);
+}
+
+template <int d>
+void Delaunay_mesh<d>::clear_cells() noexcept {
+    table_.clear(0);
+    flat_cells_.clear();
+    dimension_ = -1;
+}
+
+/// The same under other numbers, all of which `made` receives: the table does not become smaller, since the engine may have noted some.
+template <int d>
+void Delaunay_mesh<d>::replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made) {
+    if (!kernel_.build(x, living())) throw std::logic_error("points that had cells are flat");
+    std::vector<Cell_points<d>> cells;
+    kernel_.for_each_cell([&cells](Cell_index, const Cell_points<d>& v, const auto&) { cells.push_back(v); });
+    std::vector<Cell_index> old;
+    for (const Cell_index c : table_.cells()) old.push_back(c);
+    replace_cells<d>(table_, old, cells, made);
+}
+
+/// Of what was listed from `first` on those that there are, once.
+template <int d>
+void Delaunay_mesh<d>::keep_present(std::vector<Cell_index>& cells, std::size_t first) const {
+    const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(begin, cells.end());
+    const auto gone = [this](Cell_index c) { return !table_.is_cell(c); };
+    cells.erase(std::remove_if(begin, std::unique(begin, cells.end()), gone), cells.end());
+}
+
+/// What is outside of them is Delaunay there, and so were they.
+template <int d>
+void Delaunay_mesh<d>::restore_cells(std::span<const Coordinates<d>> home, std::span<const Cell_index> cells,
+                                     std::vector<Cell_index>& made) {
+    std::vector<Cell_index> present;
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(present),
+                 [this](Cell_index c) { return table_.is_cell(c); });
+    const std::size_t first = made.size();
+    if (!local_.rebuild(home, present, everything(), made)) {
+        replace_everything(home, made);
+    }
+    keep_present(made, first);
+}
+
+template <int d>
+Cell_index Delaunay_mesh<d>::locate(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index own) {
+    const auto lives = [this](Index v) { return has(v) && table_.corner_of(v) != no_corner; };
+    const Index near = landmarks_.near(home, present_.size(), p, own, lives);
+    std::size_t steps = 0;
+    const Corner_index start = near != none ? table_.corner_of(near) : table_.corner_of_infinity();
+    const Cell_index c = walk_to<d>(Table_walker<d>(table_, home), p, table_.cell_of(start), steps);
+    landmarks_.note(Landmarks<d>::nearest(home, cell_points(table_, c), p, own), steps);
+    return c;
+}
+
+template <int d>
+bool Delaunay_mesh<d>::is_taken(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index but) {
+    if (dimension_ < d) {
+        for (std::size_t v = 0; v < present_.size(); ++v)
+            if (present_[v] != 0 && static_cast<Index>(v) != but && home[v] == p) return true;
+        return false;
+    }
+    return is_at_corner(home, p, locate(home, p, but), but);
+}
+
+/// Whether a vertex of c, but one, is at p.
+template <int d>
+bool Delaunay_mesh<d>::is_at_corner(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Cell_index c,
+                                    Index but) const {
+    const auto points = cell_points(table_, c);
+    const auto is_there = [&](Index v) { return v != infinite && v != but && home[at(v)] == p; };
+    return std::any_of(points.begin(), points.end(), is_there);
+}
+
+/// v goes to p, where there is no vertex, in the cell `place`.
+template <int d>
+void Delaunay_mesh<d>::attach(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, Cell_index place,
+                              std::vector<Cell_index>& changed) {
+    const Coordinates<d> old = std::exchange(home[at(v)], p);
+    const std::size_t first = changed.size();
+    try {
+        insert_vertex<d>(table_, home, place, v, changed);
+    } catch (...) {
+        home[at(v)] = old;
+        throw;
+    }
+    keep_present(changed, first);
+}
+
+/// False, with nothing changed, when the rest would be flat.
+template <int d>
+bool Delaunay_mesh<d>::detach(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed) {
+    if (dimension_ != d || vertices_ <= d + 1U) return false;
+    std::vector<Cell_index> star;
+    table_.for_each_corner(v, [&](Corner_index h) { star.push_back(table_.cell_of(h)); });
+    const std::size_t first = changed.size();
+    if (!local_.remove(home, star, v, everything(), changed)) return false;
+    keep_present(changed, first);
+    table_.set_absent(v);
+    return true;
+}
+
+template <int d>
+bool Delaunay_mesh<d>::insert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p,
+                              std::vector<Cell_index>& changed) {
+    const bool flat = dimension_ < d;
+    const Cell_index place = flat ? no_cell : locate(home, p, none);
+    if (flat ? is_taken(home, p, none) : is_at_corner(home, p, place, none)) return false;
+    if (at(v) >= present_.size()) present_.resize(at(v) + 1, 0);
+    present_[at(v)] = 1;
+    ++vertices_;
+    if (flat) {
+        home[at(v)] = p;
+        rebuild(home);
+        return true;
+    }
+    table_.set_vertex_bound(present_.size());
+    attach(home, v, p, place, changed);
+    return true;
+}
+
+template <int d>
+void Delaunay_mesh<d>::remove(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed) {
+    if (detach(home, v, changed)) {
+        present_[at(v)] = 0;
+        --vertices_;
+        return;
+    }
+    present_[at(v)] = 0;
+    --vertices_;
+    rebuild(home);
+}
+
+template <int d>
+bool Delaunay_mesh<d>::reinsert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p,
+                                std::vector<Cell_index>& changed) {
+    if (is_taken(home, p, v)) throw Error(Error_code::collision, "another vertex is at that position");
+    if (!detach(home, v, changed)) return false;
+    attach(home, v, p, locate(home, p, none), changed);
+    keep_present(changed, 0);
+    return true;
+}
+
+template <int d>
+Relocation Delaunay_mesh<d>::relocate(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) {
+    if (is_taken(home, p, v)) return Relocation::refused;
+    std::vector<Cell_index> changed;
+    if (detach(home, v, changed)) {
+        attach(home, v, p, locate(home, p, none), changed);
+    } else {
+        std::vector<Coordinates<d>> x(home.begin(), home.end());
+        x[at(v)] = p;
+        rebuild(x);
+        home[at(v)] = p;
+    }
+    return Relocation::reinserted;
+}
+
+template <int d>
+Relocation Delaunay_mesh<d>::relocate_in_place(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) {
+    if (dimension_ == d) {
+        const Coordinates<d> old = std::exchange(home[at(v)], p);
+        if (star_holds<d>(table_, home, v)) return Relocation::kept;
+        home[at(v)] = old;
+    }
+    return relocate(home, v, p);
+}
+
+template class Delaunay_mesh<2>;
+template class Delaunay_mesh<3>;
+
+}  // namespace annulus

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Delaunay_mesh: what is read off it.
+#include <annulus/kernel/delaunay_mesh.h>
+
+#include <annulus/mesh/table_readings.h>
+
+#include <limits>
+
+namespace annulus {
+
+template <int d>
+void Delaunay_mesh<d>::list_cells(std::vector<Index>& vertices) const {
+    if (dimension_ != d) {
+        vertices.insert(vertices.end(), flat_cells_.begin(), flat_cells_.end());
+        return;
+    }
+    for (const Cell_index c : table_.finite_cells()) {
+        const auto v = cell_points(table_, c);
+        vertices.insert(vertices.end(), v.begin(), v.end());
+    }
+}
+
+template <int d>
+void Delaunay_mesh<d>::list_all_cells(std::vector<Index>& vertices) const {
+    if (dimension_ != d) return list_cells(vertices);
+    for (const Cell_index c : table_.cells()) {
+        const auto v = cell_points(table_, c);
+        vertices.insert(vertices.end(), v.begin(), v.end());
+    }
+}
+
+template <int d>
+Mesh_cells<d> Delaunay_mesh<d>::cells(std::size_t bound) const {
+    return dimension_ == d ? mesh_cells(table_) : mesh_cells<d>(flat_cells_, bound);
+}
+
+template <int d>
+double Delaunay_mesh<d>::star_tolerance(std::span<const Coordinates<d>> home, Index v) const {
+    return annulus::star_tolerance<d>(table_, home, v);
+}
+
+template <int d>
+double Delaunay_mesh<d>::theta(std::span<const Coordinates<d>> home, Index v) const {
+    return dimension_ == d ? star_theta<d>(table_, home, v) : 1.5707963267948966;
+}
+
+template <int d>
+Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>> home) const {
+    if (dimension_ == d) return annulus::measure<d>(table_, home);
+    Measures m;
+    m.tolerance.assign(present_.size(), std::numeric_limits<double>::infinity());
+    return m;
+}
+
+#define ANNULUS_READINGS(d)                                                                        \
+    template void Delaunay_mesh<d>::list_cells(std::vector<Index>&) const;                        \
+    template void Delaunay_mesh<d>::list_all_cells(std::vector<Index>&) const;                    \
+    template Mesh_cells<d> Delaunay_mesh<d>::cells(std::size_t) const;                            \
+    template double Delaunay_mesh<d>::star_tolerance(std::span<const Coordinates<d>>, Index) const; \
+    template double Delaunay_mesh<d>::theta(std::span<const Coordinates<d>>, Index) const;        \
+    template Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>>) const;
+ANNULUS_READINGS(2)
+ANNULUS_READINGS(3)
+#undef ANNULUS_READINGS
+
+}  // namespace annulus

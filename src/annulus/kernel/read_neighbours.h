@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/kernel/delaunay_mesh.h>
+#include <annulus/mesh/neighbours.h>
+
+namespace annulus {
+
+/// The neighbours of every vertex of a triangulation of the plane, whatever its dimension. O(n).
+void read_neighbours(const Delaunay_mesh<2>& mesh, Neighbours_2& out);
+
+}  // namespace annulus

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/mesh/index.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <new>
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// The places of a Cell_table that were written to since clear(): what a copy of the table has to look at to be the same
+/// again. Beyond a share of all places, or without memory, it says "everything" and costs nothing any more.
+class Cell_log {
+  public:
+    void clear() noexcept {
+        for (const Cell_index c : cells_) marked_[c] = 0;
+        cells_.clear();
+        everything_ = false;
+    }
+    /// The place of cell c is about to be written to. Amortised O(1).
+    void touch(Cell_index c) noexcept {
+        if (everything_ || (marked_.has(c) && marked_[c] != 0)) return;
+        constexpr std::size_t few = 64, share = 4;
+        if (cells_.size() > few + marked_.size() / share) return touch_everything();
+        try {
+            if (!marked_.has(c)) marked_.resize(std::max(c.offset() + 1, 2 * marked_.size()), 0);
+            cells_.push_back(c);
+            marked_[c] = 1;
+        } catch (const std::bad_alloc&) {
+            touch_everything();
+        }
+    }
+    void touch_everything() noexcept {
+        clear();
+        everything_ = true;
+    }
+    [[nodiscard]] bool everything() const noexcept { return everything_; }
+    /// Each once, unless it is everything.
+    [[nodiscard]] std::span<const Cell_index> cells() const noexcept { return cells_; }
+
+  private:
+    By_cell<char> marked_;  // whether it is in cells_
+    std::vector<Cell_index> cells_;
+    bool everything_ = true;
+};
+
+}  // namespace annulus
