@@ -56,7 +56,7 @@ Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_dupli
     const auto built = Clock::now();
     r.affine_dimension = mesh.dimension();
     std::vector<Index> corners;
-    mesh.list_cells(corners);
+    mesh.list_cells(x, corners);
     r.simplices = corners.size() / (d + 1);
     if (r.affine_dimension == d) {
         Degeneracy_options<d> options;

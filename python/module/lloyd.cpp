@@ -6,7 +6,7 @@
 #include <annulus/kernel/read_neighbours.h>
 #include <annulus/motion/lloyd_2.h>
 #include <annulus/motion/sampling_2.h>
-#include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_mesh.h>
 
 #include <pybind11/stl.h>
 
@@ -45,25 +45,25 @@ std::vector<Coordinates<2>> points_in(const std::optional<Domain_2>& domain, std
     return {points.begin(), points.end()};
 }
 
-void read_stars(const Moving_delaunay_2& dt, Stars_2& stars) {
+void read_stars(const Moving_mesh_2& dt, Stars_2& stars) {
     if (dt.mesh().dimension() == 2) return stars.read(dt.mesh().table());
     Neighbours_2 lists;
-    read_neighbours(dt.mesh(), lists);
+    read_neighbours(dt.mesh(), dt.points(), lists);
     stars.read(lists);
 }
 
 /// Without the GIL. `points` goes from where the vertices begin to where they end.
 void iterate(const Domain_2& domain, Density density, std::int64_t iterations, const Options& options,
              const py::object& callback, std::vector<Coordinates<2>>& points, History& history) {
-    Moving_delaunay_2 dt{std::span<const Coordinates<2>>(points), options};
-    points.assign(dt.positions().begin(), dt.positions().end());  // fewer where some were merged
+    Moving_mesh_2 dt{std::span<const Coordinates<2>>(points), options};
+    points.assign(dt.points().begin(), dt.points().end());  // fewer where some were merged
     const Lloyd_2 lloyd(domain, density, options.threads);
     Stars_2 stars;
     Lloyd_memory memory;
     bool changed = true;
     for (std::int64_t i = 0; i < iterations; ++i) {
         if (changed) read_stars(dt, stars);
-        const Lloyd_step step = lloyd.step(stars, dt.positions(), points, memory);
+        const Lloyd_step step = lloyd.step(stars, dt.points(), points, memory);
         const Move_report report = dt.move_all(std::span<const Coordinates<2>>(points));
         changed = report.flips + report.moves.reinserted + report.moves.rebuilt + report.moves.flipped > 0;
         history.add(step.mean_displacement, step.max_displacement, report);

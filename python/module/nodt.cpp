@@ -7,7 +7,7 @@
 #include <annulus/motion/initial_mesh_3.h>
 #include <annulus/motion/nodt_3.h>
 #include <annulus/motion/surface_3.h>
-#include <annulus/moving_delaunay_3.h>
+#include <annulus/moving_mesh.h>
 
 #include <pybind11/stl.h>
 
@@ -47,10 +47,10 @@ std::unique_ptr<const Domain_3> domain_of(const py::object& surface, bool allow_
 }
 
 /// The cells of the triangulation, and which of them are of the domain.
-void read_cells(const Moving_delaunay_3& dt, bool changed, const Domain_3& domain, int threads, Kept_cells_3& kept) {
+void read_cells(const Moving_mesh_3& dt, bool changed, const Domain_3& domain, int threads, Kept_cells_3& kept) {
     if (changed && dt.mesh().dimension() == 3) kept.read(dt.mesh().table(), threads);
-    else if (changed) kept.read(std::vector<std::array<Index, 4>>(), dt.positions().size(), threads);
-    kept.measure(domain, dt.positions(), threads);
+    else if (changed) kept.read(std::vector<std::array<Index, 4>>(), dt.points().size(), threads);
+    kept.measure(domain, dt.points(), threads);
 }
 
 struct Mesh_of_domain {
@@ -70,14 +70,14 @@ Mesh_of_domain iterate(const Domain_3& domain, std::size_t vertices, double grad
         const std::lock_guard hold(one_at_a_time);
         out.points = initial_mesh(domain, sizing, vertices, seed);
     }
-    Moving_delaunay_3 dt{std::span<const Coordinates<3>>(out.points), options};
+    Moving_mesh_3 dt{std::span<const Coordinates<3>>(out.points), options};
     Kept_cells_3 kept;
     read_cells(dt, true, domain, options.threads, kept);
     out.on_surface = vertices_on_surface(domain, out.points);
     const Nodt_3 nodt(domain, sizing, out.on_surface, lock, options.threads);
     Nodt_memory memory;
     for (std::int64_t i = 0; i < iterations; ++i) {
-        const Nodt_step step = nodt.step(kept, dt.positions(), out.points, memory);
+        const Nodt_step step = nodt.step(kept, dt.points(), out.points, memory);
         const Move_report report = dt.move_all(std::span<const Coordinates<3>>(out.points));
         const bool changed = report.flips + report.moves.reinserted + report.moves.rebuilt + report.moves.flipped > 0;
         read_cells(dt, changed, domain, options.threads, kept);

@@ -144,6 +144,10 @@ Audit_input<d> Moving_mesh<d>::audit_input() const {
     return parts_->engine.audit_input();
 }
 template <int d>
+const Delaunay_mesh<d>& Moving_mesh<d>::mesh() const {
+    return parts_->mesh;
+}
+template <int d>
 const Options& Moving_mesh<d>::options() const {
     return parts_->engine.options();
 }

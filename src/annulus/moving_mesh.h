@@ -14,6 +14,9 @@
 
 namespace annulus {
 
+template <int d>
+class Delaunay_mesh;
+
 /// A Delaunay triangulation that is kept right while its vertices move, as arrays: Moving_delaunay without an object of CGAL's, for
 /// who needs no handles. The same engine, options, strategies and errors, and the same promises: with Tolerance_kind::certified the
 /// cells are Delaunay at the positions of the vertices after every call, proved; positions and indices are as they were when a call
@@ -24,6 +27,7 @@ namespace annulus {
 template <int d>
 class Moving_mesh {
   public:
+    static constexpr int dimension_of_space = d;
     using Point = Coordinates<d>;
 
     explicit Moving_mesh(const Options& options = {}) : Moving_mesh(std::span<const Point>{}, options) {}
@@ -77,6 +81,9 @@ class Moving_mesh {
     /// Exact verdict at the present positions; see audit.h. O(n).
     [[nodiscard]] Audit_result audit() const { return annulus::audit(audit_input()); }
     [[nodiscard]] Audit_input<d> audit_input() const;
+
+    /// What the strategies work on. Not a part of the stable interface.
+    [[nodiscard]] const Delaunay_mesh<d>& mesh() const;
 
     [[nodiscard]] const Options& options() const;
     /// The strategy in force: that of the options, except that `hybrid` becomes `filter` when it switches.

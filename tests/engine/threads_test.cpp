@@ -144,7 +144,7 @@ TEST_CASE("One Lloyd and one natural ODT may be asked by several threads, with t
     const Moving_delaunay_2 dt2(plane.positions());
     const Lloyd_2 lloyd(Domain_2::square(1), Density::one, 2);
     Neighbours_2 neighbours;
-    read_neighbours(dt2.mesh(), neighbours);
+    read_neighbours(dt2.mesh(), dt2.positions(), neighbours);
     const auto lloyd_targets = [&] {
         std::vector<Coordinates<2>> target(plane.positions().size());
         (void)lloyd.step(neighbours, plane.positions(), target);

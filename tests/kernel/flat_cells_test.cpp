@@ -53,17 +53,24 @@ std::vector<Index> all_of(std::size_t n) {
 }
 
 void check_plane(const std::vector<Coordinates<3>>& x) {
-    std::vector<Index> cells;
-    const int dimension = flat_cells<3>(x, all_of(x.size()), cells);
+    const Flat_cells flat = flat_cells<3>(x, all_of(x.size()));
     const std::set<Triangle> expected = by_cgal(x);
-    REQUIRE((dimension == 2) == !expected.empty());
-    if (dimension != 2) return;
+    REQUIRE((flat.dimension == 2) == !expected.empty());
+    if (flat.dimension != 2) return;
     std::set<Triangle> triangles;
-    for (std::size_t k = 0; k < cells.size(); k += 4) {
-        REQUIRE(cells[k + 3] == none);
-        Triangle t{cells[k], cells[k + 1], cells[k + 2]};
+    for (std::size_t k = 0; k < flat.vertices.size(); ++k) {
+        Triangle t = flat.vertices[k];
+        for (std::size_t i = 0; i < 3; ++i) {  // a neighbour shares the edge, and runs through it the other way
+            const auto n = static_cast<std::size_t>(flat.neighbours[k][i]);
+            const auto& other = flat.vertices[n];
+            const auto& back = flat.neighbours[n];
+            const auto j = static_cast<std::size_t>(std::find(back.begin(), back.end(), static_cast<Index>(k)) - back.begin());
+            REQUIRE(j < 3);
+            REQUIRE(t[(i + 1) % 3] == other[(j + 2) % 3]);
+            REQUIRE(t[(i + 2) % 3] == other[(j + 1) % 3]);
+        }
         std::sort(t.begin(), t.end());
-        REQUIRE(triangles.insert(t).second);
+        if (t[0] != infinite) REQUIRE(triangles.insert(t).second);
     }
     REQUIRE(triangles == expected);
 }
@@ -104,22 +111,20 @@ TEMPLATE_TEST_CASE_SIG("Points on a line have the segments between neighbours, d
         for (std::size_t c = 0; c < d; ++c) p[c] = t * static_cast<double>(c) - 1;
         x.push_back(p);
     }
-    std::vector<Index> cells;
-    CHECK(flat_cells<d>(x, all_of(x.size()), cells) == 1);
-    std::vector<Index> expected;
-    const std::vector<Index> along{1, 3, 2, 5, 0, 4};
-    for (std::size_t k = 1; k < along.size(); ++k) {
-        expected.insert(expected.end(), {along[k - 1], along[k]});
-        expected.resize(expected.size() + d - 1, none);
+    const Flat_cells flat = flat_cells<d>(x, all_of(x.size()));
+    CHECK(flat.dimension == 1);
+    const std::vector<Index> ring{infinite, 1, 3, 2, 5, 0, 4, infinite};
+    REQUIRE(flat.vertices.size() == 7);
+    for (std::size_t k = 0; k < 7; ++k) {
+        CHECK(flat.vertices[k] == std::array<Index, 3>{ring[k], ring[k + 1], none});
+        CHECK(flat.neighbours[k] == std::array<Index, 3>{static_cast<Index>((k + 1) % 7), static_cast<Index>((k + 6) % 7), none});
     }
-    CHECK(cells == expected);
-    cells.clear();
-    CHECK(flat_cells<d>(x, {4}, cells) == 0);
-    CHECK(flat_cells<d>(x, {}, cells) == -1);
-    CHECK(cells.empty());
+    CHECK(flat_cells<d>(x, {4}).dimension == 0);
+    CHECK(flat_cells<d>(x, {}).dimension == -1);
+    require_distinct<d>(x, all_of(x.size()));
     x.push_back(x[2]);
     try {
-        (void)flat_cells<d>(x, all_of(x.size()), cells);
+        require_distinct<d>(x, all_of(x.size()));
         FAIL("two points at one place");
     } catch (const Error& e) {
         CHECK(e.code() == Error_code::collision);

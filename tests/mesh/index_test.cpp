@@ -64,7 +64,7 @@ TEST_CASE("The cells and facets of a table are each visited once", "[mesh][index
         ++finite;
     }
     std::vector<Index> corners;
-    e.list_cells(corners);
+    e.list_cells(points, corners);
     CHECK(finite == corners.size() / 4);
     const Cell_table<3> empty;
     for (const Cell_index c : empty.cells()) FAIL("cell " << c.value());

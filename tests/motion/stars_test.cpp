@@ -77,7 +77,7 @@ TEST_CASE("stars follow vertices that come and go", "[motion][stars]") {
         else dt.remove(dt.vertex(i));
         stars.read(dt.mesh().table());
         Neighbours_2 lists;
-        read_neighbours(dt.mesh(), lists);
+        read_neighbours(dt.mesh(), dt.positions(), lists);
         whole.read(lists);
         check_same(stars, whole);
     }

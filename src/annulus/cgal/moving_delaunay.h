@@ -230,9 +230,11 @@ class Moving_delaunay {
         return x;
     }
 
-    /// These vertices are about to move. Where tolerances are not certified others may, too.
+    /// These vertices are about to move. Under the paper's algorithm the triangulation stands at other positions than
+    /// these, of which others may move, too.
     void outdate(std::span<const Index> indices) noexcept {
-        if (options().tolerance != Tolerance_kind::certified) return view_->outdate();
+        if (strategy() == Strategy::filter_each && options().tolerance != Tolerance_kind::certified)
+            return view_->outdate();
         view_->outdate_cells();
         for (const Index i : indices) view_->outdate(i);
     }

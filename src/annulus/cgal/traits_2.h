@@ -28,15 +28,6 @@ struct Cgal_traits_2 {
     }
     [[nodiscard]] static Cell_handle create_cell(Tds& tds) { return tds.create_face(); }
     static void delete_cell(Tds& tds, Cell_handle c) { tds.delete_face(c); }
-    /// Inserts p near a vertex, or null.
-    [[nodiscard]] static Vertex_handle insert(Triangulation& tr, const Point& p, Vertex_handle near) {
-        return near == Vertex_handle() ? tr.insert(p) : tr.insert(p, near->face());
-    }
-    /// Makes a call that inserts.
-    template <class Call>
-    static void edit(Call call) {
-        call();
-    }
 };
 
 }  // namespace annulus

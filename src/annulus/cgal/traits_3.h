@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/cgal/sound_table.h>
 #include <annulus/cgal/types_3.h>
 
 namespace annulus {
@@ -29,15 +28,6 @@ struct Cgal_traits_3 {
     }
     [[nodiscard]] static Cell_handle create_cell(Tds& tds) { return tds.create_cell(); }
     static void delete_cell(Tds& tds, Cell_handle c) { tds.delete_cell(c); }
-    /// Inserts p near a vertex, or null.
-    [[nodiscard]] static Vertex_handle insert(Triangulation& tr, const Point& p, Vertex_handle near) {
-        return near == Vertex_handle() ? tr.insert(p) : tr.insert(p, near);
-    }
-    /// Makes a call that inserts.
-    template <class Call>
-    static void edit(Call call) {
-        cgal_3::with_sound_table(call);
-    }
 };
 
 }  // namespace annulus

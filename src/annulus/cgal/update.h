@@ -2,7 +2,6 @@
 #pragma once
 
 // Cgal_view: what keeps it up to date.
-#include <annulus/cgal/insert_in_order.h>
 #include <annulus/cgal/view.h>
 
 #include <algorithm>
@@ -177,28 +176,42 @@ void Cgal_view<Traits>::remove_cells() const noexcept {
     cell_.clear();
 }
 
-/// Of points in a hyperplane CGAL makes a triangulation, whose cells our vertices receive.
+/// CGAL's cells of points in a hyperplane have a corner less, or two.
 template <class Traits>
 void Cgal_view<Traits>::follow_flat(std::span<const Coordinates<d>> x) const {
-    std::vector<Index> vertices;
-    for (std::size_t v = 0; v < handle_.size(); ++v)
-        if (handle_[v] != Vertex_handle()) vertices.push_back(static_cast<Index>(v));
+    const Flat_cells flat = mesh_.flat_cells(x);
+    if (flat.dimension < 1) return follow_point();
+    remove_cells();
+    auto& tds = tr_.tds();
+    std::vector<Cell_handle> made(flat.vertices.size());
+    for (Cell_handle& c : made) c = Traits::create_cell(tds);
+    for (std::size_t k = 0; k < made.size(); ++k)
+        for (int i = 0; i <= flat.dimension; ++i) {
+            const auto corner = static_cast<std::size_t>(i);
+            const Vertex_handle v = vertex_of(flat.vertices[k][corner]);
+            made[k]->set_vertex(i, v);
+            made[k]->set_neighbor(i, made[at(flat.neighbours[k][corner])]);
+            Traits::set_cell_of(v, made[k]);
+        }
+    tds.set_dimension(flat.dimension);
+}
+
+/// At most one vertex: the cells that CGAL has for it.
+template <class Traits>
+void Cgal_view<Traits>::follow_point() const {
+    const auto one = std::find_if(handle_.begin(), handle_.end(), [](Vertex_handle v) { return v != Vertex_handle(); });
     Triangulation other;
-    insert_in_order<Traits>(other, x, vertices, [](Vertex_handle v, Index i) { v->set_index(i); });
+    if (one != handle_.end()) other.insert((*one)->point());
     remove_cells();
     auto& tds = tr_.tds();
     auto& cells = Traits::cells(tds);
     cells.swap(Traits::cells(other.tds()));
     tds.set_dimension(other.dimension());
-    const auto ours = [&](Vertex_handle v) {
-        return v == other.infinite_vertex() ? tr_.infinite_vertex() : handle_[at(v->index())];
-    };
-    const int last = std::max(tds.dimension(), 0);
-    for (auto c = cells.begin(); c != cells.end(); ++c)
-        for (int i = 0; i <= last; ++i)
-            if (c->vertex(i) != Vertex_handle()) c->set_vertex(i, ours(c->vertex(i)));
-    for (auto v = other.tds().vertices().begin(); v != other.tds().vertices().end(); ++v)
-        Traits::set_cell_of(ours(v), Traits::cell_of(v));
+    for (auto c = cells.begin(); c != cells.end(); ++c) {
+        const Vertex_handle v = c->vertex(0) == other.infinite_vertex() ? tr_.infinite_vertex() : *one;
+        c->set_vertex(0, v);
+        Traits::set_cell_of(v, c);
+    }
     other.tds().set_dimension(-2);
 }
 

@@ -83,6 +83,7 @@ class Cgal_view {
     void write_cell(Cell_index c) const;
     void follow_everything() const;
     void follow_flat(std::span<const Coordinates<d>> x) const;
+    void follow_point() const;
     void remove_cells() const noexcept;
 
     // view_audit.h

@@ -226,8 +226,8 @@ int run(const Compare_call& a, const Invocation& invocation) {
         common.say_notes(motion.reader.notes());
         return status;
     };
-    return motion.dimension == 2 ? follow(std::in_place_type<Moving_delaunay_2>)
-                                 : follow(std::in_place_type<Moving_delaunay_3>);
+    return motion.dimension == 2 ? follow(std::in_place_type<Moving_mesh_2>)
+                                 : follow(std::in_place_type<Moving_mesh_3>);
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ Degeneracy_record study_points(const Degeneracy_call& a, std::string file, const
     const auto built = Clock::now();
     r.affine_dimension = mesh.dimension();
     std::vector<Index> corners;
-    mesh.list_cells(corners);
+    mesh.list_cells(x, corners);
     r.simplices = corners.size() / (d + 1);
     std::optional<Raw_file<d>> raw;
     if (!a.raw.empty()) raw.emplace(a.raw, id);

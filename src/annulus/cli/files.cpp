@@ -29,8 +29,8 @@ template <class Moving>
 std::pair<std::vector<double>, std::vector<double>> vertex_fields(const Moving& dt, const Measures& m) {
     std::pair<std::vector<double>, std::vector<double>> fields;
     for (std::size_t i = 0; i < m.tolerance.size(); ++i) {
-        const auto v = dt.vertex(i);
-        if (v == decltype(v)()) continue;
+        const auto v = static_cast<Index>(i);
+        if (!dt.is_vertex(v)) continue;
         fields.first.push_back(m.tolerance[i]);  // infinite where nothing can fail
         fields.second.push_back(dt.theta(v));
     }
@@ -137,8 +137,8 @@ void print_summary(const Tracker<Moving>& tracker) {
     }
 }
 
-template void write_run(const Common_arguments&, const Tracker_2&, Run_page<Moving_delaunay_2>);
-template void write_run(const Common_arguments&, const Tracker_3&, Run_page<Moving_delaunay_3>);
+template void write_run(const Common_arguments&, const Tracker_2&, Run_page<Moving_mesh_2>);
+template void write_run(const Common_arguments&, const Tracker_3&, Run_page<Moving_mesh_3>);
 template void print_summary(const Tracker_2&);
 template void print_summary(const Tracker_3&);
 

@@ -49,8 +49,8 @@ void say_interrupted(const Common_arguments& arguments, std::uint64_t done_steps
 template <class Moving>
 void print_summary(const Tracker<Moving>& tracker);
 
-extern template void write_run(const Common_arguments&, const Tracker_2&, Run_page<Moving_delaunay_2>);
-extern template void write_run(const Common_arguments&, const Tracker_3&, Run_page<Moving_delaunay_3>);
+extern template void write_run(const Common_arguments&, const Tracker_2&, Run_page<Moving_mesh_2>);
+extern template void write_run(const Common_arguments&, const Tracker_3&, Run_page<Moving_mesh_3>);
 extern template void print_summary(const Tracker_2&);
 extern template void print_summary(const Tracker_3&);
 

@@ -95,7 +95,7 @@ Frame_files<Moving>::Frame_files(const Common_arguments& common, const Frame_arg
 
 template <class Moving>
 bool Frame_files<Moving>::lives(std::size_t i) const {
-    return dt_.vertex(i) != typename Moving::Vertex_handle();
+    return dt_.is_vertex(static_cast<Index>(i));
 }
 
 template <class Moving>
@@ -117,7 +117,7 @@ void Frame_files<Moving>::hear(const Move_report& report, Index arrived) {
 
 template <class Moving>
 void Frame_files<Moving>::write_voronoi(std::uint64_t number, const Mesh_cells<d>& cells, Frame_record& record) {
-    volume_ = voronoi_volumes<d>(dt_.positions(), cells);
+    volume_ = voronoi_volumes<d>(dt_.points(), cells);
     neighbours_ = voronoi_neighbour_counts<d>(dt_.index_bound(), cells);
     std::vector<std::size_t> vertices;
     for (std::size_t i = 0; i < dt_.index_bound(); ++i)
@@ -165,7 +165,7 @@ void Frame_files<Moving>::write_vtu(std::uint64_t number, const Mesh_cells<d>& c
     for (std::size_t i = 0; i < place.size(); ++i) {
         if (!lives(i)) continue;
         place[i] = static_cast<Index>(points.size());
-        points.push_back(dt_.positions()[i]);
+        points.push_back(dt_.points()[i]);
         ids.push_back(id_[i]);
         if (!frames_.voronoi) continue;
         volume.push_back(volume_[i]);
@@ -207,7 +207,7 @@ void Frame_files<Moving>::write(Result_files& out) {
     out.take(*scratch_);
 }
 
-template class Frame_files<Moving_delaunay_2>;
-template class Frame_files<Moving_delaunay_3>;
+template class Frame_files<Moving_mesh_2>;
+template class Frame_files<Moving_mesh_3>;
 
 }  // namespace annulus::cli

@@ -72,7 +72,7 @@ class Frame_files {
     std::vector<Index> neighbours_;
 };
 
-extern template class Frame_files<Moving_delaunay_2>;
-extern template class Frame_files<Moving_delaunay_3>;
+extern template class Frame_files<Moving_mesh_2>;
+extern template class Frame_files<Moving_mesh_3>;
 
 }  // namespace annulus::cli

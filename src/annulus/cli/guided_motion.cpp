@@ -19,7 +19,7 @@ bool Guided_lloyd::next(Timestamp<2>& t) {
     const auto start = Clock::now();
     t.x.resize(scene_.points.size());
     if (cells_changed_) read_stars(guide_, stars_);
-    const Lloyd_step step = lloyd_.step(stars_, guide_.positions(), t.x, memory_);
+    const Lloyd_step step = lloyd_.step(stars_, guide_.points(), t.x, memory_);
     cells_changed_ = changes_cells(guide_.move_all(std::span<const Coordinates<2>>(t.x)));
     t.way = {step.mean_displacement, step.max_displacement};
     t.seconds = since(start);
@@ -102,7 +102,7 @@ bool Guided_replay<Moving>::next(Timestamp<d>& t) {
     return true;
 }
 
-template class Guided_replay<Moving_delaunay_2>;
-template class Guided_replay<Moving_delaunay_3>;
+template class Guided_replay<Moving_mesh_2>;
+template class Guided_replay<Moving_mesh_3>;
 
 }  // namespace annulus::cli

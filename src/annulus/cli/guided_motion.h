@@ -37,7 +37,7 @@ struct Timestamp {
 /// follows them does not decide where they go.
 class Guided_lloyd {
   public:
-    using Moving = Moving_delaunay_2;
+    using Moving = Moving_mesh_2;
     static constexpr const char* step_name = "Lloyd iteration";
 
     Guided_lloyd(const Lloyd_arguments& arguments, const Common_arguments& common);
@@ -64,7 +64,7 @@ class Guided_lloyd {
 /// The same of natural ODT.
 class Guided_nodt {
   public:
-    using Moving = Moving_delaunay_3;
+    using Moving = Moving_mesh_3;
     static constexpr const char* step_name = "natural ODT iteration";
 
     Guided_nodt(const Nodt_arguments& arguments, const Common_arguments& common);
@@ -119,7 +119,7 @@ class Guided_replay {
     std::vector<Index> vacant_;
 };
 
-extern template class Guided_replay<Moving_delaunay_2>;
-extern template class Guided_replay<Moving_delaunay_3>;
+extern template class Guided_replay<Moving_mesh_2>;
+extern template class Guided_replay<Moving_mesh_3>;
 
 }  // namespace annulus::cli

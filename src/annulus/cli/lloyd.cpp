@@ -32,9 +32,9 @@ int run(const Lloyd_call& a, const std::string& command) {
     if (!a.common.output.empty()) require_writable(a.common);
     Tracker_2 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.lloyd.iterations, a.tracking.audit,
                       !a.common.output.empty());
-    Run_page<Moving_delaunay_2> page{.step = "Lloyd iteration"};
+    Run_page<Moving_mesh_2> page{.step = "Lloyd iteration"};
     if (!a.common.output.empty()) page.before = picture_of(tracker.triangulation(), "Before");
-    Frame_files<Moving_delaunay_2> frames(a.common, a.frames, tracker);
+    Frame_files<Moving_mesh_2> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
 
     const Lloyd_2 lloyd(scene.domain, scene.density, a.common.threads);
@@ -47,9 +47,9 @@ int run(const Lloyd_call& a, const std::string& command) {
         Progress progress("lloyd", a.lloyd.iterations, a.common.quiet);
         for (std::uint64_t i = 1; i <= a.lloyd.iterations && !Interruption_guard::interrupted(); ++i) {
             const auto start = Clock::now();
-            const Moving_delaunay_2& dt = tracker.triangulation();
+            const Moving_mesh_2& dt = tracker.triangulation();
             if (tracker.cells_changed()) read_stars(dt, stars);
-            const Lloyd_step step = lloyd.step(stars, dt.positions(), target, memory);
+            const Lloyd_step step = lloyd.step(stars, dt.points(), target, memory);
             tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
             if (a.frames.any()) frames.frame(i);
             char news[40];

@@ -181,9 +181,9 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
     return {*domain, density, std::move(points), merged, input_of(file), std::move(stippling)};
 }
 
-std::string stipples_of(const Lloyd_arguments& a, const Lloyd_scene& scene, const Moving_delaunay_2& dt) {
+std::string stipples_of(const Lloyd_arguments& a, const Lloyd_scene& scene, const Moving_mesh_2& dt) {
     const Stippling& picture = *scene.stippling;
-    const std::span<const Coordinates<2>> points = dt.positions();
+    const std::span<const Coordinates<2>> points = dt.points();
     std::vector<double> radii{disc_radius(picture.area(), points.size())};
     if (a.dots == "cells") {
         Stars_2 stars;
@@ -200,10 +200,10 @@ std::string stipples_of(const Lloyd_arguments& a, const Lloyd_scene& scene, cons
     return svg_stipples(picture.width(), picture.height(), points, radii, a.invert);
 }
 
-void read_stars(const Moving_delaunay_2& dt, Stars_2& stars) {
+void read_stars(const Moving_mesh_2& dt, Stars_2& stars) {
     if (dt.mesh().dimension() == 2) return stars.read(dt.mesh().table());
     Neighbours_2 lists;
-    read_neighbours(dt.mesh(), lists);
+    read_neighbours(dt.mesh(), dt.points(), lists);
     stars.read(lists);
 }
 

@@ -5,7 +5,7 @@
 #include <annulus/cli/input.h>
 #include <annulus/motion/lloyd_2.h>
 #include <annulus/motion/stippling.h>
-#include <annulus/moving_delaunay_2.h>
+#include <annulus/moving_mesh.h>
 
 #include <optional>
 #include <string>
@@ -47,9 +47,9 @@ struct Lloyd_scene {
 
 /// The picture's dots, where Lloyd iterations left them, as an SVG document. Throws as `make_scene`.
 [[nodiscard]] std::string stipples_of(const Lloyd_arguments& arguments, const Lloyd_scene& scene,
-                                      const Moving_delaunay_2& dt);
+                                      const Moving_mesh_2& dt);
 
 /// The stars of a triangulation, which costs what has changed.
-void read_stars(const Moving_delaunay_2& dt, Stars_2& stars);
+void read_stars(const Moving_mesh_2& dt, Stars_2& stars);
 
 }  // namespace annulus::cli

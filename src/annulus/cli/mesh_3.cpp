@@ -9,7 +9,7 @@
 
 namespace annulus::cli {
 
-void Mesh_3::read(const Moving_delaunay_3& dt) {
+void Mesh_3::read(const Moving_mesh_3& dt) {
     Audit_input<3> in = dt.audit_input();
     points_ = std::move(in.points);
     std::erase_if(in.cells, [](const auto& c) { return c[3] == none; });  // the simplices of a flat set
@@ -18,8 +18,8 @@ void Mesh_3::read(const Moving_delaunay_3& dt) {
     domain_ = false;
 }
 
-void Mesh_3::read(const Moving_delaunay_3& dt, bool cells_changed, const Domain_3& domain, int threads) {
-    points_.assign(dt.positions().begin(), dt.positions().end());
+void Mesh_3::read(const Moving_mesh_3& dt, bool cells_changed, const Domain_3& domain, int threads) {
+    points_.assign(dt.points().begin(), dt.points().end());
     if (cells_changed && dt.mesh().dimension() == 3) kept_.read(dt.mesh().table(), threads);
     else if (cells_changed) kept_.read(std::vector<std::array<Index, 4>>(), points_.size(), threads);
     kept_.measure(domain, points_, threads);
@@ -70,7 +70,7 @@ Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step) {
             .dihedral = {counts.begin(), counts.end()}};
 }
 
-Picture picture_of(const Moving_delaunay_3& dt, std::string caption) {
+Picture picture_of(const Moving_mesh_3& dt, std::string caption) {
     Mesh_3 mesh;
     mesh.read(dt);
     return mesh.cut(std::move(caption));

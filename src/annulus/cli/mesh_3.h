@@ -25,9 +25,9 @@ class Mesh_3 {
     [[nodiscard]] const Kept_cells_3& kept() const { return kept_; }
 
     /// Every cell is of the domain.
-    void read(const Moving_delaunay_3& dt);
+    void read(const Moving_mesh_3& dt);
     /// Those cells are of the domain whose circumcentre is. The cells are read again only if they have changed.
-    void read(const Moving_delaunay_3& dt, bool cells_changed, const Domain_3& domain, int threads);
+    void read(const Moving_mesh_3& dt, bool cells_changed, const Domain_3& domain, int threads);
 
     /// The shortest side of the box of the points: cut across it, a mesh shows its widest view.
     [[nodiscard]] std::size_t shortest_side() const;
@@ -47,6 +47,6 @@ class Mesh_3 {
 [[nodiscard]] Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step);
 
 /// All cells of the triangulation, cut as above.
-[[nodiscard]] Picture picture_of(const Moving_delaunay_3& dt, std::string caption);
+[[nodiscard]] Picture picture_of(const Moving_mesh_3& dt, std::string caption);
 
 }  // namespace annulus::cli

@@ -38,7 +38,7 @@ std::string filled(const Mesh_3& mesh, const Domain_3& domain) {
 }
 
 /// The cells of the domain alone, their dihedral angles, and what is on their surface.
-void add_domain(Run_page<Moving_delaunay_3>& page, const Mesh_3& mesh, const Run_record& run) {
+void add_domain(Run_page<Moving_mesh_3>& page, const Mesh_3& mesh, const Run_record& run) {
     page.cells = mesh.cells().vertex;
     std::vector<std::array<Index, 4>> inside;
     std::vector<std::int64_t> flag, boundary(mesh.points().size(), 0);
@@ -70,10 +70,10 @@ int run(const Nodt_call& a, const std::string& command) {
     scene.require_cells(a.nodt, mesh.inside());
     scene.notes.push_back(filled(mesh, domain));
     tracker.mesh_before(measured(mesh, {}));
-    Run_page<Moving_delaunay_3> page{.step = "natural ODT iteration"};
+    Run_page<Moving_mesh_3> page{.step = "natural ODT iteration"};
     const std::size_t axis = mesh.shortest_side();
     if (files) page.before = mesh.cut("before", axis);
-    Frame_files<Moving_delaunay_3> frames(a.common, a.frames, tracker);
+    Frame_files<Moving_mesh_3> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
 
     const Nodt_3 nodt = scene.motion(a.nodt, a.common.threads);

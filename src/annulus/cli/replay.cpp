@@ -28,8 +28,8 @@ struct Replay_call {
 };
 
 /// The solid cells in one order, whatever the history of the triangulation.
-std::vector<std::array<Index, 3>> ordered_cells(const Moving_delaunay_2&) { return {}; }
-std::vector<std::array<Index, 4>> ordered_cells(const Moving_delaunay_3& dt) {
+std::vector<std::array<Index, 3>> ordered_cells(const Moving_mesh_2&) { return {}; }
+std::vector<std::array<Index, 4>> ordered_cells(const Moving_mesh_3& dt) {
     Mesh_3 mesh;
     mesh.read(dt);
     return mesh.cells().vertex;
@@ -67,7 +67,7 @@ class Replay {
     bool next() {
         if (!frames_.next(frame_)) return false;
         if (frames_.at_end()) tracker_.ends_after(tracker_.record().iterations + 1);
-        Frame_change<d> change(present_, tracker_.triangulation().positions(), frame_);
+        Frame_change<d> change(present_, tracker_.triangulation().points(), frame_);
         if (files_) {
             std::vector<std::uint64_t> ids;
             for (std::size_t k = 0; k < change.index.size(); ++k)
@@ -172,8 +172,8 @@ int run(const Replay_call& a, const std::string& command) {
     Options options = options_of(a.tracking, a.common);  // wrong usage is told before a file is opened
     prepare(a.frames, a.common, options);
     Opened_motion motion = open_motion(a.replay);
-    return motion.dimension == 2 ? replay<Moving_delaunay_2>(a, options, command, motion, begin)
-                                 : replay<Moving_delaunay_3>(a, options, command, motion, begin);
+    return motion.dimension == 2 ? replay<Moving_mesh_2>(a, options, command, motion, begin)
+                                 : replay<Moving_mesh_3>(a, options, command, motion, begin);
 }
 
 }  // namespace

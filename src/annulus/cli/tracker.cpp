@@ -89,13 +89,10 @@ std::vector<Index> Tracker<Moving>::follow(std::span<const Index> leave, std::sp
         return arrived;
     };
     for (const Index i : leave)
-        (void)call([&](Move_report& one) { return dt_.remove(dt_.vertex(static_cast<std::size_t>(i)), &one), none; },
-                   false);
+        (void)call([&](Move_report& one) { return dt_.remove(i, &one), none; }, false);
     (void)call([&](Move_report& one) { return one = dt_.move_all(x), none; }, true);
-    for (const auto& p : arrive) {
-        const auto point = std::apply([](auto... c) { return typename Moving::Point(c...); }, p);
-        indices.push_back(call([&](Move_report& one) { return dt_.index(dt_.insert(point, &one)); }, false));
-    }
+    for (const auto& p : arrive)
+        indices.push_back(call([&](Move_report& one) { return dt_.insert(p, &one); }, false));
     record_step(report, seconds, motion_seconds, displacement_mean, displacement_max);
     cells_changed_ = cells_changed_ || !leave.empty() || !arrive.empty();
     return indices;
@@ -190,10 +187,10 @@ void Tracker<Moving>::add_motion(double seconds) {
     record_.steps.back().seconds_motion += seconds;
 }
 
-template class Tracker<Moving_delaunay_2>;
-template class Tracker<Moving_delaunay_3>;
+template class Tracker<Moving_mesh_2>;
+template class Tracker<Moving_mesh_3>;
 
-Picture picture_of(const Moving_delaunay_2& dt, std::string caption) {
+Picture picture_of(const Moving_mesh_2& dt, std::string caption) {
     Audit_input<2> in = dt.audit_input();
     Picture picture;
     picture.caption = std::move(caption);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
+#include <annulus/moving_mesh.h>
 #include <annulus/report/report.h>
 #include <annulus/report/run_record.h>
 
@@ -22,7 +21,7 @@ namespace annulus::cli {
 /// Of a motion whose end is not known when it begins.
 inline constexpr std::uint64_t unknown_iterations = std::numeric_limits<std::uint64_t>::max();
 
-/// One strategy following a motion: its triangulation (a Moving_delaunay), what it did, and what was measured on the way.
+/// One strategy following a motion: its triangulation (a Moving_mesh), what it did, and what was measured on the way.
 template <class Moving>
 class Tracker {
   public:
@@ -95,13 +94,13 @@ class Tracker {
     bool cells_changed_ = true;
 };
 
-extern template class Tracker<Moving_delaunay_2>;
-extern template class Tracker<Moving_delaunay_3>;
+extern template class Tracker<Moving_mesh_2>;
+extern template class Tracker<Moving_mesh_3>;
 
-using Tracker_2 = Tracker<Moving_delaunay_2>;
-using Tracker_3 = Tracker<Moving_delaunay_3>;
+using Tracker_2 = Tracker<Moving_mesh_2>;
+using Tracker_3 = Tracker<Moving_mesh_3>;
 
 /// The triangulation as a picture for the report.
-[[nodiscard]] Picture picture_of(const Moving_delaunay_2& dt, std::string caption);
+[[nodiscard]] Picture picture_of(const Moving_mesh_2& dt, std::string caption);
 
 }  // namespace annulus::cli

@@ -51,26 +51,24 @@ std::vector<Index> without(const Sorted<Points>& cells, const Sorted<Points>& ot
 }  // namespace
 
 template <int d>
-Cell_changes<d>::Cell_changes(Delaunay_mesh<d>& mesh, Cell_journal<d>& journal)
-    : mesh_(mesh),
-      journal_(journal),
-      watched_(mesh.dimension() == d) {
+Cell_changes<d>::Cell_changes(Delaunay_mesh<d>& mesh, std::span<const Coordinates<d>> x, Cell_journal<d>& journal)
+    : mesh_(mesh), journal_(journal), watched_(mesh.dimension() == d) {
     journal.begin();
     if (watched_) mesh.table().tell(&journal);
-    else before_ = all_cells();
+    else before_ = all_cells(x);
 }
 
 template <int d>
-auto Cell_changes<d>::all_cells() const -> std::vector<Points> {
+auto Cell_changes<d>::all_cells(std::span<const Coordinates<d>> x) const -> std::vector<Points> {
     std::vector<Index> corners;
-    mesh_.list_all_cells(corners);
+    mesh_.list_all_cells(x, corners);
     std::vector<Points> cells(corners.size() / (d + 1));
     for (std::size_t c = 0; c < cells.size(); ++c) std::copy_n(&corners[c * (d + 1)], d + 1, cells[c].begin());
     return cells;
 }
 
 template <int d>
-void Cell_changes<d>::list(Move_report& report) {
+void Cell_changes<d>::list(std::span<const Coordinates<d>> x, Move_report& report) {
     journal_.check();
     std::vector<Points> came;
     if (watched_ && !journal_.replaced()) {
@@ -78,7 +76,7 @@ void Cell_changes<d>::list(Move_report& report) {
         for (const Cell_index c : journal_.places())
             if (t.is_cell(c)) came.push_back(cell_points(t, c));
     } else {
-        came = all_cells();
+        came = all_cells(x);
     }
     const Sorted<Points> before = sorted(watched_ ? journal_.gone() : before_), after = sorted(came);
     const bool flat = !watched_ || mesh_.dimension() != d;

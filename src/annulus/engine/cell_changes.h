@@ -15,18 +15,18 @@ namespace annulus {
 template <int d>
 class Cell_changes {
   public:
-    /// Both outlive it. O(1), but O(n) where all points lie in a hyperplane.
-    Cell_changes(Delaunay_mesh<d>& mesh, Cell_journal<d>& journal);
+    /// Both outlive it; x are the positions. O(1), but O(n log n) where all of them lie in a hyperplane.
+    Cell_changes(Delaunay_mesh<d>& mesh, std::span<const Coordinates<d>> x, Cell_journal<d>& journal);
     ~Cell_changes() { mesh_.table().tell(nullptr); }
     Cell_changes(const Cell_changes&) = delete;
     Cell_changes& operator=(const Cell_changes&) = delete;
 
     /// Writes report.changed and report.gone, sorted by their vertices. O(k log k) for k cells that were written to, or all n.
-    void list(Move_report& report);
+    void list(std::span<const Coordinates<d>> x, Move_report& report);
 
   private:
     using Points = typename Cell_journal<d>::Points;
-    [[nodiscard]] std::vector<Points> all_cells() const;
+    [[nodiscard]] std::vector<Points> all_cells(std::span<const Coordinates<d>> x) const;
 
     Delaunay_mesh<d>& mesh_;
     Cell_journal<d>& journal_;

@@ -179,8 +179,8 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
             throw Error(Error_code::collision, "a vertex has the position of the point to be inserted");
         }
         upkeep_->place(i, here);
-        if (before != d) upkeep_->refresh_rebuilt(report);
-        else upkeep_->refresh(changed, report);
+        if (before == d) upkeep_->refresh(changed, report);
+        else if (mesh_.dimension() == d) upkeep_->refresh_rebuilt(report);
     };
     guarded([&] { listing_changes(report, {}, put); }, i);
     if (!vacant_.empty()) vacant_.pop_back();
@@ -193,6 +193,7 @@ void Engine<d>::remove(Index i, Move_report& report) {
     const auto take = [&] {
         make_trusted(report);
         std::vector<Cell_index> changed;
+        const int before = mesh_.dimension();
         try {
             mesh_.remove(positions(), i, changed);
         } catch (...) {
@@ -201,14 +202,14 @@ void Engine<d>::remove(Index i, Move_report& report) {
         }
         vacant_.push_back(i);
         if (!changed.empty()) upkeep_->refresh(changed, report);
-        else upkeep_->refresh_rebuilt(report);
+        else if (before == d || mesh_.dimension() == d) upkeep_->refresh_rebuilt(report);
     };
     guarded([&] { listing_changes(report, {}, take); });
 }
 
 template <int d>
 Mesh_cells<d> Engine<d>::cells() const {
-    return mesh_.cells(index_bound());
+    return mesh_.cells(standing(), index_bound());
 }
 
 template <int d>
@@ -222,7 +223,7 @@ Audit_input<d> Engine<d>::audit_input() const {
         input.names.push_back(static_cast<Index>(i));
     }
     std::vector<Index> corners;
-    mesh_.list_cells(corners);
+    mesh_.list_cells(standing(), corners);
     for (std::size_t k = 0; k < corners.size(); k += d + 1) {
         auto& cell = input.cells.emplace_back();
         for (std::size_t i = 0; i <= d; ++i) cell[i] = corners[k + i] == none ? none : squeezed[at(corners[k + i])];

@@ -18,10 +18,10 @@ void Engine<d>::listing_changes(Move_report& report, std::span<const Index> move
     std::vector<Point> home;
     home.reserve(movers.size());
     for (const Index i : movers) home.push_back(positions()[at(i)]);
-    Cell_changes<d> changes(mesh_, *journal_);
+    Cell_changes<d> changes(mesh_, standing(), *journal_);
     call();
     try {
-        changes.list(report);
+        changes.list(standing(), report);
     } catch (...) {
         for (std::size_t k = 0; k < movers.size(); ++k) upkeep_->put_back(movers[k], home[k]);
         throw;

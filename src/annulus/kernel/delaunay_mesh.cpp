@@ -2,13 +2,13 @@
 #include <annulus/kernel/delaunay_mesh.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/kernel/flat_cells.h>
 #include <annulus/mesh/insert_vertex.h>
 #include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/table_readings.h>
 #include <annulus/mesh/walk.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -36,16 +36,32 @@ template <int d>
 void Delaunay_mesh<d>::rebuild(std::span<const Coordinates<d>> x) {
     if (kernel_.build(x, living())) {
         kernel_.copy_to(table_, x.size());
-        flat_cells_.clear();
+        basis_.clear();
         dimension_ = d;
         return;
     }
-    std::vector<Index> cells;
-    const int dimension = annulus::flat_cells<d>(x, living(), cells);
+    require_distinct<d>(x, living());
     table_.reserve(x.size(), 0);
     table_.clear(x.size());
-    flat_cells_ = std::move(cells);
-    dimension_ = dimension;
+    find_basis(x);
+}
+
+/// Whether p is outside of the affine hull of the vertices, which is not the whole space.
+template <int d>
+bool Delaunay_mesh<d>::spans_more(std::span<const Coordinates<d>> home, const Coordinates<d>& p) const {
+    std::array<const Coordinates<d>*, static_cast<std::size_t>(d)> independent{};
+    for (std::size_t k = 0; k < basis_.size(); ++k) independent[k] = &home[at(basis_[k])];
+    return annulus::spans_more<d>(std::span(independent).first(basis_.size()), p);
+}
+
+/// And the dimension. Precondition: it is less than d.
+template <int d>
+void Delaunay_mesh<d>::find_basis(std::span<const Coordinates<d>> x) {
+    basis_.clear();
+    basis_.reserve(static_cast<std::size_t>(d));
+    for (std::size_t v = 0; v < present_.size(); ++v)
+        if (present_[v] != 0 && spans_more(x, x[v])) basis_.push_back(static_cast<Index>(v));
+    dimension_ = static_cast<int>(basis_.size()) - 1;
 }
 
 template <int d>
@@ -59,7 +75,7 @@ void Delaunay_mesh<d>::restore(std::span<const Coordinates<d>> x, Index fresh) {
 template <int d>
 void Delaunay_mesh<d>::clear_cells() noexcept {
     table_.clear(0);
-    flat_cells_.clear();
+    basis_.clear();
     dimension_ = -1;
 }
 
@@ -166,12 +182,23 @@ bool Delaunay_mesh<d>::insert(std::span<Coordinates<d>> home, Index v, const Coo
     ++vertices_;
     if (flat) {
         home[at(v)] = p;
-        rebuild(home);
+        insert_flat(home, v);
         return true;
     }
     table_.set_vertex_bound(present_.size());
     attach(home, v, p, place, changed);
     return true;
+}
+
+/// There are no cells to change unless v spans the space with the others.
+template <int d>
+void Delaunay_mesh<d>::insert_flat(std::span<const Coordinates<d>> home, Index v) {
+    if (spans_more(home, home[at(v)])) {
+        if (dimension_ + 1 == d) return rebuild(home);
+        basis_.push_back(v);
+        ++dimension_;
+    }
+    table_.set_vertex_bound(present_.size());
 }
 
 template <int d>
@@ -183,7 +210,8 @@ void Delaunay_mesh<d>::remove(std::span<const Coordinates<d>> home, Index v, std
     }
     present_[at(v)] = 0;
     --vertices_;
-    rebuild(home);
+    if (dimension_ == d) rebuild(home);
+    else if (std::find(basis_.begin(), basis_.end(), v) != basis_.end()) find_basis(home);
 }
 
 template <int d>

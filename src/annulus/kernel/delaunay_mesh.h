@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/kernel/builder.h>
+#include <annulus/kernel/flat_cells.h>
 #include <annulus/kernel/local_delaunay.h>
 #include <annulus/mesh/cell_table.h>
 #include <annulus/mesh/landmarks.h>
@@ -52,6 +53,7 @@ class Delaunay_mesh {
 
     // Given `home` to write in, it writes home[v] = p unless nothing has changed.
     /// Inserts p as vertex v (a new index, for which there is room, or a vacant one); `changed` receives the new cells.
+    /// Expected O(degree of v) after locating; O(n) with a small constant where all vertices lie in a hyperplane.
     /// False, with nothing changed, when a vertex is there.
     [[nodiscard]] bool insert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p,
                               std::vector<Cell_index>& changed);
@@ -67,13 +69,17 @@ class Delaunay_mesh {
     /// The same where a topological change is needed, else nothing but the position is written (paper 3.1).
     [[nodiscard]] Relocation relocate_in_place(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p);
 
-    /// Appends the vertices of every finite cell, or of what is the largest there is of lower dimension (padded with
+    /// Appends the vertices of every finite cell, at `home`, or of what is the largest there is of lower dimension (padded with
     /// `none`).
-    void list_cells(std::vector<Index>& vertices) const;
+    void list_cells(std::span<const Coordinates<d>> home, std::vector<Index>& vertices) const;
     /// The same, and those with infinity, where there are any of dimension d.
-    void list_all_cells(std::vector<Index>& vertices) const;
+    void list_all_cells(std::span<const Coordinates<d>> home, std::vector<Index>& vertices) const;
     /// The finite cells and which is whose neighbour; vertices are below `bound`. O(n).
-    [[nodiscard]] Mesh_cells<d> cells(std::size_t bound) const;
+    [[nodiscard]] Mesh_cells<d> cells(std::span<const Coordinates<d>> home, std::size_t bound) const;
+    /// What there is where the vertices lie in a hyperplane. O(n log n). Precondition: dimension() < d.
+    [[nodiscard]] Flat_cells flat_cells(std::span<const Coordinates<d>> home) const {
+        return annulus::flat_cells<d>(home, living());
+    }
     /// Least tolerance of the certificates of v, certified. Precondition: dimension d.
     [[nodiscard]] double star_tolerance(std::span<const Coordinates<d>> home, Index v) const;
     /// Least theta of the finite bi-cells that contain v; pi/2 when there is none.
@@ -85,6 +91,9 @@ class Delaunay_mesh {
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
     [[nodiscard]] std::vector<Index> living() const;
+    [[nodiscard]] bool spans_more(std::span<const Coordinates<d>> home, const Coordinates<d>& p) const;
+    void find_basis(std::span<const Coordinates<d>> x);
+    void insert_flat(std::span<const Coordinates<d>> home, Index v);
     void replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made);
     void keep_present(std::vector<Cell_index>& cells, std::size_t first) const;
     /// More than that is not built anew in part.
@@ -102,7 +111,7 @@ class Delaunay_mesh {
     std::vector<char> present_;  // by vertex; 0 for a vacant index
     std::size_t vertices_ = 0;
     int dimension_ = -1;
-    std::vector<Index> flat_cells_;  // d + 1 a cell, padded; of points of lower dimension
+    std::vector<Index> basis_;  // affinely independent vertices that span what all do, where that is a hyperplane or less
     Builder<d> kernel_;
     Local_delaunay<d> local_{table_};
     Landmarks<d> landmarks_;

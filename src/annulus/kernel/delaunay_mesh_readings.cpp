@@ -4,25 +4,30 @@
 
 #include <annulus/mesh/table_readings.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace annulus {
 
 template <int d>
-void Delaunay_mesh<d>::list_cells(std::vector<Index>& vertices) const {
-    if (dimension_ != d) {
-        vertices.insert(vertices.end(), flat_cells_.begin(), flat_cells_.end());
+void Delaunay_mesh<d>::list_cells(std::span<const Coordinates<d>> home, std::vector<Index>& vertices) const {
+    if (dimension_ == d) {
+        for (const Cell_index c : table_.finite_cells()) {
+            const auto v = cell_points(table_, c);
+            vertices.insert(vertices.end(), v.begin(), v.end());
+        }
         return;
     }
-    for (const Cell_index c : table_.finite_cells()) {
-        const auto v = cell_points(table_, c);
+    for (const auto& v : flat_cells(home).vertices) {
+        if (std::find(v.begin(), v.end(), infinite) != v.end()) continue;
         vertices.insert(vertices.end(), v.begin(), v.end());
+        if constexpr (d == 3) vertices.push_back(none);
     }
 }
 
 template <int d>
-void Delaunay_mesh<d>::list_all_cells(std::vector<Index>& vertices) const {
-    if (dimension_ != d) return list_cells(vertices);
+void Delaunay_mesh<d>::list_all_cells(std::span<const Coordinates<d>> home, std::vector<Index>& vertices) const {
+    if (dimension_ != d) return list_cells(home, vertices);
     for (const Cell_index c : table_.cells()) {
         const auto v = cell_points(table_, c);
         vertices.insert(vertices.end(), v.begin(), v.end());
@@ -30,8 +35,11 @@ void Delaunay_mesh<d>::list_all_cells(std::vector<Index>& vertices) const {
 }
 
 template <int d>
-Mesh_cells<d> Delaunay_mesh<d>::cells(std::size_t bound) const {
-    return dimension_ == d ? mesh_cells(table_) : mesh_cells<d>(flat_cells_, bound);
+Mesh_cells<d> Delaunay_mesh<d>::cells(std::span<const Coordinates<d>> home, std::size_t bound) const {
+    if (dimension_ == d) return mesh_cells(table_);
+    std::vector<Index> corners;
+    list_cells(home, corners);
+    return mesh_cells<d>(corners, bound);
 }
 
 template <int d>
@@ -53,9 +61,9 @@ Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>> home) const {
 }
 
 #define ANNULUS_READINGS(d)                                                                        \
-    template void Delaunay_mesh<d>::list_cells(std::vector<Index>&) const;                        \
-    template void Delaunay_mesh<d>::list_all_cells(std::vector<Index>&) const;                    \
-    template Mesh_cells<d> Delaunay_mesh<d>::cells(std::size_t) const;                            \
+    template void Delaunay_mesh<d>::list_cells(std::span<const Coordinates<d>>, std::vector<Index>&) const; \
+    template void Delaunay_mesh<d>::list_all_cells(std::span<const Coordinates<d>>, std::vector<Index>&) const; \
+    template Mesh_cells<d> Delaunay_mesh<d>::cells(std::span<const Coordinates<d>>, std::size_t) const;                            \
     template double Delaunay_mesh<d>::star_tolerance(std::span<const Coordinates<d>>, Index) const; \
     template double Delaunay_mesh<d>::theta(std::span<const Coordinates<d>>, Index) const;        \
     template Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>>) const;

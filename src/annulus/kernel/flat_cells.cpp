@@ -8,7 +8,6 @@
 #include <annulus/mesh/walk.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -17,8 +16,7 @@ namespace annulus {
 
 namespace {
 
-/// The coordinate that a plane through p, a and b has different values of along a line parallel to its axis; nothing where
-/// the three are on a line.
+/// An axis along which three points are not seen as points of a line; nothing where they are on one.
 std::optional<std::size_t> axis_across(const Coordinates<3>& p, const Coordinates<3>& a, const Coordinates<3>& b) {
     for (std::size_t i = 0; i < 3; ++i) {
         const auto y = seen_along<3>(i, {&p, &a, &b});
@@ -33,10 +31,28 @@ double beside(double c, double distance) {
     return other != c ? other : std::nextafter(c, c > 0 ? 0.0 : 1.0);
 }
 
-/// With a point outside of the plane, every cell is the cone from there to a Delaunay triangle: its sphere cuts the plane
-/// in the circle of the triangle.
-void triangles(std::span<const Coordinates<3>> x, std::vector<Index> vertices, std::size_t axis,
-               std::vector<Index>& cells) {
+/// By position.
+template <int d>
+void sort_by_position(std::span<const Coordinates<d>> x, std::vector<Index>& vertices) {
+    const auto key = [x](Index i) -> const Coordinates<d>& { return x[static_cast<std::size_t>(i)]; };
+    std::sort(vertices.begin(), vertices.end(),
+              [&key](Index l, Index r) { return key(l) != key(r) ? key(l) < key(r) : l < r; });
+}
+
+/// A ring: from infinity along the line and back. Cell k is {ring k, ring k + 1}.
+void segments(const std::vector<Index>& along, Flat_cells& out) {
+    const auto n = static_cast<Index>(along.size()) + 1;  // of the ring
+    const auto ring = [&](Index k) { return k % n == 0 ? infinite : along[static_cast<std::size_t>(k % n) - 1]; };
+    for (Index k = 0; k < n; ++k) {
+        out.vertices.push_back({ring(k), ring(k + 1), none});
+        out.neighbours.push_back({(k + 1) % n, (k + n - 1) % n, none});
+    }
+}
+
+/// With a point outside of the plane, the apex, every finite cell is the cone from there to a Delaunay triangle: its
+/// sphere cuts the plane in the circle of the triangle. So the triangles, and those with infinity, are the facets that the
+/// cells around the apex turn away from it.
+void triangles(std::span<const Coordinates<3>> x, std::vector<Index> vertices, std::size_t axis, Flat_cells& out) {
     std::vector<Coordinates<3>> with_apex(x.begin(), x.end());
     Coordinates<3> apex = x[static_cast<std::size_t>(vertices[0])];
     apex[axis] = beside(apex[axis], Bounding_box<3>(x, vertices).extent() / 2);
@@ -45,41 +61,73 @@ void triangles(std::span<const Coordinates<3>> x, std::vector<Index> vertices, s
     vertices.push_back(top);
     Builder<3> builder;
     (void)builder.build(with_apex, std::move(vertices));
-    builder.for_each_cell([&](Cell_index, const Cell_points<3>& v, const auto&) {
-        if (std::find(v.begin(), v.end(), infinite) != v.end()) return;
-        // All turned the same way, as they are seen from the apex.
-        constexpr std::array<std::array<std::size_t, 3>, 4> others{{{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}}};
-        const auto slot = static_cast<std::size_t>(std::find(v.begin(), v.end(), top) - v.begin());
-        for (const std::size_t k : others[slot]) cells.push_back(v[k]);
-        cells.push_back(none);
+    const auto slot_of_top = [top](const Cell_points<3>& v) {
+        return static_cast<std::size_t>(std::find(v.begin(), v.end(), top) - v.begin());
+    };
+    By_cell<Index> number(builder.number_of_cells(), none);
+    Index count = 0;
+    builder.for_each_cell([&](Cell_index c, const Cell_points<3>& v, const auto&) {
+        if (slot_of_top(v) < 4) number[c] = count++;
+    });
+    // The other corners, before which the apex has the orientation that the cell has.
+    constexpr std::array<std::array<std::size_t, 3>, 4> others{{{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}}};
+    builder.for_each_cell([&](Cell_index, const Cell_points<3>& v, const auto& twins) {
+        const std::size_t slot = slot_of_top(v);
+        if (slot == 4) return;
+        auto& corners = out.vertices.emplace_back();
+        auto& beyond = out.neighbours.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[k] = v[others[slot][k]];
+            beyond[k] = number[Cell_table<3>::cell_of(twins[others[slot][k]])];
+        }
     });
 }
 
 }  // namespace
 
 template <int d>
-int flat_cells(std::span<const Coordinates<d>> x, std::vector<Index> vertices, std::vector<Index>& cells) {
-    const auto at = [x](Index i) -> const Coordinates<d>& { return x[static_cast<std::size_t>(i)]; };
-    std::sort(vertices.begin(), vertices.end(),
-              [&at](Index l, Index r) { return at(l) != at(r) ? at(l) < at(r) : l < r; });
-    const auto twice =
-        std::adjacent_find(vertices.begin(), vertices.end(), [&at](Index l, Index r) { return at(l) == at(r); });
+void require_distinct(std::span<const Coordinates<d>> x, std::vector<Index> vertices) {
+    sort_by_position<d>(x, vertices);
+    const auto at = [x](Index i) { return x[static_cast<std::size_t>(i)]; };
+    const auto twice = std::adjacent_find(vertices.begin(), vertices.end(), [&at](Index l, Index r) { return at(l) == at(r); });
     if (twice != vertices.end()) throw collision_of("points", "have", *twice, *(twice + 1));
-    if (vertices.size() < 2) return static_cast<int>(vertices.size()) - 1;
-    if constexpr (d == 3)
-        for (const Index v : vertices)
-            if (const auto axis = axis_across(at(vertices[0]), at(vertices[1]), at(v))) {
-                triangles(x, std::move(vertices), *axis, cells);
-                return 2;
-            }
-    for (std::size_t k = 1; k < vertices.size(); ++k) {
-        cells.insert(cells.end(), {vertices[k - 1], vertices[k]});
-        cells.resize(cells.size() + d - 1, none);
-    }
-    return 1;
 }
 
-template int flat_cells<2>(std::span<const Coordinates<2>>, std::vector<Index>, std::vector<Index>&);
-template int flat_cells<3>(std::span<const Coordinates<3>>, std::vector<Index>, std::vector<Index>&);
+template <int d>
+bool spans_more(std::span<const Coordinates<d>* const> independent, const Coordinates<d>& p) {
+    const auto& q = independent;
+    if (q.empty()) return true;
+    if (q.size() == 1) return *q[0] != p;
+    if constexpr (d == 2) return sure_orientation<2>({q[0], q[1], &p}) != 0;
+    else if (q.size() == 2) return axis_across(*q[0], *q[1], p).has_value();
+    else return sure_orientation<3>({q[0], q[1], q[2], &p}) != 0;
+}
+
+template <int d>
+Flat_cells flat_cells(std::span<const Coordinates<d>> x, std::vector<Index> vertices) {
+    Flat_cells out;
+    out.dimension = std::min(static_cast<int>(vertices.size()), 2) - 1;
+    if (out.dimension < 1) return out;
+    sort_by_position<d>(x, vertices);
+    if constexpr (d == 3) {
+        const auto at = [x](Index i) -> const Coordinates<d>& { return x[static_cast<std::size_t>(i)]; };
+        for (const Index v : vertices)
+            if (const auto axis = axis_across(at(vertices[0]), at(vertices[1]), at(v))) {
+                out.dimension = 2;
+                triangles(x, std::move(vertices), *axis, out);
+                return out;
+            }
+    }
+    segments(vertices, out);
+    return out;
+}
+
+#define ANNULUS_FLAT(d)                                                                           \
+    template Flat_cells flat_cells<d>(std::span<const Coordinates<d>>, std::vector<Index>);       \
+    template void require_distinct<d>(std::span<const Coordinates<d>>, std::vector<Index>);       \
+    template bool spans_more<d>(std::span<const Coordinates<d>* const>, const Coordinates<d>&);
+ANNULUS_FLAT(2)
+ANNULUS_FLAT(3)
+#undef ANNULUS_FLAT
 
 }  // namespace annulus

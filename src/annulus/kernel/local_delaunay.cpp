@@ -11,6 +11,7 @@ namespace annulus {
 
 namespace {
 constexpr int most_rounds = 40;
+constexpr std::size_t many = 1U << 14;  // points: memory for so many is not kept
 
 /// A vertex that is named for the length of a call, however that ends.
 class Named {
@@ -64,7 +65,9 @@ bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<con
                 mark(n, 2);
                 region.push_back(n);
             }
-        if (!rebuild_region(x, region, most, touched)) return false;
+        const bool built = rebuild_region(x, region, most, touched);
+        if (points_ > many) builder_.release();
+        if (!built) return false;
         grow(mark_, table_.cell_bound());
     }
     return true;

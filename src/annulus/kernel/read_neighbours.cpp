@@ -10,10 +10,10 @@ namespace annulus {
 namespace {
 
 /// Of vertices on a line: those before and after it.
-std::vector<std::array<Index, 2>> neighbours_on_a_line(const Delaunay_mesh<2>& mesh) {
+std::vector<std::array<Index, 2>> neighbours_on_a_line(const Delaunay_mesh<2>& mesh, std::span<const Coordinates<2>> x) {
     std::vector<std::array<Index, 2>> beside(mesh.vertex_bound(), {none, none});
     std::vector<Index> segments;
-    mesh.list_cells(segments);
+    mesh.list_cells(x, segments);
     for (std::size_t k = 0; k < segments.size(); k += 3) {
         beside[static_cast<std::size_t>(segments[k])][1] = segments[k + 1];
         beside[static_cast<std::size_t>(segments[k + 1])][0] = segments[k];
@@ -38,14 +38,14 @@ bool read_ring(const Cell_table<2>& t, Index v, std::vector<Index>& ring) {
 
 }  // namespace
 
-void read_neighbours(const Delaunay_mesh<2>& mesh, Neighbours_2& out) {
+void read_neighbours(const Delaunay_mesh<2>& mesh, std::span<const Coordinates<2>> x, Neighbours_2& out) {
     const std::size_t n = mesh.vertex_bound();
     out.begin.assign(1, 0);
     out.vertex.clear();
     out.hull.clear();
     out.vertex.reserve(6 * n);
     std::vector<std::array<Index, 2>> beside;
-    if (mesh.dimension() < 2) beside = neighbours_on_a_line(mesh);
+    if (mesh.dimension() < 2) beside = neighbours_on_a_line(mesh, x);
     std::vector<Index> ring;
     for (std::size_t v = 0; v < n; ++v) {
         bool hull = mesh.has(static_cast<Index>(v));

@@ -6,7 +6,8 @@
 
 namespace annulus {
 
-/// The neighbours of every vertex of a triangulation of the plane, whatever its dimension. O(n).
-void read_neighbours(const Delaunay_mesh<2>& mesh, Neighbours_2& out);
+/// The neighbours of every vertex of a triangulation of the plane, at x, whatever its dimension. O(n), O(n log n) where
+/// all are on a line.
+void read_neighbours(const Delaunay_mesh<2>& mesh, std::span<const Coordinates<2>> x, Neighbours_2& out);
 
 }  // namespace annulus

@@ -20,11 +20,11 @@ class Cell_log {
         cells_.clear();
         everything_ = false;
     }
-    /// The place of cell c is about to be written to. Amortised O(1).
-    void touch(Cell_index c) noexcept {
+    /// The place of cell c, of `places`, is about to be written to. Amortised O(1).
+    void touch(Cell_index c, std::size_t places) noexcept {
         if (everything_ || (marked_.has(c) && marked_[c] != 0)) return;
         constexpr std::size_t few = 64, share = 4;
-        if (cells_.size() > few + marked_.size() / share) return touch_everything();
+        if (cells_.size() > few + places / share) return touch_everything();
         try {
             if (!marked_.has(c)) marked_.resize(std::max(c.offset() + 1, 2 * marked_.size()), 0);
             cells_.push_back(c);

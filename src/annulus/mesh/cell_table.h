@@ -190,7 +190,7 @@ class Cell_table {
     }
     void touch(Cell_index c) noexcept {
         if (journal_ != nullptr) [[unlikely]] journal_->touch(c, &vertex_[corner(c, 0)]);
-        if (log_ != nullptr) [[unlikely]] log_->touch(c);
+        if (log_ != nullptr) [[unlikely]] log_->touch(c, twin_.size() / 4);
     }
     void touch_everything() noexcept {
         if (journal_ != nullptr) journal_->touch_everything(*this);
