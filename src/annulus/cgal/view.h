@@ -63,8 +63,6 @@ class Cgal_view {
     /// not fit together or are not those of the mesh. False when not every vertex of a cell has an index, so that
     /// there are no cells to judge. O(n). Precondition: update(x).
     bool audit(std::span<const Coordinates<d>> x, Audit_result& result) const;
-    /// CGAL's cell of a cell of the mesh. Precondition: update().
-    [[nodiscard]] Cell_handle cell(Cell_index c) const { return cell_[c]; }
 
   private:
     using Points = Cell_points<d>;

@@ -2,8 +2,8 @@
 // Builder: how it begins, and what it hands over.
 #include <annulus/kernel/builder.h>
 
+#include <annulus/kernel/axis_across.h>
 #include <annulus/kernel/bounding_box.h>
-#include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/walk.h>
 
 #include <algorithm>
@@ -13,19 +13,6 @@
 #include <utility>
 
 namespace annulus {
-
-namespace {
-
-/// Whether three points are, which they are when they are seen along each axis.
-bool on_a_line(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto y = seen_along<3>(i, {&a, &b, &c});
-        if (sure_orientation<2>({&y[0], &y[1], &y[2]}) != 0) return false;
-    }
-    return true;
-}
-
-}  // namespace
 
 template <int d>
 void Builder<d>::throw_too_large() {
@@ -76,7 +63,7 @@ bool Builder<d>::find_simplex(std::array<Rank, corners>& simplex) const {
             if (sign < 0) std::swap(simplex[0], simplex[1]);
             found += sign != 0 ? 1U : 0U;
         } else if constexpr (d == 3) {
-            found += on_a_line(at(simplex[0]), at(simplex[1]), at(v)) ? 0U : 1U;
+            found += axis_across(at(simplex[0]), at(simplex[1]), at(v)) ? 1U : 0U;
         }
     }
     return found > d;

@@ -2,28 +2,18 @@
 #include <annulus/kernel/flat_cells.h>
 
 #include <annulus/arithmetic/collision.h>
+#include <annulus/kernel/axis_across.h>
 #include <annulus/kernel/bounding_box.h>
 #include <annulus/kernel/builder.h>
-#include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/walk.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace annulus {
 
 namespace {
-
-/// An axis along which three points are not seen as points of a line; nothing where they are on one.
-std::optional<std::size_t> axis_across(const Coordinates<3>& p, const Coordinates<3>& a, const Coordinates<3>& b) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto y = seen_along<3>(i, {&p, &a, &b});
-        if (sure_orientation<2>({&y[0], &y[1], &y[2]}) != 0) return i;
-    }
-    return std::nullopt;
-}
 
 /// Another value than c, some `distance` away, no further from 0 than the larger of them.
 double beside(double c, double distance) {
@@ -69,16 +59,15 @@ void triangles(std::span<const Coordinates<3>> x, std::vector<Index> vertices, s
     builder.for_each_cell([&](Cell_index c, const Cell_points<3>& v, const auto&) {
         if (slot_of_top(v) < 4) number[c] = count++;
     });
-    // The other corners, before which the apex has the orientation that the cell has.
-    constexpr std::array<std::array<std::size_t, 3>, 4> others{{{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}}};
     builder.for_each_cell([&](Cell_index, const Cell_points<3>& v, const auto& twins) {
         const std::size_t slot = slot_of_top(v);
         if (slot == 4) return;
         auto& corners = out.vertices.emplace_back();
         auto& beyond = out.neighbours.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
-            corners[k] = v[others[slot][k]];
-            beyond[k] = number[Cell_table<3>::cell_of(twins[others[slot][k]])];
+            const auto corner = static_cast<std::size_t>(facing_corners[slot][k]);
+            corners[k] = v[corner];
+            beyond[k] = number[Cell_table<3>::cell_of(twins[corner])];
         }
     });
 }
