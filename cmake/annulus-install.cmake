@@ -39,6 +39,7 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/annulusConfig.cmake"
 # ---- The tool, its man pages and completion, which are made from its own --help --------------------
 if(TARGET annulus-cli)
     install(TARGETS annulus-cli COMPONENT tool)
+    install(TARGETS annulus-nodt DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/annulus" COMPONENT tool)
 endif()
 if(TARGET annulus-programs)
     install(TARGETS annulus-sweep annulus-reproduce DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/annulus" COMPONENT tool)

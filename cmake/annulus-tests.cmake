@@ -72,6 +72,6 @@ endfunction()
 # The core with horizons (arithmetic/horizons.h) so near that every run passes them: tests and fuzz targets over moves run
 # on it once more. Never installed, and compiled quickly rather than well. What knows nothing of horizons is shared.
 if(ANNULUS_BUILD_TINY)
-    set(annulus_tiny_sources ${annulus_sources})
+    set(annulus_tiny_sources ${annulus_sources} ${annulus_view_sources})
     add_subdirectory("${PROJECT_SOURCE_DIR}/tests/tiny" "${PROJECT_BINARY_DIR}/tests/tiny")
 endif()

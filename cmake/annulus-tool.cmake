@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Three programs. `annulus` starts the two others for `annulus sweep` and `annulus reproduce`: most users of the tool need neither, and
-# what reads specifications, MPI, and the study of the paper are theirs alone.
+# Four programs. `annulus` starts the three others for `annulus nodt`, `annulus sweep` and `annulus reproduce`: what reads specifications,
+# MPI, and the study of the paper are theirs alone, and CGAL's Mesh_3, which takes a minute to compile, is annulus-nodt's and
+# annulus-reproduce's. So the other subcommands are there in half the time.
 find_package(CLI11 2.1 REQUIRED)
 
 # ---- The rooms experiment, of annulus-sweep, and reproduction, of annulus-reproduce ---------------
@@ -44,32 +45,55 @@ function(annulus_program target)
     annulus_unite(${target} ${target} "/cli/[a-z_0-9]*[.]cpp$")
 endfunction()
 
+# The library without what only natural ODT needs and without CGAL's view, which the tool has no use for: the same objects, in archives
+# that are there as soon as these are.
+add_library(annulus-tool-core STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:annulus-core-objects> $<TARGET_OBJECTS:annulus-arithmetic>)
+add_library(annulus-tool-toolkit STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:annulus-toolkit-objects>)
+set_target_properties(annulus-tool-core annulus-tool-toolkit PROPERTIES LINKER_LANGUAGE CXX)
+annulus_describe(annulus-tool-core PUBLIC)
+annulus_describe(annulus-tool-toolkit PUBLIC)
+target_link_libraries(annulus-tool-toolkit PUBLIC annulus-tool-core nlohmann_json::nlohmann_json ZLIB::ZLIB PNG::PNG)
+
+function(annulus_program target toolkit)
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+    target_compile_definitions(${target} PRIVATE ANNULUS_VERSION="${PROJECT_VERSION}")
+    target_link_libraries(${target} PUBLIC ${toolkit} CLI11::CLI11 annulus_warnings)
+    target_compile_options(${target} PRIVATE ${annulus_compiled_quickly})
+    annulus_unite(${target} ${target} "/cli/[a-z_0-9]*[.]cpp$")
+endfunction()
+
 file(GLOB annulus_cli_sources CONFIGURE_DEPENDS src/annulus/cli/*.cpp)
+set(annulus_nodt_sources src/annulus/cli/nodt.cpp src/annulus/cli/nodt_main.cpp)
 set(annulus_sweep_sources src/annulus/cli/sweep.cpp src/annulus/cli/sweep_main.cpp)
 set(annulus_reproduce_sources src/annulus/cli/reproduce.cpp src/annulus/cli/reproduce_main.cpp
     src/annulus/cli/reproduction_scenes.cpp)
-# What they share: arguments, files, and the scenes of motions.
+set(annulus_solid_scene_sources src/annulus/cli/guided_nodt.cpp src/annulus/cli/nodt_scene.cpp)
+# What all share: arguments, files, and the scenes of motions.
 set(annulus_scene_sources ${annulus_cli_sources})
 list(FILTER annulus_scene_sources INCLUDE REGEX "/(arguments|interruption|process|progress|result_files|tool)[.]cpp$|\
-/(files|frame_files|guided_motion|input|lloyd_scene|mesh_3|nodt_scene|replay_scene|tracker)[.]cpp$")
-list(FILTER annulus_cli_sources EXCLUDE REGEX "/(sweep|sweep_main|reproduce|reproduce_main|reproduction_scenes)[.]cpp$")
+/(compare|files|frame_files|guided_motion|input|lloyd_scene|mesh_3|nodt_arguments|replay_scene|tracker)[.]cpp$")
+list(FILTER annulus_cli_sources EXCLUDE REGEX "/(nodt|sweep|reproduce|nodt_main|sweep_main|reproduce_main|reproduction_scenes|guided_nodt|nodt_scene)[.]cpp$")
 list(REMOVE_ITEM annulus_cli_sources ${annulus_scene_sources})
 
 add_library(annulus-scenes STATIC EXCLUDE_FROM_ALL ${annulus_scene_sources})
+annulus_program(annulus-scenes annulus-tool-toolkit)
 add_executable(annulus-cli ${annulus_cli_sources})
-foreach(target IN ITEMS annulus-scenes annulus-cli)
-    annulus_program(${target})
-endforeach()
+annulus_program(annulus-cli annulus-tool-toolkit)
 target_link_libraries(annulus-cli PRIVATE annulus-scenes)
 set_target_properties(annulus-cli PROPERTIES OUTPUT_NAME annulus)
 # Where installed companions lie, seen from the directory above that of `annulus`.
 target_compile_definitions(annulus-cli PRIVATE ANNULUS_LIBEXEC="${CMAKE_INSTALL_LIBEXECDIR}/annulus")
+
+add_library(annulus-solid-scenes STATIC EXCLUDE_FROM_ALL ${annulus_solid_scene_sources} $<TARGET_OBJECTS:annulus-solids>)
+annulus_program(annulus-solid-scenes annulus-scenes)
+add_executable(annulus-nodt ${annulus_nodt_sources})
+annulus_program(annulus-nodt annulus-solid-scenes)
 if(ANNULUS_BUILD_STUDIES)
     add_executable(annulus-sweep ${annulus_sweep_sources})
     add_executable(annulus-reproduce ${annulus_reproduce_sources})
-    annulus_program(annulus-sweep)
-    annulus_program(annulus-reproduce)
-    target_link_libraries(annulus-sweep PRIVATE annulus-scenes annulus-experiment)
-    target_link_libraries(annulus-reproduce PRIVATE annulus-scenes annulus-reproduction)
-    add_custom_target(annulus-programs DEPENDS annulus-cli annulus-sweep annulus-reproduce)
+    annulus_program(annulus-sweep annulus-scenes)
+    annulus_program(annulus-reproduce annulus-solid-scenes)
+    target_link_libraries(annulus-sweep PRIVATE annulus-experiment)
+    target_link_libraries(annulus-reproduce PRIVATE annulus-reproduction)
+    add_custom_target(annulus-programs DEPENDS annulus-cli annulus-nodt annulus-sweep annulus-reproduce)
 endif()

@@ -17,14 +17,15 @@ function(annulus_unite target group pattern)
     target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage;-Wno-restrict>")
 endfunction()
 
-annulus_unite(annulus cgal "/moving_delaunay_[23][.]cpp$")
+annulus_unite(annulus-view cgal "/moving_delaunay_[23][.]cpp$")
 if(ANNULUS_BUILD_TOOLKIT)
-    annulus_unite(annulus-toolkit readers "/formats/read_[a-z_]*[.]cpp$")
-    annulus_unite(annulus-toolkit formats "/formats/[^r][a-z_]*[.]cpp$")
-    annulus_unite(annulus-toolkit report "/report/[a-z_]*[.]cpp$")
-    annulus_unite(annulus-toolkit motion "/motion/[a-z_0-9]*[.]cpp$")
-    annulus_unite(annulus-toolkit plane "/motion/(domain_2|sampling_2)[.]cpp$")
-    annulus_unite(annulus-toolkit surfaces "/motion/(surface_3|[a-z]*_faults)[.]cpp$")
+    annulus_unite(annulus-toolkit-objects readers "/formats/read_[a-z_]*[.]cpp$")
+    annulus_unite(annulus-toolkit-objects formats "/formats/[^r][a-z_]*[.]cpp$")
+    annulus_unite(annulus-toolkit-objects report "/report/[a-z_]*[.]cpp$")
+    annulus_unite(annulus-toolkit-objects motion "/motion/[a-z_0-9]*[.]cpp$")
+    annulus_unite(annulus-toolkit-objects plane "/motion/(domain_2|sampling_2)[.]cpp$")
+    annulus_unite(annulus-solids solids "/(motion|formats)/[a-z_0-9]*[.]cpp$")
+    annulus_unite(annulus-solids surfaces "/motion/(surface_3|[a-z]*_faults)[.]cpp$")
     # CGAL's Mesh_3 takes a minute by itself; the others have names that others of their room have, too.
     foreach(alone IN ITEMS motion/initial_mesh_3 motion/nodt_3 motion/kept_cells_3 motion/stars_2 formats/read_csv
             formats/write_frames formats/text_input formats/xyz_guess)
@@ -38,7 +39,7 @@ endif()
 set(annulus_quiet_about_precompiled
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-maybe-uninitialized>")
 if(ANNULUS_PRECOMPILE)
-    foreach(target IN ITEMS annulus annulus-arithmetic)
+    foreach(target IN ITEMS annulus-core-objects annulus-arithmetic)
         target_compile_options(${target} PRIVATE ${annulus_quiet_about_precompiled}
                                "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")  # for ccache
         target_precompile_headers(${target} PRIVATE

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/cli/commands.h>
+#include <annulus/cli/compare.h>
 #include <annulus/cli/files.h>
 #include <annulus/cli/guided_motion.h>
 #include <annulus/cli/input.h>
@@ -57,15 +57,15 @@ void compare_ends(const std::deque<Tracker<Moving>>& trackers, Comparison_record
     out.agree = out.disagreements.empty();
 }
 
-template <class Motion>
-void write_comparison(const Common_arguments& arguments, const Motion& motion,
-                      const std::deque<Tracker<typename Motion::Moving>>& trackers, const Comparison_record& comparison,
+template <class Moving>
+void write_comparison(const Common_arguments& arguments, const Guided_motion<Moving>& motion,
+                      const std::deque<Tracker<Moving>>& trackers, const Comparison_record& comparison,
                       std::optional<Picture> before) {
     Report report;
     const auto& shown = trackers.back();
     std::string names;
     for (const Run_record& run : comparison.runs) names += (names.empty() ? "" : ", ") + run.strategy;
-    report.title = title_of(shown.record(), Motion::step_name, names);
+    report.title = title_of(shown.record(), motion.step_name(), names);
     report.run = shown.record();
     report.before = std::move(before);
     report.after = motion.picture(shown.triangulation(), "After " + counted(shown.record().iterations, "iteration"));
@@ -102,13 +102,13 @@ void print(const Comparison_record& c) {
     for (const std::string& line : c.disagreements) std::printf("DISAGREE: %s\n", line.c_str());
 }
 
-template <class Motion>
-int compare(const Compare_call& a, const Invocation& invocation, Motion& motion, std::uint64_t iterations,
+template <class Moving>
+int compare(const Compare_call& a, const Invocation& invocation, Guided_motion<Moving>& motion, std::uint64_t iterations,
             const Tracking_arguments& tracking, const Common_arguments& common, Clock::time_point begin,
             const std::function<Input_record()>& input) {
-    constexpr int d = Motion::Moving::dimension_of_space;
+    constexpr int d = Moving::dimension_of_space;
     const bool files = !a.common.output.empty();
-    std::deque<Tracker<typename Motion::Moving>> trackers;
+    std::deque<Tracker<Moving>> trackers;
     for (const std::string& name : a.strategies) {
         const Options options = options_of(variant(tracking, name), common);
         trackers.emplace_back(name, motion.points(), options, motion.spacing(), iterations, tracking.audit,
@@ -171,7 +171,7 @@ int compare(const Compare_call& a, const Invocation& invocation, Motion& motion,
     return comparison.agree && audits ? done : audit_failed;
 }
 
-int run(const Compare_call& a, const Invocation& invocation) {
+int run(const Compare_call& a, const Invocation& invocation, Make_nodt make_nodt) {
     // The inner command is parsed by the same rules as when it stands alone.
     CLI::App inner("the motion to compare on", "annulus compare --");
     Common_arguments common;
@@ -214,8 +214,8 @@ int run(const Compare_call& a, const Invocation& invocation) {
                        [&] { return motion.input(); });
     }
     if (&chosen == nodt_command) {
-        Guided_nodt motion(nodt, common);
-        return compare(a, invocation, motion, nodt.iterations, tracking, common, begin, [] { return Input_record(); });
+        const auto motion = make_nodt(nodt, common);
+        return compare(a, invocation, *motion, nodt.iterations, tracking, common, begin, [] { return Input_record(); });
     }
     Opened_motion motion = open_motion(replay);
     const auto follow = [&]<class Moving>(std::in_place_type_t<Moving>) {
@@ -232,7 +232,7 @@ int run(const Compare_call& a, const Invocation& invocation) {
 
 }  // namespace
 
-Run add_compare_command(CLI::App& app, const Invocation& invocation) {
+Run add_compare(CLI::App& app, const Invocation& invocation, Make_nodt make_nodt) {
     auto* sub = app.add_subcommand(
         "compare",
         "The same motion under several strategies: annulus compare --strategies a,b -- lloyd|nodt|replay ...");
@@ -243,14 +243,14 @@ Run add_compare_command(CLI::App& app, const Invocation& invocation) {
         ->delimiter(',')
         ->capture_default_str();
     add_common(*sub, a->common, "compare.json, report.html and a table for each strategy");
-    return [a, &invocation] {
+    return [a, &invocation, make_nodt] {
         if (invocation.inner.empty())
             throw CLI::ValidationError("compare", "say what to compare on: annulus compare ... -- lloyd --points 1000");
         for (std::size_t i = 0; i < a->strategies.size(); ++i)
             if (std::find(a->strategies.begin(), a->strategies.begin() + static_cast<std::ptrdiff_t>(i),
                           a->strategies[i]) != a->strategies.begin() + static_cast<std::ptrdiff_t>(i))
                 throw CLI::ValidationError("--strategies", "'" + a->strategies[i] + "' is named twice");
-        return run(*a, invocation);
+        return run(*a, invocation, make_nodt);
     };
 }
 

@@ -4,11 +4,9 @@
 #include <annulus/cli/frame_change.h>
 #include <annulus/cli/lloyd_scene.h>
 #include <annulus/cli/mesh_3.h>
-#include <annulus/cli/nodt_scene.h>
 #include <annulus/cli/replay_scene.h>
 #include <annulus/cli/tracker.h>
 #include <annulus/motion/lloyd_2.h>
-#include <annulus/motion/nodt_3.h>
 
 #include <span>
 #include <string>
@@ -33,20 +31,35 @@ struct Timestamp {
     [[nodiscard]] std::size_t bytes() const { return (x.size() + arrive.size()) * sizeof(Coordinates<d>); }
 };
 
+/// A motion that strategies follow: where its vertices begin, and its timestamps.
+template <class Moving_>
+class Guided_motion {
+  public:
+    using Moving = Moving_;
+    static constexpr int d = Moving::dimension_of_space;
+
+    virtual ~Guided_motion() = default;
+    [[nodiscard]] virtual const char* step_name() const = 0;
+    [[nodiscard]] virtual const std::vector<Coordinates<d>>& points() const = 0;
+    /// The unit of lengths.
+    [[nodiscard]] virtual double spacing() const = 0;
+    /// The next timestamp; false where there is none.
+    virtual bool next(Timestamp<d>& t) = 0;
+    [[nodiscard]] virtual bool at_end() { return false; }
+    /// Of one of the triangulations that follow it.
+    [[nodiscard]] virtual Picture picture(const Moving& dt, std::string caption) const = 0;
+};
+
 /// Lloyd iterations with a triangulation of their own, kept by certified tolerances and timed for nobody, so that what
 /// follows them does not decide where they go.
-class Guided_lloyd {
+class Guided_lloyd final : public Guided_motion<Moving_mesh_2> {
   public:
-    using Moving = Moving_mesh_2;
-    static constexpr const char* step_name = "Lloyd iteration";
-
     Guided_lloyd(const Lloyd_arguments& arguments, const Common_arguments& common);
-    [[nodiscard]] const std::vector<Coordinates<2>>& points() const { return scene_.points; }
-    [[nodiscard]] double spacing() const { return scene_.spacing(); }
-    /// The next timestamp; false where there is none.
-    bool next(Timestamp<2>& t);
-    [[nodiscard]] static bool at_end() { return false; }
-    [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const;
+    [[nodiscard]] const char* step_name() const override { return "Lloyd iteration"; }
+    [[nodiscard]] const std::vector<Coordinates<2>>& points() const override { return scene_.points; }
+    [[nodiscard]] double spacing() const override { return scene_.spacing(); }
+    bool next(Timestamp<2>& t) override;
+    [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const override;
     /// The triangulation of its own.
     [[nodiscard]] const Moving& guide() const { return guide_; }
     [[nodiscard]] const std::vector<std::string>& notes() const { return scene_.input.warnings; }
@@ -61,53 +74,20 @@ class Guided_lloyd {
     bool cells_changed_ = true;
 };
 
-/// The same of natural ODT.
-class Guided_nodt {
-  public:
-    using Moving = Moving_mesh_3;
-    static constexpr const char* step_name = "natural ODT iteration";
-
-    Guided_nodt(const Nodt_arguments& arguments, const Common_arguments& common);
-    [[nodiscard]] const std::vector<Coordinates<3>>& points() const { return scene_.points; }
-    [[nodiscard]] double spacing() const { return scene_.spacing(); }
-    bool next(Timestamp<3>& t);
-    [[nodiscard]] static bool at_end() { return false; }
-    [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const;
-    [[nodiscard]] const Moving& guide() const { return guide_; }
-    [[nodiscard]] const std::vector<std::string>& notes() const { return scene_.notes; }
-    /// Of its mesh where it is now; what rested did so in the last step.
-    [[nodiscard]] Mesh_step quality();
-
-  private:
-    void read_mesh();
-
-    int threads_;
-    Nodt_scene scene_;
-    Moving guide_;
-    Nodt_3 nodt_;
-    Mesh_3 mesh_;
-    Nodt_memory memory_;
-    Nodt_step last_;
-    std::size_t axis_ = 0;  // that pictures are cut across
-    bool read_ = true;  // mesh_ is where the guide is
-    bool cells_changed_ = true;
-};
-
 /// A recorded motion, which needs no triangulation: who inserts gets the index that was vacated last, or a new one.
-template <class Moving_>
-class Guided_replay {
+template <class Moving>
+class Guided_replay final : public Guided_motion<Moving> {
   public:
-    using Moving = Moving_;
     static constexpr int d = Moving::dimension_of_space;
-    static constexpr const char* step_name = "step";
 
     /// The frames outlive it.
     explicit Guided_replay(Replayed_frames<d>& frames);
-    [[nodiscard]] const std::vector<Coordinates<d>>& points() const { return x_; }
-    [[nodiscard]] double spacing() const { return frames_.spacing(); }
-    bool next(Timestamp<d>& t);
-    [[nodiscard]] bool at_end() { return frames_.at_end(); }
-    [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const {
+    [[nodiscard]] const char* step_name() const override { return "step"; }
+    [[nodiscard]] const std::vector<Coordinates<d>>& points() const override { return x_; }
+    [[nodiscard]] double spacing() const override { return frames_.spacing(); }
+    bool next(Timestamp<d>& t) override;
+    [[nodiscard]] bool at_end() override { return frames_.at_end(); }
+    [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const override {
         return picture_of(dt, std::move(caption));
     }
 

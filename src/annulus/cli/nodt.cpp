@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/cli/commands.h>
+#include <annulus/cli/companion.h>
 #include <annulus/cli/files.h>
 #include <annulus/cli/mesh_3.h>
 #include <annulus/cli/nodt_scene.h>
@@ -121,7 +121,7 @@ int run(const Nodt_call& a, const std::string& command) {
 }  // namespace
 
 Run add_nodt_command(CLI::App& app, const Invocation& invocation) {
-    auto* sub = app.add_subcommand("nodt", "Natural-ODT optimisation of a tetrahedral mesh of a closed surface");
+    auto* sub = app.add_subcommand("nodt", nodt_summary);
     const auto a = std::make_shared<Nodt_call>();
     add_nodt(*sub, a->nodt);
     add_tracking(*sub, a->tracking);

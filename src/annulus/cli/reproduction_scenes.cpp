@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/cli/guided_motion.h>
+#include <annulus/cli/guided_nodt.h>
 #include <annulus/cli/reproduction_scenes.h>
 #include <annulus/reproduction/movers.h>
 
