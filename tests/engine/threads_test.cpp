@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Const members may run at the same time, and say then what they say alone. ThreadSanitizer sees more than equal results:
 // the target annulus-threads is these tests alone, to be built with it.
-#include <annulus/kernel/read_neighbours.h>
-#include <annulus/motion/lloyd_2.h>
-#include <annulus/motion/nodt_3.h>
-#include <annulus/motion/surface_3.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
 
 #include "../../bench/motions/families.h"
-#include <motion/shapes.h>
+#include <support/at_once.h>
 #include <support/catch.h>
 #include <support/motions.h>
 
@@ -21,23 +17,6 @@ using namespace annulus;
 using namespace annulus::testing;
 
 namespace {
-
-constexpr int threads = 4;
-
-/// What every thread says, all at once.
-template <class Say>
-auto at_once(const Say& say) {
-    std::vector<decltype(say())> said(threads);
-    std::latch start(threads);
-    std::vector<std::thread> all;
-    for (int t = 0; t < threads; ++t)
-        all.emplace_back([&, t] {
-            start.arrive_and_wait();
-            said[static_cast<std::size_t>(t)] = say();
-        });
-    for (std::thread& t : all) t.join();
-    return said;
-}
 
 /// All that const members say of an object, as numbers.
 template <class Moving>
@@ -136,34 +115,6 @@ TEST_CASE("Objects of their own may be moved at the same time", "[threads]") {
     };
     const auto alone = both();
     for (const auto& s : at_once(both)) CHECK((s == alone));
-}
-
-TEST_CASE("One Lloyd and one natural ODT may be asked by several threads, with threads of their own", "[threads]") {
-    Random random(5);
-    const Long_motion<2> plane(Motion_kind::jitter, 2000, random);
-    const Moving_delaunay_2 dt2(plane.positions());
-    const Lloyd_2 lloyd(Domain_2::square(1), Density::one, 2);
-    Neighbours_2 neighbours;
-    read_neighbours(dt2.mesh(), dt2.positions(), neighbours);
-    const auto lloyd_targets = [&] {
-        std::vector<Coordinates<2>> target(plane.positions().size());
-        (void)lloyd.step(neighbours, plane.positions(), target);
-        return target;
-    };
-    const auto alone2 = lloyd_targets();
-    for (const auto& s : at_once(lloyd_targets)) CHECK((s == alone2));
-
-    const Surface_3 box(annulus_test::box({0.9, 0.9, 0.9}));
-    const std::vector<Coordinates<3>> space = annulus_test::random_points(1500, 7);
-    const Cells_3 cells = linked(Moving_delaunay_3(space).audit_input().cells, space.size());
-    const Nodt_3 nodt(box, Sizing_3(box, 1), vertices_on_surface(box, space), {}, 2);
-    const auto nodt_targets = [&] {
-        std::vector<Coordinates<3>> target(space.size());
-        (void)nodt.step(cells, cells_inside(box, cells, space, 2), space, target);
-        return target;
-    };
-    const auto alone3 = nodt_targets();
-    for (const auto& s : at_once(nodt_targets)) CHECK((s == alone3));
 }
 
 TEST_CASE("Const members of a mesh may run at the same time", "[threads]") {
