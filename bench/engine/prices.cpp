@@ -54,11 +54,13 @@ class Repetition {
     void find_unit() {
         const auto& table = w_.mesh().table();
         Signs<d> signs(table);
+        Budget budget;
         const double s = least(5, [&] {
-            signs.begin(w_.points());
+            budget = {};
+            signs.begin(w_.points(), budget);
             signs.look_at_everything();
         });
-        unit_ = s / signs.price();
+        unit_ = s / budget.spent;
     }
 
     /// What is counted, and what is done around one vertex.
@@ -77,13 +79,17 @@ class Repetition {
         out_["cells"] = static_cast<double>(cells) / all_;
         out_["certificates"] = static_cast<double>(certificates) / all_;
         // Around one vertex, which moves alone.
-        Repair<d> repair(w_.mesh(), Tolerance_kind::certified, true);
+        Repair<d> repair(w_.mesh());
         const std::size_t some = 2000;
         bool held = true;
         const double star = least(3, [&] {
             for (std::size_t k = 0; k < some; ++k) {
-                repair.begin(w_.points(), false);
-                held &= repair.evaluate_star(static_cast<Index>(7919 * k % n_));
+                Step<d> step;
+                step.x = w_.points();
+                step.mover = static_cast<Index>(7919 * k % n_);
+                step.scope = Scope::star;
+                repair.begin(step);
+                held &= repair.evaluate_star(step);
             }
         });
         if (!held) throw std::runtime_error("a star does not hold where it was built");

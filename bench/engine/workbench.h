@@ -24,7 +24,7 @@ class Workbench {
         : random_(seed + 1000), x_(Scene<d>(family, "walk", n, 0.0, seed).points()), spacing_(std::pow(static_cast<double>(n), -1.0 / d)) {
         mesh_ = std::make_unique<Mesh>();
         mesh_->build(x_);
-        filter_ = std::make_unique<annulus::Filter<d>>(*mesh_, annulus::Tolerance_kind::certified, annulus::Second_look::off);
+        filter_ = std::make_unique<annulus::Filter<d>>(*mesh_);
         annulus::Move_report report;
         filter_->begin(x_, report);
     }

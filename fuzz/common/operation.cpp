@@ -123,7 +123,7 @@ std::string Coverage::words(std::string_view prefix) const {
     line("decided_by_exact", report.arithmetic.exact);
     line("renewed_by_unequal_moves", renewed_by_unequal_moves);
     line("renewed_by_safe_region", renewed_by_safe_region);
-    line("switches_of_hybrid", switches);
+    line("switches_of_paper_hybrid", switches);
     return out.str();
 }
 

@@ -44,7 +44,7 @@ struct Setting {
     return o;
 }
 
-inline constexpr std::array<Setting, 10> certified_settings{{{Strategy::rebuild},
+inline constexpr std::array<Setting, 11> certified_settings{{{Strategy::rebuild},
                                                             {Strategy::relocate},
                                                             {Strategy::relocate_flips},
                                                             {Strategy::in_place},
@@ -52,25 +52,25 @@ inline constexpr std::array<Setting, 10> certified_settings{{{Strategy::rebuild}
                                                             {Strategy::filter, Second_look::unequal_moves},
                                                             {Strategy::filter, Second_look::safe_region},
                                                             {Strategy::filter_each},
-                                                            {Strategy::hybrid},
+                                                            {Strategy::paper},
+                                                            {Strategy::paper_hybrid},
                                                             {Strategy::automatic}}};
 
 /// In space there are no second looks.
-inline constexpr std::array<Setting, 8> certified_settings_3{{{Strategy::rebuild},
+inline constexpr std::array<Setting, 9> certified_settings_3{{{Strategy::rebuild},
                                                               {Strategy::relocate},
                                                               {Strategy::relocate_flips},
                                                               {Strategy::in_place},
                                                               {Strategy::filter},
                                                               {Strategy::filter_each},
-                                                              {Strategy::hybrid},
+                                                              {Strategy::paper},
+                                                            {Strategy::paper_hybrid},
                                                               {Strategy::automatic}}};
 
 /// Those that promise no more than not to crash.
-inline constexpr std::array<Setting, 4> uncertified_settings{
-    {{Strategy::filter, Second_look::off, Tolerance_kind::floating},
-     {Strategy::filter_each, Second_look::off, Tolerance_kind::floating},
-     {Strategy::filter, Second_look::off, Tolerance_kind::paper},
-     {Strategy::filter_each, Second_look::off, Tolerance_kind::paper}}};
+inline constexpr std::array<Setting, 3> uncertified_settings{{{Strategy::paper, Second_look::off, Tolerance_kind::floating},
+                                                              {Strategy::paper, Second_look::off, Tolerance_kind::paper},
+                                                              {Strategy::paper_hybrid, Second_look::off, Tolerance_kind::paper}}};
 
 template <int d>
 [[nodiscard]] constexpr const auto& certified_settings_of() {
@@ -241,7 +241,7 @@ struct Coverage {
     Move_report report;                       ///< of all calls that were accepted
     std::uint64_t renewed_by_unequal_moves = 0;
     std::uint64_t renewed_by_safe_region = 0;
-    std::uint64_t switches = 0;  ///< of hybrid to filter
+    std::uint64_t switches = 0;  ///< of paper-hybrid to paper
 
     Coverage& operator+=(const Coverage& o);
     [[nodiscard]] double legal_share() const;

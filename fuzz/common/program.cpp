@@ -35,7 +35,7 @@ std::string difference(const State_of<d>& before, const State_of<d>& after, bool
     if (before.positions != after.positions) s += " positions";
     if (!renews && before.fixed != after.fixed) s += " fixed-positions";
     if (before.cgal_points != after.cgal_points) s += " CGAL-points";
-    // There may be fewer before than after: hybrid may have become filter.
+    // There may be fewer before than after: paper-hybrid may have become paper.
     const bool kept = before.tolerances.size() == after.tolerances.size();
     if (!renews && kept && before.tolerances != after.tolerances) s += " tolerances";
     if (before.handles != after.handles) s += " handles";

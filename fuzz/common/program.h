@@ -18,7 +18,7 @@ namespace annulus::oracle {
 /// The strategies that do not compute a tolerance from cells and points whenever they are asked, which is slow in space.
 template <class Moving>
 [[nodiscard]] bool keeps_tolerances(const Moving& dt) {
-    return dt.strategy() == Strategy::filter || dt.strategy() == Strategy::filter_each;
+    return dt.strategy() == Strategy::filter || dt.strategy() == Strategy::filter_each || dt.strategy() == Strategy::paper;
 }
 
 /// All a caller can see of an object.

@@ -24,7 +24,7 @@ template <int d>
 void Session_of<d>::check() const {
     const auto& tr = dt_->triangulation();
     if (!certified()) {
-        if (setting_.strategy == Strategy::filter_each && !cgal_agrees(tr))
+        if (!cgal_agrees(tr))
             throw Fault{"CGAL's object is not valid at the fixed positions"};
         return;
     }

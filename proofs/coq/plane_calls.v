@@ -3,7 +3,7 @@
    filter_calls.v proves what follows for any number of calls.
 
    - event          who comes or goes; `present`: which vertices there are after so many calls
-   - in_doubt       Repair::border_in_doubt: whether the border is walked
+   - in_doubt       Repair::border_holds: whether the border is walked
    - evaluates      what Repair does: it evaluates all suspects that are there, and all certificates of cells that it touched
    - program_call   what one call may be *)
 From Coq Require Import Reals ZArith List Bool.
@@ -41,7 +41,7 @@ Variable second_look : state -> algorithm_filter.placement -> Z -> option renewa
 (* place: who comes is put where the doubles say. *)
 Definition placed (f : doubles) (e : event) : list (vertex * position) := match e with comes v => [(v, at_doubles f v)] | _ => [] end.
 
-(* Repair::border_in_doubt, with `many` as holds_after_mending leaves it: a cell or a ridge was evaluated, as after flips always. *)
+(* Repair::border_holds, with `many` as holds_after_mending leaves it: a cell or a ridge was evaluated, as after flips always. *)
 Definition many (movers : list nat) : bool := match movers with [_] => false | _ => true end.
 Definition turns (k : verdict) : bool := match of k with circle _ _ _ _ => false | _ => true end.
 Definition in_doubt (movers : list nat) (w : change) (verdicts : list verdict) : bool :=

@@ -252,7 +252,7 @@ struct Trace {
         return listed<d>(facet_certificate(t, f, false).point);
     }
     template <int d>
-    static void committing(const Odometers<d>& o, const Repair<d>&) {
+    static void committing(const Odometers<d>& o, const Checker<d>&) {
         if (!on) return;
         std::vector<std::uint64_t> lost;
         for (const auto& [id, points] : told<d>.points)

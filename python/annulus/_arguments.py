@@ -13,7 +13,7 @@ import numpy as np
 
 from ._error import Error, OpenBoundariesWarning
 
-STRATEGIES = ("auto", "filter", "filter-each", "in-place", "rebuild", "relocate", "relocate-flips", "hybrid")
+STRATEGIES = ("auto", "filter", "filter-each", "in-place", "rebuild", "relocate", "relocate-flips", "paper", "paper-hybrid")
 TOLERANCES = ("certified", "paper", "floating")
 SECOND_LOOKS = ("off", "unequal", "safe-region")
 DENSITIES = ("one", "x2+y2", "x2", "sin2")

@@ -30,9 +30,10 @@ class MovingDelaunay(Readings):
     strategy : str, optional
         How the triangulation is kept right: ``auto`` (the cheapest of tolerances, signs with flips, and
         rebuilding, as counts tell), ``filter``, ``filter-each``, ``in-place``, ``rebuild``, ``relocate``,
-        ``relocate-flips`` or ``hybrid``.
+        ``relocate-flips``, ``paper`` or ``paper-hybrid``.
     tolerance : str, optional
-        ``certified``, a proved lower bound; ``paper`` and ``floating`` are uncertified, for comparison.
+        ``certified``, a proved lower bound; with the strategies ``paper`` and ``paper-hybrid`` also ``paper`` and
+        ``floating``, which are uncertified, for comparison. ``paper`` is unsound in 3D.
     merge_duplicates : bool, optional
         Equal points become one vertex (see `index_of_input`). Without it they are an `Error` with the code
         ``collision``.
@@ -43,7 +44,7 @@ class MovingDelaunay(Readings):
     report_changes : bool, optional
         Whether reports list `changed_simplices` and `removed_simplices`.
     seed : int, optional
-        Of the sample that ``hybrid`` draws.
+        Of the sample that ``paper-hybrid`` draws.
 
     Raises
     ------

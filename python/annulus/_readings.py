@@ -190,5 +190,5 @@ class Readings:
 
     @property
     def strategy(self) -> str:
-        """str: the strategy in force: that of the options, but that ``hybrid`` becomes ``filter`` when it switches."""
+        """str: the strategy in force: that of the options, but that ``paper-hybrid`` becomes ``paper`` when it switches."""
         return self._mesh.strategy

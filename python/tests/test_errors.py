@@ -59,7 +59,7 @@ def at(x, i, j):
     return bad(x, i, x[j])
 
 
-@pytest.mark.parametrize("strategy", ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "hybrid"])
+@pytest.mark.parametrize("strategy", ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "paper", "paper-hybrid"])
 @pytest.mark.parametrize("d", [2, 3])
 def test_errors_name_the_vertices_concerned(d, strategy):
     x = np.random.default_rng(d).random((40, d))

@@ -58,15 +58,15 @@ typedef struct annulus_mesh annulus_mesh;
 // not kept.
 typedef struct annulus_options {
     size_t size;
-    // "auto" (default), "filter", "filter-each", "hybrid", "in-place", "relocate", "relocate-flips", "rebuild"
+    // "auto" (default), "filter", "filter-each", "in-place", "paper", "paper-hybrid", "relocate", "relocate-flips", "rebuild"
     const char* strategy;
-    const char* tolerance;     // "certified" (default), "paper", "floating"
+    const char* tolerance;     // "certified" (default); with "paper" and "paper-hybrid" also "paper", "floating"
     const char* second_look;   // "off" (default); in the plane "unequal", "safe-region"
     int32_t threads;           // default 1; results do not depend on it. Negative: ANNULUS_USAGE
     int32_t merge_duplicates;  // not 0: equal points become one vertex instead of ANNULUS_COLLISION
     int32_t report_changes;    // not 0: annulus_changed lists cells
     int32_t reserved;          // 0
-    uint64_t seed;             // of the sample that "hybrid" draws
+    uint64_t seed;             // of the sample that "paper-hybrid" draws
 } annulus_options;
 
 // What a call did, all counts: of vertices, certificates, flips, timestamps. Set `size` to sizeof(annulus_report) before; what it does not
@@ -171,7 +171,7 @@ ANNULUS_API int annulus_vertex_count(const annulus_mesh* mesh, size_t* count);
 ANNULUS_API int annulus_index_bound(const annulus_mesh* mesh, size_t* bound);
 // 1 for a vertex, 0 for a vacant index and for what is outside.
 ANNULUS_API int annulus_is_vertex(const annulus_mesh* mesh, int32_t index, int* answer);
-// The strategy in force: that of the options, except that "hybrid" becomes "filter" when it switches. A constant string.
+// The strategy in force: that of the options, except that "paper-hybrid" becomes "paper" when it switches. A constant string.
 ANNULUS_API int annulus_strategy(const annulus_mesh* mesh, const char** name);
 
 // ---- Arrays by vertex index. `capacity` is of vertices, at least annulus_index_bound, else WRONG_SIZE. O(n) ---------------------

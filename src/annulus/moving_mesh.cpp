@@ -4,6 +4,7 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/engine/engine.h>
 #include <annulus/kernel/delaunay_mesh.h>
+#include <annulus/published/strategies.h>
 
 #include <cstring>
 
@@ -11,7 +12,7 @@ namespace annulus {
 
 template <int d>
 struct Moving_mesh<d>::Parts {
-    explicit Parts(const Options& options) : engine(mesh, options) {}
+    explicit Parts(const Options& options) : engine(mesh, options, make_strategy<d>(mesh, options)) {}
     Delaunay_mesh<d> mesh;
     Engine<d> engine;
 };

@@ -86,7 +86,7 @@ class Moving_mesh {
     [[nodiscard]] const Delaunay_mesh<d>& mesh() const;
 
     [[nodiscard]] const Options& options() const;
-    /// The strategy in force: that of the options, except that `hybrid` becomes `filter` when it switches.
+    /// The strategy in force: that of the options, except that `paper-hybrid` becomes `paper` when it switches.
     [[nodiscard]] Strategy strategy() const;
 
   private:

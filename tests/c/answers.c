@@ -246,9 +246,9 @@ static void check_small_sets(int dimension) {
 }
 
 int main(void) {
-    static const char* const strategies[] = {"auto",     "filter",   "filter-each",    "hybrid",
-                                             "in-place", "relocate", "relocate-flips", "rebuild"};
-    for (int k = 0; k < 8; ++k) {
+    static const char* const strategies[] = {"auto",     "filter",       "filter-each",    "in-place", "paper",
+                                             "relocate", "paper-hybrid", "relocate-flips", "rebuild"};
+    for (int k = 0; k < 9; ++k) {
         check_motion(2, strategies[k], 150);
         check_motion(3, strategies[k], 60);
     }

@@ -71,7 +71,8 @@ std::vector<Positions<d>> point_sets() {
 }
 
 constexpr Strategy strategies[] = {Strategy::automatic, Strategy::rebuild,     Strategy::relocate, Strategy::relocate_flips, Strategy::in_place,
-                                   Strategy::filter,    Strategy::filter_each, Strategy::hybrid};
+                                   Strategy::filter,    Strategy::filter_each, Strategy::paper,
+                                   Strategy::paper_hybrid};
 
 template <class Mesh, int d>
 auto point_for(const Coordinates<d>& p) {

@@ -41,7 +41,7 @@ Options with(Strategy strategy) {
 
 constexpr std::array strategies{Strategy::rebuild, Strategy::relocate,    Strategy::relocate_flips, Strategy::in_place,
                                 Strategy::filter,  Strategy::filter_each, Strategy::automatic,
-                                Strategy::hybrid};
+                                Strategy::paper,   Strategy::paper_hybrid};
 
 /// Horizons, by a name that depends on d: where they are wide nothing can be assigned to them.
 template <int d>
@@ -63,7 +63,7 @@ TEMPLATE_TEST_CASE_SIG("Moving everything to where it is changes nothing, whatev
     for (const Strategy strategy : strategies) {
         Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(60, 1)), with(strategy));
         const std::vector<Coordinates<d>> before(dt.positions().begin(), dt.positions().end());
-        for (int i = 0; i < 6; ++i) dt.move_all(dt.positions());  // under hybrid this is where it becomes filter
+        for (int i = 0; i < 6; ++i) dt.move_all(dt.positions());  // under paper-hybrid this is where it filters
         CHECK(std::vector<Coordinates<d>>(dt.positions().begin(), dt.positions().end()) == before);
         CHECK(dt.audit().delaunay());
         dt.move(0, dt.positions()[0]);
@@ -71,15 +71,15 @@ TEMPLATE_TEST_CASE_SIG("Moving everything to where it is changes nothing, whatev
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("A timestamp that hybrid refuses does not switch it", "[faults]", ((int d), d), 2, 3) {
-    Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(60, 8)), with(Strategy::hybrid));
+TEMPLATE_TEST_CASE_SIG("A timestamp that paper-hybrid refuses does not switch it", "[faults]", ((int d), d), 2, 3) {
+    Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(60, 8)), with(Strategy::paper_hybrid));
     std::vector<Coordinates<d>> meeting(dt.positions().begin(), dt.positions().end());
     meeting[1] = meeting[0];
     CHECK_THROWS_AS(dt.move_all(std::span<const Coordinates<d>>(meeting)), Error);
-    CHECK(dt.strategy() == Strategy::hybrid);
+    CHECK(dt.strategy() == Strategy::paper_hybrid);
     CHECK(dt.audit().delaunay());
     for (int i = 0; i < 8; ++i) dt.move_all(dt.positions());
-    CHECK(dt.strategy() == Strategy::filter);
+    CHECK(dt.strategy() == Strategy::paper);
     CHECK(dt.audit().delaunay());
 }
 

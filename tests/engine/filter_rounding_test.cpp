@@ -33,7 +33,8 @@ REVEAL(Commit_renewals, &Odometers<2>::commit_renewals);
 REVEAL(Tolerances, &Second_looks<2>::tolerance_);
 
 struct Filter_session : Session<Filter<2>> {
-    explicit Filter_session(Random& random, Second_look look = Second_look::off) : Session(random, look) {}
+    explicit Filter_session(Random& random, Second_look look = Second_look::off)
+        : Session(random, Strategy::filter, look) {}
     [[nodiscard]] Odometers<2>& odometers() { return Session::operator[](Odometer{}); }
     template <class Name>
     auto& operator[](Name) {
@@ -43,7 +44,7 @@ struct Filter_session : Session<Filter<2>> {
     auto call(Name, Arguments&&... arguments) {
         return (odometers().*member(Name{}))(std::forward<Arguments>(arguments)...);
     }
-    [[nodiscard]] Repair<2>& examination() { return Session::operator[](Examination{}); }
+    [[nodiscard]] Checker<2>& examination() { return Session::operator[](Examination{}).checker(); }
     [[nodiscard]] By_corner<double>& look_tolerances() { return (*this)[Looks{}].*member(Tolerances{}); }
 };
 
@@ -255,7 +256,7 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
     const Point moved{0x1p-600, 0};
     SECTION("filter") {
         Delaunay_mesh<2> mesh;
-        Filter<2> filter(mesh, Tolerance_kind::certified, Second_look::off);
+        Filter<2> filter(mesh);
         Move_report report;
         mesh.build(square);
         filter.settle(square, report);
@@ -264,9 +265,9 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
         filter.move_all(x, report);
         CHECK(report.moves.within_tolerance == 3U);
     }
-    SECTION("filter-each") {
+    SECTION("paper") {
         Delaunay_mesh<2> mesh;
-        Paper_queue<2> filter(mesh, Tolerance_kind::floating);
+        Paper_filter<2> filter(mesh, Strategy::paper, Tolerance_kind::floating, 0U);
         Move_report report;
         mesh.build(square);
         filter.settle(square, report);

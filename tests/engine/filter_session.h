@@ -6,13 +6,12 @@
 #include <support/arbitrary.h>
 
 #include <annulus/engine/filter.h>
-#include <annulus/engine/paper_queue.h>
+#include <annulus/published/paper_filter.h>
 #include <annulus/kernel/delaunay_mesh.h>
 
 #include <gmpxx.h>
 
 #include <cmath>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,18 +43,16 @@ inline double rounded_down(const Rational& x) {
 }
 
 /// A triangulation of a few points with a filter on it. Point 0 is the origin.
-template <class Strategy>
+template <class Kept>
 struct Session {
-    static constexpr Tolerance_kind kind =
-        std::is_same_v<Strategy, Paper_queue<2>> ? Tolerance_kind::floating : Tolerance_kind::certified;
     std::vector<Point> points;
     Delaunay_mesh<2> mesh;
-    Strategy filter;
+    Kept filter;
     Move_report report;
 
     template <class... Arguments>
     explicit Session(Random& random, Arguments... arguments)
-        : points(point_set(Family::uniform, 7, random)), filter(mesh, kind, arguments...) {
+        : points(point_set(Family::uniform, 7, random)), filter(mesh, arguments...) {
         points[0] = {0.0, 0.0};
         mesh.build(points);
         filter.settle(points, report);

@@ -94,14 +94,14 @@ TEST_CASE("A timestamp refused after the points became collinear on the way leav
     holds_everywhere({{}, {{0, 0}, {1, 0}, {0, 1}, {3, 0}}, {move_all({{0, 0}, {1, 0}, {2, 0}, {1, 0}})}});
 }
 
-TEST_CASE("filter-each with the paper's tolerances keeps CGAL's object valid", "[finds]") {
-    CHECK(run({{Strategy::filter_each, Second_look::off, Tolerance_kind::paper},
+TEST_CASE("The paper's filter and tolerances keep CGAL's object valid", "[finds]") {
+    CHECK(run({{Strategy::paper, Second_look::off, Tolerance_kind::paper},
                {{87, 86}, {90, 27}, {-23, 50}, {29, -25}, {97, -53}},
                {move(0, {28, 42})}}) == "");
 }
 
-TEST_CASE("filter with the paper's tolerances inserts and removes without crash or hang", "[finds]") {
-    const Setting paper{Strategy::filter, Second_look::off, Tolerance_kind::paper};
+TEST_CASE("With the paper's tolerances vertices come and go without crash or hang", "[finds]") {
+    const Setting paper{Strategy::paper, Second_look::off, Tolerance_kind::paper};
     CHECK(run({paper,
                {{12, 0}, {9, 7}, {5, 4}, {2, 13}, {11, 8}},
                {move_all({{12, 0}, {9, 7}, {5, 4}, {2, 13}, {5, 10}}), remove(0), insert({11, 0})}}) == "");
@@ -115,7 +115,7 @@ TEST_CASE("filter with the paper's tolerances inserts and removes without crash 
 }
 
 TEST_CASE("Positions given back to an object whose strategy changes meanwhile are still there", "[finds]") {
-    // hybrid handed them to the filter first and read them afterwards.
+    // the hybrid handed them to the filter first and read them afterwards.
     using Do = Calls<2>;
     holds_everywhere({{}, {{0, 0}, {9, 1}, {1, 8}, {7, 7}, {4, 3}}, {Do::stay(), Do::stay()}});
     using Do_3 = Calls<3>;

@@ -70,7 +70,7 @@ std::vector<std::uint64_t> diary(Strategy strategy, std::uint64_t mess) {
 }  // namespace
 
 TEST_CASE("A shear of eight thousand steps stays right", "[long]") {
-    for (const Strategy strategy : {Strategy::filter, Strategy::hybrid, Strategy::automatic, Strategy::filter_each}) {
+    for (const Strategy strategy : {Strategy::filter, Strategy::paper, Strategy::automatic, Strategy::filter_each}) {
         CAPTURE(name_of(strategy));
         CHECK(shear<Moving_delaunay_2>(strategy, 400, 1, 6e-5, repeats(8000)) == "");
         CHECK(shear<Moving_delaunay_3>(strategy, 60, 2, 8e-5, repeats(8000)) == "");

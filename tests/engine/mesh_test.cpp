@@ -57,8 +57,9 @@ TEST_CASE("A few points of space whose region is everything are inserted all the
 TEMPLATE_TEST_CASE_SIG("An insertion that is refused leaves positions, their number and what comes next, dimension", "[mesh]", ((int d), d),
                        2, 3) {
     for (const Strategy strategy : {Strategy::automatic, Strategy::filter, Strategy::filter_each, Strategy::in_place, Strategy::relocate,
-                                    Strategy::relocate_flips, Strategy::rebuild}) {
+                                    Strategy::relocate_flips, Strategy::rebuild, Strategy::paper, Strategy::paper_hybrid}) {
         for (const Tolerance_kind kind : {Tolerance_kind::certified, Tolerance_kind::paper}) {
+            if (kind == Tolerance_kind::paper && strategy != Strategy::paper && strategy != Strategy::paper_hybrid) continue;
             CAPTURE(name_of(strategy), name_of(kind));
             Options options;
             options.strategy = strategy;

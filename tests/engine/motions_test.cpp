@@ -181,13 +181,13 @@ TEMPLATE_TEST_CASE_SIG(
     CHECK(step(0.1).sign_steps == 1);
 }
 
-TEMPLATE_TEST_CASE_SIG("hybrid becomes filter once the motion is slow, and then is one, dimension", "[motions]",
+TEMPLATE_TEST_CASE_SIG("paper-hybrid becomes paper once the motion is slow, and then is one, dimension", "[motions]",
                        ((int d), d), 2, 3) {
     using Do = Calls<d>;
     for_each_seed(10, [&](Random& random) {
         const Points_of<d> home = some_points<d>(ordinary_set<d>(random), 10, 20, random);
         Coverage coverage;
-        holds<d>({Strategy::hybrid,
+        holds<d>({Strategy::paper_hybrid,
                   home,
                   {Do::steady(Motion::jitter, 5, 0.5, random() % 100), Do::steady(Motion::rest_and_go, 12, 0x1p-40, 0),
                    Do::steady(Motion::tolerances, 12, 0.9, random() % 100), Do::steady(Motion::jitter, 8, 0.3, 5)}},

@@ -67,6 +67,29 @@ TEST_CASE("Threads must be one or more", "[engine][options]") {
     refuses_threads<Moving_delaunay_3, 3>();
 }
 
+TEST_CASE("Tolerances that are not certified are for the paper's strategies alone", "[engine][options]") {
+    const auto x = corners<3>();
+    const std::span<const Coordinates<3>> points(x);
+    for (const Strategy strategy : {Strategy::rebuild, Strategy::relocate, Strategy::relocate_flips, Strategy::in_place,
+                                    Strategy::filter, Strategy::filter_each, Strategy::automatic, Strategy::paper,
+                                    Strategy::paper_hybrid})
+        for (const Tolerance_kind kind : {Tolerance_kind::certified, Tolerance_kind::paper, Tolerance_kind::floating}) {
+            CAPTURE(name_of(strategy), name_of(kind));
+            const bool fits = kind == Tolerance_kind::certified || strategy == Strategy::paper ||
+                              strategy == Strategy::paper_hybrid;
+            try {
+                const Moving_mesh_3 made(points, Options{.strategy = strategy, .tolerance = kind});
+                CHECK(fits);
+                CHECK(made.strategy() == strategy);
+                CHECK(made.audit().delaunay());
+            } catch (const Error& e) {
+                CHECK(!fits);
+                CHECK(e.code() == Error_code::usage);
+                CHECK(std::string(e.what()).find("'" + std::string(name_of(strategy)) + "'") != std::string::npos);
+            }
+        }
+}
+
 TEST_CASE("An audit names vertices by their indices, also when lower ones are vacant", "[engine][audit]") {
     const auto x = corners<2>();
     Moving_mesh_2 mesh{std::span<const Coordinates<2>>(x)};

@@ -32,7 +32,7 @@ Coordinates<d> some_place(Random& random) {
 /// Thirty operations of all kinds on twenty points.
 template <int d>
 Program_of<d> long_program(Random& random) {
-    Program_of<d> program{Strategy::hybrid, {}, {}};
+    Program_of<d> program{Strategy::paper_hybrid, {}, {}};
     for (int i = 0; i < 20; ++i) program.points.push_back(some_place<d>(random));
     for (int i = 0; i < 30; ++i) {
         const auto who = static_cast<Index>(random() % 20);

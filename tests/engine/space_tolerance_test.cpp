@@ -101,7 +101,7 @@ TEST_CASE("The tolerances of a regular tetrahedron and of the spindle are those 
         }
         // Spheres around the origin of radius 0.99 and 1.
         Moving_delaunay_3 five(spindle(0.01), options_of(strategy, Tolerance_kind::certified));
-        Moving_delaunay_3 paper(spindle(0.01), options_of(strategy, Tolerance_kind::paper));
+        Moving_delaunay_3 paper(spindle(0.01), options_of(Strategy::paper, Tolerance_kind::paper));
         for (std::size_t i = 0; i < 5; ++i) {
             CHECK(five.tolerance(five.vertex(i)) <= 0.005 * (1 + 1e-12));
             CHECK(five.tolerance(five.vertex(i)) > 0.998 * 0.005);
@@ -115,7 +115,7 @@ TEST_CASE("Inside the paper's tolerances the spindle ends in a triangulation tha
     for (const Strategy strategy : filters) {
         CAPTURE(name_of(strategy));
         for (const Tolerance_kind kind : {Tolerance_kind::certified, Tolerance_kind::paper}) {
-            Moving_delaunay_3 dt(spindle(0.01), options_of(strategy, kind));
+            Moving_delaunay_3 dt(spindle(0.01), options_of(kind == Tolerance_kind::paper ? Strategy::paper : strategy, kind));
             CHECK(dt.triangulation().number_of_finite_cells() == 3);
             const Move_report report = dt.move_all(spindle_grown(0.007));
             const bool right = dt.audit().delaunay();

@@ -3,7 +3,6 @@
 #include <annulus/certificate/ladder.h>
 #include <annulus/cgal/view_3.h>
 #include <annulus/mesh/replace_cells.h>
-#include <annulus/mesh/distinct_facets.h>
 #include <annulus/mesh/table_flips_3.h>
 
 #include <support/catch.h>
@@ -226,34 +225,4 @@ TEST_CASE("The corners of a ridge and of a bi-cell are in the order that the cer
         }
     }
     CHECK(ridges > 10);
-}
-
-TEST_CASE("A flip to an edge that is there already, and makes a facet twice, is found out", "[flips][space]") {
-    Random random(31);
-    int doubled = 0;
-    for (int k = 0; k < 40; ++k) {
-        Delaunay_mesh<3> e;
-        e.build(point_set(Set_3::uniform, 9, random));
-        auto& t = e.table();
-        for (int flips = 0; flips < 6; ++flips) {
-            const Corner_index h(static_cast<Index>(random() % t.facet_bound().offset()));
-            std::array<Cell_index, 3> made{};
-            if (!t.is_cell(t.cell_of(h)) || !flip_facet(t, h, made)) continue;
-            std::set<std::array<Index, 3>> facets;
-            std::size_t count = 0;
-            for (const Corner_index f : t.facets()) {
-                const Facet_points<3> x = bicell_points(t, f);
-                std::array<Index, 3> own{x[0], x[1], x[2]};
-                std::sort(own.begin(), own.end());
-                facets.insert(own);
-                ++count;
-            }
-            const bool distinct = facets.size() == count;
-            CHECK(facets_are_distinct_around<3>(t, made) == distinct);
-            if (distinct) continue;
-            ++doubled;
-            break;
-        }
-    }
-    CHECK(doubled > 3);
 }

@@ -280,7 +280,8 @@ double price(const Case& c) {
         case Strategy::filter:
         case Strategy::filter_each:
         case Strategy::automatic:
-        case Strategy::hybrid: return plane ? 0.5 : c.motion == Motion_kind::walk_large ? 60 : 6;
+        case Strategy::paper:
+        case Strategy::paper_hybrid: return plane ? 0.5 : c.motion == Motion_kind::walk_large ? 60 : 6;
         case Strategy::rebuild: return plane ? 0.7 : 9;
         default: return plane ? 1.2 : 70;
     }
@@ -300,7 +301,7 @@ void choose_size(Case& c) {
     if (c.steps > 0) return;
     const bool cheap = c.setting.strategy == Strategy::filter || c.setting.strategy == Strategy::filter_each ||
                        c.setting.strategy == Strategy::automatic ||
-                       c.setting.strategy == Strategy::hybrid;
+                       c.setting.strategy == Strategy::paper;
     c.steps = 50000;
     if (cheap && !is_rough(c.motion)) return;
     const double affordable = 1e6 / (price(c) * static_cast<double>(c.points));

@@ -19,13 +19,14 @@ struct Setting {
     Strategy strategy;
     Second_look second_look = Second_look::off;
 };
-inline constexpr std::array<Setting, 10> all_settings{{
+inline constexpr std::array<Setting, 11> all_settings{{
     {"filter", Strategy::filter},
     {"filter-unequal", Strategy::filter, Second_look::unequal_moves},
     {"filter-safe-region", Strategy::filter, Second_look::safe_region},
     {"filter-each", Strategy::filter_each},
     {"auto", Strategy::automatic},
-    {"hybrid", Strategy::hybrid},
+    {"paper", Strategy::paper},
+    {"paper-hybrid", Strategy::paper_hybrid},
     {"rebuild", Strategy::rebuild},
     {"relocate", Strategy::relocate},
     {"relocate-flips", Strategy::relocate_flips},

@@ -96,7 +96,7 @@ struct Crowd {
 TEMPLATE_TEST_CASE_SIG("Pairs made and broken are those of triangulations built anew", "[statistics]", ((int d), d), 2,
                        3) {
     for (const Strategy strategy :
-         {Strategy::automatic, Strategy::filter, Strategy::filter_each, Strategy::hybrid, Strategy::rebuild,
+         {Strategy::automatic, Strategy::filter, Strategy::filter_each, Strategy::paper_hybrid, Strategy::rebuild,
           Strategy::relocate, Strategy::relocate_flips, Strategy::in_place}) {
         for (int run = 0; run < repeats(4); ++run) {
             std::mt19937_64 random(1000 * static_cast<unsigned>(run) + static_cast<unsigned>(strategy));

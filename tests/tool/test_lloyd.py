@@ -164,9 +164,9 @@ class Strategies(ToolTest):
         self.compare(STRATEGIES, "--points", "3", "--iterations", "6", "--audit", "1")
 
     def test_variants(self):
-        result = self.compare(["filter", "filter:unequal", "filter:floating", "filter-each"],
+        result = self.compare(["filter", "filter:unequal", "paper:floating", "filter-each"],
                               "--points", "200", "--iterations", "15")
-        self.assertEqual(result["strategies"]["filter:floating"]["tolerance"], "floating")
+        self.assertEqual(result["strategies"]["paper:floating"]["tolerance"], "floating")
 
     def test_default_strategies_and_files(self):
         self.succeed("compare", "--output", "out", "--", "lloyd", "--points", "60", "--iterations", "3")

@@ -187,15 +187,20 @@ class Nodt(tool.ToolTest):
             self.assertGreater(float(row["annulus_width_mean"]), float(row["tolerance_mean"]))
 
     def test_compare_strategies_that_disagree(self):
-        """The paper's tolerances let twelve vertices keep cells that are wrong at step 3, and are right again at step 12: one seed of several hundred."""
-        for steps, audit, agree in (("3", "0", False), ("12", "1", True)):
-            done = self.run_tool("compare", "--strategies", "rebuild,filter:paper", "--seed", "90", "--output", "out", "--",
-                                 "nodt", "--sphere", "--vertices", "12", "--iterations", steps, "--audit", audit)
+        """Five points near a sphere within the paper's tolerances keep cells that are wrong (docs/theory.md 3), and right again where they go home."""
+        s = 3 ** 0.5 / 2
+        home = [(0, 0, 0.99), (0, 0, -0.99), (1, 0, 0), (-0.5, s, 0), (-0.5, -s, 0)]
+        away = [(0, 0, 0.997), (0, 0, -0.997)] + [(0.993 * x, 0.993 * y, 0) for x, y, _ in home[2:]]
+        for name, frames, audit, agree in (("away", [home, away], "0", False), ("back", [home, away, home], "1", True)):
+            text = "".join("5\n\n" + "".join(f"C {x!r} {y!r} {z!r}\n" for x, y, z in frame) for frame in frames)
+            (self.here / f"{name}.xyz").write_text(text, encoding="utf-8")
+            done = self.run_tool("compare", "--strategies", "rebuild,paper:paper", "--output", name, "--", "replay", f"{name}.xyz",
+                                 "--audit", audit)
             self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
-            written = json.loads((self.here / "out" / "compare.json").read_text(encoding="utf-8"))
+            written = json.loads((self.here / name / "compare.json").read_text(encoding="utf-8"))
             self.assertEqual(written["agree"], agree)
-            self.assertEqual(written["strategies"]["filter:paper"]["audit"]["failed"] > 0, agree)
-            self.assertEqual("filter:paper ends with other cells than rebuild" in done.stdout, not agree)
+            self.assertEqual(written["strategies"]["paper:paper"]["audit"]["failed"] > 0, agree)
+            self.assertEqual("paper:paper ends with other cells than rebuild" in done.stdout, not agree)
 
     def test_compare(self):
         words = ("--sphere", "--vertices", "200", "--iterations", "5")

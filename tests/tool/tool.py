@@ -21,7 +21,7 @@ OPTIONS = {}  # given on the command line; "tool" always
 # What is drawn is drawn from this, the same every time; ANNULUS_TEST_SEED for other draws (tools/explore).
 SEED = int(os.environ.get("ANNULUS_TEST_SEED") or (Path(__file__).resolve().parents[1] / "seed").read_text(encoding="ascii"))
 HANGING = 1800  # seconds: no call takes a hundredth of it, and a machine may be very busy
-STRATEGIES = ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "hybrid"]
+STRATEGIES = ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "paper", "paper-hybrid"]
 RUN_FILES = {"summary.json", "iterations.csv", "final.mesh", "final.vtu", "report.html"}
 SUMMARY = {
     "seconds": {"triangulation", "motion", "total"},

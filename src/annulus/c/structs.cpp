@@ -32,7 +32,7 @@ Options options_of(const annulus_options* given) {
     if (known.reserved != 0) throw Refused(ANNULUS_USAGE, "annulus_options.reserved is not 0");
     if (known.threads < 0) throw Refused(ANNULUS_USAGE, "annulus_options.threads is negative");
     choose(options.strategy, known.strategy, strategy_named, "strategy",
-           "auto, filter, filter-each, hybrid, in-place, relocate, relocate-flips, rebuild");
+           "auto, filter, filter-each, in-place, paper, paper-hybrid, relocate, relocate-flips, rebuild");
     choose(options.tolerance, known.tolerance, tolerance_kind_named, "kind of tolerance", "certified, paper, floating");
     choose(options.second_look, known.second_look, second_look_named, "second look", "off, unequal, safe-region");
     options.threads = std::max(1, known.threads);

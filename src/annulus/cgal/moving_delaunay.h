@@ -4,6 +4,7 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/cgal/view.h>
 #include <annulus/engine/engine.h>
+#include <annulus/published/strategies.h>
 
 #include <iterator>
 #include <memory>
@@ -57,7 +58,7 @@ class Moving_delaunay {
     /// The same from plain coordinates.
     /// Throws too_large besides.
     explicit Moving_delaunay(std::span<const Coordinates<d>> points, const Options& options = {})
-        : mesh_(std::make_unique<Delaunay_mesh<d>>()), engine_(std::make_unique<Engine<d>>(*mesh_, options)) {
+        : mesh_(std::make_unique<Delaunay_mesh<d>>()), engine_(std::make_unique<Engine<d>>(*mesh_, options, make_strategy<d>(*mesh_, options))) {
         engine_->build(points);
         view_ = std::make_unique<View>(*mesh_, engine_->positions());
     }
@@ -154,8 +155,8 @@ class Moving_delaunay {
         return engine_->settle();
     }
 
-    /// CGAL's object; with certified tolerances its points are the positions and it is Delaunay. With `paper` and
-    /// `floating` under filter-each its points are the fixed positions. O(k) for the k cells that have changed and vertices
+    /// CGAL's object; its points are the positions and it is Delaunay. With tolerances that are not certified its points
+    /// are the fixed positions, at which it is Delaunay. O(k) for the k cells that have changed and vertices
     /// that have moved since it was asked for last. Throws bad_alloc.
     [[nodiscard]] const Triangulation& triangulation() const { return view_->update(engine_->standing()); }
     [[nodiscard]] std::size_t number_of_vertices() const { return mesh_->vertices(); }
@@ -216,7 +217,7 @@ class Moving_delaunay {
     [[nodiscard]] Audit_input<d> audit_input() const { return engine_->audit_input(); }
 
     [[nodiscard]] const Options& options() const { return engine_->options(); }
-    /// The strategy in force: that of the options, except that `hybrid` becomes `filter` when it switches.
+    /// The strategy in force: that of the options, except that `paper-hybrid` becomes `paper` when it switches.
     [[nodiscard]] Strategy strategy() const { return engine_->strategy(); }
     /// What the strategies work on.
     [[nodiscard]] const Delaunay_mesh<d>& mesh() const { return *mesh_; }
@@ -233,8 +234,7 @@ class Moving_delaunay {
     /// These vertices are about to move. Under the paper's algorithm the triangulation stands at other positions than
     /// these, of which others may move, too.
     void outdate(std::span<const Index> indices) noexcept {
-        if (strategy() == Strategy::filter_each && options().tolerance != Tolerance_kind::certified)
-            return view_->outdate();
+        if (strategy() == Strategy::paper) return view_->outdate();
         view_->outdate_cells();
         for (const Index i : indices) view_->outdate(i);
     }

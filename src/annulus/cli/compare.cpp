@@ -29,7 +29,7 @@ struct Compare_call {
     std::vector<std::string> strategies{"rebuild", "relocate", "auto"};
 };
 
-/// "filter", "filter:floating", "filter:unequal": a strategy, then what differs from the rest of the command.
+/// "filter", "paper:floating", "filter:unequal": a strategy, then what differs from the rest of the command.
 Tracking_arguments variant(Tracking_arguments t, const std::string& name) {
     std::size_t from = name.find(':');
     t.strategy = name.substr(0, from);
@@ -238,7 +238,7 @@ Run add_compare(CLI::App& app, const Invocation& invocation, Make_nodt make_nodt
         "The same motion under several strategies: annulus compare --strategies a,b -- lloyd|nodt|replay ...");
     const auto a = std::make_shared<Compare_call>();
     sub->add_option("--strategies", a->strategies,
-                    "Strategies, separated by commas; NAME:KIND changes the tolerance (filter:floating) or the second "
+                    "Strategies, separated by commas; NAME:KIND changes the tolerance (paper:floating) or the second "
                     "look (filter:unequal) of one")
         ->delimiter(',')
         ->capture_default_str();

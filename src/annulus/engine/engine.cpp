@@ -6,11 +6,9 @@
 #include <annulus/arithmetic/environment.h>
 #include <annulus/arithmetic/error.h>
 #include <annulus/engine/displacement.h>
-#include <annulus/engine/filter.h>
-#include <annulus/engine/paper_queue.h>
 #include <annulus/engine/guarded.h>
 #include <annulus/engine/listing_changes.h>
-#include <annulus/engine/plain.h>
+#include <annulus/engine/upkeep.h>
 
 #include <algorithm>
 #include <map>
@@ -19,8 +17,8 @@
 namespace annulus {
 
 template <int d>
-Engine<d>::Engine(Delaunay_mesh<d>& mesh, const Options& options)
-    : options_(options), strategy_(options.strategy), mesh_(mesh), upkeep_(upkeep_of(strategy_)), random_(options.seed) {
+Engine<d>::Engine(Delaunay_mesh<d>& mesh, const Options& options, std::unique_ptr<Upkeep<d>> upkeep)
+    : options_(options), mesh_(mesh), upkeep_(std::move(upkeep)) {
     if (options.report_changes) journal_ = std::make_unique<Cell_journal<d>>();
     require_sound_environment();
     if (options.threads < 1)
@@ -31,19 +29,8 @@ template <int d>
 Engine<d>::~Engine() = default;
 
 template <int d>
-std::unique_ptr<Upkeep<d>> Engine<d>::upkeep_of(Strategy strategy) const {
-    using Means = typename Filter<d>::Means;
-    const auto filter_by = [&](Means means, Tolerance_kind kind) {
-        auto filter = std::make_unique<Filter<d>>(mesh_, kind, options_.second_look, means);
-        filter->set_threads(options_.threads);
-        return filter;
-    };
-    if (strategy == Strategy::automatic) return filter_by(Means::any, options_.tolerance);
-    if (strategy == Strategy::filter || (strategy == Strategy::filter_each && certified()))
-        return filter_by(Means::tolerances, options_.tolerance);
-    if (strategy == Strategy::in_place) return filter_by(Means::signs, Tolerance_kind::certified);
-    if (strategy == Strategy::filter_each) return std::make_unique<Paper_queue<d>>(mesh_, options_.tolerance);
-    return std::make_unique<Plain<d>>(mesh_, strategy);
+Strategy Engine<d>::strategy() const {
+    return upkeep_->strategy();
 }
 
 template <int d>
@@ -67,13 +54,7 @@ void Engine<d>::build(std::span<const Point> points) {
     }
     mesh_.build(points);
     Move_report report;
-    begin(points, report);
-}
-
-/// Hands positions and triangulation to the strategy in force as given and Delaunay.
-template <int d>
-void Engine<d>::begin(std::span<const Point> x, Move_report& report) {
-    upkeep_->begin(x, report);
+    upkeep_->begin(points, report);
 }
 
 template <int d>
@@ -140,7 +121,7 @@ Move_report Engine<d>::settle() {
     Move_report report;
     guarded([&] {
         listing_changes(report, {}, [&] {
-            if (certified()) upkeep_->refresh_all(report);
+            if (upkeep_->trusted()) upkeep_->refresh_all(report);
             else make_trusted(report);
         });
     });
@@ -151,10 +132,27 @@ Move_report Engine<d>::settle() {
 /// positions.
 template <int d>
 void Engine<d>::make_trusted(Move_report& report) {
-    if (certified() || !upkeep_->repairs()) return;
+    if (upkeep_->trusted()) return;
     const std::vector<Point> x(positions().begin(), positions().end());
     mesh_.rebuild(x);
     upkeep_->begin(x, report);
+}
+
+/// The name of the vertex at p, of all below the bound, is thrown.
+template <int d>
+void Engine<d>::throw_taken(const Point& p, std::size_t bound) const {
+    const Index other = vertex_at(p, bound);
+    if (other == none) throw Error(Error_code::collision, "a vertex has the position of the point to be inserted");
+    throw Error(Error_code::collision,
+                "vertex " + std::to_string(other) + " has the position of the point to be inserted", {other});
+}
+
+/// O(bound).
+template <int d>
+Index Engine<d>::vertex_at(const Point& p, std::size_t bound) const {
+    for (Index i = 0; at(i) < bound; ++i)
+        if (is_vertex(i) && positions()[at(i)] == p) return i;
+    return none;
 }
 
 template <int d>
@@ -166,17 +164,14 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
     const Index i = vacant_.empty() ? static_cast<Index>(index_bound()) : vacant_.back();
     const Point here = p;  // it may be one of positions(), which are about to grow
     const auto put = [&] {
+        const std::size_t bound = index_bound();
+        if (!upkeep_->trusted() && vertex_at(here, bound) != none) throw_taken(here, bound);
         make_trusted(report);
         std::vector<Cell_index> changed;
         const int before = mesh_.dimension();
-        const std::size_t bound = index_bound();
         if (!mesh_.insert(upkeep_->lend(std::max(bound, at(i) + 1)), i, here, changed)) {
             (void)upkeep_->lend(bound);
-            for (Index other = 0; at(other) < bound; ++other)
-                if (is_vertex(other) && positions()[at(other)] == here)
-                    throw Error(Error_code::collision,
-                                "vertex " + std::to_string(other) + " has the position of the point to be inserted", {other});
-            throw Error(Error_code::collision, "a vertex has the position of the point to be inserted");
+            throw_taken(here, bound);
         }
         upkeep_->place(i, here);
         if (before == d) upkeep_->refresh(changed, report);

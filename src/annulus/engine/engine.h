@@ -9,7 +9,6 @@
 #include <annulus/mesh/mesh_cells.h>
 
 #include <memory>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -25,8 +24,8 @@ class Engine {
   public:
     using Point = Coordinates<d>;
 
-    /// The mesh must outlive it, and is changed by nothing else.
-    Engine(Delaunay_mesh<d>& mesh, const Options& options);
+    /// The mesh must outlive it, and is changed by nothing else. Throws environment, usage (threads below 1).
+    Engine(Delaunay_mesh<d>& mesh, const Options& options, std::unique_ptr<Upkeep<d>> upkeep);
     ~Engine();
 
     /// Triangulates these points. Once.
@@ -55,20 +54,10 @@ class Engine {
     [[nodiscard]] Mesh_cells<d> cells() const;
     [[nodiscard]] Audit_input<d> audit_input() const;
     [[nodiscard]] const Options& options() const { return options_; }
-    [[nodiscard]] Strategy strategy() const { return strategy_; }
+    [[nodiscard]] Strategy strategy() const;
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    [[nodiscard]] std::unique_ptr<Upkeep<d>> upkeep_of(Strategy strategy) const;
-    /// Nothing but certificates is trusted: always so where no tolerances are kept.
-    [[nodiscard]] bool certified() const {
-        return options_.tolerance == Tolerance_kind::certified || strategy_ == Strategy::in_place;
-    }
-    /// A timestamp is a move of one vertex after another.
-    [[nodiscard]] bool goes_in_turn() const {
-        return strategy_ != Strategy::rebuild && strategy_ != Strategy::hybrid && strategy_ != Strategy::filter &&
-               strategy_ != Strategy::automatic;
-    }
     template <class Call>
     void guarded(Call call, Index fresh = none);
     /// The same, with the goals by index, all of them or those of the movers alone; a collision is thrown with the names of both vertices.
@@ -76,8 +65,9 @@ class Engine {
     void guarded_moves(std::span<const Index> movers, std::span<const Point> goals, Call call);
     void recover(std::size_t bound, Index fresh) noexcept;
     void require_whole();
-    void begin(std::span<const Point> x, Move_report& report);
     void rebuild_all(std::span<const Point> x, Move_report& report);
+    [[nodiscard]] Index vertex_at(const Point& p, std::size_t bound) const;
+    [[noreturn]] void throw_taken(const Point& p, std::size_t bound) const;
     void move_one(Index i, const Point& p, Move_report& report);
     void move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report);
     [[nodiscard]] bool move_one_by_one(std::span<const std::pair<Index, std::size_t>> movers, std::span<const Point> points,
@@ -88,20 +78,15 @@ class Engine {
     void try_move_in_turn(std::span<const Point> x, Move_report& report);
     void order_by_blockers(std::span<const Point> x, std::vector<Index>& waiting) const;
     void make_trusted(Move_report& report);
-    void consider_switch(std::span<const Point> x, Move_report& report);
     template <class Call>
     void listing_changes(Move_report& report, std::span<const Index> movers, Call call);
 
     Options options_;
-    Strategy strategy_;
     Delaunay_mesh<d>& mesh_;
     std::unique_ptr<Upkeep<d>> upkeep_;
-    std::unique_ptr<Upkeep<d>> before_;  // of `hybrid`, in the call in which it switches
     std::vector<Index> vacant_;
     std::vector<Index> index_of_input_;
-    std::mt19937_64 random_;
     std::unique_ptr<Cell_journal<d>> journal_;  // where changes are reported
-    std::uint64_t steps_ = 0;
     bool whole_ = true;  // false: there are positions but no cells, because memory ran out twice
 };
 

@@ -89,7 +89,7 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
         for (const auto& [i, k] : movers) x[at(i)] = points[k];
         report.moves = {};
         try {
-            if (too_dear && goes_in_turn()) rebuild_all(x, report);
+            if (too_dear && upkeep_->goes_in_turn()) rebuild_all(x, report);
             else move_everything(x, report);
         } catch (const Error&) {
             Move_report nobody_asked;
@@ -139,8 +139,8 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
     if (points.size() != index_bound())
         throw Error(Error_code::wrong_size, "move_all takes " + std::to_string(index_bound()) + " points, not " +
                                                 std::to_string(points.size()));
-    // The filter looks at every position anyway and finds out itself.
-    if ((strategy_ != Strategy::filter && strategy_ != Strategy::automatic) || mesh_.dimension() != d)
+    // Strategies that repair whole timestamps look at every position anyway, and find out themselves.
+    if (!upkeep_->repairs() || upkeep_->goes_in_turn() || mesh_.dimension() != d)
         for (std::size_t i = 0; i < points.size(); ++i)
             if (is_vertex(static_cast<Index>(i))) require_in_domain(points[i], "vertex", static_cast<Index>(i));
     Move_report report;
@@ -157,9 +157,9 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
 
 template <int d>
 void Engine<d>::move_everything(std::span<const Point> points, Move_report& report) {
-    if (strategy_ == Strategy::hybrid && steps_++ % 4 == 0) consider_switch(points, report);
+    upkeep_->consider(points, report);
     if (upkeep_->repairs() && mesh_.dimension() != d) rebuild_all(points, report);
-    else if (goes_in_turn()) move_in_turn(points, report);
+    else if (upkeep_->goes_in_turn()) move_in_turn(points, report);
     else upkeep_->move_all(points, report);
 }
 
@@ -258,26 +258,6 @@ void Engine<d>::move_in_turn(std::span<const Point> x, Move_report& report) {
         throw;
     }
     upkeep_->end_each(report);
-}
-
-/// The paper's switch (4.2): of 40 random vertices 75 % (55 % in 3D) have a tolerance above their displacement.
-template <int d>
-void Engine<d>::consider_switch(std::span<const Point> x, Move_report& report) {
-    constexpr int sample = 40;
-    constexpr double share = d == 2 ? 0.75 : 0.55;
-    if (mesh_.dimension() != d || mesh_.vertices() < 4) return;
-    int within = 0;
-    for (int k = 0; k < sample; ++k) {
-        Index i = 0;
-        do i = static_cast<Index>(random_() % index_bound());
-        while (!is_vertex(i));
-        within += distance_upper<d>(x[at(i)], positions()[at(i)]) < mesh_.star_tolerance(positions(), i) ? 1 : 0;
-    }
-    if (within < share * sample) return;
-    before_ = std::move(upkeep_);
-    strategy_ = Strategy::filter;
-    upkeep_ = upkeep_of(strategy_);
-    begin(before_->positions(), report);
 }
 
 template class Engine<2>;

@@ -8,6 +8,7 @@
 #include <annulus/mesh/parallel_runs.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace annulus {
 
@@ -49,9 +50,8 @@ void Filter<d>::require_domain(std::span<const Coordinates<d>> x) const {
 /// Whether looking for what expired would already cost a good part of what repair may.
 template <int d>
 bool Filter<d>::too_many_failed(const Step<d>& step) const {
-    if (repair_.kind() == Tolerance_kind::paper) return false;
     return tracking_.is_too_dear(step.failed.size(), mesh_.vertices()) ||
-           Prices<d>::failure * static_cast<double>(step.failed.size()) > 0.25 * step.most;
+           Prices<d>::failure * static_cast<double>(step.failed.size()) > 0.25 * step.budget.limit;
 }
 
 template <int d>
@@ -79,18 +79,17 @@ void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) 
         ++report.moves.within_tolerance;
         return;
     }
-    const Coordinates<d> old = position_[at(v)];
+    const Coordinates<d> old = std::exchange(position_[at(v)], p);
+    Step<d> step = new_step(position_, v, odometers_.kept() ? Scope::expired : Scope::star);
     try {
-        position_[at(v)] = p;
-        Step<d> step = new_step(position_, v, odometers_.kept() ? Scope::expired : Scope::star);
         step.home = old;
         step.failed.push_back(v);
         ANNULUS_TRACED(tested(odometers_, step));
-        step.most = Chooser<d>::most_generous_repair(mesh_.vertices());
-        process(step, [&] { return repair_.mend_one(position_, v, old, step.most); }, report);
+        step.budget.limit = Chooser<d>::most_generous_repair(mesh_.vertices());
+        process(step, [&] { return repair_.mend_one(step, position_); }, report);
     } catch (const Error& e) {
         position_[at(v)] = old;
-        if (e.code() == Error_code::collision) renew_renumbered();
+        if (e.code() == Error_code::collision) renew_renumbered(step);
         throw;
     } catch (...) {
         position_[at(v)] = old;
@@ -109,7 +108,7 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
     Step<d> step = new_step(x, none, Scope::expired);
     if (!find_failed(step)) require_domain(x);
     ANNULUS_TRACED(tested(odometers_, step));
-    if (!step.failed.empty()) step.most = most_repair();
+    if (!step.failed.empty()) step.budget.limit = most_repair();
     if (!odometers_.kept() || too_many_failed(step)) step.scope = Scope::everything;
     note_displacements(x);
     if (step.failed.empty()) {
@@ -119,9 +118,9 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
         over_ = std::move(step);
     } else {
         try {
-            process(step, [&] { return repair_.mend_all(position_, step.most - dearer(step)); }, report);
+            process(step, [&] { return repair_.mend_all(step, position_); }, report);
         } catch (const Error& e) {
-            if (e.code() == Error_code::collision) renew_renumbered();
+            if (e.code() == Error_code::collision) renew_renumbered(step);
             throw;
         }
     }
@@ -130,31 +129,23 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
     end_timestamp(false, report);
 }
 
-/// What this step cost so far besides the signs that repair asked, in cells looked at.
-template <int d>
-double Filter<d>::dearer(const Step<d>& step) const {
-    if (repair_.kind() == Tolerance_kind::paper) return 0.0;
-    return step.prepared + repair_.evaluation_price();
-}
-
 /// Whether everything holds. When so many certificates have expired that their tolerances would cost more than repair may, signs are
 /// asked instead.
 template <int d>
 bool Filter<d>::examine(Step<d>& step) {
-    const bool alone = step.mover != none;
-    repair_.begin(step.x, !alone);
-    if (step.scope == Scope::star) return repair_.evaluate_star(step.mover);
+    repair_.begin(step);
+    if (step.scope == Scope::star) return repair_.evaluate_star(step);
     if (step.scope == Scope::expired) {
-        odometers_.find_expired(step, repair_);
-        step.prepared += Prices<d>::failure * static_cast<double>(step.failed.size());
-        if (alone || repair_.kind() == Tolerance_kind::paper || repair_.price() + dearer(step) <= 0.5 * step.most)
-            return repair_.evaluate();
+        odometers_.find_expired(step, repair_.checker());
+        step.budget.charge(Prices<d>::failure * static_cast<double>(step.failed.size()));
+        const double price = step.budget.spent + repair_.checker().pending_price();
+        if (step.mover != none || price <= 0.5 * step.budget.limit) return repair_.evaluate(step);
         odometers_.undo(step);
         step.renewals.clear();
         step.scope = Scope::everything;
-        repair_.begin(step.x, true);
+        repair_.begin(step);
     }
-    return repair_.evaluate_everything(step.most - step.prepared);
+    return repair_.evaluate_everything(step);
 }
 
 /// Examines, mends and commits. Positions are written last, so that whoever meets an exception on the way can build anew at them; a
@@ -164,7 +155,7 @@ template <class Mend>
 void Filter<d>::process(Step<d>& step, Mend mend, Move_report& report) {
     try {
         if (!examine(step) && !mend()) {
-            step.rebuilding = Chooser<d>::rebuild_price(mesh_.vertices());
+            step.budget.charge(Chooser<d>::rebuild_price(mesh_.vertices()));
             rebuild(step);
             step.rebuilt = true;
         }
@@ -180,36 +171,28 @@ template <int d>
 void Filter<d>::finish(Step<d>& step, Move_report& report) {
     const bool tolerances = step.scope == Scope::expired;
     const bool alone = step.mover != none;
-    report += repair_.report();
-    report.price += repair_.price() + dearer(step) + step.rebuilding;
+    report += step.report;
+    report.price += step.budget.spent;
     report.renewed += step.renewals.size();
     report.tours += step.tours;
     if (!alone) ++(tolerances ? report.tolerance_steps : report.sign_steps);
-    if (tolerances) tracking_.note_step(step.failed.size(), repair_.report().evaluated);
-    outcomes_.count(step, repair_, alone ? 1 : mesh_.vertices(), report.moves);
+    if (tolerances) tracking_.note_step(step.failed.size(), step.report.evaluated);
+    outcomes_.count(step, alone ? 1 : mesh_.vertices(), report.moves);
     if (!step.rebuilt) {
         if (!alone) chooser_.mended();
-        if (tolerances) odometers_.commit(step, repair_);
+        if (tolerances) odometers_.commit(step, repair_.checker());
     }
-    if (tolerances && step.rebuilt && repair_.kind() == Tolerance_kind::paper) {
-        settle(step.x, report);
-    } else if (odometers_.kept() && (step.scope == Scope::everything || step.rebuilt)) {
-        stop_tracking();
-    }
+    if (odometers_.kept() && (step.scope == Scope::everything || step.rebuilt)) stop_tracking();
     if (!odometers_.kept() && !alone) tracking_.note_untracked();
     if (step.x.data() != position_.data()) std::copy(step.x.begin(), step.x.end(), position_.begin());
 }
 
-/// After a collision, when the cells have other numbers than those that records name.
+/// After a collision, when cells have other numbers than those that records name.
 template <int d>
-void Filter<d>::renew_renumbered() {
+void Filter<d>::renew_renumbered(const Step<d>& step) {
     Move_report nobody_asked;
-    if (renumbered_ && odometers_.kept()) settle(position_, nobody_asked);
-    else if (!repair_.renumbered().empty()) {
-        const std::vector<Cell_index> cells(repair_.renumbered().begin(), repair_.renumbered().end());
-        refresh(cells, nobody_asked);
-    }
-    renumbered_ = false;
+    if (step.renumbered_all && odometers_.kept()) settle(position_, nobody_asked);
+    else if (!step.renumbered.empty()) refresh(step.renumbered, nobody_asked);
 }
 
 template class Filter<2>;

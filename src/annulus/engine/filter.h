@@ -15,7 +15,7 @@
 
 namespace annulus {
 
-/// The strategies that work on the flat mesh: `filter`, `auto`, `filter-each` with certified tolerances, `in-place`.
+/// The strategies that repair the mesh: `filter`, `auto`, `filter-each`, `in-place`.
 ///
 /// A step goes from where vertices go to what is written down: who left its tolerance and which certificates expired (Odometers), or
 /// else all of them, or all of one vertex; their verdicts, flips and holding back (Repair); new expiries (Odometers again). What one
@@ -29,11 +29,15 @@ class Filter final : public Upkeep<d> {
         any,         ///< timestamps are rebuilt while that is the cheapest: `auto`
         signs,       ///< of all certificates of what moves, never tolerances: `in-place`
     };
-    Filter(Delaunay_mesh<d>& mesh, Tolerance_kind kind, Second_look look, Means means = Means::tolerances)
-        : means_(means),
+    /// Precondition: one of these four.
+    explicit Filter(Delaunay_mesh<d>& mesh, Strategy strategy = Strategy::filter, Second_look look = Second_look::off)
+        : Upkeep<d>(strategy),
+          means_(strategy == Strategy::automatic  ? Means::any
+                 : strategy == Strategy::in_place ? Means::signs
+                                                  : Means::tolerances),
           mesh_(mesh),
           table_(mesh.table()),
-          repair_(mesh, kind, kind == Tolerance_kind::certified),
+          repair_(mesh),
           odometers_(table_, look) {}
 
     /// For the step test, evaluations and signs. Nothing that is found or counted depends on it.
@@ -81,6 +85,9 @@ class Filter final : public Upkeep<d> {
         return odometers_.kept() ? odometers_.fixed(v) : position_[at(v)];
     }
     [[nodiscard]] bool repairs() const override { return true; }
+    [[nodiscard]] bool goes_in_turn() const override {
+        return this->strategy() == Strategy::filter_each || this->strategy() == Strategy::in_place;
+    }
     /// False while the motion is so fast that tolerances would not last a step and are not kept.
     [[nodiscard]] bool tracks() const { return odometers_.kept(); }
     /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own; while tracks().
@@ -109,9 +116,8 @@ class Filter final : public Upkeep<d> {
     [[nodiscard]] bool examine(Step<d>& step);
     template <class Mend>
     void process(Step<d>& step, Mend mend, Move_report& report);
-    [[nodiscard]] double dearer(const Step<d>& step) const;
     void finish(Step<d>& step, Move_report& report);
-    void renew_renumbered();
+    void renew_renumbered(const Step<d>& step);
 
     // filter_upkeep.cpp: how it starts, what it keeps, rebuilds.
     void resize();
@@ -124,13 +130,12 @@ class Filter final : public Upkeep<d> {
     void note_displacements(std::span<const Coordinates<d>> x);
     void end_timestamp(bool each, Move_report& report);
     [[nodiscard]] bool next_is_mended(std::span<const Coordinates<d>> x);
-    void rebuild(const Step<d>& step);
+    void rebuild(Step<d>& step);
     void rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_report& report);
 
     Means means_;
     int threads_ = 1;
     bool rebuilding_ = false;  // each timestamp is rebuilt, with `any`
-    bool renumbered_ = false;  // cells are, by a call that failed
     Delaunay_mesh<d>& mesh_;
     const Cell_table<d>& table_;
     Repair<d> repair_;

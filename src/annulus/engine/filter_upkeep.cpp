@@ -90,23 +90,24 @@ void Filter<d>::resume() {
 /// In blocks that stay in the cache from the evaluation to what is written down; several threads want larger ones. The order is the same.
 template <int d>
 void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& report) {
-    const auto in_blocks = [&]<class I>(I bound, auto suspect) {
+    Checker<d>& checker = repair_.checker();
+    const auto in_blocks = [&]<class I>(I bound, auto add) {
         const Index block = threads_ > 1 ? 1 << 16 : 1024;
         for (Index first = 0; first < bound.value(); first += block) {
-            repair_.begin(x, false);
+            checker.begin(x);
             const Index last = std::min(bound.value(), first + block);
-            for (I i(first); i.value() < last; ++i) suspect(i);
-            (void)repair_.evaluate();
-            odometers_.commit_fresh(repair_, x);
-            report.evaluated += repair_.report().evaluated;
-            report.arithmetic += repair_.report().arithmetic;
+            for (I i(first); i.value() < last; ++i) add(i);
+            const Stage_counts counts = checker.evaluate();
+            odometers_.commit_fresh(checker, x);
+            report.evaluated += counts.total();
+            report.arithmetic += counts;
         }
     };
-    in_blocks(table_.facet_bound(), [this](Corner_index f) {
-        if (table_.is_facet(f)) repair_.suspect_facet(f);
+    in_blocks(table_.facet_bound(), [&](Corner_index f) {
+        if (table_.is_facet(f)) checker.add_facet(f);
     });
-    in_blocks(table_.cell_bound(), [this](Cell_index c) {
-        if (table_.is_cell(c)) repair_.suspect_cell(c);
+    in_blocks(table_.cell_bound(), [&](Cell_index c) {
+        if (table_.is_cell(c)) checker.add_cell(c);
     });
 }
 
@@ -145,12 +146,13 @@ void Filter<d>::refresh(std::span<const Cell_index> cells, Move_report& report) 
     if (!odometers_.kept()) return;
     Step<d> step = new_step(position_, none, Scope::expired);
     odometers_.begin_anchoring(step);
-    repair_.begin(position_);
-    repair_.suspect_cells(cells);
-    (void)repair_.evaluate();
-    odometers_.commit(step, repair_);
-    report.evaluated += repair_.report().evaluated;
-    report.arithmetic += repair_.report().arithmetic;
+    Checker<d>& checker = repair_.checker();
+    checker.begin(position_);
+    checker.add_cells(cells);
+    const Stage_counts counts = checker.evaluate();
+    odometers_.commit(step, checker);
+    report.evaluated += counts.total();
+    report.arithmetic += counts;
 }
 
 /// Displacements are kept from time to time while no tolerances are, unless there never are any.
@@ -167,7 +169,7 @@ void Filter<d>::end_timestamp(bool each, Move_report& report) {
     } else if (each) {
         tracking_.note_untracked();
     }
-    tracking_.reconsider(table_, repair_, position_, each, report);
+    tracking_.reconsider(table_, repair_.checker(), position_, each, report);
 }
 
 /// At the end of a timestamp that was mended by signs (after a rebuild nothing is settled), not the one that found out: at its beginning
@@ -211,7 +213,7 @@ void Filter<d>::rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_r
 
 /// After repair gave up. After a collision the cells are built at the old positions, with other numbers.
 template <int d>
-void Filter<d>::rebuild(const Step<d>& step) {
+void Filter<d>::rebuild(Step<d>& step) {
     try {
         if (means_ == Means::any) {
             chooser_.gave_up();
@@ -222,7 +224,7 @@ void Filter<d>::rebuild(const Step<d>& step) {
     } catch (const Error&) {
         if (step.mover != none) position_[at(step.mover)] = step.home;
         mesh_.rebuild(position_);
-        renumbered_ = !rebuilding_;
+        step.renumbered_all = !rebuilding_;
         throw;
     }
 }

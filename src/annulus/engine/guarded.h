@@ -18,21 +18,12 @@ template <class Call>
 void Engine<d>::guarded(Call call, Index fresh) {
     require_whole();
     const std::size_t bound = index_bound();
-    const Strategy strategy = strategy_;
-    const auto switch_back = [&] {
-        if (!before_) return;
-        strategy_ = strategy;  // hybrid
-        upkeep_ = std::move(before_);
-    };
     try {
         call();
-        before_.reset();  // not before: its positions may be what was asked for
     } catch (const Error& e) {
-        switch_back();
         if (e.code() == Error_code::too_large) recover(bound, fresh);
         throw;
     } catch (...) {
-        switch_back();
         recover(bound, fresh);
         throw;
     }

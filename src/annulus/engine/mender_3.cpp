@@ -36,7 +36,7 @@ bool Mender<3>::flip(Corner_index h) {
     if (passes[odd] < 0) {
         std::array<Cell_index, 3> cells{};
         if (!flip_edge(table_, h, table_.corner(c, table_.slot(c, x[odd])), cells)) return false;
-        touched_.push_back(cells[2]);
+        result_.touched.push_back(cells[2]);
         made(std::span(cells).first(2));
         return true;
     }
@@ -46,7 +46,7 @@ bool Mender<3>::flip(Corner_index h) {
         if (signs_.sign(cell) <= 0) return false;
     std::vector<Cell_index> cells;
     replace_cells<3>(table_, flip->gone, flip->came, cells);
-    touched_.insert(touched_.end(), flip->gone.begin(), flip->gone.end());
+    result_.touched.insert(result_.touched.end(), flip->gone.begin(), flip->gone.end());
     made(cells);
     return true;
 }

@@ -6,7 +6,7 @@
 namespace annulus {
 
 template <int d>
-void Move_outcomes<d>::count(const Step<d>& step, const Repair<d>& repair, std::size_t asked, Move_counts& moves) {
+void Move_outcomes<d>::count(const Step<d>& step, std::size_t asked, Move_counts& moves) {
     const auto mark = [this](Index v) -> std::uint32_t& { return mark_[static_cast<std::size_t>(v)]; };
     moves.asked += asked;
     if (step.rebuilt) {
@@ -19,14 +19,14 @@ void Move_outcomes<d>::count(const Step<d>& step, const Repair<d>& repair, std::
     }
     stamp_ += 2;  // its mark, and the one above it
     std::size_t left = asked;
-    for (const Index v : repair.reinserted()) {
+    for (const Index v : step.reinserted) {
         if ((step.mover != none && v != step.mover) || mark(v) == stamp_) continue;
         mark(v) = stamp_;
         ++moves.reinserted;
         --left;
     }
     // Marks the disturbed that are not reinserted; those of them that failed were flipped.
-    for (const Index v : repair.disturbed())
+    for (const Index v : step.disturbed)
         if (mark(v) != stamp_) mark(v) = stamp_ + 1;
     for (const Index v : step.failed) {
         if (mark(v) == stamp_) continue;

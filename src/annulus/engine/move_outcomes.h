@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/repair.h>
+#include <annulus/engine/move_report.h>
 #include <annulus/engine/step.h>
 
 #include <vector>
@@ -14,7 +14,7 @@ class Move_outcomes {
   public:
     void resize(std::size_t vertices) { grow(mark_, vertices); }
     /// After a step of `asked` vertices. O(1) and what the step came upon.
-    void count(const Step<d>& step, const Repair<d>& repair, std::size_t asked, Move_counts& moves);
+    void count(const Step<d>& step, std::size_t asked, Move_counts& moves);
 
   private:
     std::vector<std::uint32_t> mark_;  // by vertex: stamp_ reinserted, stamp_ + 1 disturbed, in the present step

@@ -3,7 +3,7 @@
 
 #include <annulus/engine/certificate_expiries.h>
 #include <annulus/engine/displacement.h>
-#include <annulus/engine/repair.h>
+#include <annulus/engine/checker.h>
 #include <annulus/engine/second_look.h>
 #include <annulus/engine/step.h>
 
@@ -37,8 +37,8 @@ class Odometers {
 
     /// Starts afresh at x: no certificate expires, until commit_fresh() has been told of it. O(n).
     void begin(std::span<const Coordinates<d>> x);
-    /// What Repair evaluated at x; no certificate that it names has an expiry.
-    void commit_fresh(const Repair<d>& repair, std::span<const Coordinates<d>> x);
+    /// What Checker evaluated at x; no certificate that it names has an expiry.
+    void commit_fresh(const Checker<d>& checker, std::span<const Coordinates<d>> x);
     /// Then the step test may be asked.
     void finish_beginning();
 
@@ -64,12 +64,12 @@ class Odometers {
     [[nodiscard]] bool find_failed(std::span<const Coordinates<d>> x, std::size_t first, std::size_t last,
                                    std::vector<Index>& failed) const;
 
-    /// Takes what is due: anchors those that failed, and names their certificates that expired to Repair, or renews them.
-    void find_expired(Step<d>& step, Repair<d>& repair);
+    /// Takes what is due: anchors those that failed, and names their certificates that expired to Checker, or renews them.
+    void find_expired(Step<d>& step, Checker<d>& checker);
     /// Takes that back.
     void undo(const Step<d>& step);
-    /// Writes down what Repair evaluated or created, and renewals; the mesh is Delaunay at step.x.
-    void commit(Step<d>& step, const Repair<d>& repair);
+    /// Writes down what was evaluated or created, and renewals; the mesh is Delaunay at step.x.
+    void commit(Step<d>& step, const Checker<d>& checker);
     /// Before what find_expired() is not called for: certificates that others name are about to be evaluated.
     void begin_anchoring(Step<d>& step);
 
@@ -85,15 +85,15 @@ class Odometers {
     void set_threshold(Index v) { vertex_[at(v)].threshold = High_word::lower(squared_threshold_lower(slack(v))); }
     void anchor(Index v, Step<d>& step);
     [[nodiscard]] bool renew(Corner_index f, Step<d>& step) const;
-    void look_at(Certificate_id id, Index v, Step<d>& step, Repair<d>& repair);
-    void tour(Index v, Step<d>& step, Repair<d>& repair);
+    void look_at(Certificate_id id, Index v, Step<d>& step, Checker<d>& checker);
+    void tour(Index v, Step<d>& step, Checker<d>& checker);
     void rebase(Index v);
     template <class Points>
     void prefetch(const Points& points) const;
     void commit_renewals(Step<d>& step);
     /// `fresh`: no certificate in question is on any list, and nobody is anchored.
     template <bool fresh>
-    void commit_evaluated(const Repair<d>& repair, std::span<const Coordinates<d>> x, Step<d>* step);
+    void commit_evaluated(const Checker<d>& checker, std::span<const Coordinates<d>> x, Step<d>* step);
     template <bool fresh, class S, class Expiry_of>
     void commit_points(const S& suspect, Certificate_id id, Expiry_of expiry_of, Step<d>* step);
 

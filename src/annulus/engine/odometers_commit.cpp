@@ -68,14 +68,14 @@ void Odometers<d>::prefetch(const Points& points) const {
 
 template <int d>
 template <bool fresh>
-void Odometers<d>::commit_evaluated(const Repair<d>& repair, std::span<const Coordinates<d>> x, Step<d>* step) {
-    const auto facets = repair.facets();
+void Odometers<d>::commit_evaluated(const Checker<d>& checker, std::span<const Coordinates<d>> x, Step<d>* step) {
+    const auto facets = checker.facets();
     if (!fresh)
         for (std::size_t i = 0; i < std::min(prefetched, facets.size()); ++i) prefetch(facets[i].point);
     for (std::size_t i = 0; i < facets.size(); ++i) {
         if (!fresh && i + prefetched < facets.size()) prefetch(facets[i + prefetched].point);
         const auto& s = facets[i];
-        if (!repair.exists(s)) continue;
+        if (!checker.exists(s)) continue;
         const Corner_index twin = table_.twin(s.id);
         if (looks_.on()) looks_.keep(s.id, s.kind, s.point, s.verdict.tolerance, x);
         const auto expiry_of = [&](std::size_t k) -> Expiry& { return expiries_.of_facet(s.id, twin, k); };
@@ -91,12 +91,12 @@ void Odometers<d>::commit_evaluated(const Repair<d>& repair, std::span<const Coo
         };
         commit_points<fresh>(s, id_of_facet(s.id), [&](std::size_t k) -> Expiry& { return expiry_of(place_of(k)); }, step);
     }
-    for (const auto& s : repair.cells()) {
-        if (!repair.exists(s)) continue;
+    for (const auto& s : checker.cells()) {
+        if (!checker.exists(s)) continue;
         const auto expiry_of = [&](std::size_t k) -> Expiry& {
             return expiries_.of_cell(Cell_table<d>::corner(s.id, static_cast<int>(k)));
         };
-        if (s.kind != Facet_kind::nothing && repair.kind() != Tolerance_kind::paper)
+        if (s.kind != Facet_kind::nothing)
             commit_points<fresh>(s, id_of_cell(s.id), expiry_of, step);
         else
             for (std::size_t k = 0; k < s.point.size(); ++k) expiry_of(k) = never;
@@ -137,11 +137,11 @@ void Odometers<d>::rebase(Index v) {
 }
 
 template <int d>
-void Odometers<d>::commit(Step<d>& step, const Repair<d>& repair) {
+void Odometers<d>::commit(Step<d>& step, const Checker<d>& checker) {
     resize();
-    ANNULUS_TRACED(committing(*this, repair));
+    ANNULUS_TRACED(committing(*this, checker));
     commit_renewals(step);
-    commit_evaluated<false>(repair, step.x, &step);
+    commit_evaluated<false>(checker, step.x, &step);
     for (const Index v : step.anchored) {
         const List& list = list_[at(v)];
         if (list.base > Horizons::odometer * (list.latest().reading() - list.base)) rebase(v);
@@ -152,8 +152,8 @@ void Odometers<d>::commit(Step<d>& step, const Repair<d>& repair) {
 }
 
 template <int d>
-void Odometers<d>::commit_fresh(const Repair<d>& repair, std::span<const Coordinates<d>> x) {
-    commit_evaluated<true>(repair, x, nullptr);
+void Odometers<d>::commit_fresh(const Checker<d>& checker, std::span<const Coordinates<d>> x) {
+    commit_evaluated<true>(checker, x, nullptr);
 }
 
 template class Odometers<2>;

@@ -28,7 +28,7 @@ bool Odometers<d>::renew(Corner_index f, Step<d>& step) const {
 
 /// Looks at one certificate of v, which is anchored: expired, or else back on the list.
 template <int d>
-void Odometers<d>::look_at(Certificate_id id, Index v, Step<d>& step, Repair<d>& repair) {
+void Odometers<d>::look_at(Certificate_id id, Index v, Step<d>& step, Checker<d>& checker) {
     List& list = list_[at(v)];
     if (is_of_cell(id)) {
         const Cell_index c = cell_of(id);
@@ -37,7 +37,7 @@ void Odometers<d>::look_at(Certificate_id id, Index v, Step<d>& step, Repair<d>&
         if (slot < 0) return;
         const Expiry expiry = expiries_.of_cell(table_.corner(c, slot));
         if (expiry.reached(list.base)) {
-            repair.suspect_cell(c);
+            checker.add_cell(c);
             ANNULUS_TRACED(suspected(id));
         } else {
             list.put(id, expiry);
@@ -57,7 +57,7 @@ void Odometers<d>::look_at(Certificate_id id, Index v, Step<d>& step, Repair<d>&
             if (point[k] == v) until = step.renewals.back().expiry[k];
         list.put(id, Expiry::lower(looks_.gives_room() ? sum_lower(list.base, until) : until));
     } else {
-        repair.suspect_facet(f);
+        checker.add_facet(f);
         ANNULUS_TRACED(suspected(id));
     }
 }
@@ -65,7 +65,7 @@ void Odometers<d>::look_at(Certificate_id id, Index v, Step<d>& step, Repair<d>&
 /// Looks at every certificate of v and fills the list anew. First all records are fetched, so that the loads overlap;
 /// then they are sorted out.
 template <int d>
-void Odometers<d>::tour(Index v, Step<d>& step, Repair<d>& repair) {
+void Odometers<d>::tour(Index v, Step<d>& step, Checker<d>& checker) {
     List& list = list_[at(v)];
     ++step.tours;
     list.clear();
@@ -92,7 +92,7 @@ void Odometers<d>::tour(Index v, Step<d>& step, Repair<d>& repair) {
             expiry = expiries_.of_facet(table_, h, own);
         }
         if (expiry.reached(list.base)) {
-            look_at(id, v, step, repair);
+            look_at(id, v, step, checker);
         } else {
             listed_.push_back(expiry);
             listed_id_.push_back(id);
@@ -127,7 +127,7 @@ void Odometers<d>::anchor(Index v, Step<d>& step) {
 }
 
 template <int d>
-void Odometers<d>::find_expired(Step<d>& step, Repair<d>& repair) {
+void Odometers<d>::find_expired(Step<d>& step, Checker<d>& checker) {
     begin_anchoring(step);
     for (const Index v : step.failed) step.before.push_back({vertex_[at(v)], list_[at(v)]});
     for (const Index v : step.failed) anchor(v, step);
@@ -135,8 +135,8 @@ void Odometers<d>::find_expired(Step<d>& step, Repair<d>& repair) {
     for (const Index v : step.failed) {
         List& list = list_[at(v)];
         if (!list.rest().reached(list.base))  // else the tour looks at these as well
-            list.take_reached(list.base, [&](Certificate_id id) { look_at(id, v, step, repair); });
-        if (list.rest().reached(list.base)) tour(v, step, repair);
+            list.take_reached(list.base, [&](Certificate_id id) { look_at(id, v, step, checker); });
+        if (list.rest().reached(list.base)) tour(v, step, checker);
         ANNULUS_TRACED(examined(*this, v, step));
     }
 }

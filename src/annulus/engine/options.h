@@ -22,9 +22,10 @@ enum class Strategy : std::uint8_t {
     relocate_flips,  ///< one vertex at a time: only written where that needs no flip, else relocate (paper 3.1)
     in_place,        ///< one vertex at a time: its certificates are evaluated, and flips where one is violated; no tolerances
     filter,          ///< whole timestamps: only certificates whose tolerance expired are evaluated
-    filter_each,     ///< one vertex at a time, Delaunay after each; uncertified: the paper's algorithm (3.2)
+    filter_each,     ///< one vertex at a time, Delaunay after each
     automatic,       ///< whole timestamps, `auto`: the cheapest of tolerances, signs with flips, and rebuilding, as counts tell
-    hybrid,          ///< rebuild until 75 % of a sample stays within tolerance, then filter (paper 4.2)
+    paper,           ///< the paper's filter (3.2), one vertex at a time: Options::tolerance says by which tolerances
+    paper_hybrid,    ///< rebuild until a sample stays within tolerance, then `paper` (paper 4.2)
 };
 
 [[nodiscard]] constexpr std::string_view name_of(Strategy s) {
@@ -36,7 +37,8 @@ enum class Strategy : std::uint8_t {
         case Strategy::filter: return "filter";
         case Strategy::filter_each: return "filter-each";
         case Strategy::automatic: return "auto";
-        case Strategy::hybrid: return "hybrid";
+        case Strategy::paper: return "paper";
+        case Strategy::paper_hybrid: return "paper-hybrid";
     }
     return "";
 }
@@ -48,12 +50,12 @@ enum class Strategy : std::uint8_t {
 /// What a caller may choose, as one value.
 struct Options {
     Strategy strategy = Strategy::automatic;
-    Tolerance_kind tolerance = Tolerance_kind::certified;
+    Tolerance_kind tolerance = Tolerance_kind::certified;  ///< others with `paper` and `paper_hybrid` alone, else Error(usage)
     Second_look second_look = Second_look::off;
     int threads = 1;                ///< 1 or more, else Error(usage); results do not depend on it
     bool merge_duplicates = false;  ///< equal input points become one vertex instead of an error
     bool report_changes = false;    ///< list the cells that came and went in a call: Move_report::changed, gone
-    std::uint64_t seed = 0;         ///< of the sample that `hybrid` draws
+    std::uint64_t seed = 0;         ///< of the sample that `paper_hybrid` draws
 };
 
 }  // namespace annulus

@@ -18,30 +18,31 @@ double distance(const Coordinates<3>& a, const Coordinates<3>& b) {
 
 }  // namespace
 
-/// Whether another vertex is where v goes, v's cells still being those of where it was. From neighbour to neighbour, always nearer: in a
+/// Whether another vertex is where the mover goes, its cells still being those of where it was. From neighbour to neighbour, always nearer: in a
 /// Delaunay triangulation that ends at the nearest vertex. What rounding misses is found by the rebuild that follows when nothing else helps.
 template <int d>
-bool Repair<d>::collides(Index v, const Coordinates<d>& home) {
+bool Repair<d>::collides(Step<d>& step) {
+    const Index v = step.mover;
     const auto& t = mesh_.table();
-    const Coordinates<d>& goal = x_[at(v)];
+    const Coordinates<d>& goal = step.x[at(v)];
     Index nearest = v;
-    double least = distance(home, goal);
+    double least = distance(step.home, goal);
     for (Index from = none; from != nearest;) {
         from = nearest;
         t.for_each_corner(from, [&](Corner_index h) {
             const Cell_index c = t.cell_of(h);
-            aside_ += 1.0;
+            step.budget.charge(1.0);
             for (int i = 0; i <= d; ++i) {
                 const Index w = t.vertex(t.corner(c, i));
                 if (w == infinite || w == v) continue;
-                const double here = distance(x_[at(w)], goal);
+                const double here = distance(step.x[at(w)], goal);
                 if (!(here < least)) continue;
                 least = here;
                 nearest = w;
             }
         });
     }
-    return nearest != v && x_[at(nearest)] == goal;
+    return nearest != v && step.x[at(nearest)] == goal;
 }
 
 template class Repair<2>;

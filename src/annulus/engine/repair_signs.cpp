@@ -10,49 +10,38 @@ namespace annulus {
 
 /// Leaves on the lists what does not hold.
 template <int d>
-bool Repair<d>::signs_hold(double most) {
+bool Repair<d>::signs_hold(Step<d>& step, double most) {
     const auto& t = mesh_.table();
-    auto& signs = mender_.signs();
-    signs_ = true;
     // So far beyond what it may cost that asking all of them would only make it dearer.
     constexpr double margin = 1.5;
-    hopeless_ = std::isfinite(most) && signs.price() + signs.outlook() > margin * most;
-    if (hopeless_) {
-        count_signs();
+    step.hopeless = std::isfinite(most) && step.budget.spent + signs_.outlook() > margin * most;
+    if (step.hopeless) {
+        step.count(signs_.take_counts());
         return false;
     }
-    const auto affordable = [&] { return signs.price() <= most; };
-    std::erase_if(signs.inverted(), [&](Cell_index c) { return affordable() && !signs.is_inverted(c); });
-    std::erase_if(signs.violated(), [&](Corner_index f) { return affordable() && !signs.is_violated(f); });
-    for (const Cell_index c : signs.inverted())
-        for (const Index v : cell_points(t, c)) disturbed_.push_back(v);
-    for (const Corner_index f : signs.violated()) note_disturbed(facet_certificate(t, f, false).point);
-    count_signs();
-    if (!signs.inverted().empty() || !signs.violated().empty()) return false;
-    return border_holds();
+    const auto affordable = [&] { return step.budget.spent <= most; };
+    std::erase_if(signs_.inverted(), [&](Cell_index c) { return affordable() && !signs_.is_inverted(c); });
+    std::erase_if(signs_.violated(), [&](Corner_index f) { return affordable() && !signs_.is_violated(f); });
+    for (const Cell_index c : signs_.inverted())
+        for (const Index v : cell_points(t, c)) step.disturbed.push_back(v);
+    for (const Corner_index f : signs_.violated())
+        for (const Index v : facet_certificate(t, f, false).point)
+            if (v != none) step.disturbed.push_back(v);
+    step.count(signs_.take_counts());
+    if (!signs_.inverted().empty() || !signs_.violated().empty()) return false;
+    return border_holds(step, step.mover == none, true);
 }
 
 template <int d>
-bool Repair<d>::evaluate_everything(double most) {
-    mender_.signs().look_at_everything();
-    return signs_hold(most);
+bool Repair<d>::evaluate_everything(Step<d>& step) {
+    signs_.look_at_everything();
+    return signs_hold(step, step.budget.limit);
 }
 
 template <int d>
-bool Repair<d>::evaluate_star(Index v) {
-    mender_.signs().look_around(v, false);
-    return signs_hold(std::numeric_limits<double>::infinity());
-}
-
-/// What the mender asked since it was counted last.
-template <int d>
-void Repair<d>::count_signs() {
-    const Stage_counts all = mender_.signs().counts();
-    report_.evaluated += all.total() - counted_.total();
-    report_.arithmetic.filter += all.filter - counted_.filter;
-    report_.arithmetic.interval += all.interval - counted_.interval;
-    report_.arithmetic.exact += all.exact - counted_.exact;
-    counted_ = all;
+bool Repair<d>::evaluate_star(Step<d>& step) {
+    signs_.look_around(step.mover, false);
+    return signs_hold(step, std::numeric_limits<double>::infinity());
 }
 
 template class Repair<2>;

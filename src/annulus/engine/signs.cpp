@@ -24,35 +24,34 @@ using Circumsphere = std::conditional_t<d == 2, Circumcircle_2, Circumsphere_3>;
 }  // namespace
 
 template <int d>
-void Signs<d>::begin(std::span<const Coordinates<d>> x) {
+void Signs<d>::begin(std::span<const Coordinates<d>> x, Budget& budget) {
     x_ = x;
-    has_middle_ = false;
+    budget_ = &budget;
+    middle_.reset();
     found_.inverted.clear();
     found_.violated.clear();
     found_.clear_halves = found_.cells = 0;
     decided_ = {};
-    price_ = 0.0;
 }
 
 /// Some points are enough, because all that is asked of the middle is to be inside.
 template <int d>
 void Signs<d>::find_middle() {
-    has_middle_ = true;
-    middle_ = {};
+    Coordinates<d>& middle = middle_.emplace();
     const Index stride = 1 + table_.vertex_bound() / 64;
     double points = 0.0;
     for (Index v = 0; v < table_.vertex_bound(); v += stride) {
         if (table_.corner_of(v) == no_corner) continue;
-        for (std::size_t k = 0; k < middle_.size(); ++k) middle_[k] += x_[at(v)][k];
+        for (std::size_t k = 0; k < middle.size(); ++k) middle[k] += x_[at(v)][k];
         points += 1.0;
     }
-    for (double& c : middle_) c /= std::max(points, 1.0);
+    for (double& c : middle) c /= std::max(points, 1.0);
 }
 
 template <int d>
 int Signs<d>::decided(Staged_sign s) {
     decided_.count(s.stage);
-    price_ += s.stage == Stage::interval ? Prices<d>::interval : Prices<d>::exact;
+    budget_->charge(s.stage == Stage::interval ? Prices<d>::interval : Prices<d>::exact);
     return s.sign;
 }
 
@@ -60,7 +59,7 @@ template <int d>
 int Signs<d>::sign(const Cell_points<d>& x) {
     bool at_infinity = false;
     for (const Index v : x) at_infinity |= v == infinite;
-    if (at_infinity && !has_middle_) find_middle();
+    if (at_infinity && !middle_) find_middle();
     Tuple<d, d + 1> p{};
     for (std::size_t k = 0; k < x.size(); ++k) p[k] = position(x[k]);
     int sign = orientation_sign(p);
@@ -73,7 +72,7 @@ template <int d>
 bool Signs<d>::clearly(int sign) {
     if (sign == 0) return false;
     ++decided_.filter;
-    price_ += Prices<d>::filter;
+    budget_->charge(Prices<d>::filter);
     return true;
 }
 
@@ -153,7 +152,7 @@ void Signs<d>::take(const Found& found) {
     found_.inverted.insert(found_.inverted.end(), found.inverted.begin(), found.inverted.end());
     found_.violated.insert(found_.violated.end(), found.violated.begin(), found.violated.end());
     found_.clear_halves += found.clear_halves;
-    found_.cells += found.cells;
+    budget_->charge(static_cast<double>(found.cells));
 }
 
 template <int d>
@@ -196,11 +195,11 @@ double Signs<d>::outlook() {
         return asked == 0 ? 0.0 : static_cast<double>(list.size()) * static_cast<double>(failed) / static_cast<double>(asked);
     };
     const auto folded = [this](Cell_index c) {
-        price_ += Prices<d>::filter;
+        budget_->charge(Prices<d>::filter);
         return !table_.is_infinite(c) && orientation_sign(tuple<d, d + 1>(cell_points(table_, c), x_)) < 0;
     };
     const auto crossed = [this](Corner_index f) {
-        price_ += Prices<d>::filter;
+        budget_->charge(Prices<d>::filter);
         return facet_kind(table_, f) == Facet_kind::empty_sphere && sphere_sign(f) < 0;
     };
     return Prices<d>::inverted * failing(found_.inverted, folded) + Prices<d>::violated * failing(found_.violated, crossed);

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <annulus/certificate/exact_sign.h>
+#include <annulus/engine/budget.h>
 #include <annulus/engine/move_report.h>
 #include <annulus/engine/prices.h>
 #include <annulus/mesh/certificates.h>
 
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace annulus {
@@ -24,15 +27,15 @@ class Signs {
     /// For look_at_everything(). What it finds does not depend on it.
     void set_threads(int threads) { threads_ = threads; }
 
-    /// Starts at positions x, which must outlive the examination. O(1).
-    void begin(std::span<const Coordinates<d>> x);
+    /// Starts at positions x. These and the budget, which is charged with what is asked, must outlive the examination. O(1).
+    void begin(std::span<const Coordinates<d>> x, Budget& budget);
 
     /// The same positions, elsewhere in memory.
     void rebind(std::span<const Coordinates<d>> x) { x_ = x; }
 
     /// The cell c and its facets; of an infinite cell the ridges, and with `border` whether it faces the middle.
     void look_at(Cell_index c, bool border) {
-        price_ += Prices<d>::alone - 1.0;
+        budget_->charge(Prices<d>::alone);
         look_at(c, border, found_);
     }
     /// Every cell.
@@ -52,18 +55,17 @@ class Signs {
     [[nodiscard]] std::vector<Corner_index>& violated() { return found_.violated; }  ///< facets
     /// About what it will cost at least to mend what is on the lists: by a sample, of which the filter stage is asked what clearly fails.
     [[nodiscard]] double outlook();
-    /// What was asked so far, since begin(), by stage.
-    [[nodiscard]] Stage_counts counts() const {
-        Stage_counts all = decided_;
+    /// What was asked since begin(), or since this was called last, by stage.
+    [[nodiscard]] Stage_counts take_counts() {
+        Stage_counts all = std::exchange(decided_, {});
         all.filter += found_.clear_halves / 2;
+        found_.clear_halves %= 2;
         return all;
     }
-    /// The price of that, in cells looked at.
-    [[nodiscard]] double price() const { return price_ + static_cast<double>(found_.cells); }
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    [[nodiscard]] const Coordinates<d>* position(Index v) const { return v == infinite ? &middle_ : &x_[at(v)]; }
+    [[nodiscard]] const Coordinates<d>* position(Index v) const { return v == infinite ? &*middle_ : &x_[at(v)]; }
     /// What was seen of some cells.
     struct Found {
         std::vector<Cell_index> inverted;
@@ -80,12 +82,11 @@ class Signs {
 
     const Cell_table<d>& table_;
     std::span<const Coordinates<d>> x_;
-    Coordinates<d> middle_{};  // of some of the points
-    bool has_middle_ = false;
+    std::optional<Coordinates<d>> middle_;  // of some of the points
     Found found_;
     int threads_ = 1;
     Stage_counts decided_;
-    double price_ = 0.0;
+    Budget* budget_ = nullptr;
 };
 
 extern template class Signs<2>;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <annulus/arithmetic/horizons.h>
+#include <annulus/engine/budget.h>
 #include <annulus/engine/expiry_list.h>
+#include <annulus/engine/move_report.h>
 #include <annulus/engine/vertex_record.h>
 #include <annulus/mesh/index.h>
 
@@ -27,8 +29,8 @@ struct Renewal {
 template <int d>
 using Vertex_expiries = Expiry_list<Horizons::listed(d)>;
 
-/// A step on its way: where vertices go, and what each stage found and the next is handed: who left its tolerance, which certificates
-/// expired (the suspects of Repair), what was seen and mended, what is to be written down. An exception drops it.
+/// A step on its way: where vertices go, what it may cost, and what each stage found and the next is handed: which
+/// vertices left their tolerances, what was violated and mended, what is to be written down. An exception drops it.
 template <int d>
 struct Step {
     /// What a vertex was before its odometer was read.
@@ -46,10 +48,30 @@ struct Step {
     std::vector<Index> anchored;        ///< their fixed position is the goal by now
     std::vector<Renewal<d>> renewals;
     std::uint64_t tours = 0;            ///< vertices all of whose certificates were looked at
-    double most = 0.0;                  ///< what repair may cost, in cells looked at
-    double prepared = 0.0;              ///< the price of looking for what expired
-    double rebuilding = 0.0;            ///< that of the rebuild, if there was one
+    Budget budget;                      ///< of all that the step does
+    Move_report report;                 ///< what was evaluated and flipped
+
+    // What Repair found and did.
+    bool hopeless = false;              ///< mending would cost far more than it may, by a sample
+    std::vector<Index> disturbed;       ///< points of violated certificates
+    std::vector<Index> reinserted;      ///< vertices around which cells were built anew
+    std::vector<Cell_index> renumbered; ///< the same cells as before a collision was found, with other numbers
     bool rebuilt = false;
+    bool renumbered_all = false;        ///< the same of all cells
+
+    /// These were asked: certificates or signs.
+    void count(const Stage_counts& counts) {
+        report.evaluated += counts.total();
+        report.arithmetic += counts;
+    }
+    /// Forgets what an examination found.
+    void clear_findings() {
+        report = {};
+        hopeless = false;
+        disturbed.clear();
+        reinserted.clear();
+        renumbered.clear();
+    }
 
     /// As new, with the memory of a step that is over.
     static Step recycled(Step& over, std::span<const Coordinates<d>> x, Index mover, Scope scope) {
@@ -62,8 +84,9 @@ struct Step {
         step.anchored.clear();
         step.renewals.clear();
         step.tours = 0;
-        step.most = step.prepared = step.rebuilding = 0.0;
-        step.rebuilt = false;
+        step.budget = {};
+        step.clear_findings();
+        step.rebuilt = step.renumbered_all = false;
         return step;
     }
 };

@@ -45,19 +45,19 @@ void Tracking<d>::note_displacements(const Cell_table<d>& table, std::span<const
 /// The share of the certificates that would expire at a step like this one, by a sample of facets: one of tolerance s expires after
 /// s / max |u| steps.
 template <int d>
-double Tracking<d>::outlook(const Cell_table<d>& table, Repair<d>& repair, std::span<const Coordinates<d>> x,
+double Tracking<d>::outlook(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x,
                             Move_report& report) const {
     const Index bound = table.facet_bound().value();
     const Index stride = 1 + bound / 1024;
-    repair.begin(x, false);
+    checker.begin(x);
     for (Index f = 0; f < bound; f += stride)
-        if (table.is_facet(Corner_index(f))) repair.suspect_facet(Corner_index(f));
-    (void)repair.evaluate();
-    report.evaluated += repair.report().evaluated;
-    report.arithmetic += repair.report().arithmetic;
+        if (table.is_facet(Corner_index(f))) checker.add_facet(Corner_index(f));
+    const Stage_counts counts = checker.evaluate();
+    report.evaluated += counts.total();
+    report.arithmetic += counts;
     double sum = 0.0;
     std::size_t sampled = 0;
-    for (const auto& s : repair.facets()) {
+    for (const auto& s : checker.facets()) {
         if (s.kind != Facet_kind::empty_sphere) continue;
         double fastest = 0.0;
         for (const Index v : s.point)
@@ -71,12 +71,12 @@ double Tracking<d>::outlook(const Cell_table<d>& table, Repair<d>& repair, std::
 }
 
 template <int d>
-void Tracking<d>::reconsider(const Cell_table<d>& table, Repair<d>& repair, std::span<const Coordinates<d>> x, bool each,
+void Tracking<d>::reconsider(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x, bool each,
                              Move_report& report) {
     if (displacement_.empty()) return;
     double share = 0.0;
     try {
-        share = outlook(table, repair, x, report);
+        share = outlook(table, checker, x, report);
     } catch (const std::bad_alloc&) {  // the timestamp has been made, and this has no say in what is right
         release(displacement_);
         return;

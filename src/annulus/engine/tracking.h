@@ -2,7 +2,8 @@
 #pragma once
 
 #include <annulus/engine/prices.h>
-#include <annulus/engine/repair.h>
+#include <annulus/engine/checker.h>
+#include <annulus/engine/move_report.h>
 
 #include <cstdint>
 #include <span>
@@ -36,8 +37,8 @@ class Tracking {
     /// Without tolerances: notes how far vertices go, if it is time to look.
     void note_displacements(const Cell_table<d>& table, std::span<const Coordinates<d>> from, std::span<const Coordinates<d>> to);
     void forget_displacements() { displacement_.clear(); }
-    /// Decides by these displacements whether to settle next; asks `repair` for a sample of tolerances at x.
-    void reconsider(const Cell_table<d>& table, Repair<d>& repair, std::span<const Coordinates<d>> x, bool each, Move_report& report);
+    /// Decides by these displacements whether to settle next; asks `checker` for a sample of tolerances at x.
+    void reconsider(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x, bool each, Move_report& report);
     /// Whether tolerances would last, as the last timestamp was; once.
     [[nodiscard]] bool take_settling() { return std::exchange(settles_next_, false); }
 
@@ -48,7 +49,7 @@ class Tracking {
     void stopped();
 
   private:
-    [[nodiscard]] double outlook(const Cell_table<d>& table, Repair<d>& repair, std::span<const Coordinates<d>> x, Move_report& report) const;
+    [[nodiscard]] double outlook(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x, Move_report& report) const;
 
     std::vector<Coordinates<d>> displacement_;  // while it is considered whether tolerances would last
     std::uint64_t failures_ = 0;                // with tolerances, of this timestamp

@@ -3,6 +3,8 @@
 
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/engine/move_report.h>
+#include <annulus/engine/options.h>
+#include <annulus/mesh/index.h>
 
 #include <optional>
 #include <span>
@@ -16,7 +18,14 @@ namespace annulus {
 template <int d>
 class Upkeep {
   public:
+    explicit Upkeep(Strategy strategy) : strategy_(strategy) {}
     virtual ~Upkeep() = default;
+    /// The one in force.
+    [[nodiscard]] Strategy strategy() const { return strategy_; }
+    /// Whether a timestamp is a move of one vertex after another (`move_in_turn`); else it is `move_all`.
+    [[nodiscard]] virtual bool goes_in_turn() const = 0;
+    /// Whether the mesh is Delaunay at positions() for certain, so that a vertex may be inserted or removed there.
+    [[nodiscard]] virtual bool trusted() const { return true; }
 
     /// Takes the present triangulation and positions x as given and Delaunay. When it throws, no position was written. O(n).
     virtual void begin(std::span<const Coordinates<d>> x, Move_report& report) = 0;
@@ -33,6 +42,11 @@ class Upkeep {
     /// Whether it repairs the mesh, for which there have to be cells of dimension d; others leave everything to the mesh.
     [[nodiscard]] virtual bool repairs() const = 0;
 
+    /// A timestamp to x is about to begin.
+    virtual void consider(std::span<const Coordinates<d>> x, Move_report& report) {
+        static_cast<void>(x);
+        static_cast<void>(report);
+    }
     /// Moves every vertex to x.
     virtual void move_all(std::span<const Coordinates<d>> x, Move_report& report) = 0;
     /// Moves one vertex. Precondition: p is in the coordinate domain.
@@ -59,6 +73,12 @@ class Upkeep {
     /// The positions at which the triangulation is Delaunay; after take_back(), at which it is to be built anew, before the rest.
     [[nodiscard]] virtual std::span<const Coordinates<d>> standing() const { return positions(); }
     virtual void resume() = 0;
+
+  protected:
+    void set_strategy(Strategy strategy) noexcept { strategy_ = strategy; }
+
+  private:
+    Strategy strategy_;
 };
 
 }  // namespace annulus

@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/motion/generated_points.h>
+#include <annulus/published/strategies.h>
 
 #include <algorithm>
 #include <array>
@@ -50,7 +51,7 @@ std::vector<Coordinates<3>> points_of_ball(const Ball_3& ball, std::size_t n, st
 Lloyd_motion::Lloyd_motion(std::vector<Coordinates<2>> points, int threads)
     : lloyd_(unit_square(), Density::one, threads),
       mesh_(std::make_unique<Delaunay_mesh<2>>()),
-      engine_(std::make_unique<Engine<2>>(*mesh_, options_with(threads))) {
+      engine_(std::make_unique<Engine<2>>(*mesh_, options_with(threads), make_strategy<2>(*mesh_, options_with(threads)))) {
     engine_->build(points);
     require_spanning(*mesh_);
     target_.resize(engine_->index_bound());
@@ -65,7 +66,7 @@ void Lloyd_motion::step() {
 Nodt_motion::Nodt_motion(std::size_t n, std::uint64_t seed, int threads)
     : threads_(threads),
       mesh_(std::make_unique<Delaunay_mesh<3>>()),
-      engine_(std::make_unique<Engine<3>>(*mesh_, options_with(threads))) {
+      engine_(std::make_unique<Engine<3>>(*mesh_, options_with(threads), make_strategy<3>(*mesh_, options_with(threads)))) {
     engine_->build(points_of_ball(ball_, n, seed));
     require_spanning(*mesh_);
     target_.resize(engine_->index_bound());

@@ -36,11 +36,10 @@ std::vector<Racer_plan> racers(std::uint64_t cgal_every, std::uint64_t copy_ever
         {"rebuild", Kind::cgal, {}, cgal_every, 0},
         printed("relocate", {.tolerances = false}, 0, Kind::copy, copy_every),
         printed("relocate-in-place", {.tolerances = false, .in_place = true}, 0, Kind::copy, copy_every),
-        {"paper", Kind::follower, options_of(Strategy::filter_each, Tolerance_kind::paper), 1, audit_every},
-        {"paper-hybrid", Kind::hybrid, options_of(Strategy::filter_each, Tolerance_kind::paper), 1, 0},
+        {"paper", Kind::follower, options_of(Strategy::paper, Tolerance_kind::paper), 1, audit_every},
+        {"paper-hybrid", Kind::hybrid, options_of(Strategy::paper, Tolerance_kind::paper), 1, 0},
         {"filter-each", Kind::follower, options_of(Strategy::filter_each), 1, audit_every},
         {"filter", Kind::follower, options_of(Strategy::filter), 1, 0},
-        {"filter:floating", Kind::follower, options_of(Strategy::filter, Tolerance_kind::floating), 1, 0},
         {"auto", Kind::follower, options_of(Strategy::automatic), 1, audit_every}};
     for (Racer_plan& p : paper_racers(audit_every)) out.push_back(std::move(p));
     return out;

@@ -45,7 +45,7 @@ struct Tolerances {
 template <int d>
 Moving_of<d> paper_triangulation(std::span<const Coordinates<d>> x) {
     Options options;
-    options.strategy = Strategy::filter_each;
+    options.strategy = Strategy::paper;
     options.tolerance = Tolerance_kind::paper;
     return Moving_of<d>(x, options);
 }

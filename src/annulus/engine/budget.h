@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+
+namespace annulus {
+
+/// What a step may cost and has cost, in cells looked at (prices.h). It is handed down to what spends; nothing that is
+/// spent has a say in what is right.
+struct Budget {
+    double limit = std::numeric_limits<double>::infinity();
+    double spent = 0.0;
+
+    void charge(double price) { spent += price; }
+    [[nodiscard]] bool affordable() const { return spent <= limit; }
+    [[nodiscard]] double left() const { return limit - spent; }
+};
+
+}  // namespace annulus

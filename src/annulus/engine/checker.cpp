@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Checker: what is pending. Verdicts are in checker_evaluate.cpp.
+#include <annulus/engine/checker.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+template <int d>
+void Checker<d>::begin(std::span<const Coordinates<d>> x) {
+    clear();
+    x_ = x;
+    grow(entries_of_, table_.cell_bound());
+    changing_ = false;
+}
+
+template <int d>
+void Checker<d>::clear() {
+    if (placed_) {
+        for (const auto& s : facets_) entries_of_[Cell_table<d>::cell_of(s.id)] = 0;
+        for (const auto& s : cells_) entries_of_[s.id] = 0;
+    }
+    placed_ = true;
+    facets_.clear();
+    cells_.clear();
+}
+
+template <int d>
+void Checker<d>::assign_places() {
+    if (placed_) return;
+    placed_ = true;
+    for (std::size_t i = 0; i < facets_.size(); ++i)
+        enter(facets_[i], Cell_table<d>::cell_of(facets_[i].id), facet_place(i));
+    for (std::size_t i = 0; i < cells_.size(); ++i) enter(cells_[i], cells_[i].id, cell_place(i));
+}
+
+/// Puts an entry on the list of its cell.
+template <int d>
+template <class S>
+void Checker<d>::enter(S& s, Cell_index cell, Place place) {
+    s.next = entries_of_[cell];
+    entries_of_[cell] = place;
+}
+
+/// Where facet f is, or is put.
+template <int d>
+auto Checker<d>::entry(Corner_index f) -> Pending_facet& {
+    assign_places();
+    const Cell_index c = Cell_table<d>::cell_of(f);
+    if (!entries_of_.has(c)) grow(entries_of_, c.offset() + 1);
+    for (Place p = entries_of_[c]; p != 0; p = next(p))
+        if (is_facet_place(p) && facets_[place(p)].id == f) return facets_[place(p)];
+    facets_.emplace_back();
+    enter(facets_.back(), c, facet_place(facets_.size() - 1));
+    return facets_.back();
+}
+
+template <int d>
+auto Checker<d>::entry(Cell_index c) -> Pending_cell& {
+    assign_places();
+    if (!entries_of_.has(c)) grow(entries_of_, c.offset() + 1);
+    for (Place p = entries_of_[c]; p != 0; p = next(p))
+        if (!is_facet_place(p)) return cells_[place(p)];
+    cells_.emplace_back();
+    enter(cells_.back(), c, cell_place(cells_.size() - 1));
+    return cells_.back();
+}
+
+template <int d>
+void Checker<d>::describe(Pending_facet& s, Corner_index f) const {
+    s.id = f;
+    s.stale = true;
+    const Facet_certificate<d> facet = facet_certificate(table_, f, false);
+    s.kind = facet.kind;
+    s.point = facet.point;
+}
+
+template <int d>
+void Checker<d>::describe(Pending_cell& s, Cell_index c) const {
+    s.id = c;
+    s.stale = true;
+    s.point = cell_points(table_, c);
+    const bool infinite_cell = std::find(s.point.begin(), s.point.end(), infinite) != s.point.end();
+    s.kind = infinite_cell ? Facet_kind::nothing : Facet_kind::empty_sphere;
+}
+
+template <int d>
+void Checker<d>::add_facet(Corner_index f) {
+    describe(entry(f), f);
+}
+
+template <int d>
+void Checker<d>::add_cell(Cell_index c) {
+    describe(entry(c), c);
+}
+
+template <int d>
+void Checker<d>::add_star(Index v) {
+    const bool alone = facets_.empty() && cells_.empty();
+    if (alone) placed_ = false;
+    for_each_certificate(
+        table_, v,
+        [&](Corner_index h) {
+            const Cell_index c = Cell_table<d>::cell_of(h);
+            describe(alone ? cells_.emplace_back() : entry(c), c);
+        },
+        [&](Corner_index h) {
+            const Corner_index f = table_.facet(h);
+            describe(alone ? facets_.emplace_back() : entry(f), f);
+        });
+}
+
+template <int d>
+void Checker<d>::add_cells(std::span<const Cell_index> cells) {
+    for (const Cell_index c : cells) {
+        add_cell(c);
+        for (int i = 0; i <= d; ++i) add_facet(table_.facet(table_.corner(c, i)));
+    }
+}
+
+template class Checker<2>;
+template class Checker<3>;
+
+}  // namespace annulus

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How pending certificates get their verdicts: the ladder, in batches.
+#include <annulus/engine/checker.h>
+
+#include <annulus/certificate/batch.h>
+#include <annulus/mesh/degenerate.h>
+#include <annulus/mesh/parallel_runs.h>
+
+#include <boost/container/static_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <type_traits>
+
+namespace annulus {
+
+namespace {
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+/// Entries whose certificates go through the ladder together, each with the positions of its points. On the stack, since threads
+/// evaluate side by side; few, since a single move asks for few.
+template <class S, class T>
+struct Batch {
+    static constexpr std::size_t capacity = 64;
+    std::array<T, capacity> tuple;
+    std::array<S*, capacity> entry;
+    std::size_t size = 0;
+};
+
+}  // namespace
+
+/// The ladder for a run of entries, in batches. Reads and writes nothing else.
+template <int d>
+template <class S>
+Stage_counts Checker<d>::evaluate_run(std::span<S> entries) const {
+    constexpr bool of_facets = std::is_same_v<S, Pending_facet>;
+    Stage_counts counts;
+    const auto evaluate = [&]<class T>(Batch<S, T>& batch) {
+        if (batch.size == 0) return;
+        boost::container::static_vector<Verdict, Batch<S, T>::capacity> verdict(
+            batch.size);  // an array would be filled whole
+        counts += annulus::evaluate(std::span<const T>(batch.tuple.data(), batch.size), Mode::fast,
+                                    {verdict.data(), batch.size});
+        for (std::size_t i = 0; i < batch.size; ++i) {
+            S& s = *batch.entry[i];
+            s.verdict = verdict[i];
+            s.stale = false;
+        }
+        batch.size = 0;
+    };
+    const auto add = [&]<class T>(S& s, const T& x, Batch<S, T>& batch) {
+        batch.tuple[batch.size] = x;
+        batch.entry[batch.size] = &s;
+        if (++batch.size == batch.capacity) evaluate(batch);
+    };
+    Batch<S, Tuple<d, d + 1>> orientations;
+    Batch<S, Tuple<d, d + 2>> empty_spheres;
+    for (S& s : entries) {
+        if (!s.stale || !exists(s)) continue;
+        if (s.kind == Facet_kind::nothing) {
+            s.verdict = {no_limit, 1, Stage::filter};
+            s.stale = false;
+            continue;
+        }
+        if constexpr (of_facets) {
+            if (s.kind == Facet_kind::empty_sphere) {
+                add(s, tuple<d, d + 2>(s.point, x_), empty_spheres);
+                continue;
+            }
+        }
+        add(s, tuple<d, d + 1>(s.point, x_), orientations);
+    }
+    evaluate(orientations);
+    evaluate(empty_spheres);
+    return counts;
+}
+
+template <int d>
+template <class S>
+Stage_counts Checker<d>::evaluate_stale(std::span<S> entries) const {
+    if (entries.empty()) return {};    // as cells often are
+    constexpr std::size_t run = 1024;  // whatever the number of threads
+    if (entries.size() <= run) return evaluate_run(entries);
+    std::vector<Stage_counts> counts((entries.size() + run - 1) / run);
+    for_each_run(entries.size(), run, threads_, [&](std::size_t first, std::size_t last) {
+        counts[first / run] = evaluate_run(entries.subspan(first, last - first));
+    });
+    Stage_counts all;
+    for (const Stage_counts& here : counts) all += here;
+    return all;
+}
+
+template <int d>
+Stage_counts Checker<d>::evaluate_from(std::size_t facet, std::size_t cell) {
+    Stage_counts counts = evaluate_stale(std::span(facets_).subspan(facet));
+    counts += evaluate_stale(std::span(cells_).subspan(cell));
+    return counts;
+}
+
+template <int d>
+bool Checker<d>::is_violated(const Pending_facet& s) const {
+    if (s.kind == Facet_kind::nothing) return false;
+    if (s.kind == Facet_kind::ridge) {
+        if (s.verdict.sign != 0) return s.verdict.sign < 0;
+        return !flat_ridge_holds(tuple<d, d + 1>(s.point, x_));
+    }
+    if (s.verdict.sign != 0) return s.verdict.sign < 0;
+    return perturbed_sign(tuple<d, d + 2>(s.point, x_)) < 0;
+}
+
+template <int d>
+bool Checker<d>::all_hold() const {
+    const auto fails = [this](const auto& s) { return this->exists(s) && this->is_violated(s); };
+    return std::none_of(cells_.begin(), cells_.end(), fails) && std::none_of(facets_.begin(), facets_.end(), fails);
+}
+
+template class Checker<2>;
+template class Checker<3>;
+
+}  // namespace annulus

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/displacement.h>
+#include <annulus/mesh/certificates.h>
+
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// From where to where vertices move.
+template <int d>
+struct Course {
+    /// The goals of all vertices, at the beginning and at the end; in between those that are held back are elsewhere.
+    std::span<Coordinates<d>> x;
+    /// Where all vertices come from. Empty when one alone moves.
+    std::span<const Coordinates<d>> home{};
+    Index mover = none;  ///< that one
+    Coordinates<d> mover_home{};
+
+    [[nodiscard]] const Coordinates<d>& home_of(Index v) const {
+        const auto i = static_cast<std::size_t>(v);
+        return v == mover ? mover_home : home.empty() ? x[i] : home[i];
+    }
+};
+
+/// Vertices that are held back on their way, because a cell is inverted at their goals: half the way, then all of it. In
+/// the next round they go on from where they are (docs/theory.md 6.3).
+template <int d>
+class Held_back {
+  public:
+    struct Held {
+        Index vertex;
+        Coordinates<d> home;  // of this round
+        Coordinates<d> goal;
+        double share;  // of the way from there to the goal, that is tried
+        int times;     // held back in this round
+    };
+
+    /// All vertices, whose indices are below the bound, are at their goals.
+    void begin(const Course<d>& course, std::size_t bound);
+    [[nodiscard]] bool empty() const { return held_.empty(); }
+    [[nodiscard]] std::span<const Held> held() const { return held_; }
+    [[nodiscard]] std::span<const Coordinates<d>> positions() const { return course_.x; }
+
+    /// Puts that of these vertices that is farthest from where it comes from half way, and the next time home. Returns
+    /// it, or `none` when all are there.
+    [[nodiscard]] Index hold_back(const Cell_points<d>& cell);
+    /// A new round: every vertex that is not at its goal goes on towards it; moved(v) is called after each. Whether one
+    /// got nearer to its goal in the last round.
+    template <class Moved>
+    [[nodiscard]] bool go_on(Moved moved);
+    /// Puts all at their goals; moved(v) is called after each that was elsewhere.
+    template <class Moved>
+    void release(Moved moved);
+
+  private:
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+    Course<d> course_;
+    bool first_round_ = true;
+    std::vector<Held> held_;
+    std::vector<Index> place_of_;  // by vertex: 1 + its place in held_, 0 when it is not held
+};
+
+template <int d>
+void Held_back<d>::begin(const Course<d>& course, std::size_t bound) {
+    course_ = course;
+    first_round_ = true;
+    place_of_.resize(bound, 0);
+}
+
+template <int d>
+Index Held_back<d>::hold_back(const Cell_points<d>& cell) {
+    Index farthest = none;
+    double most = 0.0;
+    for (const Index v : cell) {
+        if (v == infinite) continue;
+        const Index k = place_of_[at(v)];
+        if (k == 0 && !first_round_) continue;  // where it is the others have been flipped for it
+        const Coordinates<d>& home = k != 0 ? held_[at(k - 1)].home : course_.home_of(v);
+        const double way = squared_distance<d>(course_.x[at(v)], home);  // may underflow
+        if (way > most || (farthest == none && course_.x[at(v)] != home)) {
+            most = way;
+            farthest = v;
+        }
+    }
+    if (farthest == none) return none;
+    Index& k = place_of_[at(farthest)];
+    Coordinates<d>& x = course_.x[at(farthest)];
+    if (k == 0) {
+        held_.push_back({farthest, course_.home_of(farthest), x, 1.0, 0});
+        k = static_cast<Index>(held_.size());
+    }
+    Held& held = held_[at(k - 1)];
+    held.share *= 0.5;
+    if (++held.times > 1) {
+        x = held.home;
+        return farthest;
+    }
+    Coordinates<d> p = held.home;
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] += held.share * (held.goal[i] - held.home[i]);
+    x = p == x ? held.home : p;
+    return farthest;
+}
+
+template <int d>
+template <class Moved>
+bool Held_back<d>::go_on(Moved moved) {
+    bool progress = false;
+    std::size_t left = 0;
+    first_round_ = false;
+    for (Held held : held_) {
+        const Coordinates<d>& here = course_.x[at(held.vertex)];
+        if (here != held.home) {
+            progress = true;
+            held.share = 1.0;
+        }
+        place_of_[at(held.vertex)] = 0;
+        if (here == held.goal) continue;
+        held.home = here;
+        held.times = 0;
+        held_[left++] = held;
+        place_of_[at(held.vertex)] = static_cast<Index>(left);
+    }
+    held_.resize(left);
+    for (const Held& held : held_) {
+        Coordinates<d> p = held.goal;
+        if (held.share < 1.0)
+            for (std::size_t i = 0; i < p.size(); ++i) p[i] = held.home[i] + held.share * (held.goal[i] - held.home[i]);
+        course_.x[at(held.vertex)] = p;
+        moved(held.vertex);
+    }
+    return progress;
+}
+
+template <int d>
+template <class Moved>
+void Held_back<d>::release(Moved moved) {
+    for (const Held& held : held_) {
+        place_of_[at(held.vertex)] = 0;
+        if (course_.x[at(held.vertex)] == held.goal) continue;
+        course_.x[at(held.vertex)] = held.goal;
+        moved(held.vertex);
+    }
+    held_.clear();
+}
+
+}  // namespace annulus

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/displacement.h>
+#include <annulus/engine/rebuilder.h>
+#include <annulus/engine/signs.h>
+#include <annulus/published/least_tolerance.h>
+#include <annulus/published/paper_tolerances.h>
+
+#include <random>
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// The paper's filtering algorithm (its 3.2), one vertex at a time: the strategy `paper`; and `paper-hybrid`, which
+/// rebuilds until the motion is slow enough for it (4.2).
+///
+/// Every vertex has a fixed position f, a moving position m, a tolerance eps and D = |m - f|. A vertex with D < eps is
+/// only written. One that fails enters a queue; each vertex h taken from it goes to f = m with D = 0: in place where all
+/// its certificates hold there, in the plane by flips where no triangle around it turns over (3.1), else it is taken out
+/// and put back in. The certificates that it then has lower the eps of their points, and those that no longer have
+/// D < eps enter the queue. Every vertex enters at most once a call (its D is 0 from then on), so the queue ends.
+///
+/// The mesh is Delaunay at the fixed positions at all times, and at the moving ones if tolerances are certified. One
+/// that is too large gives a wrong answer at the moving positions, and never breaks the mesh. In space those of the
+/// kind `paper` are too large (docs/theory.md 3).
+template <int d>
+class Paper_filter final : public Rebuilder<d> {
+  public:
+    /// Precondition: `paper` or `paper_hybrid`. `seed` is of the samples of the latter.
+    Paper_filter(Delaunay_mesh<d>& mesh, Strategy strategy, Tolerance_kind kind, std::uint64_t seed)
+        : Rebuilder<d>(mesh, strategy), tolerances_(mesh.table(), kind), signs_(mesh.table()), random_(seed) {}
+
+    /// Every tolerance anew, with x as fixed and moving positions. When it throws, no position was written. O(n).
+    void settle(std::span<const Coordinates<d>> x, Move_report& report);
+    void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
+    void refresh_all(Move_report& report) override { begin(this->position_, report); }
+    /// Whether to filter from now on: of 40 random vertices 75 % (55 % in space) have a tolerance above their
+    /// displacement. Looks at every fourth timestamp (paper 4.2).
+    void consider(std::span<const Coordinates<d>> x, Move_report& report) override;
+    void move(Index v, const Coordinates<d>& p, Move_report& report) override;
+    void refresh(std::span<const Cell_index> cells, Move_report& report) override;
+    void place(Index v, const Coordinates<d>& p) override;
+
+    void begin_each(std::span<const Coordinates<d>> x, Move_report& report) override;
+    void end_each(Move_report& report) override;
+    void take_back() noexcept override;
+    [[nodiscard]] std::span<const Coordinates<d>> standing() const override {
+        const bool at_fixed = filters() && tolerances_.kind() != Tolerance_kind::certified;
+        return at_fixed ? std::span<const Coordinates<d>>(state_.fixed) : this->positions();
+    }
+
+    [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const override {
+        return filters() ? state_.fixed[at(v)] : this->position_[at(v)];
+    }
+    [[nodiscard]] std::optional<double> tolerance(Index v) const override {
+        return filters() ? std::optional(std::max(0.0, state_.epsilon[at(v)])) : std::nullopt;
+    }
+    [[nodiscard]] bool repairs() const override { return filters(); }
+    [[nodiscard]] bool goes_in_turn() const override { return filters(); }
+    /// A vertex that came to the moving positions would have cells that need not be Delaunay at the fixed ones.
+    [[nodiscard]] bool trusted() const override { return !filters(); }
+
+  private:
+    using Rebuilder<d>::at;
+    [[nodiscard]] bool filters() const { return this->strategy() == Strategy::paper; }
+    [[nodiscard]] bool passes(Index v) const {
+        const Coordinates<d>& p = this->position_[at(v)];
+        return squared_distance<d>(p, state_.fixed[at(v)]) < state_.threshold[at(v)] || p == state_.fixed[at(v)];
+    }
+    void resize();
+    void forget_queue() noexcept;
+    void set_tolerance(Index v, double tolerance);
+    void lower(Index v, double tolerance);
+    void lower_points();
+    [[nodiscard]] bool stays(std::span<const Coordinates<d>> x, Index v, Move_report& report);
+    void process(Index h, Move_report& report, bool first);
+    std::uint64_t& bring(Index h, std::vector<Cell_index>& changed, Move_counts& moves);
+    [[nodiscard]] bool is_taken(Index h) const;
+    void rebuild(Index h, const Coordinates<d>& old_fixed);
+    void begin_again(Move_report& report);
+
+    /// By vertex.
+    struct State {
+        std::vector<Coordinates<d>> fixed;
+        std::vector<double> epsilon;
+        std::vector<double> threshold;  // epsilon squared, rounded down
+    };
+    struct Queue {
+        std::vector<Index> vertex;
+        std::vector<char> has;  // by vertex
+    };
+    struct Switch {
+        std::uint64_t timestamps = 0;
+        bool fresh = false;  // to the filter, in a timestamp that has not ended
+    };
+
+    Paper_tolerances<d> tolerances_;
+    Signs<d> signs_;
+    State state_;
+    State noted_;  // before a timestamp
+    Queue queue_;
+    Least_tolerance least_;  // of what is looked at
+    Switch switch_;
+    std::mt19937_64 random_;
+};
+
+extern template class Paper_filter<2>;
+extern template class Paper_filter<3>;
+
+}  // namespace annulus

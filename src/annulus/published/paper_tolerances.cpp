@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/published/paper_tolerances.h>
+
+#include <annulus/certificate/batch.h>
+#include <annulus/certificate/ladder_2.h>
+#include <annulus/mesh/make_unique.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace annulus {
+
+namespace {
+constexpr std::size_t batch_size = 1024;  // certificates: they stay in the cache from one stage to the next
+}  // namespace
+
+/// What a call that ran out of memory has left.
+template <int d>
+void Paper_tolerances<d>::clear() {
+    orientations_.clear();
+    spheres_.clear();
+}
+
+template <int d>
+void Paper_tolerances<d>::add_cell(Cell_index c, std::span<const Coordinates<d>> x) {
+    if (kind_ == Tolerance_kind::paper || table_.is_infinite(c)) return;
+    const Cell_points<d> point = cell_points(table_, c);
+    Facet_certificate<d>& s = orientations_.certificate.emplace_back();
+    s.kind = Facet_kind::nothing;
+    s.point.fill(none);
+    std::copy(point.begin(), point.end(), s.point.begin());
+    orientations_.tuple.push_back(tuple<d, d + 1>(point, x));
+}
+
+template <int d>
+void Paper_tolerances<d>::add_facet(Corner_index f, std::span<const Coordinates<d>> x) {
+    const Facet_certificate<d> s = facet_certificate(table_, f, kind_ == Tolerance_kind::paper);
+    if (s.kind == Facet_kind::nothing) return;
+    if (s.kind == Facet_kind::empty_sphere) {
+        spheres_.certificate.push_back(s);
+        spheres_.tuple.push_back(tuple<d, d + 2>(s.point, x));
+    } else {
+        orientations_.certificate.push_back(s);
+        orientations_.tuple.push_back(tuple<d, d + 1>(s.point, x));
+    }
+}
+
+/// The paper's number in place of the ladder's, where plain double tells that the certificate holds.
+template <int d>
+double Paper_tolerances<d>::tolerance(const Facet_certificate<d>& f, const Verdict& v,
+                                      std::span<const Coordinates<d>> x) const {
+    if (kind_ != Tolerance_kind::paper || v.stage != Stage::filter || v.sign <= 0) return v.tolerance;
+    if (f.kind == Facet_kind::empty_sphere) {
+        if constexpr (d == 3) return paper_annulus(tuple<d, d + 2>(f.point, x));
+        else return v.tolerance;  // in the plane it is the only annulus
+    }
+    const auto y = tuple<d, d + 1>(f.point, x);
+    return f.kind == Facet_kind::ridge ? paper_ridge(y) : paper_slab(y);
+}
+
+template <int d>
+template <std::size_t k>
+void Paper_tolerances<d>::evaluate(Batch<k>& batch, std::span<const Coordinates<d>> x, Least_tolerance& least,
+                                   Move_report& report) {
+    using T = Tuple<d, static_cast<int>(k)>;
+    verdict_.resize(batch.tuple.size());
+    const Mode mode = kind_ == Tolerance_kind::certified ? Mode::fast : Mode::floating;
+    const Stage_counts counts = annulus::evaluate(std::span<const T>(batch.tuple), mode, verdict_);
+    for (std::size_t i = 0; i < verdict_.size(); ++i)
+        least.note(batch.certificate[i].point, tolerance(batch.certificate[i], verdict_[i], x));
+    report.evaluated += counts.total();
+    report.arithmetic += counts;
+    batch.clear();
+}
+
+template <int d>
+void Paper_tolerances<d>::note(std::span<const Cell_index> cells, std::span<const Coordinates<d>> x,
+                               Least_tolerance& least, Move_report& report) {
+    clear();
+    std::vector<Cell_index> present;
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(present),
+                 [this](Cell_index c) { return table_.is_cell(c); });
+    make_unique(present);
+    std::vector<Corner_index> facets;
+    for (const Cell_index c : present) {
+        add_cell(c, x);
+        for (int i = 0; i <= d; ++i) facets.push_back(table_.facet(table_.corner(c, i)));
+    }
+    make_unique(facets);
+    for (const Corner_index f : facets) add_facet(f, x);
+    evaluate(orientations_, x, least, report);
+    evaluate(spheres_, x, least, report);
+}
+
+template <int d>
+void Paper_tolerances<d>::note_everything(std::span<const Coordinates<d>> x, Least_tolerance& least,
+                                          Move_report& report) {
+    clear();
+    const auto take_full = [&](bool all) {
+        if (all || orientations_.tuple.size() >= batch_size) evaluate(orientations_, x, least, report);
+        if (all || spheres_.tuple.size() >= batch_size) evaluate(spheres_, x, least, report);
+    };
+    for (const Cell_index c : table_.cells()) {
+        add_cell(c, x);
+        take_full(false);
+    }
+    for (const Corner_index f : table_.facets()) {
+        add_facet(f, x);
+        take_full(false);
+    }
+    take_full(true);
+}
+
+template class Paper_tolerances<2>;
+template class Paper_tolerances<3>;
+
+}  // namespace annulus

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/certificate/verdict.h>
+#include <annulus/engine/move_report.h>
+#include <annulus/mesh/certificates.h>
+#include <annulus/published/least_tolerance.h>
+
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// Tolerances of the certificates of a Delaunay triangulation (paper 2.2 and 2.3), by kind: `paper` has the standard
+/// annulus of every bi-cell and the slabs of the hull in plain double, and nothing of cells, which is unsound in space
+/// (docs/theory.md 3); `floating` and `certified` have the annuli of all partitions and of cells, the former in plain
+/// double.
+template <int d>
+class Paper_tolerances {
+  public:
+    Paper_tolerances(const Cell_table<d>& table, Tolerance_kind kind) : table_(table), kind_(kind) {}
+    [[nodiscard]] Tolerance_kind kind() const { return kind_; }
+
+    /// Notes in `least` the tolerances at x of all certificates that these cells and their facets own, and counts them.
+    /// Cells that are gone, or named twice, do no harm. O(k log k).
+    void note(std::span<const Cell_index> cells, std::span<const Coordinates<d>> x, Least_tolerance& least,
+              Move_report& report);
+    /// The same of all cells. O(n).
+    void note_everything(std::span<const Coordinates<d>> x, Least_tolerance& least, Move_report& report);
+
+  private:
+    /// Certificates of one kind that go through the ladder together.
+    template <std::size_t k>
+    struct Batch {
+        std::vector<Facet_certificate<d>> certificate;
+        std::vector<Tuple<d, static_cast<int>(k)>> tuple;
+        void clear() {
+            certificate.clear();
+            tuple.clear();
+        }
+    };
+    void clear();
+    void add_cell(Cell_index c, std::span<const Coordinates<d>> x);
+    void add_facet(Corner_index f, std::span<const Coordinates<d>> x);
+    [[nodiscard]] double tolerance(const Facet_certificate<d>& f, const Verdict& v,
+                                   std::span<const Coordinates<d>> x) const;
+    template <std::size_t k>
+    void evaluate(Batch<k>& batch, std::span<const Coordinates<d>> x, Least_tolerance& least, Move_report& report);
+
+    const Cell_table<d>& table_;
+    Tolerance_kind kind_;
+    Batch<d + 1> orientations_;
+    Batch<d + 2> spheres_;
+    std::vector<Verdict> verdict_;
+};
+
+extern template class Paper_tolerances<2>;
+extern template class Paper_tolerances<3>;
+
+}  // namespace annulus

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/options.h>
+#include <annulus/engine/upkeep.h>
+#include <annulus/kernel/delaunay_mesh.h>
+
+#include <memory>
+
+namespace annulus {
+
+/// The strategy that the options name, for this mesh, which must outlive it. Throws Error(usage) where they do not fit:
+/// tolerances that are not certified are the paper's strategies' alone, and they have no second look.
+template <int d>
+[[nodiscard]] std::unique_ptr<Upkeep<d>> make_strategy(Delaunay_mesh<d>& mesh, const Options& options);
+
+extern template std::unique_ptr<Upkeep<2>> make_strategy(Delaunay_mesh<2>&, const Options&);
+extern template std::unique_ptr<Upkeep<3>> make_strategy(Delaunay_mesh<3>&, const Options&);
+
+}  // namespace annulus
