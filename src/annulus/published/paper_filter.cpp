@@ -49,12 +49,12 @@ template <int d>
 void Paper_filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
     const bool own = x.data() == this->position_.data();
     forget_queue();
+    least_.clear();  // it may name a vertex that a call which ran out of memory has not inserted
     resize();
     if (own) x = this->position_;
     std::copy(x.begin(), x.end(), state_.fixed.begin());
     std::fill(state_.epsilon.begin(), state_.epsilon.end(), unlimited);
     std::fill(state_.threshold.begin(), state_.threshold.end(), 0.0);
-    least_.clear();
     if (this->mesh().dimension() == d) {
         tolerances_.note_everything(state_.fixed, least_, report);
         least_.take([this](Index v, double tolerance) { set_tolerance(v, tolerance); });
@@ -66,8 +66,9 @@ void Paper_filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& rep
 template <int d>
 void Paper_filter<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
     if (std::exchange(switch_.fresh, false)) this->set_strategy(Strategy::paper_hybrid);
-    if (filters()) settle(x, report);
-    else Rebuilder<d>::begin(x, report);
+    if (filters()) return settle(x, report);
+    least_.clear();
+    Rebuilder<d>::begin(x, report);
 }
 
 /// Whether v has a tolerance above its displacement to x, with all other vertices at rest.
