@@ -67,7 +67,8 @@ void loops(std::size_t n) {
     w.stop_tracking();
     Signs<d> signs(w.mesh().table());
     count(d, "signs of everything", "vertex", [&] {
-        signs.begin(w.points());
+        Budget budget;
+        signs.begin(w.points(), budget);
         signs.look_at_everything();
         return all;
     });

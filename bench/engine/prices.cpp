@@ -216,7 +216,8 @@ class Repetition {
         for ([[maybe_unused]] const Cell_index c : table.cells()) ++cells;
         std::size_t broken = 0;
         const double s = least(2, [&] {
-            signs.begin(lattice.points());
+            Budget budget;
+            signs.begin(lattice.points(), budget);
             signs.look_at_everything();
             const auto inverted = signs.inverted();
             for (const Cell_index c : inverted) broken += signs.is_inverted(c) ? 1U : 0U;
