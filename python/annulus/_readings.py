@@ -120,6 +120,9 @@ class Readings:
         Each number has a relative error of at most 2**-33, 1.2e-10, whatever the points. A number above the
         largest double is that one; one below the smallest normal double, 2**-1022, has an absolute error of
         2**-1074 besides.
+
+        Volumes are kept from the first call on: later ones compute those that moves and changes of simplices
+        since then concern, with the same result to the last bit.
         """
         return self._mesh.voronoi_volumes()
 

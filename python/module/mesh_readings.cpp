@@ -5,8 +5,6 @@
 #include <module/errors.h>
 #include <module/mesh_locked.h>
 
-#include <annulus/statistics/voronoi_volumes.h>
-
 #include <limits>
 
 namespace annulus::python {
@@ -111,7 +109,7 @@ template <int d>
 std::vector<double> Mesh<d>::voronoi_volumes() {
     return locked([this] {
         if (mesh_.dimension() != d) return by_vertex([](Index) { return std::numeric_limits<double>::infinity(); });
-        return annulus::voronoi_volumes<d>(mesh_.points(), kept_cells()->simplices);
+        return mesh_.voronoi_volumes();
     });
 }
 

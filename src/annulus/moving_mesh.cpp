@@ -5,8 +5,10 @@
 #include <annulus/engine/engine.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/published/strategies.h>
+#include <annulus/statistics/voronoi_kept.h>
 
 #include <cstring>
+#include <mutex>
 
 namespace annulus {
 
@@ -15,6 +17,8 @@ struct Moving_mesh<d>::Parts {
     explicit Parts(const Options& options) : engine(mesh, options, make_strategy<d>(mesh, options)) {}
     Delaunay_mesh<d> mesh;
     Engine<d> engine;
+    std::mutex measuring;
+    std::unique_ptr<Kept_voronoi_volumes<d>> volumes;  // once they have been asked for
 };
 
 namespace {
@@ -139,6 +143,13 @@ double Moving_mesh<d>::theta(Index i) const {
 template <int d>
 Measures Moving_mesh<d>::measure() const {
     return parts_->mesh.measure(parts_->engine.standing());
+}
+template <int d>
+std::vector<double> Moving_mesh<d>::voronoi_volumes() const {
+    const std::lock_guard hold(parts_->measuring);
+    if (!parts_->volumes) parts_->volumes = std::make_unique<Kept_voronoi_volumes<d>>(parts_->mesh);
+    const auto volumes = parts_->volumes->update(parts_->engine.positions());
+    return {volumes.begin(), volumes.end()};
 }
 template <int d>
 Audit_input<d> Moving_mesh<d>::audit_input() const {

@@ -78,6 +78,12 @@ class Moving_mesh {
     /// Fresh tolerances, annulus widths and theta of everything, whatever the strategy. O(n).
     [[nodiscard]] Measures measure() const;
 
+    /// The areas or volumes of the Voronoi cells by vertex index: bit for bit what voronoi_volumes (statistics/voronoi_volumes.h) gives for
+    /// points() and cells(), and infinity for a vertex that is alone. What it computed is kept, in space some 350 bytes a vertex (130 in
+    /// the plane), from the first call on; later ones compute what moves and changes of cells since then concern, and compare one position a vertex besides.
+    /// Throws bad_input where tolerances that are not certified have left a cell that is not positive, environment, and what new throws.
+    [[nodiscard]] std::vector<double> voronoi_volumes() const;
+
     /// Exact verdict at the present positions; see audit.h. O(n).
     [[nodiscard]] Audit_result audit() const { return annulus::audit(audit_input()); }
     [[nodiscard]] Audit_input<d> audit_input() const;

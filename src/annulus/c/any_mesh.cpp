@@ -6,7 +6,6 @@
 #include <annulus/statistics/voronoi_volumes.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <mutex>
 
@@ -76,14 +75,11 @@ class Mesh_of final : public Any_mesh {
             lengths[i] = is_vertex(static_cast<Index>(i)) ? mesh_.displacement(static_cast<Index>(i)) : 0.0;
     }
     void voronoi(double* volumes, Index* neighbour_counts) const override {
-        const auto cells = listed();
         std::vector<double> v;
         std::vector<Index> n;
-        if (volumes != nullptr) v = voronoi_volumes<d>(mesh_.points(), *cells);
-        if (neighbour_counts != nullptr) n = voronoi_neighbour_counts<d>(index_bound(), *cells);
-        for (std::size_t i = 0; i < v.size(); ++i)  // a vertex that is alone is in no cell
-            volumes[i] =
-                std::isnan(v[i]) && is_vertex(static_cast<Index>(i)) ? std::numeric_limits<double>::infinity() : v[i];
+        if (volumes != nullptr) v = mesh_.voronoi_volumes();
+        if (neighbour_counts != nullptr) n = voronoi_neighbour_counts<d>(index_bound(), *listed());
+        std::copy(v.begin(), v.end(), volumes);
         std::copy(n.begin(), n.end(), neighbour_counts);
     }
     Cells cells() const override {

@@ -5,56 +5,44 @@
 #include <annulus/arithmetic/environment.h>
 #include <annulus/statistics/circumcentre.h>
 #include <annulus/statistics/voronoi_exact.h>
+#include <annulus/statistics/voronoi_terms.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-// Let F be a facet of the triangulation between two cells with circumcentres C and C', and n = q - p one of its edges, m a point of
-// the line pq. The triangle m, C, C' is in the Voronoi facet of p and q; with signs these triangles, over all F around the edge, add up to it.
-// So the pyramids over it with tips p and q, which are alike, are sums of (C left of F and C' right of it, as facet_of has them)
-//
-//     n . ((C - m) x (C' - m)) / 12     and in the plane     (C' - C) . (n_y, -n_x) / 4,
-//
-// and these, over all edges at p, add up to the volume of its Voronoi cell. m, which may be any point of the line, is the edge's midpoint
-// in doubles, where short vectors are good, and the vertex itself in voronoi_exact.cpp, where nothing is rounded.
-//
-// Conditioning: a cell with inradius r and surface S has a volume of at least r S / 3, and moving its corners by e changes it by e S,
-// so relatively by 3 e / r, where 2 r is the distance of the nearest neighbour. Hence circumcentres, compared with shortest edges, decide.
-
 namespace annulus {
 
 namespace {
 
-constexpr double u = 0x1p-53;
-constexpr double lost = 0x1p-1000;  // as in circumcentre.cpp
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-template <std::size_t n>
-double absolute_sum(const std::array<double, n>& x) {
-    double sum = 0;
-    for (const double c : x) sum += std::fabs(c);
-    return sum;
-}
+/// Mesh_cells as Voronoi_terms reads them.
+template <int d>
+struct Listed_cells {
+    const Mesh_cells<d>& cells;
+
+    [[nodiscard]] Index corner(Index c, std::size_t i) const { return cells.vertices[at(c)][i]; }
+    [[nodiscard]] Index beyond(Index c, std::size_t i) const { return cells.neighbours[at(c)][i]; }
+    [[nodiscard]] static bool is_finite(Index) { return true; }
+};
 
 template <int d>
-class Voronoi_volumes {
+class Fresh_volumes {
   public:
-    Voronoi_volumes(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells) : x_(points), cells_(cells) {}
+    Fresh_volumes(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells) : x_(points), cells_(cells) {}
 
     std::vector<double> operator()(Voronoi_counts& counts) {
         const bool spans = find_hull();
-        volume_.assign(x_.size(), 0.0);
-        error_.assign(x_.size(), unbounded);  // where nothing is added, all of it is left to integers
+        sum_.assign(x_.size(), {0, unbounded});  // where nothing is added, all of it is left to integers
         if (spans) {
             find_circumcentres();
             if (!centre_.empty()) add_facets();
         }
-        finish(counts);
-        return std::move(volume_);
+        return finish(counts);
     }
 
   private:
@@ -113,96 +101,32 @@ class Voronoi_volumes {
         }
     }
 
-    /// (b - a) in the unit, each coordinate within u of it, relatively.
-    Coordinates<d> difference(Index a, Index b, double scale) const {
-        Coordinates<d> out;
-        for (std::size_t k = 0; k < d; ++k) out[k] = (x_[at(b)][k] - x_[at(a)][k]) * scale;
-        return out;
-    }
-
     void add_facets() {
-        std::fill(error_.begin(), error_.end(), 0.0);
-        const double scale = std::ldexp(1.0, -exponent_);
-        for (std::size_t c = 0; c < cells_.vertices.size(); ++c)
-            for (std::size_t i = 0; i <= d; ++i) {
-                const Index n = cells_.neighbours[c][i];
-                if (n == cells_.outside || at(n) < c) continue;
-                const Cell& cell = cells_.vertices[c];
-                for (std::size_t e = 0; e < (d == 2 ? 1 : 3); ++e)
-                    add(cell[facet_of<d>[i][e]], cell[facet_of<d>[i][(e + 1) % d]], c, at(n), scale);
-            }
-    }
-
-    /// The terms of edge pq between two cells, without their denominator. An offset and its error, as circumcentre() has them, are carried on in sums of absolutes.
-    void add(Index p, Index q, std::size_t left, std::size_t right, double scale) {
-        const Coordinates<d> n = difference(p, q, scale);
-        const double length = absolute_sum(n);
-        double term = 0;
-        double error = 0;
-        if constexpr (d == 2) {
-            const Coordinates<d> step = difference(cells_.vertices[left][0], cells_.vertices[right][0], scale);
-            Coordinates<d> dual;
-            for (std::size_t k = 0; k < d; ++k)
-                dual[k] = step[k] + (centre_[right].offset[k] - centre_[left].offset[k]);
-            // u each for step, the inner difference, the sum.
-            const double moved =
-                centre_[left].error + centre_[right].error +
-                4 * u * (absolute_sum(step) + absolute_sum(centre_[left].offset) + absolute_sum(centre_[right].offset));
-            term = dual[0] * n[1] - dual[1] * n[0];
-            error = length * (moved + 4 * u * absolute_sum(dual));  // n, product, difference: 3 u
-        } else {
-            double error_of_from = 0;
-            double error_of_to = 0;
-            const Coordinates<d> from = seen_from_middle(p, n, left, scale, error_of_from);
-            const Coordinates<d> to = seen_from_middle(p, n, right, scale, error_of_to);
-            for (std::size_t k = 0; k < d; ++k) {
-                const std::size_t i = (k + 1) % 3;
-                const std::size_t j = (k + 2) % 3;
-                term += n[k] * (from[i] * to[j] - from[j] * to[i]);
-            }
-            const double far_from = absolute_sum(from);
-            const double far_to = absolute_sum(to);
-            // n 1, a minor 2, times n 1, sums 2: 8 u is used.
-            error = length *
-                    (far_from * (error_of_to + 8 * u * far_to) + far_to * error_of_from + error_of_from * error_of_to);
-        }
-        error += lost;
-        for (const Index v : {p, q}) {
-            volume_[at(v)] += term;
-            error_[at(v)] += error + u * std::fabs(volume_[at(v)]);
-        }
-    }
-
-    /// The circumcentre of a cell less the midpoint of the edge that begins at p; u each for the two differences (n is halved), the sums.
-    Coordinates<d> seen_from_middle(Index p, const Coordinates<d>& n, std::size_t cell, double scale,
-                                    double& error) const {
-        const Coordinates<d> base = difference(p, cells_.vertices[cell][0], scale);
-        Coordinates<d> out;
-        for (std::size_t k = 0; k < d; ++k) out[k] = (base[k] - n[k] / 2) + centre_[cell].offset[k];
-        error = centre_[cell].error + 3 * u * (absolute_sum(base) + absolute_sum(n) + absolute_sum(out));
-        return out;
+        std::fill(sum_.begin(), sum_.end(), Voronoi_sum{});
+        const Voronoi_terms<d> terms(x_, centre_, std::ldexp(1.0, -exponent_), sum_);
+        const Listed_cells<d> cells{cells_};
+        for (std::size_t c = 0; c < cells_.vertices.size(); ++c) terms.add_facets(cells, static_cast<Index>(c));
     }
 
     /// Takes the unit back where a sum is good enough, computes what is not from exact circumcentres, and says what is unbounded or no cell.
-    void finish(Voronoi_counts& counts) {
-        constexpr double good = 0.99 * voronoi_volume_error;  // sums of errors are rounded, too
-        constexpr double parts = d == 2 ? 4 : 12;
+    std::vector<double> finish(Voronoi_counts& counts) {
+        std::vector<double> volume(x_.size());
         std::vector<Index> poor;
         for (std::size_t v = 0; v < x_.size(); ++v) {
             if (where_[v] != Where::inside) {
-                volume_[v] = where_[v] == Where::hull ? unbounded : std::numeric_limits<double>::quiet_NaN();
+                volume[v] = where_[v] == Where::hull ? unbounded : std::numeric_limits<double>::quiet_NaN();
                 continue;
             }
             ++counts.bounded;
-            if (error_[v] < good * volume_[v])  // false for what is no number, and for what has overflowed
-                volume_[v] = std::min(std::ldexp(volume_[v] / parts, d * exponent_), std::numeric_limits<double>::max());
+            if (sum_[v].is_good()) volume[v] = voronoi_volume<d>(sum_[v], exponent_);
             else poor.push_back(static_cast<Index>(v));
         }
         counts.exact = poor.size();
-        if (!poor.empty()) compute_exactly(poor);
+        if (!poor.empty()) compute_exactly(poor, volume);
+        return volume;
     }
 
-    void compute_exactly(std::span<const Index> poor) {
+    void compute_exactly(std::span<const Index> poor, std::vector<double>& volume) const {
         // Where the cells around a vertex end, among those around all of these; then where they begin.
         std::vector<std::size_t> end(x_.size(), 0);
         std::vector<char> wanted(x_.size(), 0);
@@ -218,7 +142,7 @@ class Voronoi_volumes {
         for (std::size_t k = 0; k < poor.size(); ++k) {
             const std::size_t begin = end[at(poor[k])];
             const std::size_t next = k + 1 < poor.size() ? end[at(poor[k + 1])] : total;
-            volume_[at(poor[k])] = exact_voronoi_volume<d>(
+            volume[at(poor[k])] = exact_voronoi_volume<d>(
                 x_, cells_, poor[k], std::span<const std::size_t>(around).subspan(begin, next - begin));
         }
     }
@@ -228,7 +152,7 @@ class Voronoi_volumes {
     int exponent_ = 0;  // of the unit: every coordinate is below 2^exponent
     std::vector<Where> where_;
     std::vector<Circumcentre<d>> centre_;
-    std::vector<double> volume_, error_;  // in the unit and times 4 or 12, until finish()
+    std::vector<Voronoi_sum> sum_;
 };
 
 }  // namespace
@@ -238,7 +162,7 @@ std::vector<double> voronoi_volumes(std::span<const Coordinates<d>> points, cons
                                     Voronoi_counts* counts) {
     require_sound_environment();
     Voronoi_counts counted;
-    std::vector<double> volumes = Voronoi_volumes<d>(points, cells)(counted);
+    std::vector<double> volumes = Fresh_volumes<d>(points, cells)(counted);
     if (counts != nullptr) *counts = counted;
     return volumes;
 }

@@ -27,7 +27,7 @@ struct Voronoi_counts {
 /// any scale. A number above the largest double is that one, so that infinity always means unbounded; one below the smallest normal double
 /// has an absolute error of 2^-1074 besides.
 ///
-/// How: a volume is a sum over facets of terms in circumcentres (voronoi_volumes.cpp), in doubles, each with a bound of its error;
+/// How: a volume is a sum over facets of terms in circumcentres (voronoi_terms.h), in doubles, each with a bound of its error;
 /// circumcentres for which doubles are not good enough are computed exactly and rounded, and so, from exact circumcentres, are
 /// sums whose bounds in the end are too large. Results are a function of points and cells, in their order.
 ///

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/kernel/delaunay_mesh.h>
+#include <annulus/mesh/cell_log.h>
+#include <annulus/statistics/voronoi_terms.h>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace annulus {
+
+/// The Voronoi volumes of one mesh, brought up to date when they are asked for: what is computed anew is concerned by a vertex that
+/// moved or a cell that changed, and the result is, bit for bit, that of voronoi_volumes of the mesh's cells.
+///
+/// Why: a volume is a sum over the cells around its vertex in the order of their places in the table. Cells stay at their places while
+/// they last, and a table that is built anew says that everything changed. So the terms of a vertex whose cells and their corners are
+/// the same are the same, in the same order; and those of another are added up from the first to the last, by the loop that
+/// voronoi_volumes has, over all cells around it. A change of the unit, too, is everything.
+template <int d>
+class Kept_voronoi_volumes {
+  public:
+    /// The mesh must outlive it, and has no other log. O(1).
+    explicit Kept_voronoi_volumes(Delaunay_mesh<d>& mesh);
+    Kept_voronoi_volumes(const Kept_voronoi_volumes&) = delete;
+    Kept_voronoi_volumes& operator=(const Kept_voronoi_volumes&) = delete;
+
+    /// Volumes by vertex index, where positions are x, at which the cells of the mesh are positive; valid until the next call. Infinity
+    /// for a vertex that is alone. O(k log k) for k cells around those concerned, and one comparison a vertex.
+    /// Throws as voronoi_volumes does; then the next call computes all.
+    std::span<const double> update(std::span<const Coordinates<d>> x);
+    /// How many volumes the last update computed.
+    [[nodiscard]] std::size_t computed() const { return computed_; }
+
+  private:
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] const Cell_table<d>& table() const { return mesh_.table(); }
+    [[nodiscard]] bool lives(std::size_t v) const {
+        return v < mesh_.vertex_bound() && mesh_.has(static_cast<Index>(v));
+    }
+    [[nodiscard]] double scale() const;
+    [[nodiscard]] std::vector<Index> note_moves(std::span<const Coordinates<d>> x);
+    [[nodiscard]] std::vector<Index> all_vertices() const;
+    [[nodiscard]] std::vector<Cell_index> all_cells() const;
+    [[nodiscard]] std::vector<Cell_index> cells_around(std::span<const Index> vertices) const;
+    [[nodiscard]] std::vector<Index> corners_of(std::span<const Cell_index> cells) const;
+    void note_flat(std::size_t bound);
+    void find_circumcentres(std::span<const Cell_index> cells);
+    void add_up(std::span<const Index> vertices, std::span<const Cell_index> around);
+    [[nodiscard]] double exact_volume(Index v) const;
+
+    Delaunay_mesh<d>& mesh_;
+    Cell_log log_;                         // since the last update
+    std::vector<Coordinates<d>> x_;        // of the last update; empty: nothing of it holds
+    std::vector<Circumcentre<d>> centre_;  // by cell
+    std::vector<Voronoi_sum> sum_;         // by vertex; room to add up in, and nothing between two updates
+    std::vector<double> volume_;
+    int exponent_ = 0;  // of the unit: every coordinate is below 2^exponent
+    std::size_t computed_ = 0;
+};
+
+extern template class Kept_voronoi_volumes<2>;
+extern template class Kept_voronoi_volumes<3>;
+
+}  // namespace annulus

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/statistics/circumcentre.h>
+#include <annulus/statistics/voronoi_exact.h>
+#include <annulus/statistics/voronoi_volumes.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+// Let F be a facet of the triangulation between two cells with circumcentres C and C', and n = q - p one of its edges, m a point of
+// the line pq. The triangle m, C, C' is in the Voronoi facet of p and q; with signs these triangles, over all F around the edge, add up to it.
+// So the pyramids over it with tips p and q, which are alike, are sums of (C left of F and C' right of it, as facet_of has them)
+//
+//     n . ((C - m) x (C' - m)) / 12     and in the plane     (C' - C) . (n_y, -n_x) / 4,
+//
+// and these, over all edges at p, add up to the volume of its Voronoi cell. In voronoi_exact.cpp m is the vertex. Here the three edges of
+// a facet a, b, c share what they have: with e = b - a, f = c - a, X = C - a, D = C' - C, W = X x D and g = D . (e x f) the terms
+// of ab, ca and bc are e . W, -f . W and (f - e) . W + g, for m = a, a and b; each goes to both ends of its edge, hence
+//
+//     (e - f) . W to a,     f . W + g to b,     g - e . W to c.
+//
+// Conditioning: a cell with inradius r and surface S has a volume of at least r S / 3, and moving its corners by h changes it by h S,
+// so relatively by 3 h / r, where 2 r is the distance of the nearest neighbour. Hence circumcentres, compared with shortest edges, decide.
+//
+// Errors, norms being sums of absolutes, u = 2^-53: e and f have u each, relatively. With h and h' those of X and C' - a (that of the
+// circumcentre, and u for each difference and sum on the way) D has h + h' + u |D|. Rounding: W has 2 u |X| |D|, a dot product 3 u, so e . W with
+// the u of e 6 u |e| |X| |D|; e x f has 4 u |e| |f|, g 7 u |D| |e| |f|; a sum of two of these another u. 10 u is used for 8, which covers what is of second
+// order. What h and h' do to X x D is |X| (h + h') + |D| h + h (h + h') at most, and to D . (e x f) |e| |f| (h + h').
+
+namespace annulus {
+
+/// What is added up of a Voronoi cell, times 4 in the plane and 12 in space, and a bound of its error, in the unit of circumcentre().
+struct Voronoi_sum {
+    double volume = 0, error = 0;
+
+    void add(double term, double error_of_term) {
+        volume += term;
+        error += error_of_term + 0x1p-53 * std::fabs(volume);
+    }
+    /// Whether that is as good as voronoi_volumes promises. False for what is no number, and for what has overflowed.
+    [[nodiscard]] bool is_good() const {
+        constexpr double good = 0.99 * voronoi_volume_error;  // sums of errors are rounded, too
+        return error < good * volume;
+    }
+};
+
+/// Of what is below 2^exponent: that, in the caller's unit of length, of which a sum has the exponent-th power.
+template <int d>
+[[nodiscard]] double voronoi_volume(const Voronoi_sum& sum, int exponent) {
+    constexpr double parts = d == 2 ? 4 : 12;
+    return std::min(std::ldexp(sum.volume / parts, d * exponent), std::numeric_limits<double>::max());
+}
+
+/// Facets' terms, cell by cell. It refers to arrays of others: positions by vertex, circumcentres by cell, sums by vertex.
+///
+/// `Cells` has the table or list of cells: corner(c, i), a vertex; beyond(c, i), the cell beyond the facet opposite to it, below c where it is
+/// none; is_finite(c) of such a cell. One way through all of them in ascending order gives every vertex its terms in an order that
+/// depends on the cells around it alone: so does a way through some cells, if these are among them, bit for bit.
+template <int d>
+class Voronoi_terms {
+  public:
+    /// scale is that of circumcentre().
+    Voronoi_terms(std::span<const Coordinates<d>> x, std::span<const Circumcentre<d>> centre, double scale,
+                  std::span<Voronoi_sum> sum)
+        : x_(x), centre_(centre), scale_(scale), sum_(sum) {}
+
+    /// Adds the terms of those facets of a finite cell beyond which there is one with a larger number.
+    template <class Cells>
+    void add_facets(const Cells& cells, Index c) const {
+        std::array<Index, static_cast<std::size_t>(d + 1)> v;
+        for (std::size_t i = 0; i <= d; ++i) v[i] = cells.corner(c, i);
+        std::array<Coordinates<d>, static_cast<std::size_t>(d + 1)> edge{};  // from the first corner
+        for (std::size_t i = 1; i <= d; ++i) edge[i] = difference(v[0], v[i]);
+        for (std::size_t i = 0; i <= d; ++i) {
+            const Index n = cells.beyond(c, i);
+            if (n < c || !cells.is_finite(n)) continue;
+            const auto& facet = facet_of<d>[i];
+            if constexpr (d == 2) add_edge(v, edge[facet[0]], edge[facet[1]], i, centre_[at(c)], n, cells.corner(n, 0));
+            else {
+                Seen left{centre_[at(c)].offset, centre_[at(c)].error};
+                if (i == 0) {
+                    for (std::size_t k = 0; k < d; ++k) left.offset[k] -= edge[1][k];
+                    left.error += u * (absolute_sum(edge[1]) + absolute_sum(left.offset));
+                    add_facet(v, i, difference(v[1], v[2]), difference(v[1], v[3]), left, n, cells.corner(n, 0));
+                } else add_facet(v, i, edge[facet[1]], edge[facet[2]], left, n, cells.corner(n, 0));
+            }
+        }
+    }
+
+  private:
+    static constexpr double u = 0x1p-53;
+    static constexpr double lost = 0x1p-1000;  // as in circumcentre.cpp
+    using Corners_of = std::array<Index, static_cast<std::size_t>(d + 1)>;
+    /// A circumcentre from somewhere else, with its error.
+    struct Seen {
+        Coordinates<d> offset;
+        double error;
+    };
+
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    static double absolute_sum(const Coordinates<d>& x) {
+        double sum = std::fabs(x[0]);
+        for (std::size_t k = 1; k < d; ++k) sum += std::fabs(x[k]);
+        return sum;
+    }
+    /// (b - a) in the unit, each coordinate within u of it, relatively.
+    [[nodiscard]] Coordinates<d> difference(Index a, Index b) const {
+        Coordinates<d> out;
+        for (std::size_t k = 0; k < d; ++k) out[k] = (x_[at(b)][k] - x_[at(a)][k]) * scale_;
+        return out;
+    }
+    /// That of cell n, whose first corner is `base`, from vertex a.
+    [[nodiscard]] Seen seen_from(Index a, Index n, Index base) const {
+        Seen out{difference(a, base), 0};
+        const double far = absolute_sum(out.offset);
+        for (std::size_t k = 0; k < d; ++k) out.offset[k] += centre_[at(n)].offset[k];
+        out.error = centre_[at(n)].error + u * (far + absolute_sum(out.offset));
+        return out;
+    }
+
+    /// From p to q, both given from the first corner; the cell is to the left, n to the right. n 1 u, product 1, difference 1: 4 u is used; p and q 1, as n.
+    void add_edge(const Corners_of& v, const Coordinates<d>& p, const Coordinates<d>& q, std::size_t i,
+                  const Circumcentre<d>& left, Index n, Index base) const {
+        const Seen right = seen_from(v[0], n, base);
+        Coordinates<d> dual;
+        for (std::size_t k = 0; k < d; ++k) dual[k] = right.offset[k] - left.offset[k];
+        const Index from = v[facet_of<d>[i][0]];
+        const Index to = v[facet_of<d>[i][1]];
+        Coordinates<d> e;
+        if (i == 0) e = difference(from, to);
+        else
+            for (std::size_t k = 0; k < d; ++k) e[k] = q[k] - p[k];  // one of them is 0
+        const double term = dual[0] * e[1] - dual[1] * e[0];
+        const double error = absolute_sum(e) * (left.error + right.error + 5 * u * absolute_sum(dual)) + lost;
+        sum_[at(from)].add(term, error);
+        sum_[at(to)].add(term, error);
+    }
+
+    /// The facet opposite to corner i, e and f from its first corner to the others, `left` from there.
+    void add_facet(const Corners_of& v, std::size_t i, const Coordinates<d>& e, const Coordinates<d>& f,
+                   const Seen& left, Index n, Index base) const {
+        const auto& facet = facet_of<d>[i];
+        const Index a = v[facet[0]];
+        const Seen right = seen_from(a, n, base);
+        const Coordinates<d>& x = left.offset;
+        Coordinates<d> dual;
+        for (std::size_t k = 0; k < d; ++k) dual[k] = right.offset[k] - x[k];
+        double e_w = 0;
+        double f_w = 0;
+        double g = 0;
+        for (std::size_t k = 0; k < d; ++k) {
+            const std::size_t j = (k + 1) % d;
+            const std::size_t l = (k + 2) % d;
+            const double w = x[j] * dual[l] - x[l] * dual[j];
+            e_w += e[k] * w;
+            f_w += f[k] * w;
+            g += dual[k] * (e[j] * f[l] - e[l] * f[j]);
+        }
+        const double length_e = absolute_sum(e);
+        const double length_f = absolute_sum(f);
+        const double length = length_e + length_f;
+        const double far = absolute_sum(x);
+        const double across = absolute_sum(dual);
+        const double moved = left.error + right.error + u * across;
+        const double error = (length * far + length_e * length_f) * (moved + 10 * u * across) +
+                             length * left.error * (across + moved) + lost;
+        sum_[at(a)].add(e_w - f_w, error);
+        sum_[at(v[facet[1]])].add(f_w + g, error);
+        sum_[at(v[facet[2]])].add(g - e_w, error);
+    }
+
+    std::span<const Coordinates<d>> x_;
+    std::span<const Circumcentre<d>> centre_;
+    double scale_;
+    std::span<Voronoi_sum> sum_;
+};
+
+}  // namespace annulus
