@@ -48,6 +48,11 @@ inline constexpr double kept_sphere_2_linear = 81.0;  ///< 3 in the cell, 1 in t
 inline constexpr double kept_sphere_3_square = 241.0;
 inline constexpr double kept_sphere_3_linear = 811.0;
 
+/// statistics/voronoi_terms.h, products that make up Voronoi volumes: proofs/gappa/voronoi_terms_2.g, voronoi_terms_3.g.
+inline constexpr double voronoi_2 = 9.0;         ///< degree 1 in the edge, 1 in the dual edge
+inline constexpr double voronoi_3_edge = 41.0;   ///< 1 in the edge, 1 in the circumcentre, 1 in the dual edge
+inline constexpr double voronoi_3_facet = 47.0;  ///< 1 in each of two edges, 1 in the dual edge
+
 /// Relative error of the tail: two or three squares and their sum (3u), square root (half of that plus u), sum of the
 /// roots (u), quotient (u), and the few operations on the bounds themselves (6u); 16u is above the total to first order
 /// with room for the second.

@@ -81,7 +81,7 @@ class Exact_star {
             }
     }
 
-    /// The terms of voronoi_volumes.cpp without their common factor: there the origin is a point of the edge, here it is one, too.
+    /// The terms of voronoi_terms.h without their common factor. The origin is the vertex, a point of each edge.
     void sum_terms() {
         sum_ = 0;
         bound_ = 0;

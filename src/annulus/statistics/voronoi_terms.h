@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/certificate/bounds.h>
 #include <annulus/statistics/circumcentre.h>
 #include <annulus/statistics/voronoi_exact.h>
 #include <annulus/statistics/voronoi_volumes.h>
@@ -12,25 +13,40 @@
 #include <limits>
 #include <span>
 
-// Let F be a facet of the triangulation between two cells with circumcentres C and C', and n = q - p one of its edges, m a point of
-// the line pq. The triangle m, C, C' is in the Voronoi facet of p and q; with signs these triangles, over all F around the edge, add up to it.
-// So the pyramids over it with tips p and q, which are alike, are sums of (C left of F and C' right of it, as facet_of has them)
+// Let F be a facet of the triangulation between two cells with circumcentres C and C', and n = q - p one of its edges,
+// m a point of the line pq. The triangle m, C, C' is in the Voronoi facet of p and q; with signs these triangles, over
+// all F around the edge, add up to it. So the pyramids over it with tips p and q, which are alike, are sums of (C left
+// of F and C' right of it, as facet_of has them)
 //
 //     n . ((C - m) x (C' - m)) / 12     and in the plane     (C' - C) . (n_y, -n_x) / 4,
 //
-// and these, over all edges at p, add up to the volume of its Voronoi cell. In voronoi_exact.cpp m is the vertex. Here the three edges of
-// a facet a, b, c share what they have: with e = b - a, f = c - a, X = C - a, D = C' - C, W = X x D and g = D . (e x f) the terms
-// of ab, ca and bc are e . W, -f . W and (f - e) . W + g, for m = a, a and b; each goes to both ends of its edge, hence
+// and these, over all edges at p, add up to the volume of its Voronoi cell. In voronoi_exact.cpp m is the vertex. Here
+// the three edges of a facet a, b, c share what they have: with e = b - a, f = c - a, X = C - a, D = C' - C, W = X x D
+// and g = D . (e x f) the terms of ab, ca and bc are e . W, -f . W and (f - e) . W + g, for m = a, a and b; each goes
+// to both ends of its edge, hence
 //
 //     (e - f) . W to a,     f . W + g to b,     g - e . W to c.
 //
-// Conditioning: a cell with inradius r and surface S has a volume of at least r S / 3, and moving its corners by h changes it by h S,
-// so relatively by 3 h / r, where 2 r is the distance of the nearest neighbour. Hence circumcentres, compared with shortest edges, decide.
+// Conditioning: a cell with inradius r and surface S has a volume of at least r S / 3, and moving its corners by h
+// changes it by h S, so relatively by 3 h / r, where 2 r is the distance of the nearest neighbour. Hence circumcentres,
+// compared with shortest edges, decide.
 //
-// Errors, norms being sums of absolutes, u = 2^-53: e and f have u each, relatively. With h and h' those of X and C' - a (that of the
-// circumcentre, and u for each difference and sum on the way) D has h + h' + u |D|. Rounding: W has 2 u |X| |D|, a dot product 3 u, so e . W with
-// the u of e 6 u |e| |X| |D|; e x f has 4 u |e| |f|, g 7 u |D| |e| |f|; a sum of two of these another u. 10 u is used for 8, which covers what is of second
-// order. What h and h' do to X x D is |X| (h + h') + |D| h + h (h + h') at most, and to D . (e x f) |e| |f| (h + h').
+// Errors, u = 2^-53; |v| is the largest coordinate of a vector, without its sign. X and C' - a are off by h and h' at
+// most, summed over coordinates: a circumcentre's own bound, and u of each difference and sum on the way. e, f and D
+// are rounded differences. For the order of operations below proofs/gappa/voronoi_terms_3.g has e . W, and f . W alike,
+// off by voronoi_3_edge u |e| |X| |D| at most, and g by voronoi_3_facet u |e| |f| |D|. Each of the two is at most 6
+// such products, so that their sum or difference is off by 6 u more; of the larger constant and these 6 one more is
+// used. What h and h' do comes on top. Of the six products that e . W is, two have a given coordinate of X, two a given
+// one of D, and one has both, so that it changes by
+//
+//     2 |e| |D| h + 2 |e| |X| (h + h') + |e| h (h + h')     at most, and g by     2 |e| |f| (h + h').
+//
+// In the plane (proofs/gappa/voronoi_terms_2.g) a term is off by voronoi_2 u |e| |D|, of which one more is used, and by
+// |e| (h + h').
+//
+// What underflows is off by 2^-1075, and is multiplied by edges, which are below 2, and perhaps by X, by D or by both:
+// `lost` covers all of it with 2^70 to spare. That products of two errors are left out and that the bound is rounded
+// itself is less than 2^-40 of it; is_good() has a hundredth for that.
 
 namespace annulus {
 
@@ -40,11 +56,11 @@ struct Voronoi_sum {
 
     void add(double term, double error_of_term) {
         volume += term;
-        error += error_of_term + 0x1p-53 * std::fabs(volume);
+        error += error_of_term + bounds::u * std::fabs(volume);
     }
     /// Whether that is as good as voronoi_volumes promises. False for what is no number, and for what has overflowed.
     [[nodiscard]] bool is_good() const {
-        constexpr double good = 0.99 * voronoi_volume_error;  // sums of errors are rounded, too
+        constexpr double good = 0.99 * voronoi_volume_error;
         return error < good * volume;
     }
 };
@@ -93,8 +109,10 @@ class Voronoi_terms {
     }
 
   private:
-    static constexpr double u = 0x1p-53;
-    static constexpr double lost = 0x1p-1000;  // as in circumcentre.cpp
+    static constexpr double u = bounds::u;
+    static constexpr double lost = 0x1p-1000;
+    static constexpr double units =
+        d == 2 ? bounds::voronoi_2 + 1 : std::max(bounds::voronoi_3_edge, bounds::voronoi_3_facet) + 7;
     using Corners_of = std::array<Index, static_cast<std::size_t>(d + 1)>;
     /// A circumcentre from somewhere else, with its error.
     struct Seen {
@@ -107,6 +125,11 @@ class Voronoi_terms {
         double sum = std::fabs(x[0]);
         for (std::size_t k = 1; k < d; ++k) sum += std::fabs(x[k]);
         return sum;
+    }
+    static double largest(const Coordinates<d>& x) {
+        double most = std::fabs(x[0]);
+        for (std::size_t k = 1; k < d; ++k) most = std::max(most, std::fabs(x[k]));
+        return most;
     }
     /// (b - a) in the unit, each coordinate within u of it, relatively.
     [[nodiscard]] Coordinates<d> difference(Index a, Index b) const {
@@ -123,7 +146,7 @@ class Voronoi_terms {
         return out;
     }
 
-    /// From p to q, both given from the first corner; the cell is to the left, n to the right. n 1 u, product 1, difference 1: 4 u is used; p and q 1, as n.
+    /// From p to q, both given from the first corner; the cell is to the left, n to the right.
     void add_edge(const Corners_of& v, const Coordinates<d>& p, const Coordinates<d>& q, std::size_t i,
                   const Circumcentre<d>& left, Index n, Index base) const {
         const Seen right = seen_from(v[0], n, base);
@@ -136,7 +159,8 @@ class Voronoi_terms {
         else
             for (std::size_t k = 0; k < d; ++k) e[k] = q[k] - p[k];  // one of them is 0
         const double term = dual[0] * e[1] - dual[1] * e[0];
-        const double error = absolute_sum(e) * (left.error + right.error + 5 * u * absolute_sum(dual)) + lost;
+        const double across = largest(dual);
+        const double error = largest(e) * (left.error + right.error + units * u * across) + lost * (1 + across);
         sum_[at(from)].add(term, error);
         sum_[at(to)].add(term, error);
     }
@@ -161,14 +185,14 @@ class Voronoi_terms {
             f_w += f[k] * w;
             g += dual[k] * (e[j] * f[l] - e[l] * f[j]);
         }
-        const double length_e = absolute_sum(e);
-        const double length_f = absolute_sum(f);
+        const double length_e = largest(e);
+        const double length_f = largest(f);
         const double length = length_e + length_f;
-        const double far = absolute_sum(x);
-        const double across = absolute_sum(dual);
-        const double moved = left.error + right.error + u * across;
-        const double error = (length * far + length_e * length_f) * (moved + 10 * u * across) +
-                             length * left.error * (across + moved) + lost;
+        const double far = largest(x);
+        const double across = largest(dual);
+        const double moved = left.error + right.error;
+        const double error = (length * far + length_e * length_f) * (units * u * across + 2 * moved) +
+                             length * left.error * (2 * across + moved) + lost * (1 + far) * (1 + across);
         sum_[at(a)].add(e_w - f_w, error);
         sum_[at(v[facet[1]])].add(f_w + g, error);
         sum_[at(v[facet[2]])].add(g - e_w, error);
