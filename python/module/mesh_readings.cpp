@@ -107,10 +107,7 @@ std::vector<double> Mesh<d>::displacements() const {
 
 template <int d>
 std::vector<double> Mesh<d>::voronoi_volumes() {
-    return locked([this] {
-        if (mesh_.dimension() != d) return by_vertex([](Index) { return std::numeric_limits<double>::infinity(); });
-        return mesh_.voronoi_volumes();
-    });
+    return locked([this] { return mesh_.voronoi_volumes(); });
 }
 
 template <int d>

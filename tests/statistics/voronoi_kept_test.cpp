@@ -6,13 +6,16 @@
 #include <annulus/statistics/voronoi_volumes.h>
 #include <statistics/voronoi_oracle.h>
 #include <support/catch.h>
+#include <support/failing_new.h>
 #include <support/meshes.h>
 #include <support/point_sets_3.h>
 #include <support/repeats.h>
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
+#include <new>
 
 using namespace annulus;
 using namespace annulus::testing;
@@ -211,4 +214,87 @@ TEMPLATE_TEST_CASE_SIG("Of many volumes those around few movers are computed, an
     x[0] = {100, 0};
     mesh.rebuild(x);
     CHECK(same_bits(kept.update(x), voronoi_volumes<d>(x, mesh.cells(x, x.size()))));
+}
+
+TEMPLATE_TEST_CASE_SIG(
+    "Volumes that memory ran out for, or for whose mesh it did, are those computed anew later, dimension",
+    "[statistics][voronoi]", ((int d), d), 2, 3) {
+    Random random(13);
+    Points_of<d> x = inputs<d>(random)[0];
+    x.resize(40);
+    const auto moved = [&](double by) {
+        Points_of<d> out = x;
+        for (auto& p : out) p[0] *= 1 + by * p[1];
+        return out;
+    };
+    struct Call {
+        const char* name;
+        std::function<void(Moving_mesh<d>&)> make;
+    };
+    const Coordinates<d> nearby = near<d>(x[3], 0.05, random);
+    const std::vector<Call> calls{{"volumes", [](auto& m) { (void)m.voronoi_volumes(); }},
+                                  {"move", [&](auto& m) { (void)m.move(3, nearby); }},
+                                  {"move_all", [&](auto& m) { (void)m.move_all(moved(0.4)); }},
+                                  {"insert", [&](auto& m) { (void)m.insert(nearby); }},
+                                  {"remove", [](auto& m) { m.remove(7); }}};
+    bool refused = false;
+    for (const Strategy strategy : {Strategy::filter, Strategy::relocate})
+        for (const Memory memory : {Memory::short_once, Memory::short_for_good})
+            for (const bool asked : {false, true})
+                for (const Call& call : calls) {
+                    bool done = false;
+                    for (std::uint64_t n = 0; !done && n < 10000; n += call.name[0] == 'v' ? 1 : 1 + n / 4) {
+                        CAPTURE(name_of(strategy), static_cast<int>(memory), asked, call.name, n);
+                        Options options;
+                        options.strategy = strategy;
+                        Moving_mesh<d> mesh(std::span<const Coordinates<d>>(x), options);
+                        if (asked) (void)mesh.voronoi_volumes();
+                        if (asked) (void)mesh.move(5, near<d>(x[5], 0.02, random));
+                        const Starved became = starve(n, memory, [&] { call.make(mesh); });
+                        done = became == Starved::done;
+                        if (mesh.dimension() < 0) {  // there was no memory for cells, either
+                            REQUIRE_THROWS_AS(mesh.voronoi_volumes(), std::bad_alloc);
+                            refused = true;
+                            (void)mesh.settle();
+                        }
+                        require_fresh(mesh);
+                        (void)mesh.move(9, near<d>(x[9], 0.02, random));
+                        require_fresh(mesh);
+                    }
+                    REQUIRE(done);
+                }
+    CHECK(refused);
+}
+
+TEMPLATE_TEST_CASE_SIG(
+    "Volumes that were refused are computed anew, and a mesh outlives those that were kept, dimension",
+    "[statistics][voronoi]", ((int d), d), 2, 3) {
+    Points_of<d> x = grid<d>();
+    Delaunay_mesh<d> mesh;
+    mesh.build(x);
+    {
+        Kept_voronoi_volumes<d> kept(mesh);
+        (void)kept.update(x);
+        const std::size_t middle = d == 2 ? 12 : 13;
+        const Coordinates<d> here = x[middle];
+        x[middle][0] += 100;  // out of the hull, of which no certificate knows
+        REQUIRE_THROWS_AS(kept.update(x), Error);
+        REQUIRE_THROWS_AS(voronoi_volumes<d>(x, mesh.cells(x, x.size())), Error);
+        x[middle] = here;
+        CHECK(same_bits(kept.update(x), voronoi_volumes<d>(x, mesh.cells(x, x.size()))));
+        CHECK(kept.computed() == x.size());
+        // Flat for a while.
+        Points_of<d> line(x.size());
+        for (std::size_t v = 0; v < line.size(); ++v) line[v] = {static_cast<double>(v)};
+        mesh.rebuild(line);
+        for (const double volume : kept.update(line)) CHECK(volume == std::numeric_limits<double>::infinity());
+        mesh.rebuild(x);
+        CHECK(same_bits(kept.update(x), voronoi_volumes<d>(x, mesh.cells(x, x.size()))));
+    }
+    CHECK(mesh.relocate(x, 0, x[1]) == Relocation::refused);
+    Coordinates<d> outside{};
+    outside[0] = -3;
+    CHECK(mesh.relocate(x, 0, outside) == Relocation::reinserted);
+    Kept_voronoi_volumes<d> other(mesh);
+    CHECK(same_bits(other.update(x), voronoi_volumes<d>(x, mesh.cells(x, x.size()))));
 }

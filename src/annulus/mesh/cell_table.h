@@ -159,8 +159,9 @@ class Cell_table {
     }
     /// What is told before a place is written to; nullptr: nothing.
     void tell(Cell_journal<d>* journal) noexcept { journal_ = journal; }
-    /// The same for a log, as long as the table lives.
+    /// The same for a log, until drop_log() or as long as the table lives.
     void write_log(Cell_log& log) noexcept { log_ = &log; }
+    void drop_log() noexcept { log_ = nullptr; }
     void set_absent(Index v) { corner_of_vertex_[at(v)] = no_corner; }
     /// Makes h and t the two sides of a facet.
     void glue(Corner_index h, Corner_index t) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <new>
 
 namespace annulus {
 
@@ -35,11 +36,16 @@ template <int d>
 Kept_voronoi_volumes<d>::Kept_voronoi_volumes(Delaunay_mesh<d>& mesh) : mesh_(mesh) {
     mesh.table().write_log(log_);
 }
+template <int d>
+Kept_voronoi_volumes<d>::~Kept_voronoi_volumes() {
+    mesh_.table().drop_log();
+}
 
 template <int d>
 std::span<const double> Kept_voronoi_volumes<d>::update(std::span<const Coordinates<d>> x) {
     require_sound_environment();
     if (mesh_.dimension() != d) {
+        if (mesh_.dimension() < 0 && mesh_.vertices() > 0) throw std::bad_alloc();
         note_flat(x.size());
         return volume_;
     }

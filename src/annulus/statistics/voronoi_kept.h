@@ -23,12 +23,14 @@ class Kept_voronoi_volumes {
   public:
     /// The mesh must outlive it, and has no other log. O(1).
     explicit Kept_voronoi_volumes(Delaunay_mesh<d>& mesh);
+    ~Kept_voronoi_volumes();
     Kept_voronoi_volumes(const Kept_voronoi_volumes&) = delete;
     Kept_voronoi_volumes& operator=(const Kept_voronoi_volumes&) = delete;
 
     /// Volumes by vertex index, where positions are x, at which the cells of the mesh are positive; valid until the next call. Infinity
     /// for a vertex that is alone. O(k log k) for k cells around those concerned, and one comparison a vertex.
-    /// Throws as voronoi_volumes does; then the next call computes all.
+    /// Throws as voronoi_volumes does, and bad_alloc where there are no cells because there was no memory for them; then the next call
+    /// computes all.
     std::span<const double> update(std::span<const Coordinates<d>> x);
     /// How many volumes the last update computed.
     [[nodiscard]] std::size_t computed() const { return computed_; }
