@@ -7,6 +7,7 @@ Ours are good to 2**-33. Qhull computes in doubles: far corners and those of sli
 rational numbers tell who is right.
 """
 
+import pickle
 from fractions import Fraction
 from itertools import permutations
 
@@ -122,3 +123,65 @@ def test_who_has_no_volume(d):
     hull = np.unique(dt.convex_hull)
     assert np.isinf(volumes[hull]).all() and np.isinf(volumes).sum() == len(hull)
     assert np.isinf(annulus.MovingDelaunay(np.arange(3 * d, dtype=float).reshape(3, d)).voronoi_volumes()).all()
+
+
+def change(dt, rng):
+    """One call that changes few cells or all: what it is and where to depends on rng and on where the vertices are."""
+    spacing = POINTS ** (-1 / dt.ndim)
+    living = np.flatnonzero(dt.is_vertex)
+    some = rng.choice(living, rng.integers(1, 5), replace=False)
+    what = rng.choice(["few", "few", "few named", "tiny", "all", "insert", "remove", "settle"])
+    if what == "few":
+        dt.move(dt.points[some] + 0.3 * spacing * rng.standard_normal((len(some), dt.ndim)), some)
+    elif what == "few named":  # all are given, few move
+        x = dt.points.copy()
+        x[some] += 0.1 * spacing * rng.standard_normal((len(some), dt.ndim))
+        dt.move(x)
+    elif what in ("tiny", "all"):
+        dt.move(dt.points + (1e-9 if what == "tiny" else 0.05) * spacing * rng.standard_normal(dt.points.shape))
+    elif what == "insert":
+        dt.insert(dt.points[some] + 0.3 * spacing * rng.standard_normal((len(some), dt.ndim)))
+    elif what == "remove":
+        dt.remove(some)
+    else:
+        dt.settle()
+    return what
+
+
+@pytest.mark.parametrize("strategy", ["auto", "filter", "filter-each", "relocate", "rebuild"])
+@pytest.mark.parametrize("d", [2, 3])
+def test_kept_volumes_are_computed_anew(d, strategy):
+    """Volumes that were asked for after each call, beside those of an object that had the same calls and is asked for the first time: bit for bit. Those of an
+    object that is made of the points, whose simplices have another order, differ in their last bits at most."""
+    x = np.random.default_rng(d).random((POINTS, d))
+    dt, rng, done = annulus.MovingDelaunay(x, strategy), np.random.default_rng(10 + d), set()
+    dt.voronoi_volumes()
+    for step in range(1, 37):
+        done.add(str(change(dt, rng)))
+        kept = dt.voronoi_volumes()
+        assert kept.tobytes() == dt.voronoi_volumes().tobytes()
+        if step % 4:
+            continue
+        fresh, again = annulus.MovingDelaunay(x, strategy), np.random.default_rng(10 + d)
+        for _ in range(step):
+            change(fresh, again)
+        assert fresh.points.tobytes() == dt.points.tobytes()
+        assert kept.tobytes() == fresh.voronoi_volumes().tobytes(), (step, strategy)
+        other = annulus.MovingDelaunay(dt.points[dt.is_vertex]).voronoi_volumes()
+        np.testing.assert_allclose(kept[dt.is_vertex], other, rtol=2 * OURS, atol=0)
+        assert np.isnan(kept[~dt.is_vertex]).all()
+    assert len(done) == 7
+
+
+@pytest.mark.parametrize("d", [2, 3])
+def test_kept_volumes_do_not_survive_a_pickle_or_a_failure(d):
+    dt = annulus.MovingDelaunay(np.random.default_rng(5).random((POINTS, d)))
+    before = dt.voronoi_volumes()
+    before[:] = 0  # an array of the caller's
+    other = pickle.loads(pickle.dumps(dt))
+    other.move(other.points[:3] + 0.01, [0, 1, 2])
+    with pytest.raises(annulus.Error):
+        dt.move(dt.points[[4]], [3])  # where another is
+    again = dt.voronoi_volumes()
+    assert again.tobytes() == annulus.MovingDelaunay(dt.points).voronoi_volumes().tobytes()
+    assert not np.array_equal(again, other.voronoi_volumes(), equal_nan=True)
