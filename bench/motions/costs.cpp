@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What does not depend on a motion: construction, by several threads too, memory, a step in which all pass, the move of one vertex. A JSON object a line.
+// What does not depend on a motion: construction, by several threads too, memory, a step in which all pass, the move of one vertex; Voronoi volumes.
+// A JSON object a line.
 #include "families.h"
+#include "stopwatch.h"
 
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
+#include <annulus/statistics/voronoi_volumes.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -14,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -155,17 +159,59 @@ void construction(const char* name, std::size_t n, int threads, const std::strin
          {"ratio", median(ratio)}}, file);
 }
 
+/// Voronoi volumes after steps in which `movers` vertices go a hundredth of a spacing: those that a mesh keeps, and voronoi_volumes of its cells, which are
+/// listed beforehand. Medians, also of the ratios of two in turn; whether all had the same bits.
+template <int d>
+void volumes(std::size_t n, std::size_t movers, const std::string& file) {
+    const bench::Scene<d> scene("uniform", "walk", n, 0.0, 1);
+    Moving_mesh<d> mesh{std::span<const Coordinates<d>>(scene.points())};
+    (void)mesh.voronoi_volumes();
+    const double reach = 0.01 * std::pow(static_cast<double>(n), -1.0 / d);
+    std::vector<double> kept;
+    std::vector<double> fresh;
+    std::vector<double> ratio;
+    bool same = true;
+    for (std::size_t step = 0, next = 0; step < 9; ++step) {
+        bench::Points<d> x(mesh.points().begin(), mesh.points().end());
+        for (std::size_t k = 0; k < movers; ++k, ++next) x[7919 * next % n][step % d] += step % 2 == 0 ? reach : -reach;
+        (void)mesh.move_all(std::span<const Coordinates<d>>(x));
+        const auto cells = mesh.cells();
+        std::vector<double> a;
+        std::vector<double> b;
+        const bench::Stopwatch watch;
+        const double begin = watch.seconds();
+        a = mesh.voronoi_volumes();
+        const double between = watch.seconds();
+        b = voronoi_volumes<d>(mesh.points(), cells);
+        kept.push_back(1e9 * (between - begin) / static_cast<double>(n));
+        fresh.push_back(1e9 * (watch.seconds() - between) / static_cast<double>(n));
+        ratio.push_back(fresh.back() / kept.back());
+        same = same && a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+    }
+    say({{"dimension", d}, {"points", n}, {"movers", movers}, {"kept_ns", median(kept)}, {"fresh_ns", median(fresh)}, {"ratio", median(ratio)},
+         {"same", same}}, file);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     std::size_t n = 100000;
     int threads = 1;
+    bool of_volumes = false;
     std::string json;
     CLI::App app{"What does not depend on a motion, of both classes in both dimensions."};
     app.add_option("POINTS", n)->check(CLI::Range(1000, 100000000));
     app.add_option("--json", json, "file that a line is appended to for each");
     app.add_option("--threads", threads, "more than one: construction by so many, and nothing else")->check(CLI::Range(1, 1024));
+    app.add_flag("--volumes", of_volumes, "Voronoi volumes after small steps, and nothing else");
     CLI11_PARSE(app, argc, argv);
+    if (of_volumes) {
+        for (const std::size_t movers : {std::size_t{1}, n / 1000, n / 100, n}) {
+            volumes<3>(n, movers, json);
+            volumes<2>(n, movers, json);
+        }
+        return 0;
+    }
     if (threads > 1) {
         construction<Moving_mesh_3, 3>("Moving_mesh<3>", n, threads, json);
         construction<Moving_delaunay_3, 3>("Moving_delaunay_3", n, threads, json);

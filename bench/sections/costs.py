@@ -26,3 +26,16 @@ def costs(bench):
                f"| {reached(size, MUST.get(r['what']), False)} | {r['pass_ns']:.1f} / {r['arrays_ns']:.1f} = {passing:.1f} | {reached(passing, 2, False)} "
                f"| {r['one_move_ns']:.0f} | {reached(r['one_move_ns'], 10000 if space else None, False)} |{'' if r['audit'] else ' **WRONG**'}")
     yield ""
+
+
+def volumes(bench):
+    """Voronoi volumes that a mesh keeps, after steps of one vertex, some, and all."""
+    points = 20000 if bench.quick else 100000
+    yield from [f"## Voronoi volumes after small steps, {points} points", "",
+                "Vertices move a hundredth of a spacing. `Moving_mesh::voronoi_volumes`, which computes what that concerns, and `voronoi_volumes` of all cells, which are listed beforehand, in turn:",
+                "nanoseconds a vertex of the mesh, medians of nine steps, and the median of the ratios of the same step.", "",
+                "| vertices that move | kept, ns | fresh, ns | fresh / kept | same bits |", "|---|---|---|---|---|"]
+    for r in bench.call("annulus-costs", points, volumes=True):
+        yield (f"| {r['movers']}, {r['dimension']}D | {r['kept_ns']:.1f} | {r['fresh_ns']:.0f} | {r['ratio']:.1f} "
+               f"| {'yes' if r['same'] else '**WRONG**'} |")
+    yield ""
