@@ -72,7 +72,7 @@ class Author {
             case 15: return as_written();
             default: break;
         }
-        const Motion motion = all_motions[number(all_motions.size())];
+        const Motion motion = annulus::oracle::all_motions[number(annulus::oracle::all_motions.size())];
         const double pace = motion == Motion::tolerances ? shares[number(shares.size())] : paces[number(paces.size())];
         const int most = std::max(1, std::min(steps, number(4) == 0 ? 64 : 9));
         return Do::steady(motion, integer(random_, 1, most), pace, number(1000));
