@@ -81,7 +81,7 @@ auto Inserter<d>::start_near(Rank v) -> Cell {
     if (c == Cells::no_cell) return c;
     last_ = c;
     const auto& cell = cells_->cells[c];
-    return cells_->slot_of_infinity(cell) < 0 && home_.has(cell.vertex) ? c : Cells::no_cell;
+    return cells_->slot_of_infinity(cell) < 0 && home_.has(c) ? c : Cells::no_cell;
 }
 
 template <int d>
@@ -95,7 +95,7 @@ auto Inserter<d>::locate(const Coordinates<d>& q, Cell start) -> Cell {
     std::uint32_t from = corners;  // the slot across which it came
     for (std::uint32_t steps = 0;; ++steps) {
         const auto& cell = g.cells[c];
-        if (shared && !home_.has(cell.vertex)) return Cells::no_cell;
+        if (shared && !home_.has(c)) return Cells::no_cell;
         // Most walks end here, and those that leave the hull where they are strictly beyond a facet of it.
         if (cell.sphere.at(Lifted<d>(q, g.at(cell.vertex[0])).from, g.bound(c)).inside() ||
             g.slot_of_infinity(cell) >= 0)
@@ -195,6 +195,7 @@ bool Inserter<d>::claim_block() {
     const std::size_t last = std::min(first + block, cells_->room());
     for (std::size_t c = last; c-- > first;) {
         cells_->bound(static_cast<Cell>(c)) = -1;
+        home_.owner[c] = home_.own;
         free_.push_back(static_cast<Cell>(c));
     }
     return first < last;

@@ -11,20 +11,15 @@ namespace annulus {
 template <int d>
 void Shared_inserter<d>::insert(Inserter<d>& alone, std::span<const std::uint8_t> part, std::size_t parts,
                                 std::vector<Rank>& pending) {
-    constexpr std::size_t cells_a_vertex = d == 2 ? 2 : 7, spare = 2048, run = 1U << 14;
+    constexpr std::size_t cells_a_vertex = d == 2 ? 2 : 7, spare = 2048;
     const int threads = static_cast<int>(parts);
     typename Inserter<d>::Cells& cells = alone.cells();
-    const auto infinity = static_cast<std::size_t>(cells.infinity);
-    owner_.resize(infinity + 1);
-    owner_[infinity] = Territory::everyone;
-    for_each_run(part.size(), run, threads, [&](std::size_t first, std::size_t last) {
-        for (std::size_t v = first; v < last; ++v) owner_[v] = std::uint32_t{1} << part[v];
-    });
+    cells.make_room(cells.used + cells_a_vertex * pending.size() + spare * parts);
+    find_owners(cells, part, threads);
     if (inserters_.size() < parts) inserters_.resize(parts);
     if (parts_.size() < parts) parts_.resize(parts);
     for (Part& p : parts_) p.pending.clear();
     for (const Rank v : pending) parts_[part[static_cast<std::size_t>(v)]].pending.push_back(v);
-    cells.make_room(cells.used + cells_a_vertex * pending.size() + spare * parts);
 
     std::atomic<std::size_t> unused = cells.used;
     for_each_run(parts, 1, threads, [&](std::size_t k, std::size_t) { settle(k, alone, unused); });
@@ -37,12 +32,33 @@ void Shared_inserter<d>::insert(Inserter<d>& alone, std::span<const std::uint8_t
     }
 }
 
+/// A corner of the first cell may be a vertex of a later round: no one's.
+template <int d>
+void Shared_inserter<d>::find_owners(const typename Inserter<d>::Cells& cells, std::span<const std::uint8_t> part,
+                                     int threads) {
+    constexpr std::size_t run = 1U << 14;
+    constexpr Territory::Owner no_one = Territory::no_one;
+    owner_.resize(cells.room());
+    for_each_run(cells.used, run, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t c = first; c < last; ++c) {
+            const auto& vertices = cells.cells[c].vertex;
+            const auto part_of = [&](Rank v) {
+                return static_cast<std::size_t>(v) < part.size() ? part[static_cast<std::size_t>(v)] : no_one;
+            };
+            const Territory::Owner owner = part_of(vertices[vertices[0] == cells.infinity ? 1 : 0]);
+            bool all = true;
+            for (const Rank v : vertices) all = all && (v == cells.infinity || part_of(v) == owner);
+            owner_[c] = all ? owner : no_one;
+        }
+    });
+}
+
 /// Looks for places to start from. While threads do so nothing changes.
 template <int d>
 void Shared_inserter<d>::settle(std::size_t k, const Inserter<d>& alone, std::atomic<std::size_t>& unused) {
     Part& part = parts_[k];
     Inserter<d>& inserter = inserters_[k];
-    inserter.settle({owner_, std::uint32_t{1} << k, &unused}, alone);
+    inserter.settle({owner_.data(), static_cast<Territory::Owner>(k), &unused}, alone);
     part.starts.clear();
     part.settled = false;
     for (std::size_t i = 0; i < part.pending.size(); i += stretch) {

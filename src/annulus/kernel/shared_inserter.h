@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/kernel/default_init_vector.h>
 #include <annulus/kernel/inserter.h>
 #include <annulus/kernel/territory.h>
 
@@ -17,7 +18,7 @@ template <int d>
 class Shared_inserter {
   public:
     using Rank = typename Inserter<d>::Rank;
-    static constexpr std::size_t most_parts = 32;  ///< owners are bits
+    static constexpr std::size_t most_parts = 64;
 
     /// Inserts those of `pending` whose insertion changes no more than one territory, and leaves the others in it.
     /// `part` says by vertex whose territory it is in, for those that `alone` has inserted and those pending. These are
@@ -35,12 +36,13 @@ class Shared_inserter {
     };
     static constexpr std::size_t stretch = 256;
 
+    void find_owners(const typename Inserter<d>::Cells& cells, std::span<const std::uint8_t> part, int threads);
     void settle(std::size_t k, const Inserter<d>& alone, std::atomic<std::size_t>& unused);
     void insert_at_home(std::size_t k);
 
     std::vector<Inserter<d>> inserters_;
     std::vector<Part> parts_;
-    std::vector<std::uint32_t> owner_;  // by vertex (Territory)
+    Default_init_vector<Territory::Owner> owner_;  // by cell
 };
 
 extern template class Shared_inserter<2>;
