@@ -87,9 +87,11 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
         for (auto it = home.rbegin(); it != home.rend(); ++it) x[at(it->first)] = it->second;
         const std::vector<Point> old = x;
         for (const auto& [i, k] : movers) x[at(i)] = points[k];
+        // Those that were reinserted go too far for flips, be they all of a timestamp.
+        const bool far = 2 * report.moves.reinserted > home.size();
         report.moves = {};
         try {
-            if (too_dear && upkeep_->goes_in_turn()) rebuild_all(x, report);
+            if (too_dear && (far || upkeep_->goes_in_turn())) rebuild_all(x, report);
             else move_everything(x, report);
         } catch (const Error&) {
             Move_report nobody_asked;

@@ -58,7 +58,13 @@ template <int d>
 void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     if (odometers_.kept() || means_ == Means::signs || !tracking_.settles_for_single_move(mesh_.vertices())) {
         stop_rebuilding();
+        const std::uint64_t calm = report.moves.kept_in_place + report.moves.within_tolerance;
         move_one(v, p, report);
+        if (odometers_.kept()) {
+            if (tracking_.end_single(mesh_.vertices())) stop_tracking();
+        } else {
+            tracking_.note_single(report.moves.kept_in_place + report.moves.within_tolerance > calm);
+        }
         return;
     }
     settle(position_, report);

@@ -27,7 +27,7 @@ struct Prices<2> {
     static constexpr double filter = 0.7;         // a sign by itself
     static constexpr double interval = 10.0;
     static constexpr double exact = 70.0;
-    static constexpr double reinsertion = 570.0;  // of a vertex
+    static constexpr double reinsertion = 700.0;  // of a vertex, besides what is evaluated
     static constexpr double border = 0.3;         // a facet of it, when it is walked along
     // Each, with tolerances:
     static constexpr double failure = 4.5;
@@ -53,7 +53,7 @@ struct Prices<3> {
     static constexpr double filter = 1.2;
     static constexpr double interval = 26.0;
     static constexpr double exact = 170.0;
-    static constexpr double reinsertion = 3500.0;
+    static constexpr double reinsertion = 2800.0;
     static constexpr double border = 4.0;
     static constexpr double failure = 25.0;
     static constexpr double evaluation = 6.0;

@@ -80,29 +80,44 @@ bool Repair<d>::mend_all(Step<d>& step, std::span<const Coordinates<d>> old) {
 
 template <int d>
 bool Repair<d>::mend_one(Step<d>& step, std::span<Coordinates<d>> x) {
-    if (collides(step)) throw Error(Error_code::collision, "another vertex is at that position");
     Budget& budget = step.budget;
-    const double limit = std::exchange(budget.limit, std::min(budget.limit, budget.spent + Prices<d>::reinsertion));
-    const bool mended = mend(step, {x, {}, step.mover, step.home});
-    budget.limit = limit;
-    if (mended) return true;
+    const double price = reinsertion_price(step.mover);
+    // Where many of its cells turn over, holding back and flips cost more than that, and lead nowhere half of the time.
+    constexpr double share = d == 2 ? 0.3 : 0.5;
+    const bool far = Prices<d>::inverted * static_cast<double>(turned_over(step)) > share * price;
+    if (!far) {
+        // Otherwise reinsertion meets the other vertex, or the rebuild does.
+        if (collides(step)) throw Error(Error_code::collision, "another vertex is at that position");
+        const double limit = std::exchange(budget.limit, std::min(budget.limit, budget.spent + Prices<d>::reinsertion));
+        const bool mended = mend(step, {x, {}, step.mover, step.home});
+        budget.limit = limit;
+        if (mended) return true;
+    }
     const Coordinates<d> goal = std::exchange(x[at(step.mover)], step.home);
     const std::vector<Cell_index>& touched = mender_.result().touched;
     mesh_.restore_cells(x, touched, step.renumbered);
     budget.charge(Prices<d>::flip * static_cast<double>(touched.size()));
-    const double price = reinsertion_price(step.mover);
     if (price <= Chooser<d>::most_generous_rebuild(mesh_.vertices()) && reinsert(step, x, goal, price)) return true;
     x[at(step.mover)] = goal;
     return false;
+}
+
+/// The cells of the mover that are inverted where it went, as far as was looked.
+template <int d>
+std::size_t Repair<d>::turned_over(const Step<d>& step) {
+    if (step.scope != Scope::expired) return signs_.inverted().size();
+    return static_cast<std::size_t>(std::count_if(checker_.cells().begin(), checker_.cells().end(),
+                                                  [this](const auto& s) { return checker_.is_violated(s); }));
 }
 
 /// Of taking v out and putting it back in: the gap is filled with the triangulation of its neighbours, which in the plane
 /// takes the square of their number where it goes badly.
 template <int d>
 double Repair<d>::reinsertion_price(Index v) const {
+    constexpr double filled = d == 2 ? 22.5 : 100.0;
     double cells = 0.0;
     mesh_.table().for_each_corner(v, [&cells](Corner_index) { ++cells; });
-    const double filling = d == 2 ? Prices<d>::insertion * cells + 0.05 * cells * cells : Prices<d>::insertion * cells;
+    const double filling = d == 2 ? filled * cells + 0.05 * cells * cells : filled * cells;
     return std::max(Prices<d>::reinsertion, filling);
 }
 
@@ -117,7 +132,7 @@ bool Repair<d>::reinsert(Step<d>& step, std::span<Coordinates<d>> x, const Coord
         std::erase_if(step.renumbered, gone);
         throw;
     }
-    step.budget.charge(price + Prices<d>::flip * static_cast<double>(changed.size()));
+    step.budget.charge(price);
     changed.insert(changed.end(), step.renumbered.begin(), step.renumbered.end());
     std::erase_if(changed, gone);
     step.reinserted.assign(1, step.mover);

@@ -68,6 +68,7 @@ class Repair {
     [[nodiscard]] bool holds_after_mending(Step<d>& step, const Mending& mending);
     [[nodiscard]] bool reinsert(Step<d>& step, std::span<Coordinates<d>> x, const Coordinates<d>& goal, double price);
     [[nodiscard]] bool collides(Step<d>& step);
+    [[nodiscard]] std::size_t turned_over(const Step<d>& step);
     [[nodiscard]] double reinsertion_price(Index v) const;
     void count(Step<d>& step, const Stage_counts& evaluated);
 

@@ -87,11 +87,22 @@ void Tracking<d>::reconsider(const Cell_table<d>& table, Checker<d>& checker, st
     release(displacement_);
 }
 
-/// Signs around one vertex cost a thousandth of settling, which then pays for those to come (rent or buy).
+/// Signs around one vertex cost a thousandth of settling, which then pays for those to come (rent or buy). Moves that
+/// flips had to mend, or more, do not count: no tolerance lets them pass.
 template <int d>
-bool Tracking<d>::settles_for_single_move(std::size_t vertices) {
+bool Tracking<d>::settles_for_single_move(std::size_t vertices) const {
     constexpr std::uint64_t share = 64;
-    return share * ++single_moves_ > vertices;
+    return share * (calm_moves_ + 1) > vertices;
+}
+
+/// What they cost above what signs would have, as for timestamps.
+template <int d>
+bool Tracking<d>::end_single(std::size_t vertices) {
+    const double price =
+        Prices<d>::failure * static_cast<double>(failures_) + Prices<d>::evaluation * static_cast<double>(evaluated_);
+    overdraft_ = std::max(0.0, overdraft_ + price - Prices<d>::star);
+    failures_ = evaluated_ = 0;
+    return overdraft_ > Prices<d>::settling * static_cast<double>(vertices);
 }
 
 template <int d>
@@ -105,7 +116,7 @@ template <int d>
 void Tracking<d>::stopped() {
     settles_next_ = false;
     untracked_ = 0;
-    single_moves_ = 0;
+    calm_moves_ = 0;
 }
 
 template class Tracking<2>;

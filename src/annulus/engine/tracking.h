@@ -43,7 +43,11 @@ class Tracking {
     [[nodiscard]] bool take_settling() { return std::exchange(settles_next_, false); }
 
     /// A vertex moves alone without tolerances: whether to settle for it and those to come.
-    [[nodiscard]] bool settles_for_single_move(std::size_t vertices);
+    [[nodiscard]] bool settles_for_single_move(std::size_t vertices) const;
+    /// After that: `calm` when everything held where it went, as it has to within a tolerance.
+    void note_single(bool calm) { calm_moves_ += calm ? 1 : 0; }
+    /// A vertex moved alone, with tolerances: whether they have to be given up.
+    [[nodiscard]] bool end_single(std::size_t vertices);
 
     void settled();
     void stopped();
@@ -56,7 +60,7 @@ class Tracking {
     std::uint64_t evaluated_ = 0;               // certificates, for these
     double overdraft_ = 0.0;          // by which tolerances cost more than signs since the last settling
     std::uint64_t untracked_ = 0;     // timestamps since they were given up
-    std::uint64_t single_moves_ = 0;  // since then
+    std::uint64_t calm_moves_ = 0;    // since then, of vertices alone
     bool settles_next_ = false;
 };
 
