@@ -183,3 +183,45 @@ TEMPLATE_TEST_CASE_SIG("The kernel names two points at one place, dimension", "[
     }
     check<d>(builder, good);  // its buffers are none the worse
 }
+
+TEMPLATE_TEST_CASE_SIG("The kernel's cells have the same numbers with any number of threads, dimension", "[kernel]",
+                       ((int d), d), 2, 3) {
+    constexpr std::size_t many = d == 2 ? 20000 : 60000;  // rounds of several threads, in space with a second pass
+    Builder<d> builder;
+    std::vector<Index> all(many);
+    std::iota(all.begin(), all.end(), Index{0});
+    const auto said = [&](std::span<const Coordinates<d>> x, int threads) {
+        REQUIRE(builder.build(x, all, threads));
+        Cell_table<d> table;
+        builder.copy_to(table, x.size(), threads);
+        REQUIRE(glued(table));
+        std::vector<Index> numbers;
+        for (const Cell_index c : table.cells())
+            for (int i = 0; i <= d; ++i) {
+                numbers.push_back(table.vertex(table.corner(c, i)));
+                numbers.push_back(table.twin(table.corner(c, i)).value());
+            }
+        for (Index v = 0; v < table.vertex_bound(); ++v) numbers.push_back(table.corner_of(v).value());
+        numbers.push_back(table.corner_of_infinity().value());
+        return numbers;
+    };
+    for (const std::string_view family : {"uniform", "clusters", "faces"}) {
+        CAPTURE(d, family);
+        const bench::Scene<d> scene(family, "walk", many, 0.1, 1);
+        const auto alone = said(scene.points(), 1);
+        for (const int threads : {2, 5}) CHECK((said(scene.points(), threads) == alone));
+    }
+    const bench::Scene<d> scene("uniform", "walk", many, 0.1, 1);
+    std::vector<Coordinates<d>> x(scene.points().begin(), scene.points().end());
+    x[12000] = x[17] = x[19000];
+    const auto named = [&](int threads) {
+        try {
+            (void)builder.build(x, all, threads);
+        } catch (const Error& e) {
+            return std::vector(e.vertices().begin(), e.vertices().end());
+        }
+        return std::vector<std::int64_t>();
+    };
+    CHECK(named(1).size() == 2);
+    CHECK(named(3) == named(1));
+}

@@ -15,6 +15,8 @@ struct Wide_horizons {
     static constexpr std::int32_t cells = std::int32_t{1} << 29;
     /// Vertices, checked at the door. In the plane cells come first.
     static constexpr std::size_t vertices = std::size_t{1} << 29;
+    /// Vertices of a round of insertion that are worth a thread (Builder).
+    static constexpr std::size_t shared_part = 4096;
     /// Steps that stamps tell apart; then all stamps are cleared and counting starts anew.
     static constexpr std::uint32_t stamps = std::numeric_limits<std::uint32_t>::max();
     /// Certificates that a vertex lists by name; what else it has is below one bound for all (Expiry_list).
@@ -33,6 +35,7 @@ struct Tiny_horizons {
     static constexpr bool tiny = true;
     static inline std::int32_t cells = std::int32_t{1} << 29;
     static inline std::size_t vertices = std::size_t{1} << 29;
+    static constexpr std::size_t shared_part = 4;
     static constexpr std::uint32_t stamps = 3;
     [[nodiscard]] static constexpr std::size_t listed(int d) { return d == 2 ? 1 : 2; }
     static constexpr std::uint32_t half_mask = 0xFFFE0000;

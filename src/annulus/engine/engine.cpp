@@ -23,6 +23,7 @@ Engine<d>::Engine(Delaunay_mesh<d>& mesh, const Options& options, std::unique_pt
     require_sound_environment();
     if (options.threads < 1)
         throw Error(Error_code::usage, "threads must be 1 or more, not " + std::to_string(options.threads));
+    mesh_.set_threads(options.threads);
 }
 
 template <int d>

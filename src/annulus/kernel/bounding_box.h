@@ -26,6 +26,15 @@ struct Bounding_box {
             }
         }
     }
+    /// That of the points multiplied by a power of two, which rounds none of them.
+    [[nodiscard]] Bounding_box scaled(double factor) const {
+        Bounding_box box = *this;
+        for (std::size_t c = 0; c < d; ++c) {
+            box.low[c] *= factor;
+            box.high[c] *= factor;
+        }
+        return box;
+    }
     /// Its longest side; 0 when all points are at one place, or there are none.
     [[nodiscard]] double extent() const {
         double longest = 0;

@@ -3,56 +3,65 @@
 #include <annulus/kernel/builder.h>
 
 #include <annulus/kernel/axis_across.h>
-#include <annulus/kernel/bounding_box.h>
+#include <annulus/mesh/parallel_runs.h>
 #include <annulus/mesh/walk.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <string>
 #include <tuple>
 #include <utility>
 
 namespace annulus {
 
-template <int d>
-void Builder<d>::throw_too_large() {
-    throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::cells) + " cells");
+namespace {
+constexpr std::size_t run = 1U << 14;  // vertices, or cells, of one thread at once
 }
 
+/// Scaled by a power of two that makes `extent` nearly 1, where that rounds none of them: where it does, the filter
+/// just knows less.
 template <int d>
-void Builder<d>::take_positions(std::span<const Coordinates<d>> x) {
+double Builder<d>::take_positions(std::span<const Coordinates<d>> x, double extent, int threads) {
     const std::size_t n = order_.size();
-    sites_.resize(n + 1);
-    infinity_ = static_cast<Rank>(n);
-    sites_[n].x = {};
-    for (std::size_t r = 0; r < n; ++r) sites_[r].x = x[static_cast<std::size_t>(order_[r])];
-    scale_positions(Bounding_box<d>(x, order_).extent());
-    grid_.resize(n);
-    for (std::size_t r = 0; r < n; ++r) grid_[r] = grid_scale<d>(sites_[r].x);
+    cells_.sites.resize(n + 1);
+    cells_.infinity = static_cast<Rank>(n);
+    cells_.sites[n] = {};
+    const int shift = extent > 0 ? -std::ilogb(extent) : 0;
+    const double scale = std::ldexp(1.0, shift);
+    if (std::abs(shift) <= 1000 && copy_scaled(x, scale, std::ldexp(1.0, -shift), threads)) return scale;
+    (void)copy_scaled(x, 1.0, 1.0, threads);
+    return 1.0;
 }
 
-/// By a power of two that makes `extent` nearly 1, where that rounds none of them: where it does, the filter just knows
-/// less.
+/// Whether none was rounded.
 template <int d>
-void Builder<d>::scale_positions(double extent) {
-    const std::size_t n = static_cast<std::size_t>(infinity_);
-    if (!(extent > 0)) return;
-    const int shift = -std::ilogb(extent);
-    if (shift == 0 || std::abs(shift) > 1000) return;
-    const double scale = std::ldexp(1.0, shift), back = std::ldexp(1.0, -shift);
-    for (std::size_t r = 0; r < n; ++r)
-        for (const double c : sites_[r].x)
-            if (c * scale * back != c) return;
-    for (std::size_t r = 0; r < n; ++r)
-        for (double& c : sites_[r].x) c *= scale;
+bool Builder<d>::copy_scaled(std::span<const Coordinates<d>> x, double scale, double back, int threads) {
+    std::atomic<bool> all{true};
+    for_each_run(order_.size(), run, threads, [&](std::size_t first, std::size_t last) {
+        bool exact = true;
+        for (std::size_t r = first; r < last; ++r) {
+            const Coordinates<d>& p = x[static_cast<std::size_t>(order_[r])];
+            auto& site = cells_.sites[r];
+            for (std::size_t c = 0; c < d; ++c) {
+                site.x[c] = p[c] * scale;
+                exact = exact && site.x[c] * back == p[c];
+            }
+            site.grid = grid_scale<d>(site.x);
+        }
+        if (!exact) all = false;
+    });
+    return all;
 }
 
 /// d + 1 vertices that span the space, the first ones that there are, in positive order. False: there are none.
 template <int d>
-bool Builder<d>::find_simplex(std::array<Rank, corners>& simplex) const {
+bool Builder<d>::find_simplex() {
+    Simplex& simplex = simplex_;
+    const auto at = [this](Rank v) -> const Coordinates<d>& { return cells_.at(v); };
+    const Rank infinity = cells_.infinity;
     simplex[0] = 0;
     std::size_t found = 1;
-    for (Rank v = 1; v < infinity_ && found <= d; ++v) {
+    for (Rank v = 1; v < infinity && found <= d; ++v) {
         simplex[found] = v;
         if (found == 1) {
             found += at(v) != at(0) ? 1U : 0U;
@@ -71,64 +80,69 @@ bool Builder<d>::find_simplex(std::array<Rank, corners>& simplex) const {
 
 /// The simplex, and the cells at infinity behind its facets.
 template <int d>
-void Builder<d>::first_cells(const std::array<Rank, corners>& simplex) {
-    free_.clear();
-    ridges_.begin(static_cast<std::size_t>(infinity_) + 1);
-    constexpr std::size_t expected = d == 2 ? 2 : 7, more = 64;  // cells a vertex
-    const std::size_t room = expected * static_cast<std::size_t>(infinity_) + more;
-    if (bound_.size() < room) grow_cells(room);
-    used_ = corners + 1;
-    cells_[0].vertex = simplex;
+void Builder<d>::first_cells() {
+    constexpr std::size_t expected = d == 2 ? 2 : 7;  // cells a vertex; threads leave some unused
+    auto& cells = cells_.cells;
+    cells_.make_room(expected * order_.size() + order_.size() / 8 + 64);
+    cells_.used = corners + 1;
+    cells[0].vertex = simplex_;
     for (std::size_t i = 0; i <= d; ++i) {
         // Infinity beyond the facet makes the simplex negative; an even number of exchanges takes it out of slot 0.
-        auto& w = cells_[i + 1].vertex = simplex;
-        w[i] = infinity_;
+        auto& w = cells[i + 1].vertex = simplex_;
+        w[i] = cells_.infinity;
         std::swap(w[i == 0 ? 1 : 0], w[i == d ? d - 1 : d]);
         if (i == 0) {
             std::swap(w[0], w[1]);
             std::swap(w[d - 1], w[d]);
         }
     }
-    const auto facet = [this](Cell c, std::size_t slot) {
-        auto w = cells_[c].vertex;
+    const auto facet = [&cells](Cell c, std::size_t slot) {
+        auto w = cells[c].vertex;
         w[slot] = -1;
         std::sort(w.begin(), w.end());
         return w;
     };
-    for (Cell c = 0; c < used_; ++c) {
-        for (Cell other = 0; other < used_; ++other)
+    for (Cell c = 0; c < cells_.used; ++c) {
+        for (Cell other = 0; other < cells_.used; ++other)
             for (std::size_t i = 0; i <= d; ++i)
                 for (std::size_t j = 0; j <= d; ++j)
                     if (c != other && facet(c, i) == facet(other, j))
-                        cells_[c].across[i] = 4 * other + static_cast<Half_facet>(j);
-        const Coordinates<d>& p = at(cells_[c].vertex[0]);
+                        cells[c].across[i] = 4 * other + static_cast<std::uint32_t>(j);
+        const Coordinates<d>& p = cells_.at(cells[c].vertex[0]);
         std::array<Lifted<d>, static_cast<std::size_t>(d)> l;
-        for (std::size_t k = 0; k < d; ++k) l[k] = lifted(cells_[c].vertex[k + 1], p);
-        cells_[c].sphere = std::apply([&](const auto&... b) { return kept_sphere(b..., bound_[c]); }, l);
+        for (std::size_t k = 0; k < d; ++k) l[k] = cells_.lifted(cells[c].vertex[k + 1], p);
+        cells[c].sphere = std::apply([&](const auto&... b) { return kept_sphere(b..., cells_.bound(c)); }, l);
     }
+    inserter_.begin(cells_);
 }
 
+/// First with half-facets as they are named here, since numbers of cells are known only when all have one.
 template <int d>
-void Builder<d>::number_cells() {
-    if (number_.size() < used_) number_.resize(used_);
-    for (std::size_t c = 0; c < used_; ++c) {
-        number_[c] = count_;
-        count_ += bound_[c] > 0 ? 1U : 0U;
-    }
-    if (count_ > static_cast<std::size_t>(Horizons::cells)) throw_too_large();
-}
-
-template <int d>
-void Builder<d>::copy_to(Cell_table<d>& table, std::size_t bound) const {
-    table.reserve(bound, count_);
-    table.clear(bound, count_);
-    for_each_cell([&table](Cell_index c, const Cell_points<d>& vertices, const auto& twins) {
-        for (int i = 0; i <= d; ++i) {
-            table.set_vertex_only(table.corner(c, i), vertices[static_cast<std::size_t>(i)]);
-            table.set_twin_only(table.corner(c, i), twins[static_cast<std::size_t>(i)]);
-        }
+void Builder<d>::copy_to(Cell_table<d>& table, std::size_t bound, int threads) {
+    const std::size_t count = cell_order_.group(cells_, threads);
+    table.reserve(bound, count);
+    table.start_over(bound, count);
+    const auto note = [&table](Cell_index c, const Cell_points<d>& vertices) {
+        for (int i = 0; i <= d; ++i) table.set_corner(vertices[static_cast<std::size_t>(i)], table.corner(c, i));
+    };
+    cell_order_.number(cells_, threads, [&](std::size_t k, const Simplex& ranks, const auto& across) {
+        const Cell_index c(static_cast<Index>(k));
+        const Cell_points<d> vertices = named(ranks);
+        std::array<Corner_index, corners> twins;
+        for (std::size_t i = 0; i <= d; ++i) twins[i] = Corner_index(static_cast<Index>(across[i]));
+        table.set_cell(c, vertices, twins);
+        if (threads == 1) note(c, vertices);
     });
-    table.note_corners();
+    for_each_run(count, run, threads, [&](std::size_t first, std::size_t last) {
+        for (Cell_index c(static_cast<Index>(first)); c.offset() < last; ++c)
+            for (int i = 0; i <= d; ++i) {
+                const Corner_index h = table.corner(c, i);
+                table.set_twin_only(h, Corner_index(static_cast<Index>(
+                                           cell_order_.renamed(static_cast<std::uint32_t>(table.twin(h).value())))));
+            }
+    });
+    if (threads == 1) return;
+    for (const Cell_index c : table.cells()) note(c, cell_points(table, c));
 }
 
 template class Builder<2>;

@@ -34,8 +34,8 @@ std::vector<Index> Delaunay_mesh<d>::living() const {
 
 template <int d>
 void Delaunay_mesh<d>::rebuild(std::span<const Coordinates<d>> x) {
-    if (kernel_.build(x, living())) {
-        kernel_.copy_to(table_, x.size());
+    if (kernel_.build(x, living(), threads_)) {
+        kernel_.copy_to(table_, x.size(), threads_);
         basis_.clear();
         dimension_ = d;
         return;
@@ -84,7 +84,7 @@ template <int d>
 void Delaunay_mesh<d>::replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made) {
     if (!kernel_.build(x, living())) throw std::logic_error("points that had cells are flat");
     std::vector<Cell_points<d>> cells;
-    kernel_.for_each_cell([&cells](Cell_index, const Cell_points<d>& v, const auto&) { cells.push_back(v); });
+    kernel_.for_each_cell([&cells](const Cell_points<d>& v) { cells.push_back(v); });
     std::vector<Cell_index> old;
     for (const Cell_index c : table_.cells()) old.push_back(c);
     replace_cells<d>(table_, old, cells, made);

@@ -36,6 +36,8 @@ class Delaunay_mesh {
     /// Whether v is in the triangulation. Precondition: v is below the bound.
     [[nodiscard]] bool has(Index v) const { return present_[at(v)] != 0; }
 
+    /// By at most how many threads everything is built; the result does not depend on it.
+    void set_threads(int threads) { threads_ = threads; }
     /// Builds from nothing; vertex i is x[i]. Throws Error(collision) naming the pair when two points are equal,
     /// Error(too_large). Expected O(n).
     void build(std::span<const Coordinates<d>> x);
@@ -112,6 +114,7 @@ class Delaunay_mesh {
     std::size_t vertices_ = 0;
     int dimension_ = -1;
     std::vector<Index> basis_;  // affinely independent vertices that span what all do, where that is a hyperplane or less
+    int threads_ = 1;
     Builder<d> kernel_;
     Local_delaunay<d> local_{table_};
     Landmarks<d> landmarks_;

@@ -50,26 +50,24 @@ void triangles(std::span<const Coordinates<3>> x, std::vector<Index> vertices, s
     with_apex.push_back(apex);
     vertices.push_back(top);
     Builder<3> builder;
-    (void)builder.build(with_apex, std::move(vertices));
-    const auto slot_of_top = [top](const Cell_points<3>& v) {
-        return static_cast<std::size_t>(std::find(v.begin(), v.end(), top) - v.begin());
-    };
-    By_cell<Index> number(builder.number_of_cells(), none);
+    (void)builder.build(with_apex, vertices);
+    Cell_table<3> table;
+    builder.copy_to(table, with_apex.size());
+    By_cell<Index> number(table.cell_bound().offset(), none);
     Index count = 0;
-    builder.for_each_cell([&](Cell_index c, const Cell_points<3>& v, const auto&) {
-        if (slot_of_top(v) < 4) number[c] = count++;
-    });
-    builder.for_each_cell([&](Cell_index, const Cell_points<3>& v, const auto& twins) {
-        const std::size_t slot = slot_of_top(v);
-        if (slot == 4) return;
+    for (const Cell_index c : table.cells())
+        if (table.slot(c, top) >= 0) number[c] = count++;
+    for (const Cell_index c : table.cells()) {
+        const int slot = table.slot(c, top);
+        if (slot < 0) continue;
         auto& corners = out.vertices.emplace_back();
         auto& beyond = out.neighbours.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto corner = static_cast<std::size_t>(facing_corners[slot][k]);
-            corners[k] = v[corner];
-            beyond[k] = number[Cell_table<3>::cell_of(twins[corner])];
+            const Corner_index h = table.corner(c, facing_corners[static_cast<std::size_t>(slot)][k]);
+            corners[k] = table.vertex(h);
+            beyond[k] = number[table.cell_of(table.twin(h))];
         }
-    });
+    }
 }
 
 }  // namespace

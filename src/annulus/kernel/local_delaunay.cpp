@@ -129,8 +129,7 @@ bool Local_delaunay<d>::triangulate(std::span<const Coordinates<d>> x) {
         if (e.code() != Error_code::collision) throw;
         return false;
     }
-    cells_.reserve(builder_.number_of_cells());
-    builder_.for_each_cell([this](Cell_index, const Points& vertices, const auto&) { cells_.push_back(vertices); });
+    builder_.for_each_cell([this](const Points& vertices) { cells_.push_back(vertices); });
     return true;
 }
 

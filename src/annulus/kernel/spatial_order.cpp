@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/kernel/spatial_order.h>
 
-#include <annulus/kernel/bounding_box.h>
+#include <annulus/mesh/parallel_runs.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 namespace annulus {
 
@@ -63,31 +64,6 @@ struct Hilbert_curve {
 template <int d>
 constexpr Hilbert_curve<d> hilbert_curve;
 
-struct Keyed {
-    std::uint64_t key;
-    Index vertex;
-};
-
-/// Stable, by keys of `bits` bits, 11 at a time.
-void radix_sort(std::vector<Keyed>& a, std::vector<Keyed>& other, int bits) {
-    constexpr std::size_t few = 512;  // to sort them costs less than to count 2,048 digits
-    if (a.size() < few) {
-        std::stable_sort(a.begin(), a.end(), [](const Keyed& l, const Keyed& r) { return l.key < r.key; });
-        return;
-    }
-    constexpr int digit = 11;
-    constexpr std::uint64_t mask = (1U << digit) - 1;
-    other.resize(a.size());
-    for (int shift = 0; shift < bits; shift += digit) {
-        std::array<std::size_t, (1U << digit) + 1> begin{};
-        for (const Keyed& k : a) ++begin[((k.key >> shift) & mask) + 1];
-        if (std::find(begin.begin(), begin.end(), a.size()) != begin.end()) continue;  // all have the same digit
-        for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-        for (const Keyed& k : a) other[begin[(k.key >> shift) & mask]++] = k;
-        a.swap(other);
-    }
-}
-
 /// The finalizer of MurmurHash3: every bit of the result depends on every bit of x.
 std::uint64_t mixed(std::uint64_t x) {
     x = (x ^ (x >> 33)) * 0xff51afd7ed558ccdULL;
@@ -112,40 +88,94 @@ class Rounds {
     int last_ = 0;
 };
 
+}  // namespace
+
+/// Stable, by keys of `bits` bits, 11 at a time. Threads count the digits of a run each, and put it in its places.
 template <int d>
-void sort_along_curve(std::span<const Coordinates<d>> x, std::span<Index> vertices, bool in_rounds) {
-    constexpr std::size_t least_run = 4, first_round = 64;
+void Spatial_order<d>::sort_by_key(Keys& a, Keys& other, int bits, int threads) {
+    constexpr std::size_t few = 512;  // to sort them costs less than to count 2,048 digits
+    if (a.size() < few) {
+        std::stable_sort(a.begin(), a.end(), [](const Keyed& l, const Keyed& r) { return l.key < r.key; });
+        return;
+    }
+    constexpr int digit = 11;
+    constexpr std::size_t digits = 1U << digit, least_run = 1U << 15;
+    const std::size_t runs = std::clamp(a.size() / least_run, std::size_t{1}, static_cast<std::size_t>(threads));
+    const std::size_t length = (a.size() + runs - 1) / runs;
+    std::vector<std::array<std::size_t, digits>> places(runs);
+    other.resize(a.size());
+    for (int shift = 0; shift < bits; shift += digit) {
+        const auto digit_of = [shift](const Keyed& k) { return (k.key >> shift) & (digits - 1); };
+        for_each_run(a.size(), length, threads, [&](std::size_t first, std::size_t last) {
+            auto& count = places[first / length];
+            count.fill(0);
+            for (std::size_t i = first; i < last; ++i) ++count[digit_of(a[i])];
+        });
+        std::size_t sum = 0;
+        for (std::size_t k = 0; k < digits; ++k)
+            for (auto& place : places) sum += std::exchange(place[k], sum);
+        for_each_run(a.size(), length, threads, [&](std::size_t first, std::size_t last) {
+            auto& place = places[first / length];
+            for (std::size_t i = first; i < last; ++i) other[place[digit_of(a[i])]++] = a[i];
+        });
+        a.swap(other);
+    }
+}
+
+template <int d>
+void Spatial_order<d>::sort_along_curve(std::span<const Coordinates<d>> x, const Bounding_box<d>& around,
+                                        std::span<Index> vertices, bool in_rounds, int threads, Keys& keys, Keys& other,
+                                        int& place_bits) {
+    constexpr std::size_t least_run = 4, first_round = 64, run = 1U << 14;
     const std::size_t n = vertices.size();
-    const Bounding_box<d> around(x, vertices);
     const double extent = around.extent();
-    if (!(extent > 0)) return;
     const int bits = d == 3 ? (n < 100'000 ? 12 : 17) : (n < 100'000 ? 11 : n < 2'000'000 ? 14 : 16);
     const double boxes = static_cast<double>(1U << bits) - 0.5;
     const Rounds rounds(in_rounds ? n : 0, first_round);
-    std::vector<Keyed> keyed(n), other;
-    for (std::size_t i = 0; i < n; ++i) {
-        std::array<std::uint32_t, d> box{};
-        for (std::size_t c = 0; c < d; ++c)
-            box[c] = static_cast<std::uint32_t>((x[static_cast<std::size_t>(vertices[i])][c] - around.low[c]) /
-                                                extent * boxes);
-        keyed[i] = {rounds.of(vertices[i]) << (d * bits) | hilbert_curve<d>.key(box, bits), vertices[i]};
-    }
-    radix_sort(keyed, other, d * bits + rounds.bits());
-    for (std::size_t i = 0; i < n; ++i) vertices[i] = keyed[i].vertex;
+    place_bits = d * bits;
+    keys.resize(n);
+    for_each_run(n, run, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Coordinates<d>& p = x[static_cast<std::size_t>(vertices[i])];
+            std::array<std::uint32_t, d> box{};
+            if (extent > 0)
+                for (std::size_t c = 0; c < d; ++c)
+                    box[c] = static_cast<std::uint32_t>((p[c] - around.low[c]) / extent * boxes);
+            keys[i] = {rounds.of(vertices[i]) << (d * bits) | hilbert_curve<d>.key(box, bits), vertices[i]};
+        }
+    });
+    if (!(extent > 0)) return;
+    sort_by_key(keys, other, d * bits + rounds.bits(), threads);
+    for_each_run(n, run, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) vertices[i] = keys[i].vertex;
+    });
     for (std::size_t i = 0, end = 0; i < n; i = end) {
-        for (end = i + 1; end < n && keyed[end].key == keyed[i].key;) ++end;
-        if (end - i > least_run) sort_along_curve<d>(x, vertices.subspan(i, end - i), false);
+        for (end = i + 1; end < n && keys[end].key == keys[i].key;) ++end;
+        if (end - i <= least_run) continue;
+        const auto equal = vertices.subspan(i, end - i);
+        Keys of_equal, more;
+        int own_bits = 0;
+        sort_along_curve(x, Bounding_box<d>(x, equal), equal, false, 1, of_equal, more, own_bits);
     }
 }
-
-}  // namespace
 
 template <int d>
-void spatial_order(std::span<const Coordinates<d>> x, std::vector<Index>& vertices) {
-    sort_along_curve<d>(x, vertices, true);
+std::uint64_t Spatial_order<d>::moved_place(const Coordinates<d>& p, const Bounding_box<d>& around, double moved) {
+    constexpr int bits = 16;
+    constexpr double boxes = (1U << bits) - 0.5;
+    std::array<std::uint32_t, d> box;
+    for (std::size_t c = 0; c < d; ++c)
+        box[c] = static_cast<std::uint32_t>(((p[c] - around.low[c]) / around.extent() + moved) / 2 * boxes);
+    return hilbert_curve<d>.key(box, bits);
 }
 
-template void spatial_order<2>(std::span<const Coordinates<2>>, std::vector<Index>&);
-template void spatial_order<3>(std::span<const Coordinates<3>>, std::vector<Index>&);
+template <int d>
+void Spatial_order<d>::sort(std::span<const Coordinates<d>> x, const Bounding_box<d>& around, std::span<Index> vertices,
+                            int threads) {
+    sort_along_curve(x, around, vertices, true, threads, keyed_, other_, bits_);
+}
+
+template class Spatial_order<2>;
+template class Spatial_order<3>;
 
 }  // namespace annulus

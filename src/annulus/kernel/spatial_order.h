@@ -2,23 +2,56 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
+#include <annulus/kernel/bounding_box.h>
+#include <annulus/kernel/default_init_vector.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace annulus {
 
-/// Puts vertices, given as indices of points x, in the order in which Builder inserts them.
+/// The order in which Builder inserts vertices. Memory is kept from one call to the next.
 ///
 /// A biased randomized insertion order (Amenta, Choi, Rote, SoCG 2003): rounds, each eight times as large as the one
 /// before, whose members are told by a hash of the index; within a round along a Hilbert curve. Without rounds points
 /// on few lines or spheres would make cavities that grow with n. Points whose keys on the curve are equal are sorted
 /// again in a box of their own, so clusters of any scale are resolved; points at one place keep the order of
-/// `vertices`. The order depends on indices and positions alone. Expected O(n).
+/// `vertices`. The order depends on indices and positions alone.
 template <int d>
-void spatial_order(std::span<const Coordinates<d>> x, std::vector<Index>& vertices);
+class Spatial_order {
+  public:
+    /// Puts vertices, given as indices of points x with this bounding box, in order. Expected O(n).
+    void sort(std::span<const Coordinates<d>> x, const Bounding_box<d>& around, std::span<Index> vertices,
+              int threads = 1);
 
-extern template void spatial_order<2>(std::span<const Coordinates<2>>, std::vector<Index>&);
-extern template void spatial_order<3>(std::span<const Coordinates<3>>, std::vector<Index>&);
+    /// Of the vertex that is k-th now: its round, and its place on the curve (equal ones are near).
+    [[nodiscard]] std::uint64_t round(std::size_t k) const { return keyed_[k].key >> bits_; }
+    [[nodiscard]] std::uint64_t place(std::size_t k) const { return keyed_[k].key & ((std::uint64_t{1} << bits_) - 1); }
+
+    /// The place of p on another curve, through a box of twice the extent that begins `moved` times the extent before
+    /// the bounding box: its pieces have other borders. 0 <= moved <= 1; there are points at different places.
+    [[nodiscard]] static std::uint64_t moved_place(const Coordinates<d>& p, const Bounding_box<d>& around,
+                                                   double moved);
+
+  private:
+    struct Keyed {
+        std::uint64_t key;
+        Index vertex;
+    };
+    using Keys = Default_init_vector<Keyed>;
+
+    static void sort_by_key(Keys& keys, Keys& other, int bits, int threads);
+    static void sort_along_curve(std::span<const Coordinates<d>> x, const Bounding_box<d>& around,
+                                 std::span<Index> vertices, bool in_rounds, int threads, Keys& keys, Keys& other,
+                                 int& bits);
+
+    Keys keyed_, other_;
+    int bits_ = 0;  // of a place
+};
+
+extern template class Spatial_order<2>;
+extern template class Spatial_order<3>;
 
 }  // namespace annulus

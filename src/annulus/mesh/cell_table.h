@@ -130,9 +130,9 @@ class Cell_table {
 
     /// Starts afresh: no cells, `vertices` vertices none of which is in the triangulation.
     void clear(std::size_t vertices);
-    /// The same with room for this many cells, which have no vertices or twins yet. Throws Error(too_large).
-    void clear(std::size_t vertices, std::size_t cells);
-    /// Makes sure that clear(vertices, cells) will find its memory. Throws bad_alloc, with nothing changed.
+    /// The same with this many cells, for each of which set_cell is to follow. Throws Error(too_large).
+    void start_over(std::size_t vertices, std::size_t cells);
+    /// Makes sure that start_over(vertices, cells) will find its memory. Throws bad_alloc, with nothing changed.
     void reserve(std::size_t vertices, std::size_t cells) {
         vertex_.reserve(4 * cells);
         twin_.reserve(4 * cells);
@@ -148,15 +148,20 @@ class Cell_table {
         vertex_[h] = v;
         note_corner(v, h);
     }
-    /// The same of h alone, for several threads that set different ones at once. `note_corners` is to follow.
-    void set_vertex_only(Corner_index h, Index v) { vertex_[h] = v; }
-    /// The same of its twin.
-    void set_twin_only(Corner_index h, Corner_index t) { twin_[h] = t; }
-    /// Notes a corner for every vertex. Precondition: all cells exist. O(n).
-    void note_corners() {
-        for (Cell_index c(0); c < cell_bound(); ++c)
-            for (int i = 0; i <= d; ++i) note_corner(vertex(corner(c, i)), corner(c, i));
+    /// After start_over, for several threads that set different cells at once. set_corner of each vertex is to follow.
+    void set_cell(Cell_index c, const std::array<Index, static_cast<std::size_t>(d + 1)>& vertices,
+                  const std::array<Corner_index, static_cast<std::size_t>(d + 1)>& twins) {
+        Index* const v = &vertex_[corner(c, 0)];
+        Corner_index* const t = &twin_[corner(c, 0)];
+        for (std::size_t i = 0; i <= d; ++i) {
+            v[i] = vertices[i];
+            t[i] = twins[i];
+        }
     }
+    /// The same of a twin.
+    void set_twin_only(Corner_index h, Corner_index t) { twin_[h] = t; }
+    /// A corner of v, which may be `infinite`.
+    void set_corner(Index v, Corner_index h) { note_corner(v, h); }
     /// What is told before a place is written to; nullptr: nothing.
     void tell(Cell_journal<d>* journal) noexcept { journal_ = journal; }
     /// The same for a log, until drop_log() or as long as the table lives.
@@ -217,12 +222,15 @@ void Cell_table<d>::clear(std::size_t vertices) {
     corner_of_vertex_.assign(vertices, no_corner);
 }
 
+/// What was there is written over, not cleared before that. In the plane slot 3 is `none` for good.
 template <int d>
-void Cell_table<d>::clear(std::size_t vertices, std::size_t cells) {
+void Cell_table<d>::start_over(std::size_t vertices, std::size_t cells) {
     if (cells > static_cast<std::size_t>(Horizons::cells)) throw_too_large();
-    clear(vertices);
-    vertex_.assign(4 * cells, none);
-    twin_.assign(4 * cells, no_corner);
+    touch_everything();
+    free_cells_.clear();
+    corner_of_vertex_.assign(vertices, no_corner);
+    vertex_.resize(4 * cells, none);
+    twin_.resize(4 * cells, no_corner);
 }
 
 template <int d>

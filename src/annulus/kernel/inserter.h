@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/kernel/growing_cells.h>
+#include <annulus/kernel/ridges.h>
+#include <annulus/kernel/territory.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace annulus {
+
+/// Inserts vertices into Growing_cells: locate by a walk from where the last one went, find the cells whose sphere
+/// holds the vertex, replace them by cells between their border and the vertex. One for each thread, in cache lines of
+/// its own.
+template <int d>
+class alignas(128) Inserter {
+  public:
+    using Cells = Growing_cells<d>;
+    using Rank = typename Cells::Rank;
+    using Cell = typename Cells::Cell;
+    using Half_facet = typename Cells::Half_facet;
+    enum class Outcome {
+        inserted,
+        taken,      ///< a vertex is there
+        lost,       ///< the walk left the territory
+        postponed,  ///< the cells to replace are not all in the territory
+    };
+
+    /// Before the first vertex of a triangulation.
+    void begin(Cells& cells) {
+        cells_ = &cells;
+        free_.clear();
+        last_ = 0;
+        ridges_.begin(d == 3 ? static_cast<std::size_t>(cells.infinity) + 1 : 0);
+    }
+    /// Inserts v. False where a vertex is there, which blocker() names. Throws Error(too_large), bad_alloc.
+    [[nodiscard]] bool insert(Rank v);
+    [[nodiscard]] Rank blocker() const { return blocker_; }
+    [[nodiscard]] Cells& cells() const { return *cells_; }
+
+    /// Goes on with another's triangulation, within a territory.
+    void settle(const Territory& home, const Inserter& from);
+    /// After that, while no thread changes a cell: a finite cell of the territory near v, or no_cell. Searches go on
+    /// from one another.
+    [[nodiscard]] Cell start_near(Rank v);
+    /// Where the first walk begins.
+    void start_at(Cell c) { last_ = c; }
+    /// Inserts v; with nothing changed where that fails. A walk that leaves the territory begins again, from `start`, a
+    /// cell that start_near() gave.
+    [[nodiscard]] Outcome insert_at_home(Rank v, Cell start);
+    /// Takes over from another, that has settled: its free cells, and where it was last.
+    void go_on_from(Inserter& other) {
+        free_.insert(free_.end(), other.free_.begin(), other.free_.end());
+        other.free_.clear();
+        last_ = other.last_;
+    }
+
+  private:
+    static constexpr std::size_t corners = d + 1;
+    /// A facet of the border, turned so that with the new vertex before it the cell is positive.
+    struct Facet {
+        std::array<Rank, static_cast<std::size_t>(d)> vertex;
+        Half_facet beyond;
+        std::array<std::uint32_t, static_cast<std::size_t>(d)> number;  // of its vertices (Ridges)
+    };
+    /// Buffers of one insertion.
+    struct Cavity {
+        std::vector<Half_facet> entered;  ///< a half-facet of each of its cells; in 2D those that are still to cross
+        std::vector<Half_facet> border;   ///< half-facets of its cells that lead out; in 2D counter-clockwise
+        std::vector<Cell> cells;          ///< its cells; then those that take its place, facet by facet
+        std::vector<Facet> facets;
+        std::size_t size = 0, border_size = 0;
+    };
+
+    template <bool shared>
+    [[nodiscard]] Outcome insert_from(Cell start, Rank v);
+    /// A cell whose sphere holds q, found from `start`; no_cell where a vertex is at q, then blocker_, or where the
+    /// walk would leave the territory, then infinity.
+    template <bool shared>
+    [[nodiscard]] Cell locate(const Coordinates<d>& q, Cell start);
+    /// Whether the sphere of c holds vertex v, by the exact stage and the perturbation.
+    [[nodiscard]] bool holds_exactly(Cell c, Rank v) const;
+    /// False where it leaves the territory; then nothing has changed.
+    template <bool shared>
+    [[nodiscard]] bool find_cavity(Rank v, Cell first);
+    /// Takes the marks of the cells of the cavity back.
+    void unmark();
+    template <bool shared>
+    [[nodiscard]] bool take_cells();
+    [[nodiscard]] bool claim_block();
+    void read_border();  // in space
+    void fill(Rank v);
+    void leave_infinity();
+
+    Cells* cells_ = nullptr;
+    std::vector<Cell> free_;
+    Cell last_ = 0;
+    Cavity cavity_;
+    Ridges ridges_;
+    Territory home_;
+    Rank blocker_ = 0;
+};
+
+template <>
+void Inserter<3>::read_border();
+#define ANNULUS_INSERTER(d)                                           \
+    template <>                                                       \
+    template <bool shared>                                            \
+    bool Inserter<d>::find_cavity(Rank v, Cell first);                \
+    extern template bool Inserter<d>::find_cavity<false>(Rank, Cell); \
+    extern template bool Inserter<d>::find_cavity<true>(Rank, Cell);  \
+    template <>                                                       \
+    void Inserter<d>::unmark();                                       \
+    template <>                                                       \
+    void Inserter<d>::fill(Rank v);                                   \
+    extern template class Inserter<d>;
+ANNULUS_INSERTER(2)
+ANNULUS_INSERTER(3)
+#undef ANNULUS_INSERTER
+
+}  // namespace annulus

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inserter: the cells whose sphere holds a vertex, and their border.
+#include <annulus/kernel/inserter.h>
+
+#include <cmath>
+
+namespace annulus {
+
+template <>
+void Inserter<3>::unmark() {
+    for (std::size_t k = 0; k < cavity_.size; ++k) {
+        float& bound = cells_->bound(cavity_.entered[k] >> 2);
+        bound = -bound;
+    }
+}
+
+/// Cells and facets of its border are written down whether they belong there or not, and counted if they do: a branch
+/// would be mispredicted every other time.
+template <>
+template <bool shared>
+bool Inserter<3>::find_cavity(Rank v, Cell first) {
+    constexpr int d = 3;
+    Cells& g = *cells_;
+    const Coordinates<d> q = g.at(v);
+    constexpr std::size_t room = 8;
+    Cavity& cavity = cavity_;
+    if (cavity.entered.size() < room) cavity.entered.resize(64);
+    if (cavity.border.size() < room) cavity.border.resize(64);
+    std::size_t cells = 1, facets = 0;
+    bool abroad = false;
+    const auto look = [&](Half_facet h) {
+        const Half_facet t = g.cells[h >> 2].across[h & 3U];
+        const Cell c = t >> 2;
+        const float constant = g.bound(c);
+        const auto value = g.cells[c].sphere.at(Lifted<d>(q, g.at(g.cells[c].vertex[0])).from, constant);
+        bool holds = value.inside();
+        const bool met = std::signbit(constant);
+        if (!value.certain() && !met) [[unlikely]]
+            holds = holds_exactly(c, v);
+        const bool comes = holds && !met;
+        if constexpr (shared)
+            if (comes && !home_.has(g.cells[c].vertex)) {
+                abroad = true;
+                return;
+            }
+        cavity.entered[cells] = t;
+        cells += std::size_t{comes};
+        cavity.border[facets] = h;
+        facets += std::size_t{!holds && !met};
+        if (!shared || comes) g.bound(c) = comes ? -constant : constant;
+    };
+    cavity.entered[0] = 4 * first;
+    g.bound(first) = -g.bound(first);
+    for (std::uint32_t i = 0; i <= d; ++i) look(4 * first + i);
+    for (std::size_t k = 1; k < cells && !(shared && abroad); ++k) {
+        const Half_facet h = cavity.entered[k];
+        if (cells + room > cavity.entered.size()) cavity.entered.resize(2 * cavity.entered.size());
+        if (facets + room > cavity.border.size()) cavity.border.resize(2 * cavity.border.size());
+        for (std::uint32_t i = 1; i <= d; ++i) look((h & ~3U) | next_slot<d>(h & 3U, i));
+    }
+    cavity.size = cells;
+    cavity.border_size = facets;
+    if (shared && abroad) return unmark(), false;
+    if (cavity.cells.size() < cells) cavity.cells.resize(2 * cells);
+    for (std::size_t k = 0; k < cells; ++k) cavity.cells[k] = cavity.entered[k] >> 2;
+    return true;
+}
+
+template <>
+void Inserter<2>::unmark() {}  // marks are not needed
+
+/// Triangles of the cavity are a tree, since no vertex is inside: depth first, the border comes in its order.
+template <>
+template <bool shared>
+bool Inserter<2>::find_cavity(Rank v, Cell first) {
+    constexpr int d = 2;
+    const Cells& g = *cells_;
+    const Coordinates<d> q = g.at(v);
+    auto& [crossing, border, cells, facets, size, border_size] = cavity_;
+    if (crossing.size() < 64) crossing.resize(64), border.resize(64), cells.resize(64);
+    std::size_t waiting = 0, found = 1, edges = 0;
+    cells[0] = first;
+    for (const Half_facet i : {2U, 1U, 0U}) crossing[waiting++] = 4 * first + i;
+    while (waiting > 0) {
+        const Half_facet h = crossing[--waiting], t = g.cells[h >> 2].across[h & 3U];
+        const Cell c = t >> 2;
+        const auto value = g.cells[c].sphere.at(Lifted<d>(q, g.at(g.cells[c].vertex[0])).from, g.bound(c));
+        if (value.certain() ? value.inside() : holds_exactly(c, v)) {
+            if (shared && !home_.has(g.cells[c].vertex)) return false;
+            crossing[waiting++] = (t & ~3U) | next_slot<d>(t & 3U, 2);
+            crossing[waiting++] = (t & ~3U) | next_slot<d>(t & 3U, 1);
+            cells[found++] = c;
+            if (waiting + 2 > crossing.size()) crossing.resize(2 * crossing.size());
+            if (found + 3 > cells.size()) cells.resize(2 * cells.size());  // two more take their place
+        } else {
+            border[edges++] = h;
+            if (edges == border.size()) border.resize(2 * border.size());
+        }
+    }
+    size = found;
+    border_size = edges;
+    return true;
+}
+
+template bool Inserter<2>::find_cavity<false>(Rank, Cell);
+template bool Inserter<2>::find_cavity<true>(Rank, Cell);
+template bool Inserter<3>::find_cavity<false>(Rank, Cell);
+template bool Inserter<3>::find_cavity<true>(Rank, Cell);
+
+}  // namespace annulus
