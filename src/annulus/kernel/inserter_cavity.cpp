@@ -77,7 +77,8 @@ bool Inserter<2>::find_cavity(Rank v, Cell first) {
     const Cells& g = *cells_;
     const Coordinates<d> q = g.at(v);
     auto& [crossing, border, cells, facets, size, border_size] = cavity_;
-    if (crossing.size() < 64) crossing.resize(64), border.resize(64), cells.resize(64);
+    // The first of them grows last: its size tells that all have grown, after bad_alloc, too.
+    if (crossing.size() < 64) border.resize(64), cells.resize(64), crossing.resize(64);
     std::size_t waiting = 0, found = 1, edges = 0;
     cells[0] = first;
     for (const Half_facet i : {2U, 1U, 0U}) crossing[waiting++] = 4 * first + i;

@@ -16,6 +16,8 @@ void Shared_inserter<d>::insert(Inserter<d>& alone, std::span<const std::uint8_t
     typename Inserter<d>::Cells& cells = alone.cells();
     const auto infinity = static_cast<std::size_t>(cells.infinity);
     owner_.resize(infinity + 1);
+    // A corner of the first cell may be of a later round. What an earlier build left there may be `everyone`.
+    std::fill(owner_.begin() + static_cast<std::ptrdiff_t>(part.size()), owner_.end(), Territory::no_one);
     owner_[infinity] = Territory::everyone;
     for_each_run(part.size(), run, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t v = first; v < last; ++v) owner_[v] = std::uint32_t{1} << part[v];
