@@ -33,7 +33,7 @@ std::vector<Index> build(Builder<d>& builder, const std::vector<Coordinates<d>>&
 TEMPLATE_TEST_CASE_SIG("A builder whose memory ran out builds again, whichever allocation failed, dimension",
                        "[allocation]", ((int d), d), 2, 3) {
     Random random(7);
-    const auto x = small_set<d>(Small_set::uniform, 120, 0, random);
+    const auto x = small_set<d>(testing::Small_set::uniform, 120, 0, random);
     std::vector<Index> all(x.size());
     std::iota(all.begin(), all.end(), Index{0});
     Builder<d> fresh;
@@ -42,8 +42,7 @@ TEMPLATE_TEST_CASE_SIG("A builder whose memory ran out builds again, whichever a
         for (std::uint64_t n = 0;; ++n) {
             CAPTURE(d, threads, n);
             Builder<d> builder;
-            const auto became =
-                starve(n, Memory::short_once, [&] { (void)builder.build(std::span(x), all, threads); });
+            const auto became = starve(n, Memory::short_once, [&] { (void)builder.build(std::span(x), all, threads); });
             REQUIRE((build<d>(builder, x, threads) == expected));
             if (became == Starved::done) break;
         }

@@ -35,7 +35,7 @@ std::vector<Index> built(Builder<d>& builder, const std::vector<Coordinates<d>>&
 TEMPLATE_TEST_CASE_SIG("Threads that insert at once build what one thread builds, dimension", "[kernel][parallel]",
                        ((int d), d), 2, 3) {
     Random random(1);
-    const auto x = small_set<d>(Small_set::uniform, 20000, 0, random);
+    const auto x = small_set<d>(testing::Small_set::uniform, 20000, 0, random);
     Builder<d> builder;
     const auto alone = built<d>(builder, x, 1);
     for (const int threads : {2, 4}) CHECK((built<d>(builder, x, threads) == alone));
@@ -55,6 +55,6 @@ TEST_CASE("A corner of the first cell that is of a later round is in no thread's
     const auto order = builder.order();
     const auto rank = static_cast<std::size_t>(std::find(order.begin(), order.end(), corner) - order.begin());
     Random random(1);
-    (void)built<2>(builder, small_set<2>(Small_set::uniform, rank, 0, random), 2);
+    (void)built<2>(builder, small_set<2>(testing::Small_set::uniform, rank, 0, random), 2);
     CHECK((built<2>(builder, x, 2) == alone));
 }
