@@ -96,6 +96,8 @@ auto Inserter<d>::locate(const Coordinates<d>& q, Cell start) -> Cell {
     for (std::uint32_t steps = 0;; ++steps) {
         const auto& cell = g.cells[c];
         if (shared && !home_.has(cell.vertex)) return Cells::no_cell;
+        // Where the vertex is postponed the next walk goes on from here, not from where the last one was inserted.
+        if (shared && g.slot_of_infinity(cell) < 0) last_ = c;
         // Most walks end here, and those that leave the hull where they are strictly beyond a facet of it.
         if (cell.sphere.at(Lifted<d>(q, g.at(cell.vertex[0])).from, g.bound(c)).inside() ||
             g.slot_of_infinity(cell) >= 0)
