@@ -61,7 +61,9 @@ bool Builder<d>::insert_shared(const Bounding_box<d>& around, int threads) {
                 return moved == 0 ? spatial_order_.place(v)
                                   : Spatial_order<d>::moved_place(cells_.sites[v].x, around, moved);
             });
+            const std::size_t before = pending.size();
             shared_.insert(inserter_, part_, parts, pending);
+            if (pending.size() > before / 4 * 3) break;  // cells are as large as parts
             at_most = std::max(at_most / 2, std::size_t{2});
         }
         for (const Rank v : pending)

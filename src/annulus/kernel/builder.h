@@ -63,7 +63,6 @@ class Builder {
     [[nodiscard]] bool find_simplex();
     void first_cells();
     void insert_alone(std::size_t first, std::size_t last);
-    void insert(Rank v);
     [[noreturn]] void throw_collision(Rank taken, Rank v) const;
     /// Vertices of rounds that are large are shared out, those of the others are not.
     [[nodiscard]] bool insert_shared(const Bounding_box<d>& around, int threads);

@@ -22,6 +22,7 @@ struct Growing_cells {
     using Cell = std::uint32_t;        ///< its place in cells
     using Half_facet = std::uint32_t;  ///< 4 * cell + slot
     static constexpr Cell no_cell = ~Cell{0};
+    static constexpr std::size_t most_cells = std::size_t{1} << 30;  ///< whose half-facets have a name
     static constexpr std::size_t corners = d + 1;
 
     struct Shape {
@@ -56,9 +57,10 @@ struct Growing_cells {
         else return bounds[c];
     }
     [[nodiscard]] bool is_cell(Cell c) const { return bound(c) > 0; }
-    /// What `used` may be. The bounds grow last, so that this is right after bad_alloc, too.
+    /// What `used` may be, at most most_cells. The bounds grow last, so that this is right after bad_alloc, too.
     [[nodiscard]] std::size_t room() const { return d == 2 ? cells.size() : bounds.size(); }
     void make_room(std::size_t most) {
+        most = std::min(most, most_cells);
         if (most <= room()) return;
         cells.resize(std::max(most, cells.size()));
         if constexpr (d == 3) bounds.resize(most);

@@ -34,8 +34,8 @@ double orientation_bound(double m) {
 
 template <int d>
 template <bool shared>
-auto Inserter<d>::insert_from(Cell start, Rank v) -> Outcome {
-    const Cell first = locate<shared>(cells_->at(v), start);
+auto Inserter<d>::insert_in(Rank v) -> Outcome {
+    const Cell first = locate<shared>(cells_->at(v), last_);
     if (first == Cells::no_cell) return blocker_ != cells_->infinity ? Outcome::taken : Outcome::lost;
     if (!find_cavity<shared>(v, first) || !take_cells<shared>()) return Outcome::postponed;
     fill(v);
@@ -46,15 +46,12 @@ auto Inserter<d>::insert_from(Cell start, Rank v) -> Outcome {
 
 template <int d>
 bool Inserter<d>::insert(Rank v) {
-    return insert_from<false>(last_, v) == Outcome::inserted;
+    return insert_in<false>(v) == Outcome::inserted;
 }
 
-/// What was a cell of the territory is one still, or free.
 template <int d>
-auto Inserter<d>::insert_at_home(Rank v, Cell start) -> Outcome {
-    const Outcome first = insert_from<true>(last_, v);
-    const bool again = first == Outcome::lost && start != last_ && cells_->is_cell(start);
-    return again ? insert_from<true>(start, v) : first;
+auto Inserter<d>::insert_at_home(Rank v) -> Outcome {
+    return insert_in<true>(v);
 }
 
 /// Beyond a cell at infinity the territory may end.
@@ -96,6 +93,8 @@ auto Inserter<d>::locate(const Coordinates<d>& q, Cell start) -> Cell {
     for (std::uint32_t steps = 0;; ++steps) {
         const auto& cell = g.cells[c];
         if (shared && !home_.has(c)) return Cells::no_cell;
+        // Where the vertex is postponed the next walk goes on from here, not from where the last one was inserted.
+        if (shared && g.slot_of_infinity(cell) < 0) last_ = c;
         // Most walks end here, and those that leave the hull where they are strictly beyond a facet of it.
         if (cell.sphere.at(Lifted<d>(q, g.at(cell.vertex[0])).from, g.bound(c)).inside() ||
             g.slot_of_infinity(cell) >= 0)

@@ -45,11 +45,13 @@ class alignas(128) Inserter {
     /// After that, while no thread changes a cell: a finite cell of the territory near v, or no_cell. Searches go on
     /// from one another.
     [[nodiscard]] Cell start_near(Rank v);
-    /// Where the first walk begins.
-    void start_at(Cell c) { last_ = c; }
-    /// Inserts v; with nothing changed where that fails. A walk that leaves the territory begins again, from `start`, a
-    /// cell that start_near() gave.
-    [[nodiscard]] Outcome insert_at_home(Rank v, Cell start);
+    /// Where the next walk begins: at a cell that start_near() gave. What was a cell of the territory is one still, or
+    /// free; then nothing is done.
+    void start_at(Cell c) {
+        if (cells_->is_cell(c)) last_ = c;
+    }
+    /// Inserts v; with nothing changed but where the next walk begins where that fails.
+    [[nodiscard]] Outcome insert_at_home(Rank v);
     /// Takes over from another, that has settled: its free cells, and where it was last.
     void go_on_from(Inserter& other) {
         free_.insert(free_.end(), other.free_.begin(), other.free_.end());
@@ -75,7 +77,7 @@ class alignas(128) Inserter {
     };
 
     template <bool shared>
-    [[nodiscard]] Outcome insert_from(Cell start, Rank v);
+    [[nodiscard]] Outcome insert_in(Rank v);
     /// A cell whose sphere holds q, found from `start`; no_cell where a vertex is at q, then blocker_, or where the
     /// walk would leave the territory, then infinity.
     template <bool shared>

@@ -67,18 +67,30 @@ void Shared_inserter<d>::settle(std::size_t k, const Inserter<d>& alone, std::at
     }
 }
 
+/// A walk that leaves the territory begins again from a place near by, as long as that helps: a place from which all
+/// walks leave would otherwise be the start of all that follow.
 template <int d>
 void Shared_inserter<d>::insert_at_home(std::size_t k) {
+    using Outcome = typename Inserter<d>::Outcome;
+    constexpr Cell no_cell = Inserter<d>::Cells::no_cell;
     Part& part = parts_[k];
     if (!part.settled) return;
-    std::size_t postponed = 0;
     const auto& starts = part.starts;
-    Cell start = *std::find_if(starts.begin(), starts.end(), [](Cell c) { return c != Inserter<d>::Cells::no_cell; });
-    inserters_[k].start_at(start);
+    Inserter<d>& inserter = inserters_[k];
+    inserter.start_at(*std::find_if(starts.begin(), starts.end(), [](Cell c) { return c != no_cell; }));
+    std::size_t postponed = 0;
+    bool helps = false;
     for (std::size_t i = 0; i < part.pending.size(); ++i) {
-        if (i % stretch == 0 && starts[i / stretch] != Inserter<d>::Cells::no_cell) start = starts[i / stretch];
         const Rank v = part.pending[i];
-        if (inserters_[k].insert_at_home(v, start) != Inserter<d>::Outcome::inserted) part.pending[postponed++] = v;
+        const Cell start = starts[i / stretch];
+        if (i % stretch == 0) helps = start != no_cell;
+        Outcome outcome = inserter.insert_at_home(v);
+        if (outcome == Outcome::lost && helps) {
+            inserter.start_at(start);
+            outcome = inserter.insert_at_home(v);
+            helps = outcome != Outcome::lost;
+        }
+        if (outcome != Outcome::inserted) part.pending[postponed++] = v;
     }
     part.pending.resize(postponed);
 }
