@@ -78,7 +78,7 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
             home.reserve(movers.size());
             try {
                 if (move_one_by_one(movers, points, home, report)) return;
-                too_dear = true;  // or flat, which is built anew all the same
+                too_dear = true;  // or flat, which is rebuilt all the same
             } catch (const Error& e) {
                 if (e.code() != Error_code::collision) throw;
             }

@@ -99,7 +99,7 @@ void Mender<d>::note_stuck(std::vector<Cell_index>& seeds) {
     make_unique(seeds);
 }
 
-/// All vertices go to their goals, and what does not hold there is built anew.
+/// All vertices go to their goals, and what does not hold there is rebuilt.
 template <int d>
 bool Mender<d>::finish_locally() {
     std::vector<Cell_index> seeds;
@@ -109,7 +109,7 @@ bool Mender<d>::finish_locally() {
     result_.built_anew = true;
     const std::size_t first = result_.touched.size();
     const double room = std::max(0.0, budget_->left()) / Prices<d>::point;
-    const std::size_t most_points = at(table_.vertex_bound()) + 64;  // with more, everything is built anew
+    const std::size_t most_points = at(table_.vertex_bound()) + 64;  // with more, everything is rebuilt
     const bool built =
         local_.rebuild(held_.positions(), seeds,
                        static_cast<std::size_t>(std::min(room, static_cast<double>(most_points))), result_.touched);

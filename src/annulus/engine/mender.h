@@ -17,7 +17,7 @@ struct Mending {
     bool built_anew = false;  ///< cells were, after which the table may be pinched at infinity (docs/theory.md 6.5)
     std::uint64_t flips = 0;
     std::vector<Cell_index> touched;  ///< cells made or changed, some perhaps gone again, each once
-    std::vector<Index> reinserted;    ///< vertices at which flips were stuck, so that cells around them were built anew
+    std::vector<Index> reinserted;    ///< vertices at which flips were stuck, so that cells around them were rebuilt
 };
 
 /// Leads a table that is Delaunay where its vertices come from to the one that is Delaunay where they go, by flips.
@@ -25,7 +25,7 @@ struct Mending {
 /// Where a cell is inverted at the goals one of its vertices is held back (Held_back). Violated facets of positive
 /// cells are flipped. Then those held back go on from where they are, through the triangulation in which what stood in their way has
 /// been flipped (docs/theory.md 6.3). At the hull, where half way is never outside, the cell that a vertex turns over by leaving goes.
-/// What is still stuck after that is built anew locally (Local_delaunay).
+/// What is still stuck after that is rebuilt locally (Local_delaunay).
 ///
 /// Nothing here is trusted: a certificate that is not known to hold is on a list of `signs` until it has been seen to
 /// hold, at the goals, and mending is done when the lists are empty. Only the table changes.

@@ -8,7 +8,7 @@
 
 namespace annulus {
 
-/// The strategy `rebuild`: positions, and a mesh that is built anew at every call. What changes the mesh in other ways
+/// The strategy `rebuild`: positions, and a mesh that is rebuilt at every call. What changes the mesh in other ways
 /// and keeps nothing but positions derives from it.
 template <int d>
 class Rebuilder : public Upkeep<d> {

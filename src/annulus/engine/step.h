@@ -54,7 +54,7 @@ struct Step {
     // What Repair found and did.
     bool hopeless = false;              ///< mending would cost far more than it may, by a sample
     std::vector<Index> disturbed;       ///< points of violated certificates
-    std::vector<Index> reinserted;      ///< vertices around which cells were built anew
+    std::vector<Index> reinserted;      ///< vertices around which cells were rebuilt
     std::vector<Cell_index> renumbered; ///< the same cells as before a collision was found, with other numbers
     bool rebuilt = false;
     bool renumbered_all = false;        ///< the same of all cells

@@ -70,7 +70,7 @@ class Upkeep {
     virtual void move_in_turn(Index v, const Coordinates<d>& p, Move_report& report) { move(v, p, report); }
     /// Positions, and what is kept with them, as noted.
     virtual void take_back() noexcept = 0;
-    /// The positions at which the triangulation is Delaunay; after take_back(), at which it is to be built anew, before the rest.
+    /// The positions at which the triangulation is Delaunay; after take_back(), at which it is to be rebuilt, before the rest.
     [[nodiscard]] virtual std::span<const Coordinates<d>> standing() const { return positions(); }
     virtual void resume() = 0;
 

@@ -59,7 +59,7 @@ void Paper_filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& rep
         tolerances_.note_everything(state_.fixed, least_, report);
         least_.take([this](Index v, double tolerance) { set_tolerance(v, tolerance); });
     }
-    // Last: after an exception the mesh is built anew at the old ones.
+    // Last: after an exception the mesh is rebuilt at the old ones.
     if (!own) std::copy(x.begin(), x.end(), this->position_.begin());
 }
 
