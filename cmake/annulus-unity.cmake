@@ -91,7 +91,8 @@ if(ANNULUS_PRECOMPILE)
         target_precompile_headers(${target} PRIVATE
             <algorithm> <array> <atomic> <bit> <cmath> <functional> <limits> <memory> <optional> <random> <span> <string>
             <thread> <unordered_map> <vector> <boost/container/small_vector.hpp> <boost/container/static_vector.hpp>
-            <boost/numeric/interval.hpp> <gmpxx.h>)
+            <boost/numeric/interval.hpp> <gmpxx.h> <oneapi/tbb/parallel_for.h> <oneapi/tbb/parallel_pipeline.h>
+            <oneapi/tbb/task_arena.h>)
     endforeach()
     # Flags of their own
     set_source_files_properties(${annulus_cool_sources} src/annulus/engine/signs.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)

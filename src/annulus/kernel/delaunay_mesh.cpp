@@ -2,6 +2,7 @@
 #include <annulus/kernel/delaunay_mesh.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/kernel/builder.h>
 #include <annulus/mesh/insert_vertex.h>
 #include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/table_readings.h>
@@ -16,11 +17,17 @@
 namespace annulus {
 
 template <int d>
+Delaunay_mesh<d>::Delaunay_mesh() : builder_(std::make_unique<Builder<d>>()) {}
+
+template <int d>
+Delaunay_mesh<d>::~Delaunay_mesh() = default;
+
+template <int d>
 void Delaunay_mesh<d>::build(std::span<const Coordinates<d>> x) {
     present_.assign(x.size(), 1);
     vertices_ = x.size();
     rebuild(x);
-    kernel_.release();  // some are never rebuilt
+    builder_->release();  // some are never rebuilt
 }
 
 template <int d>
@@ -34,8 +41,8 @@ std::vector<Index> Delaunay_mesh<d>::living() const {
 
 template <int d>
 void Delaunay_mesh<d>::rebuild(std::span<const Coordinates<d>> x) {
-    if (kernel_.build(x, living(), threads_)) {
-        kernel_.copy_to(table_, x.size(), threads_);
+    if (builder_->build(x, living(), threads_)) {
+        builder_->copy_to(table_, x.size(), threads_);
         basis_.clear();
         dimension_ = d;
         return;
@@ -82,9 +89,9 @@ void Delaunay_mesh<d>::clear_cells() noexcept {
 /// The same under other numbers, all of which `made` receives: the table does not become smaller, since the engine may have noted some.
 template <int d>
 void Delaunay_mesh<d>::replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made) {
-    if (!kernel_.build(x, living())) throw std::logic_error("points that had cells are flat");
+    if (!builder_->build(x, living())) throw std::logic_error("points that had cells are flat");
     std::vector<Cell_points<d>> cells;
-    kernel_.for_each_cell([&cells](const Cell_points<d>& v) { cells.push_back(v); });
+    builder_->for_each_cell([&cells](const Cell_points<d>& v) { cells.push_back(v); });
     std::vector<Cell_index> old;
     for (const Cell_index c : table_.cells()) old.push_back(c);
     replace_cells<d>(table_, old, cells, made);

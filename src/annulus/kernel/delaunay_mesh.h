@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/kernel/builder.h>
 #include <annulus/kernel/flat_cells.h>
 #include <annulus/kernel/local_delaunay.h>
 #include <annulus/mesh/cell_table.h>
@@ -9,6 +8,7 @@
 #include <annulus/mesh/measures.h>
 #include <annulus/mesh/mesh_cells.h>
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -24,6 +24,11 @@ enum class Relocation { refused, kept, reinserted };
 template <int d>
 class Delaunay_mesh {
   public:
+    Delaunay_mesh();
+    ~Delaunay_mesh();
+    Delaunay_mesh(const Delaunay_mesh&) = delete;
+    Delaunay_mesh& operator=(const Delaunay_mesh&) = delete;
+
     /// Meaningful while `dimension() == d`; without cells otherwise.
     [[nodiscard]] Cell_table<d>& table() { return table_; }
     [[nodiscard]] const Cell_table<d>& table() const { return table_; }
@@ -113,9 +118,10 @@ class Delaunay_mesh {
     std::vector<char> present_;  // by vertex; 0 for a vacant index
     std::size_t vertices_ = 0;
     int dimension_ = -1;
-    std::vector<Index> basis_;  // affinely independent vertices that span what all do, where that is a hyperplane or less
+    std::vector<Index>
+        basis_;  // affinely independent vertices that span what all do, where that is a hyperplane or less
     int threads_ = 1;
-    Builder<d> kernel_;
+    std::unique_ptr<Builder<d>> builder_;
     Local_delaunay<d> local_{table_};
     Landmarks<d> landmarks_;
 };

@@ -2,6 +2,7 @@
 #include <annulus/kernel/local_delaunay.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/kernel/builder.h>
 #include <annulus/mesh/make_unique.h>
 #include <annulus/mesh/replace_cells.h>
 
@@ -25,6 +26,12 @@ class Named {
     Index& name_;
 };
 }  // namespace
+
+template <int d>
+Local_delaunay<d>::Local_delaunay(Cell_table<d>& table) : table_(table), builder_(std::make_unique<Builder<d>>()) {}
+
+template <int d>
+Local_delaunay<d>::~Local_delaunay() = default;
 
 /// Corners but one, in the order that makes an even permutation of the cell with that one last; turned to a standard order, which is
 /// left of it or not.
@@ -66,7 +73,7 @@ bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<con
                 region.push_back(n);
             }
         const bool built = rebuild_region(x, region, most, touched);
-        if (points_ > many) builder_.release();
+        if (points_ > many) builder_->release();
         if (!built) return false;
         grow(mark_, table_.cell_bound());
     }
@@ -124,12 +131,12 @@ bool Local_delaunay<d>::remove(std::span<const Coordinates<d>> x, std::span<cons
 template <int d>
 bool Local_delaunay<d>::triangulate(std::span<const Coordinates<d>> x) {
     try {
-        if (!builder_.build(x, vertices_)) return false;
+        if (!builder_->build(x, vertices_)) return false;
     } catch (const Error& e) {
         if (e.code() != Error_code::collision) throw;
         return false;
     }
-    builder_.for_each_cell([this](const Points& vertices) { cells_.push_back(vertices); });
+    builder_->for_each_cell([this](const Points& vertices) { cells_.push_back(vertices); });
     return true;
 }
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/kernel/builder.h>
 #include <annulus/mesh/certificates.h>
 
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace annulus {
+
+template <int d>
+class Builder;
 
 /// Builds a small part of a triangulation anew where flips are stuck.
 ///
@@ -18,7 +21,10 @@ namespace annulus {
 template <int d>
 class Local_delaunay {
   public:
-    explicit Local_delaunay(Cell_table<d>& table) : table_(table) {}
+    explicit Local_delaunay(Cell_table<d>& table);
+    ~Local_delaunay();
+    Local_delaunay(const Local_delaunay&) = delete;
+    Local_delaunay& operator=(const Local_delaunay&) = delete;
 
     /// Builds anew around these cells, at positions x; cells that touch are one region. `touched` receives what went and
     /// what came. False when that takes more than `most` points to triangulate, the same ones again where a region grows,
@@ -64,7 +70,7 @@ class Local_delaunay {
     }
 
     Cell_table<d>& table_;
-    Builder<d> builder_;
+    std::unique_ptr<Builder<d>> builder_;
     std::size_t points_ = 0;
     By_cell<char> mark_;                    // 1 to be built anew, 2 in the region
     std::vector<Cell_index> marked_;        // where it may not be 0
