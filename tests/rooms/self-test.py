@@ -11,14 +11,18 @@ from pathlib import Path
 CHECK_ROOMS = sys.argv.pop(1)
 SPDX = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 HEADER = SPDX + "#pragma once\n"
+STANDARD = "#include <annulus/arithmetic/standard.h>\n"
 
 CLEAN = {
-    "src/annulus/arithmetic/exact.h": HEADER + "#include <gmpxx.h>\n",
+    "src/annulus/annulus.h": HEADER,
+    "src/annulus/arithmetic/standard.h": HEADER,
+    "src/annulus/arithmetic/exact.h": HEADER + STANDARD + "#include <gmpxx.h>\n",
     "src/annulus/certificate/bounds.h": HEADER + "#include <annulus/arithmetic/exact.h>\n",
     "src/annulus/cgal/build.cpp": SPDX + "#include <CGAL/Object.h>\n#include <annulus/certificate/bounds.h>\n",
-    "src/annulus/cgal/flips.h": HEADER + "#include <CGAL/Object.h>\n",
+    "src/annulus/cgal/flips.h": HEADER + STANDARD + "#include <CGAL/Object.h>\n",
     "src/annulus/moving.h": HEADER + "#include <CGAL/Object.h>\n#include <annulus/report/report.h>\n",
-    "src/annulus/report/report.h": HEADER + "/*\n#include <annulus/cli/never.h>\n*/\n// #include <annulus/cli/never.h>\n",
+    "src/annulus/cli/x.h": HEADER,
+    "src/annulus/report/report.h": HEADER + STANDARD + "/*\n#include <annulus/cli/never.h>\n*/\n// #include <annulus/cli/never.h>\n",
     "src/annulus/c/mesh.cpp": SPDX + "#include <annulus/moving.h>\n",
     "src/annulus/cli/main.cpp": SPDX + "#include <annulus/moving.h>\n#include <annulus/report/report.h>\n",
     "tests/exact_test.cpp": SPDX + '#include "common.h"\n#include <CGAL/Object.h>\n',
@@ -108,20 +112,25 @@ class CheckRooms(unittest.TestCase):
 
     def test_constraints_of_what_has_no_body(self):
         names = {f"src/annulus/mesh/declared{i}.h": code for i, code in enumerate(self.DECLARED)}
-        result = self.check({name: HEADER + "\n" + code + "\n" for name, (code, _) in names.items()})
+        result = self.check({name: HEADER + STANDARD + code + "\n" for name, (code, _) in names.items()})
         self.assertEqual(result.returncode, 1)
         said = [line.split(": ")[0] for line in result.stdout.splitlines() if "(`requires`)" in line]
         self.assertEqual(said, [f"{name}:{3 + line}" for name, (_, line) in names.items()])
         self.assertIn(f" {len(names)} violations", result.stdout)
         code = self.DECLARED[0][0] + "\n"
-        result = self.check({f"src/annulus/mesh/defined{i}.h": HEADER + "\n" + text + "\n" for i, text in enumerate(self.DEFINED)} |
+        result = self.check({f"src/annulus/mesh/defined{i}.h": HEADER + STANDARD + text + "\n" for i, text in enumerate(self.DEFINED)} |
                             {"src/annulus/mesh/x.cpp": SPDX + code, "tests/x.h": HEADER + code})
         self.assertEqual(result.returncode, 0, result.stdout)
 
+    def test_an_older_standard_would_not_be_told(self):
+        self.rejects("src/annulus/formats/x.h", HEADER + "#include <span>\n", 1)
+        self.rejects("src/annulus/formats/x.h", HEADER + "/*\n" + STANDARD + "*/\n", 1)
+        self.rejects("src/annulus/other.h", HEADER, 1)
+
     def test_pragma_once_and_licence(self):
-        self.rejects("src/annulus/formats/x.h", SPDX, 1)
-        self.rejects("src/annulus/formats/x.h", SPDX + "// #pragma once\n", 1)
-        self.rejects("src/annulus/formats/x.h", "#pragma once\n", 1)
+        self.rejects("src/annulus/formats/x.h", SPDX + STANDARD, 1)
+        self.rejects("src/annulus/formats/x.h", SPDX + "// #pragma once\n" + STANDARD, 1)
+        self.rejects("src/annulus/formats/x.h", "#pragma once\n" + STANDARD, 1)
         self.rejects("tests/x.cpp", "int x;\n", 1)
         self.rejects("tests/x.c", "int x;\n", 1)
 
