@@ -16,6 +16,7 @@ if(PROJECT_IS_TOP_LEVEL)
 endif()
 
 include(annulus-flags)
+annulus_refuse_compiler("${CMAKE_CXX_COMPILER_ID}")
 annulus_refuse_all_flags()
 
 # All of it is instrumented, the library included, so that one build serves tests and fuzzing; the fuzz targets add

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Flags under which double arithmetic is not IEEE arithmetic. The proofs say nothing about a build with one of them, so the configuration
-# stops. What a compiler sets without a flag here is found by <annulus/arithmetic/environment.h>: macros, and a test at run time.
+# Flags under which double arithmetic is not IEEE arithmetic, and compilers whose flags are not known. The proofs say nothing about a build
+# with one of them, so the configuration stops. What a compiler sets without a flag here is found by <annulus/arithmetic/environment.h>: macros, and a test at run time.
 #
 # Flags that the library sets itself, behind whatever comes from outside, are not in the list: -ffp-contract, -frounding-math.
 
@@ -19,13 +19,24 @@ function(annulus_refuse_flags flags origin)
     endif()
 endfunction()
 
-# Every place from which a flag reaches our files: the variables for C++, those of each build type, and what add_compile_options of
-# this and of a parent project has set.
+# Every place from which a flag reaches our files: the variables for C++, those of each build type, also of types that are not CMake's
+# own, and what add_compile_options of this and of a parent project has set.
 function(annulus_refuse_all_flags)
     annulus_refuse_flags("${CMAKE_CXX_FLAGS}" CMAKE_CXX_FLAGS)
-    foreach(type IN ITEMS DEBUG RELEASE RELWITHDEBINFO MINSIZEREL)
+    string(TOUPPER "DEBUG;RELEASE;RELWITHDEBINFO;MINSIZEREL;${CMAKE_BUILD_TYPE};${CMAKE_CONFIGURATION_TYPES}" types)
+    list(REMOVE_DUPLICATES types)
+    foreach(type IN LISTS types)
         annulus_refuse_flags("${CMAKE_CXX_FLAGS_${type}}" "CMAKE_CXX_FLAGS_${type}")
     endforeach()
     get_directory_property(options COMPILE_OPTIONS)
     annulus_refuse_flags("${options}" add_compile_options)
+endfunction()
+
+# Stops where `id`, as CMAKE_CXX_COMPILER_ID has it, is a compiler of which the flags that keep IEEE arithmetic are not known here: it
+# would get none of them, and nothing would say so.
+function(annulus_refuse_compiler id)
+    if(NOT id MATCHES "^(GNU|Clang|AppleClang)$")
+        message(FATAL_ERROR "annulus proves its answers under IEEE arithmetic, and has the flags for it of GCC and Clang only: "
+                            "build it with one of these (CMAKE_CXX_COMPILER is ${CMAKE_CXX_COMPILER}, which CMake calls '${id}')")
+    endif()
 endfunction()

@@ -105,7 +105,9 @@ TEST_CASE("xyz: a comment line that is missing is missed, and not the last point
 
 TEST_CASE("csv: without a header there are x, y and z and nothing else", "[io][columns]") {
     refuse("1,0.5,0.25,2\n", 1, "has 4 columns and no header", "a.csv");
-    refuse("7;1;2;3;4\n", 1, "has 5 columns and no header", "a.csv");
+    refuse("7;1;2;3;4\n", 1, "has 5 columns and no header, so nothing says", "a.csv");
+    refuse("# id q x/m y/m\n7;1;2;3\n", 2,
+           "has 4 columns and no header but a comment, '# id q x/m y/m', so nothing says", "a.csv");
 }
 
 TEST_CASE("what was taken for what is told by every format", "[io][columns]") {

@@ -19,6 +19,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 using namespace annulus;
@@ -160,5 +162,11 @@ TEST_CASE("a device is no file, and what has no end is not held in memory", "[io
     const std::string text(1000, '#');
     CHECK(::write(end, text.data(), text.size()) == 1000);
     expect_fault(pipe, 0, "has more than 999 bytes", [](const auto& f) { (void)load_file(f, 999); });
+    // What load_file goes by where nothing is said: a GiB of a pipe, which no test reads, and all of a file.
+    constexpr std::uint64_t gib = 1'073'741'824, all = std::numeric_limits<std::uint64_t>::max();
+    CHECK(bound_of(File_bytes(pipe), all) == gib);
+    CHECK(bound_of(File_bytes(pipe), gib + 1) == gib);
+    CHECK(bound_of(File_bytes(pipe), gib - 1) == gib - 1);
+    CHECK(bound_of(File_bytes(file), all) == all);
     ::close(end);
 }

@@ -147,3 +147,19 @@ TEST_CASE("faces that are wrong are refused with their line", "[io][surface]") {
     refuse("a.stl", "x", 1, "neither ASCII nor binary");
     refuse("a.xyz", "0 0 0\n", 0, "unknown extension");
 }
+
+TEST_CASE("a PLY that has strips of triangles for faces is told what faces are", "[io][surface]") {
+    const Temporary_directory directory;
+    const auto file = directory.file("tristrips.ply",
+                                     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                                     "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+                                     "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n6 0 2 1 3 0 2\n");
+    expect_fault(file, 1, "has no faces", [](const auto& f) {
+        try {
+            (void)read_surface(f);
+        } catch (const Input_error& error) {
+            CHECK(error.expected().find("the element face, not tristrips") != std::string::npos);
+            throw;
+        }
+    });
+}

@@ -11,14 +11,18 @@ from pathlib import Path
 CHECK_ROOMS = sys.argv.pop(1)
 SPDX = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 HEADER = SPDX + "#pragma once\n"
+STANDARD = "#include <annulus/arithmetic/standard.h>\n"
 
 CLEAN = {
-    "src/annulus/arithmetic/exact.h": HEADER + "#include <gmpxx.h>\n",
+    "src/annulus/annulus.h": HEADER,
+    "src/annulus/arithmetic/standard.h": HEADER,
+    "src/annulus/arithmetic/exact.h": HEADER + STANDARD + "#include <gmpxx.h>\n",
     "src/annulus/certificate/bounds.h": HEADER + "#include <annulus/arithmetic/exact.h>\n",
     "src/annulus/cgal/build.cpp": SPDX + "#include <CGAL/Object.h>\n#include <annulus/certificate/bounds.h>\n",
-    "src/annulus/cgal/flips.h": HEADER + "#include <CGAL/Object.h>\n",
+    "src/annulus/cgal/flips.h": HEADER + STANDARD + "#include <CGAL/Object.h>\n",
     "src/annulus/moving.h": HEADER + "#include <CGAL/Object.h>\n#include <annulus/report/report.h>\n",
-    "src/annulus/report/report.h": HEADER + "/*\n#include <annulus/cli/never.h>\n*/\n// #include <annulus/cli/never.h>\n",
+    "src/annulus/cli/x.h": HEADER,
+    "src/annulus/report/report.h": HEADER + STANDARD + "/*\n#include <annulus/cli/never.h>\n*/\n// #include <annulus/cli/never.h>\n",
     "src/annulus/c/mesh.cpp": SPDX + "#include <annulus/moving.h>\n",
     "src/annulus/cli/main.cpp": SPDX + "#include <annulus/moving.h>\n#include <annulus/report/report.h>\n",
     "tests/exact_test.cpp": SPDX + '#include "common.h"\n#include <CGAL/Object.h>\n',
@@ -72,10 +76,61 @@ class CheckRooms(unittest.TestCase):
         self.rejects("src/annulus/attic/x.cpp", SPDX, 1)
         self.rejects("src/annulus/formats/x.cpp", SPDX + "#include <annulus/attic/x.h>\n", 2)
 
+    def test_catch_by_another_way(self):
+        self.rejects("tests/exact_test.cpp", SPDX + "#include <vector>\n#include <catch2/catch.hpp>\n", 3)
+        self.rejects("tests/support/more.h", HEADER + "#include <catch2/catch_test_macros.hpp>\n", 3)
+        self.rejects("fuzz/common/x.h", HEADER + "#include <catch2/catch_all.hpp>\n", 3)
+        self.rejects("src/annulus/mesh/x.cpp", SPDX + "#include <catch2/catch.hpp>\n", 2)
+        for name, text in (("tests/support/catch.h", HEADER + "#include <catch2/catch.hpp>\n"),
+                           ("tests/exact_test.cpp", SPDX + "#include <support/catch.h>\n// #include <catch2/catch.hpp>\n")):
+            self.assertEqual(self.check({name: text}).returncode, 0, name)
+
+    # Each with its constraint in the line of the second element, from 1.
+    DECLARED = (
+        ("template <int d>\nrequires(d == 2)\nint f(int x);", 2),
+        ("template <class T> requires std::integral<T> void f(T x);", 1),
+        ("template <class T>\nvoid f(T x)\n    requires std::integral<T> && (sizeof(T) > 1);", 3),
+        ("struct A {\n    int size() const requires(d == 3);\n    int other() { return 1; }\n};", 2),
+        ("template <class T> requires requires(T t) { t.f(); t.g(); } void f(T x, int y = 2);", 1),
+        ("template <class T>\nrequires B<T>\nbool operator==(T, T);", 2),
+        ("template <class T> requires B<T> A(T x) noexcept;", 1),
+        ("const char* x = \"a; {\";  // one; {\ntemplate <class T> requires /* { */ B<T> void f(T);", 2),
+    )
+    DEFINED = (
+        "template <int d>\nrequires(d == 2)\nint f(int x) { return x; }",
+        "template <class T> void f(T x) requires std::integral<T> { g(x); }",
+        "template <class T> requires requires(T t) { t.f(); } void f(T x) { x.f(); }",
+        "template <class T> requires B<T> A(T x) : x_{x}, y_(1) { g(); }",
+        "template <class T> concept C = B<T> && requires(T t) { t.f(); };\nvoid f(int x);",
+        "template <class T> concept C = requires { typename T::x; };",
+        "template <class T> requires B<T> struct A;",
+        "template <class T> requires B<T> inline constexpr int a = 3;",
+        "struct A {\n    A() requires(d == 2) = default;\n};",
+        "template <class T> void f(T t) { if constexpr (requires { t.f(); }) t.f(); }\nvoid g();",
+        "// what it requires;\n/* requires x; */\nconst char* x = \"requires B<T> void f();\";\nconst char* y = R\"(requires \"B)\";",
+    )
+
+    def test_constraints_of_what_has_no_body(self):
+        names = {f"src/annulus/mesh/declared{i}.h": code for i, code in enumerate(self.DECLARED)}
+        result = self.check({name: HEADER + STANDARD + code + "\n" for name, (code, _) in names.items()})
+        self.assertEqual(result.returncode, 1)
+        said = [line.split(": ")[0] for line in result.stdout.splitlines() if "(`requires`)" in line]
+        self.assertEqual(said, [f"{name}:{3 + line}" for name, (_, line) in names.items()])
+        self.assertIn(f" {len(names)} violations", result.stdout)
+        code = self.DECLARED[0][0] + "\n"
+        result = self.check({f"src/annulus/mesh/defined{i}.h": HEADER + STANDARD + text + "\n" for i, text in enumerate(self.DEFINED)} |
+                            {"src/annulus/mesh/x.cpp": SPDX + code, "tests/x.h": HEADER + code})
+        self.assertEqual(result.returncode, 0, result.stdout)
+
+    def test_an_older_standard_would_not_be_told(self):
+        self.rejects("src/annulus/formats/x.h", HEADER + "#include <span>\n", 1)
+        self.rejects("src/annulus/formats/x.h", HEADER + "/*\n" + STANDARD + "*/\n", 1)
+        self.rejects("src/annulus/other.h", HEADER, 1)
+
     def test_pragma_once_and_licence(self):
-        self.rejects("src/annulus/formats/x.h", SPDX, 1)
-        self.rejects("src/annulus/formats/x.h", SPDX + "// #pragma once\n", 1)
-        self.rejects("src/annulus/formats/x.h", "#pragma once\n", 1)
+        self.rejects("src/annulus/formats/x.h", SPDX + STANDARD, 1)
+        self.rejects("src/annulus/formats/x.h", SPDX + "// #pragma once\n" + STANDARD, 1)
+        self.rejects("src/annulus/formats/x.h", "#pragma once\n" + STANDARD, 1)
         self.rejects("tests/x.cpp", "int x;\n", 1)
         self.rejects("tests/x.c", "int x;\n", 1)
 

@@ -23,20 +23,41 @@ foreach(flags IN ITEMS "" -O3 "-O2 -march=native -flto" -fno-fast-math -fno-math
     refused("${flags}" 0)
 endforeach()
 
-# Nor do the headers take them, or an older standard, where a build has no CMake.
-function(header flags expected)
-    separate_arguments(flags)
-    execute_process(COMMAND "${COMPILER}" ${flags} "-I${SOURCE}/src" -x c++ -fsyntax-only
-                            "${SOURCE}/src/annulus/arithmetic/environment.h"
+# Nor are compilers of which no such flags are known. (nvc++ is NVHPC, icpx IntelLLVM.)
+function(compiler id expected)
+    execute_process(COMMAND "${CMAKE_COMMAND}" "-DCOMPILER_ID=${id}" -P "${CMAKE_CURRENT_LIST_DIR}/refuse.cmake"
                     RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
-    if((status EQUAL 0) EQUAL expected OR (expected AND NOT said MATCHES "annulus: "))
-        message(SEND_ERROR "environment.h with '${flags}': refused should be ${expected}\n${said}")
+    if((status EQUAL 0) EQUAL expected OR (expected AND NOT said MATCHES "CMake[ \n]+calls[ \n]+'${id}'"))
+        message(SEND_ERROR "compiler '${id}': refused should be ${expected}\n${said}")
     endif()
 endfunction()
-header("-std=c++20" 0)
-header("-std=c++17" 1)
+foreach(id IN ITEMS GNU Clang AppleClang)
+    compiler("${id}" 0)
+endforeach()
+foreach(id IN ITEMS MSVC Intel IntelLLVM NVHPC NVIDIA PGI XLClang GNUlike "")
+    compiler("${id}" 1)
+endforeach()
+
+# Nor do the headers take them, or an older standard, where a build has no CMake. The first error says so, before those about what an older
+# standard has not; tools/check-rooms looks that no header is left out.
+function(header name flags expected words)
+    separate_arguments(flags)
+    set(ENV{LC_ALL} C)
+    execute_process(COMMAND "${COMPILER}" ${flags} -Wfatal-errors "-I${SOURCE}/src" -x c++ -fsyntax-only "${SOURCE}/src/annulus/${name}"
+                    RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
+    string(REGEX MATCH "(fatal )?error: [^\n]*" first "${said}")
+    if((status EQUAL 0) EQUAL expected OR (expected AND NOT first MATCHES "annulus: .*${words}"))
+        message(SEND_ERROR "${name} with '${flags}': refused should be ${expected}\n${first}")
+    endif()
+endfunction()
+set(environment arithmetic/environment.h)
+header(${environment} "-std=c++20" 0 "")
 foreach(flag IN ITEMS -ffast-math -ffinite-math-only -fassociative-math\ -fno-signed-zeros\ -fno-trapping-math)
-    header("-std=c++20 ${flag}" 1)
+    header(${environment} "-std=c++20 ${flag}" 1 "compile (it )?without")
+endforeach()
+foreach(name IN ITEMS ${environment} arithmetic/error.h arithmetic/stage.h moving_mesh.h moving_delaunay_2.h moving_delaunay_3.h
+        motion/lloyd_2.h statistics/voronoi_volumes.h formats/read_points.h report/table.h)
+    header(${name} "-std=c++17" 1 "-std=c[+][+]20")
 endforeach()
 
 function(configure status_variable)
@@ -87,4 +108,13 @@ endif()
 configure(status -DUNSAFE= -DCMAKE_CXX_FLAGS_RELEASE=-Ofast)
 if(status EQUAL 0 OR NOT said MATCHES "-Ofast")
     message(SEND_ERROR "CMAKE_CXX_FLAGS_RELEASE=-Ofast is not refused:\n${said}")
+endif()
+# A build type of one's own, which CMake has in capitals.
+configure(status -DCMAKE_CXX_FLAGS_RELEASE=-O2 -DCMAKE_BUILD_TYPE=Own -DCMAKE_CXX_FLAGS_OWN=-ffast-math)
+if(status EQUAL 0 OR NOT said MATCHES "-ffast-math[ \n]+\\(in[ \n]+CMAKE_CXX_FLAGS_OWN\\)")
+    message(SEND_ERROR "CMAKE_CXX_FLAGS_OWN=-ffast-math is not refused:\n${said}")
+endif()
+configure(status -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CONFIGURATION_TYPES=Debug\;Other" -DCMAKE_CXX_FLAGS_OTHER=-Ofast)
+if(status EQUAL 0 OR NOT said MATCHES "-Ofast[ \n]+\\(in[ \n]+CMAKE_CXX_FLAGS_OTHER\\)")
+    message(SEND_ERROR "CMAKE_CXX_FLAGS_OTHER=-Ofast is not refused:\n${said}")
 endif()

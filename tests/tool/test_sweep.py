@@ -9,6 +9,7 @@ usage: test_sweep.py --tool=PATH [CLASS[.METHOD]...]
 import csv
 import json
 import re
+import shutil
 from fractions import Fraction
 
 import tool
@@ -158,6 +159,26 @@ class Found(SweepTest):
         lines = self.lines("out")
         self.assertEqual([line["frame"] for line in lines], [0, 3, 6, 1, 6])
         self.assertEqual(lines[2]["counts"], lines[4]["counts"])
+
+    def test_a_periodic_box_is_refused_or_announced(self):
+        frame = '4\nLattice="9 0 0 0 9 0 0 0 9" Properties=species:S:1:pos:R:3\nH .1 0 0\nH .2 .3 0\nH .5 .1 0\nH .3 -.2 {}\n'
+        self.write("one.xyz", frame.format(1))
+        self.write("two.xyz", frame.format(1) + frame.format(2))
+        self.xyz("open.xyz", [(0.1, 0.0), (0.2, 0.3), (0.5, 0.1)])
+        for grid in ('file = "one.xyz"\n', 'file = "one.xyz"\ndimension = 2\n', 'file = "two.xyz"\nevery = 1\n', 'file = "two.xyz"\nframes = 1\n'):
+            with self.subTest(grid=grid):
+                name = grid.split('"')[1]
+                self.write("spec.toml", "[[grid]]\n" + grid)
+                said = self.refuse(3, "sweep", "spec.toml", "--output", "out")
+                self.assertRegex(said, rf"{name}:2: Lattice: a periodic box, and these are not supported; expected open = true in its \[\[grid\]\]")
+                self.sweep(f"[[grid]]\n{grid}open = true\n[[grid]]\nfile = \"open.xyz\"\n", "out")
+                lines, sums = self.lines("out"), json.loads((self.here / "out" / "sums.json").read_text(encoding="utf-8"))["sums"]
+                for line in lines + sums:
+                    self.assertEqual(line.get("ignored"), ["box"] if line["file"] == name else None)
+                page = (self.here / "out" / "sweep.html").read_text(encoding="utf-8")
+                self.assertEqual(page.count("its periodic box is ignored"), 1)
+                self.assertLess(page.index(f"{name}: its periodic box is ignored"), page.index("<table"))
+                shutil.rmtree(self.here / "out")
 
     def test_repeated_points(self):
         """Of a file they are among `points` and `merged`, as in degeneracy.json; so are those that rounding brings together."""

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/arithmetic/standard.h>
+
 #include <cfloat>
 #include <string>
 
-#if __cplusplus < 202002L
-#error "annulus: compile with -std=c++20 or a later standard"
-#endif
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
 #error "annulus: -ffast-math and its parts break every error bound in this library; compile without them"
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/arithmetic/standard.h>
+
 namespace annulus::bounds {
 
 /// Unit roundoff of double, u = 2^-53: a rounded operation is off by at most u relative to its result.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/arithmetic/standard.h>
+
 #if defined(__GNUC__) && !defined(__clang__)
 // g++'s own intrinsics for AVX-512 begin with registers that hold anything, and g++ warns of these where they are used.
 #pragma GCC diagnostic push

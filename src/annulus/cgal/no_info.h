@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/arithmetic/standard.h>
+
 namespace annulus {
 
 /// The vertex info of a triangulation whose caller wants none.

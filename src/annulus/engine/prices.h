@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/arithmetic/standard.h>
+
 namespace annulus {
 
 /// What things cost, in cells looked at (Signs::look_at): some 24 ns in space and 21 in the plane on one machine. Ratios measured there

@@ -22,6 +22,18 @@ std::uint64_t count(const Tally& t, const std::string& name) {
     return found == t.counts.end() ? 0 : found->second;
 }
 
+/// A line for each file whose periodic box is ignored.
+std::vector<std::string> ignored_boxes(const std::vector<Grid_point>& points) {
+    std::vector<std::string> lines;
+    for (const Grid_point& point : points) {
+        if (!point.where.contains("ignored")) continue;
+        std::string line = point.where["file"].get<std::string>() +
+                           ": its periodic box is ignored: points are taken as they stand, with open boundaries";
+        if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
 /// "jittered, 3D, 1,000, decimal:3, walk 0.01, step 10", as text.
 std::string label(const nlohmann::ordered_json& w) {
     std::string text = w.contains("file") ? w["file"].get<std::string>() : w["kind"].get<std::string>();
@@ -127,6 +139,7 @@ void append_widths(std::string& out, const std::vector<Grid_point>& points) {
 
 std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) {
     std::string out = page_head(spec.title, "");
+    append_warnings(out, ignored_boxes(points));
     out += "<div class=\"numbers\"><table>\n";
     Tally all;
     for (const Grid_point& point : points) all += point.tally;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/arithmetic/standard.h>
+
 namespace annulus {
 
 /// What to do where a file says that space is periodic, which triangulations here are not.

@@ -47,6 +47,7 @@ void Csv_frames::begin() {
     begun_ = true;
     const bool motion = wants_ids();
     std::optional<Header> commented;
+    std::string comment;  // the header, or the last one before the first row
     while (true) {
         if (!next_csv_line(reader_)) return;
         const std::string_view text = csv_trimmed(reader_.line());
@@ -57,10 +58,14 @@ void Csv_frames::begin() {
             break;
         }
         (void)split_csv(row, separator_, fields_);  // it may be prose
+        if (!commented) comment = shown(text);
         if (!is_csv_header(fields_)) continue;
         const Header found = header();
-        if (found.at[x_column] && found.at[y_column]) commented = found;
+        if (!found.at[x_column] || !found.at[y_column]) continue;
+        commented = found;
+        comment = shown(text);
     }
+    const std::string no_header = comment.empty() ? "no header" : "no header but a comment, " + comment;
     row_is_due_ = !is_csv_header(fields_) && (!motion || commented);
     has_header_ = !row_is_due_ || commented;
     if (!row_is_due_) {
@@ -73,8 +78,8 @@ void Csv_frames::begin() {
         columns_.all = fields_.size();
         if (columns_.all < 2) reader_.fail("has 1 column", "x, y and perhaps z, separated by comma, semicolon or tab");
         if (columns_.all > 3)
-            reader_.fail("has " + counted(columns_.all, "column") +
-                             " and no header, so nothing says which of them are x, y and z",
+            reader_.fail("has " + counted(columns_.all, "column") + " and " + no_header +
+                             ", so nothing says which of them are x, y and z",
                          "a header that names x, y and perhaps z, or two or three columns");
         for (std::size_t k = 0; k < columns_.all; ++k) {
             columns_.at[x_column + k] = k;
@@ -84,10 +89,14 @@ void Csv_frames::begin() {
     for (std::size_t k = motion ? frame_column : x_column; k <= y_column; ++k)
         if (!columns_.at[k]) {
             const char* expected = motion ? "frame, id, x, y and perhaps z" : "columns x, y and perhaps z";
-            if (fields_.size() == 1 && fields_[0].find(' ') != std::string_view::npos)
+            if (columns_.taken.empty() && !is_csv_header(fields_))
+                reader_.fail("has " + no_header, "a line above that names the columns: frame,id,x,y and perhaps z");
+            if (!commented && fields_.size() == 1 && fields_[0].find(' ') != std::string_view::npos)
                 reader_.fail("the header is separated by blanks: " + shown(fields_[0]),
                              std::string(expected) + ", separated by comma, semicolon or tab");
-            reader_.fail("the header names no column " + std::string(names[k]), expected);
+            reader_.fail("the header " + (commented ? "in the comment " + comment + " " : "") + "names no column " +
+                             std::string(names[k]),
+                         expected);
         }
     take_columns(columns_.taken);
     if (!row_is_due_) (void)next_row();

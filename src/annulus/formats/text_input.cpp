@@ -69,14 +69,18 @@ Source load_file(const std::filesystem::path& file, std::uint64_t most) {
     return load_file(bytes, most);
 }
 
+std::uint64_t bound_of(const File_bytes& bytes, std::uint64_t most) {
+    return bytes.size() ? most : std::min(most, most_of_a_pipe);
+}
+
 Source load_file(File_bytes& bytes, std::uint64_t most) {
     Source source{bytes.name(), {}};
+    const std::uint64_t bound = bound_of(bytes, most);
     const auto require_bounded = [&](std::uint64_t size) {
-        if (size > most)
-            throw Input_error(Error_code::bad_input, source.name, 0, "has more than " + std::to_string(most) + " bytes",
-                              "fewer");
+        if (size > bound)
+            throw Input_error(Error_code::bad_input, source.name, 0,
+                              "has more than " + std::to_string(bound) + " bytes", "fewer");
     };
-    if (!bytes.size()) most = std::min(most, most_of_a_pipe);
     require_bounded(bytes.size().value_or(0));
     source.content.reserve(static_cast<std::size_t>(bytes.size().value_or(0)));
     while (bytes.more(source.content)) {

@@ -23,9 +23,12 @@ struct Source {
 /// What a pipe may bring for a reader that holds all of it, and a bound for pictures: none has more pixels than fit.
 inline constexpr std::uint64_t most_of_a_pipe = std::uint64_t{1} << 30;
 
+/// How many bytes of it load_file takes that is told `most`: of what is no regular file, and may have no end, most_of_a_pipe at most.
+[[nodiscard]] std::uint64_t bound_of(const File_bytes& bytes, std::uint64_t most);
+
 /// Reads a whole file, unpacked where it is packed. Throws Input_error when it is missing, a directory, unreadable
 /// or empty, when what is packed in it is damaged, cut off, or more than 64 MiB and a hundred times the file, and when it has
-/// more than `most` bytes; where it is no regular file, which may have no end, more than most_of_a_pipe.
+/// more than bound_of(file, most) bytes.
 [[nodiscard]] Source load_file(const std::filesystem::path& file,
                                std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 [[nodiscard]] Source load_file(File_bytes& bytes, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/arithmetic/standard.h>
+
 namespace annulus {
 
 /// How many threads TBB may have, that which calls among them: `wanted`, but no more than the machine runs at once, and 1 where the system
