@@ -86,6 +86,22 @@ def test_vacant_indices():
     check(dt)
 
 
+def test_faults_name_indices_after_a_removal():
+    """The paper's tolerance lets a spindle of five points (docs/theory.md 3) grow past the sphere of four of them."""
+    s = np.sqrt(0.75)
+    spindle = np.array([[0, 0, 0.99], [0, 0, -0.99], [1, 0, 0], [-0.5, s, 0], [-0.5, -s, 0]])
+    grown = spindle * (1 - 0.007)
+    grown[:2] = [[0, 0, 0.997], [0, 0, -0.997]]
+    dt = annulus.MovingDelaunay(np.vstack([[[5, 5, 5]], spindle]), "paper", tolerance="paper")
+    dt.remove([0])
+    dt.settle()
+    dt.move(np.vstack([[[5, 5, 5]], grown]))
+    audit = dt.audit()
+    assert not audit and audit.violated_facets > 0
+    words, numbers = audit.first_fault.split("opposites")
+    assert words == "not locally Delaunay: facet, " and sorted(numbers.split()) == list("12345"), audit.first_fault
+
+
 def test_all_or_nothing():
     x = points_of("uniform", 30, 3, 9)
     dt = annulus.MovingDelaunay(x)

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 #include <vector>
 
@@ -160,7 +161,60 @@ void check_collision(Scene scene) {
     }
 }
 
+/// Some of the points, uniform in the unit box, go so many spacings in a direction drawn: what a call costs a mover.
+template <int d>
+void check_far(Strategy strategy, std::size_t n, std::size_t movers, double spacings) {
+    CAPTURE(d, name_of(strategy), n, movers, spacings);
+    Random random(5);
+    std::vector<Coordinates<d>> x(n);
+    for (auto& p : x)
+        for (double& c : p) c = unit(random);
+    Options options;
+    options.strategy = strategy;
+    Moving_mesh<d> mesh(std::span<const Coordinates<d>>(x), options);
+    const double most = movers == 1 ? 3.0 : 2.0;  // one may be dearer than most
+    const double far = spacings * std::pow(static_cast<double>(n), -1.0 / d);
+    for (int call = 0; call < 3; ++call) {
+        std::vector<Index> index;
+        std::vector<Coordinates<d>> goal;
+        for (std::size_t k = 0; k < movers; ++k) {
+            const std::size_t i = (k * (n / movers) + static_cast<std::size_t>(call)) % n;
+            Coordinates<d> way;
+            double square = 0.0;
+            for (double& c : way) {
+                c = between(random, -1.0, 1.0);
+                square += c * c;
+            }
+            for (std::size_t c = 0; c < d; ++c) x[i][c] += far * way[c] / std::sqrt(square);
+            index.push_back(static_cast<Index>(i));
+            goal.push_back(x[i]);
+        }
+        const Move_report report = mesh.move(std::span<const Index>(index), std::span<const Coordinates<d>>(goal));
+        const double price = report.price / static_cast<double>(movers);
+        CAPTURE(call, price, report.evaluated, report.undone_flips, report.moves.flipped, report.moves.reinserted,
+                report.moves.rebuilt);
+        CHECK(price < most * Prices<d>::reinsertion);
+        CHECK(report.moves.rebuilt == 0);
+        CHECK(report.settlings == 0);
+        if (spacings > 5.0) CHECK(10 * report.moves.reinserted >= 9 * movers);
+        REQUIRE(std::equal(x.begin(), x.end(), mesh.points().begin()));
+    }
+    REQUIRE(mesh.audit().delaunay());
+}
+
 }  // namespace
+
+TEST_CASE("A few vertices that go far are reinserted, and cost about that", "[engine][moves]") {
+    for (const Strategy strategy : {Strategy::automatic, Strategy::in_place})
+        for (const double spacings : {1.0, 10.0}) {
+            check_far<2>(strategy, 4000, 1, spacings);
+            check_far<2>(strategy, 4000, 30, spacings);
+            check_far<3>(strategy, 4000, 1, spacings);
+            check_far<3>(strategy, 4000, 30, spacings);
+        }
+    // Nothing but what they cost decides whether all is built anew: one percent do not.
+    check_far<3>(Strategy::automatic, 20'000, 200, 10.0);
+}
 
 TEMPLATE_TEST_CASE_SIG("Moves by index of points in convex position cost some rebuilds, dimension",
                        "[engine][moves][deep]", ((int d), d), 2, 3) {

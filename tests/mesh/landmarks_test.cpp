@@ -9,8 +9,10 @@
 
 #include <support/catch.h>
 
+#include <cstdint>
 #include <set>
 #include <string>
+#include <vector>
 
 using namespace annulus;
 using namespace annulus::testing;
@@ -83,6 +85,43 @@ TEMPLATE_TEST_CASE_SIG("Walks are short whatever the number of vertices, dimensi
     CAPTURE(few, many);
     CHECK(few < (d == 2 ? 16.0 : 24.0));
     CHECK(many < (d == 2 ? 16.0 : 24.0));
+}
+
+TEMPLATE_TEST_CASE_SIG("Insertions and moves to places far away walk a few facets, dimension", "[landmarks]",
+                       ((int d), d), 2, 3) {
+    Random random(9);
+    const std::size_t many = d == 2 ? 64000 : 16000;
+    constexpr std::size_t calls = 2000;
+    Points_d<d> home;
+    while (home.size() < many) home.push_back(place<d>("uniform", random));
+    Delaunay_mesh<d> mesh;
+    mesh.build(std::span<const Coordinates<d>>(home));
+    home.resize(many + 2 * calls);
+    std::vector<Cell_index> changed;
+    const auto insert_some = [&] {
+        for (std::size_t k = 0; k < calls; ++k)
+            REQUIRE(mesh.insert(home, static_cast<Index>(mesh.vertex_bound()), place<d>("uniform", random), changed));
+    };
+    const auto move_some = [&] {
+        for (std::size_t k = 0; k < calls; ++k)
+            REQUIRE(mesh.reinsert(home, static_cast<Index>(random() % mesh.vertex_bound()), place<d>("uniform", random),
+                                  changed));
+    };
+    const auto crossed_by = [&](const auto& call) {
+        changed.clear();
+        const std::uint64_t before = mesh.landmarks().crossed();
+        call();
+        return static_cast<double>(mesh.landmarks().crossed() - before) / static_cast<double>(calls);
+    };
+    const double first = crossed_by(insert_some);  // and there were no landmarks
+    const double inserted = crossed_by(insert_some);
+    const double moved = crossed_by(move_some);
+    CAPTURE(first, inserted, moved);
+    CHECK(first < 64.0);
+    CHECK(inserted > 1.0);
+    CHECK(inserted < (d == 2 ? 16.0 : 24.0));
+    CHECK(moved > 1.0);
+    CHECK(moved < (d == 2 ? 16.0 : 24.0));
 }
 
 TEST_CASE("Landmarks that are gone, moved or not finite apart are hints like others", "[landmarks]") {

@@ -6,6 +6,7 @@
 #include <annulus/report/axis_ticks.h>
 #include <annulus/formats/markup.h>
 #include <annulus/report/report.h>
+#include <annulus/report/summary.h>
 
 #include <support/catch.h>
 
@@ -123,6 +124,13 @@ TEST_CASE("an empty report and a failed audit are told plainly") {
     report.run.moves = {1000000, 999999, 1, 0, 0, 0};
     CHECK(contains(report_html(report), "&gt; 99.9 %"));
     CHECK(contains(report_html(report), "&lt; 0.01 %"));
+}
+
+TEST_CASE("memory that the system does not tell is null, and no number") {
+    Run_record run;
+    CHECK(summary_json(run).at("memory").at("peak_bytes").is_null());
+    run.memory_peak_bytes = 5'000'000;
+    CHECK(summary_json(run).at("memory").at("peak_bytes") == 5'000'000);
 }
 
 TEST_CASE("a large triangulation is shown in a window, and the page says so") {

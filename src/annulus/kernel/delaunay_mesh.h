@@ -41,6 +41,9 @@ class Delaunay_mesh {
     /// Whether v is in the triangulation. Precondition: v is below the bound.
     [[nodiscard]] bool has(Index v) const { return present_[at(v)] != 0; }
 
+    /// Where insertions and moves begin to look for their place, and how far they have walked.
+    [[nodiscard]] const Landmarks<d>& landmarks() const { return landmarks_; }
+
     /// By at most how many threads everything is built; the result does not depend on it.
     void set_threads(int threads) { threads_ = threads; }
     /// Builds from nothing; vertex i is x[i]. Throws Error(collision) naming the pair when two points are equal,

@@ -50,8 +50,12 @@ class Landmarks {
     /// A walk that began where near() said took so many steps, and ended at v.
     void note(Index v, std::size_t steps) noexcept {
         last_ = v;
+        crossed_ += steps;
         if (steps > usual) excess_ += steps - usual;
     }
+
+    /// Facets that all walks so far have crossed: what locating has cost.
+    [[nodiscard]] std::uint64_t crossed() const noexcept { return crossed_; }
 
     /// Of the vertices of a cell, infinity and `but` left out, the one nearest to p; or none.
     [[nodiscard]] static Index nearest(std::span<const Coordinates<d>> x,
@@ -152,8 +156,9 @@ class Landmarks {
     }
 
     std::vector<Landmark> tree_;
-    std::vector<Split> split_;  // by middle one
-    std::size_t excess_ = 0;    // steps beyond the usual since the tree was made
+    std::vector<Split> split_;   // by middle one
+    std::size_t excess_ = 0;     // steps beyond the usual since the tree was made
+    std::uint64_t crossed_ = 0;  // facets, by all walks
     Index last_ = none;
 };
 

@@ -33,14 +33,21 @@ std::uint64_t read_number(const char* file) noexcept {
 
 }  // namespace
 
-std::uint64_t peak_resident_memory() noexcept { return read_entry("/proc/self/status", "VmHWM:"); }
+std::uint64_t peak_resident_memory() noexcept { return peak_resident_memory("/proc/self/status"); }
+
+std::uint64_t peak_resident_memory(const char* status) noexcept { return read_entry(status, "VmHWM:"); }
 
 std::uint64_t available_memory() noexcept {
-    const std::uint64_t of_machine = read_entry("/proc/meminfo", "MemAvailable:");
-    const std::uint64_t most = read_number("/sys/fs/cgroup/memory.max");
-    const std::uint64_t used = read_number("/sys/fs/cgroup/memory.current");
-    if (most == 0 || used == 0) return of_machine;  // no limit (the word `max`), or none that is told
-    return std::min(of_machine, most > used ? most - used : 1);  // 0 would mean that nothing is known
+    return available_memory("/proc/meminfo", "/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current");
+}
+
+std::uint64_t available_memory(const char* meminfo, const char* most, const char* used) noexcept {
+    const std::uint64_t of_machine = read_entry(meminfo, "MemAvailable:");
+    const std::uint64_t limit = read_number(most);
+    const std::uint64_t taken = read_number(used);
+    if (limit == 0 || taken == 0) return of_machine;  // no limit (the word `max`), or none that is told
+    const std::uint64_t left = limit > taken ? limit - taken : 1;  // 0 would mean that nothing is known
+    return std::min(of_machine, left);
 }
 
 }  // namespace annulus
