@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Memory that runs out at any allocation of a build: the same builder works again. With tiny horizons the vertices are
 // shared out among threads.
-#include <annulus/kernel/builder.h>
-
-#include <support/catch.h>
+#include <support/built_numbers.h>
 #include <support/failing_new.h>
 #include <support/small_sets.h>
 
@@ -13,23 +11,6 @@
 using namespace annulus;
 using namespace annulus::testing;
 
-namespace {
-
-template <int d>
-std::vector<Index> build(Builder<d>& builder, const std::vector<Coordinates<d>>& x, int threads) {
-    std::vector<Index> all(x.size());
-    std::iota(all.begin(), all.end(), Index{0});
-    REQUIRE(builder.build(x, all, threads));
-    Cell_table<d> table;
-    builder.copy_to(table, x.size(), threads);
-    std::vector<Index> vertices;
-    for (const Cell_index c : table.cells())
-        for (int i = 0; i <= d; ++i) vertices.push_back(table.vertex(table.corner(c, i)));
-    return vertices;
-}
-
-}  // namespace
-
 TEMPLATE_TEST_CASE_SIG("A builder whose memory ran out builds again, whichever allocation failed, dimension",
                        "[allocation]", ((int d), d), 2, 3) {
     Random random(7);
@@ -37,13 +18,13 @@ TEMPLATE_TEST_CASE_SIG("A builder whose memory ran out builds again, whichever a
     std::vector<Index> all(x.size());
     std::iota(all.begin(), all.end(), Index{0});
     Builder<d> fresh;
-    const auto expected = build<d>(fresh, x, 1);
+    const auto expected = built_numbers<d>(fresh, x, 1);
     for (const int threads : {1, 3})
         for (std::uint64_t n = 0;; ++n) {
             CAPTURE(d, threads, n);
             Builder<d> builder;
             const auto became = starve(n, Memory::short_once, [&] { (void)builder.build(std::span(x), all, threads); });
-            REQUIRE((build<d>(builder, x, threads) == expected));
+            REQUIRE((built_numbers<d>(builder, x, threads) == expected));
             if (became == Starved::done) break;
         }
 }

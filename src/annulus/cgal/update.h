@@ -186,7 +186,7 @@ void Cgal_view<Traits>::follow_flat(std::span<const Coordinates<d>> x) const {
     std::vector<Cell_handle> made(flat.vertices.size());
     for (Cell_handle& c : made) c = Traits::create_cell(tds);
     for (std::size_t k = 0; k < made.size(); ++k)
-        for (int i = 0; i <= flat.dimension; ++i) {
+        for (int i = 0; i <= std::min(flat.dimension, d - 1); ++i) {
             const auto corner = static_cast<std::size_t>(i);
             const Vertex_handle v = vertex_of(flat.vertices[k][corner]);
             made[k]->set_vertex(i, v);
