@@ -70,7 +70,8 @@ int main(int argc, char** argv) {
     app.add_option("-w,--warm", choice.race.warm, "steps before those that count");
     app.add_option("-t,--threads", choice.race.threads);
     app.add_option("--seed", choice.seed);
-    app.add_option("--strategies", choice.race.strategies)->delimiter(',');
+    app.add_option("--strategies", choice.race.strategies, "of Moving_delaunay; STRATEGY:view asks for its triangulation() at each step; STRATEGY:mesh: Moving_mesh")
+        ->delimiter(',');
     app.add_flag("!--no-audit", choice.race.audit);
     app.add_flag("--audit-all", choice.race.audit_all, "after every step, not only the last");
     app.add_option("--json", json, "file that a line is appended to");

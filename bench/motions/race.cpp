@@ -2,15 +2,12 @@
 #include "race.h"
 
 #include "cgal_rebuild.h"
-
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
+#include "follower.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <numeric>
-#include <stdexcept>
 
 namespace bench {
 
@@ -20,12 +17,9 @@ using namespace annulus;
 using nlohmann::ordered_json;
 
 template <int d>
-using Moving = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
-
-template <int d>
 struct Runner {
     std::string name;
-    std::unique_ptr<Moving<d>> dt;
+    std::unique_ptr<Follower<d>> follower;
     double construction = 0.0;
     std::vector<double> seconds;
     Move_report report;
@@ -34,36 +28,10 @@ struct Runner {
 
 template <int d>
 Runner<d> runner(const std::string& name, const Race& race, const Points<d>& x, Stopwatch watch) {
-    Options options;
-    const auto strategy = strategy_named(name);
-    if (!strategy) throw std::invalid_argument("no strategy " + name);
-    options.strategy = *strategy;
-    options.threads = race.threads;
     const double begin = watch.seconds();
-    Runner<d> r{name, std::make_unique<Moving<d>>(std::span<const Coordinates<d>>(x), options), 0.0, {}, {}, 0};
+    Runner<d> r{name, follower<d>(name, race.threads, x), 0.0, {}, {}, 0};
     r.construction = watch.seconds() - begin;
     return r;
-}
-
-/// One timestamp: who leaves, everybody's move, who arrives.
-template <int d>
-double follow(Moving<d>& dt, const Motion<d>& motion, Stopwatch watch, Move_report& report) {
-    const std::size_t bound = dt.index_bound();
-    std::vector<Index> numbers;
-    numbers.reserve(motion.arrive().size());
-    Move_report one;
-    const double begin = watch.seconds();
-    for (const Index i : motion.leave()) dt.remove(dt.vertex(static_cast<std::size_t>(i)), &one);
-    report = dt.move_all(std::span<const Coordinates<d>>(motion.points()));
-    for (const Coordinates<d>& p : motion.arrive()) {
-        if constexpr (d == 2) numbers.push_back(dt.index(dt.insert({p[0], p[1]}, &one)));
-        else numbers.push_back(dt.index(dt.insert({p[0], p[1], p[2]}, &one)));
-    }
-    const double s = watch.seconds() - begin;
-    if (bound != motion.points().size()) throw std::logic_error("a motion and a triangulation count differently");
-    for (std::size_t k = 0; k < numbers.size(); ++k)
-        if (numbers[k] != motion.number_of_arrival(k)) throw std::logic_error("a motion and a triangulation number differently");
-    return s;
 }
 
 }  // namespace
@@ -98,11 +66,11 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
             }
             Runner<d>& r = runners[who];
             Move_report report;
-            const double s = follow<d>(*r.dt, motion, watch, report);
+            const double s = r.follower->follow(motion, watch, report);
             if (!counts) continue;
             r.seconds.push_back(s);
             r.report += report;
-            if (race.audit_all && !r.dt->audit().delaunay()) ++r.failed_audits;
+            if (race.audit_all && !r.follower->is_delaunay()) ++r.failed_audits;
         }
     }
     const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
@@ -123,7 +91,7 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
             price.push_back(r.seconds[i] / cgal[i]);
             ns.push_back(1e9 * r.seconds[i] / std::max(count[i], 1.0));
         }
-        if (race.audit && !r.dt->audit().delaunay()) ++r.failed_audits;
+        if (race.audit && !r.follower->is_delaunay()) ++r.failed_audits;
         failed += r.failed_audits;
         const double asked = static_cast<double>(std::max<std::uint64_t>(r.report.moves.asked, 1));
         const auto share = [&](std::uint64_t k) { return static_cast<double>(k) / asked; };

@@ -15,7 +15,7 @@ namespace bench {
 
 /// Who runs, and for how long.
 struct Race {
-    std::vector<std::string> strategies{"auto", "filter"};
+    std::vector<std::string> strategies{"auto", "auto:view", "auto:mesh"};  ///< as `follower` names them
     int steps = 24;  ///< that count; fewer where the motion ends
     int warm = 3;    ///< before them
     int threads = 1;

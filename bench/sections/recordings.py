@@ -5,8 +5,8 @@ from pathlib import Path
 
 from .measure import audits, in_order, middle, number, reached
 
-HEAD = ["| | n | spacings a step | came or went a step | rebuild / auto | of runs | must | reached | aim | median of steps | auto, ns | rebuild, ns "
-        "| dearest step, in rebuilds | rebuilt | audit |", "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
+HEAD = ["| | n | spacings a step | came or went a step | rebuild / auto | of runs | `Moving_mesh` | view asked | must | reached | aim | median of steps | auto, ns | rebuild, ns "
+        "| dearest step, in rebuilds | rebuilt | audit |", "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
 MUST, AIM = 0.95, 1.1
 
 
@@ -16,7 +16,8 @@ def row(name, runs):
     one = middle(runs)
     auto = one["auto"]
     return (f"| {name} | {one['points']} | {one['displacement']:.3g} | {one['came_and_went'] / max(one['steps'], 1):.1f} | {auto['whole']:.2f} "
-            f"| {runs[0]['auto']['whole']:.2f} to {runs[-1]['auto']['whole']:.2f} | {number(MUST)} | {reached(auto['whole'], MUST)} | {number(AIM)} "
+            f"| {runs[0]['auto']['whole']:.2f} to {runs[-1]['auto']['whole']:.2f} "
+            f"| {one['auto:mesh']['whole']:.2f} | {one['auto:view']['whole']:.2f} | {number(MUST)} | {reached(auto['whole'], MUST)} | {number(AIM)} "
             f"| {auto['ratio']:.2f} | {auto['ns']:.0f} | {one['cgal_ns']:.0f} | {max(r['auto']['dearest'] for r in runs):.2f} "
             f"| {100 * auto['rebuilt']:.0f} % | {audits(runs)} |")
 
@@ -34,7 +35,7 @@ def simulations(bench):
 
 
 def bench_runs(bench, motion, d, points, every, steps):
-    return bench.motion(motion=motion, dimension=d, points=points, every=every, steps=steps, warm=12, strategies="auto")
+    return bench.motion(motion=motion, dimension=d, points=points, every=every, steps=steps, warm=12)
 
 
 def recorded(bench, names):
@@ -49,5 +50,5 @@ def recorded(bench, names):
     steps = 40 if bench.quick else 400
     yield from [f"At most {steps} timestamps of each, around its fullest frame. A spacing is that of this frame in its box. Ratios are of sums.", "", *HEAD]
     for file in files:
-        yield row(file.name, [bench.call("annulus-recordings", file, steps=steps, strategies="auto")[0] for _ in range(bench.repeat)])
+        yield row(file.name, [bench.call("annulus-recordings", file, steps=steps)[0] for _ in range(bench.repeat)])
     yield ""

@@ -3,8 +3,12 @@
 
 from .measure import HEAD, number, reached, row
 
-MUST = {3: {0.01: 3, 0.03: 2, 0.1: 1}, 2: {0.01: 6, 0.03: 3.5, 0.1: 1.6}}
-AIM = {3: {0.01: 6, 0.03: 4, 0.1: 1.5}, 2: {0.01: 12, 0.03: 6, 0.1: 2.5}}
+MUST = {3: {0.001: 15, 0.01: 10, 0.03: 5, 0.1: 2.8, 0.3: 2.8, 1: 2.8}, 2: {0.001: 20, 0.01: 8, 0.03: 6, 0.1: 4, 0.3: 4, 1: 4}}
+AIM = {3: {0.001: 25, 0.01: 16, 0.03: 7, 0.1: 4, 0.3: 4, 1: 4}, 2: {0.001: 30, 0.01: 14, 0.03: 8, 0.1: 5.5, 0.3: 5.5, 1: 5.5}}
+FAMILIES_MUST = {3: {"sphere": 4, "slab": 3, "clusters": 3, "faces": 2.5, "lattice": 3.3, "ball": 3},
+                 2: {"sphere": 1.8, "slab": 4, "clusters": 4, "lattice": 2.5, "ball": 4}}
+FAMILIES_AIM = {3: {"sphere": 6, "slab": 4.5, "clusters": 3.8, "faces": 3.5, "lattice": 4.5, "ball": 4.5},
+                2: {"sphere": 2.4, "slab": 5.5, "clusters": 5.5, "lattice": 3.5, "ball": 5.5}}
 
 
 def steps(bench):
@@ -15,7 +19,7 @@ def walks(bench):
     for d, n in ((3, 8000), (2, 10000)):
         yield from [f"## Random walk, uniform points, {d}D, {n} points", "", *HEAD]
         for s in (1e-6, 1e-5, 1e-4, 1e-3, 0.003, 0.01, 0.03, 0.1, 0.3, 1):
-            yield row(f"s = {s:g}", MUST[d].get(s, 0.95), AIM[d].get(s, 1.0),
+            yield row(f"s = {s:g}", MUST[d].get(s), AIM[d].get(s),
                       bench.motion(dimension=d, points=n, spacings=s, steps=steps(bench), warm=12))
         yield ""
 
@@ -26,7 +30,7 @@ def families(bench):
         for family in ("sphere", "slab", "clusters", "faces", "lattice", "ball"):
             for s in (1e-3, 0.01):
                 few = (family, d) == ("sphere", 3)
-                yield row(f"{family}, s = {s:g}", 0.9, 1.0,
+                yield row(f"{family}, s = {s:g}", FAMILIES_MUST[d].get(family), FAMILIES_AIM[d].get(family),
                           bench.motion(dimension=d, family=family, points=1000 if few else n, spacings=s, steps=steps(bench), warm=8))
         yield ""
 
