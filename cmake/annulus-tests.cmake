@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What tests, the model in fuzz/common/ and the fuzz targets share: options, two precompiled headers, and annulus-tiny.
+# What tests, the model in fuzz/common/ and the fuzz targets share: options and two precompiled headers.
 find_package(Catch2 3 QUIET)
 if(NOT Catch2_FOUND)
     find_package(Catch2 2.13 REQUIRED)
@@ -40,7 +40,7 @@ target_precompile_headers(annulus-headers PRIVATE ${annulus_test_headers})
 target_precompile_headers(annulus-headers-cgal PRIVATE ${annulus_test_headers} ${annulus_cgal_headers})
 
 # A target of tests. HEADERS: annulus-headers, or annulus-headers-cgal where most of its files include CGAL, themselves or
-# through our headers. LIBRARY: annulus::annulus, annulus::toolkit or annulus-tiny.
+# through our headers. LIBRARY: annulus::annulus or annulus::toolkit.
 function(annulus_test_target target headers library)
     if(headers STREQUAL "annulus-headers-cgal")
         target_compile_options(${target} PRIVATE ${annulus_quiet_about_precompiled})
@@ -68,10 +68,3 @@ function(annulus_keep_what_links list)
     endforeach()
     set(${list} "${kept}" PARENT_SCOPE)
 endfunction()
-
-# The core with horizons (arithmetic/horizons.h) so near that every run passes them: tests and fuzz targets over moves run
-# on it once more. Never installed, and compiled quickly rather than well. What knows nothing of horizons is shared.
-if(ANNULUS_BUILD_TINY)
-    set(annulus_tiny_sources ${annulus_sources} ${annulus_view_sources})
-    add_subdirectory("${PROJECT_SOURCE_DIR}/tests/tiny" "${PROJECT_BINARY_DIR}/tests/tiny")
-endif()

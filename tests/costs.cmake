@@ -11,5 +11,5 @@ foreach(name IN ITEMS
         "Whenever a drifting call reports all within tolerance the audit passes"
         "Steady motion that breaks off never leaves a wrong triangulation"
         "sin2 moments of a polygon have the stated relative error")
-    set_tests_properties("${name}" "tiny/${name}" PROPERTIES COST 10)
+    set_tests_properties("${name}" PROPERTIES COST 10)
 endforeach()

@@ -76,8 +76,8 @@ double steps_of(const std::string& family, std::size_t vertices) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("Walks are short whatever the number of vertices, dimension", "[landmarks]", ((int d), d), 2,
-                       3) {
+TEMPLATE_TEST_CASE_SIG("Walks are short whatever the number of vertices, dimension", "[landmarks][price]",
+                       ((int d), d), 2, 3) {
     const char* const family = GENERATE("uniform", "strip", "leaning strip", "wall", "cluster", "lattice");
     CAPTURE(family);
     const double few = steps_of<d>(family, 1000);
@@ -87,7 +87,7 @@ TEMPLATE_TEST_CASE_SIG("Walks are short whatever the number of vertices, dimensi
     CHECK(many < (d == 2 ? 16.0 : 24.0));
 }
 
-TEMPLATE_TEST_CASE_SIG("Insertions and moves to places far away walk a few facets, dimension", "[landmarks]",
+TEMPLATE_TEST_CASE_SIG("Insertions and moves to places far away walk a few facets, dimension", "[landmarks][price]",
                        ((int d), d), 2, 3) {
     Random random(9);
     const std::size_t many = d == 2 ? 64000 : 16000;
