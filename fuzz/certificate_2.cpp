@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes -> four points of the plane -> every stage of the ladder against rational arithmetic: signs, and on which side of the half
-// width a tolerance is; and what stands beside the ladder: enclosures, delimiters, circles asked many times, the perturbation. A find
+// width a tolerance is; and what stands beside the ladder: enclosures, circles asked many times, the perturbation. A find
 // is printed as the four points.
 #include "common/decode.h"
 #include "common/rational_2.h"
@@ -8,7 +8,6 @@
 
 #include <annulus/certificate/batch.h>
 #include <annulus/certificate/circumcircle_2.h>
-#include <annulus/certificate/delimiter.h>
 #include <annulus/certificate/half_width.h>
 #include <annulus/certificate/tolerances.h>
 
@@ -70,18 +69,6 @@ std::string check_bicell(const Tuple<2, 4>& x) {
         const int sign = perturbed_empty_circle_sign(x);
         if (sign != 1 && sign != -1) return "the perturbed sign is none";
         if (perturbed_empty_circle_sign(flipped) != -sign) return "both diagonals are chosen, or neither";
-    }
-    const Delimiter_2 c = standard_delimiter(x);
-    std::array<double, 4> room{};
-    if (!safe_region_lower(c, x, room)) return {};
-    if (truth.sign() <= 0) return "a delimiter of a circle that is not empty";
-    for (std::size_t i = 0; i < 4; ++i) {
-        // |x - c| + room <= radius, or radius + room <= |x - c|.
-        const oracle::Vector_q v = oracle::between(c.centre, *x[i]);
-        const mpq_class margin(i < 2 ? -room[i] : room[i]);
-        const mpq_class edge = mpq_class(c.radius) + margin;
-        const int beyond = sgn(mpq_class(oracle::dot(v, v) - edge * edge));
-        if (i < 2 ? edge < 0 || beyond > 0 : beyond < 0) return "a safe region that is too large";
     }
     return {};
 }

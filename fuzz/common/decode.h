@@ -30,7 +30,7 @@ class Decoder {
     [[nodiscard]] Program_of<d> program() {
         Program_of<d> program;
         const std::uint8_t head = byte();
-        program.setting = setting<d>(head & 15);
+        program.setting = setting(head & 15);
         numbers_ = numbers(head >> 4);
         const std::size_t n = byte() % 24;
         for (std::size_t i = 0; i < n && !bytes_.empty();
@@ -60,11 +60,10 @@ class Decoder {
     [[nodiscard]] static Numbers numbers(unsigned high) { return static_cast<Numbers>(std::min(high, 11U)); }
 
     /// The certified settings, those that are not, and again those that have most to lose.
-    template <int d>
     [[nodiscard]] static Setting setting(unsigned low) {
-        const auto& certified = certified_settings_of<d>();
-        const auto old = static_cast<unsigned>(certified.size() - 1);  // `auto` came later: it is among the last
-        if (low < old) return certified[low];
+        // `auto` came later: it is among the last.
+        const auto old = static_cast<unsigned>(certified_settings.size() - 1);
+        if (low < old) return certified_settings[low];
         low -= old;
         if (low < uncertified_settings.size()) return uncertified_settings[low];
         return std::array<Setting, 3>{Strategy::filter, Strategy::automatic, Strategy::filter_each}[low % 3];

@@ -46,7 +46,6 @@ std::string operation_as_code(const Operation_of<d>& o) {
 
 std::string name_of(const Setting& s) {
     std::string name(annulus::name_of(s.strategy));
-    if (s.second_look != Second_look::off) name += "-" + std::string(name_as_code(s.second_look));
     if (s.tolerance != Tolerance_kind::certified) name += "-" + std::string(annulus::name_of(s.tolerance));
     return name;
 }
@@ -75,7 +74,6 @@ std::string as_code(const Program_of<d>& program) {
     std::ostringstream out;
     out << (d == 2 ? "const Program" : "const Program_3")
         << " program{{Strategy::" << identifier(annulus::name_of(program.setting.strategy))
-        << ", Second_look::" << name_as_code(program.setting.second_look)
         << ", Tolerance_kind::" << annulus::name_of(program.setting.tolerance) << "},\n    {"
         << points_as_code(program.points) << "},\n    {";
     for (std::size_t i = 0; i < program.operations.size(); ++i)
@@ -92,8 +90,6 @@ Coverage& Coverage::operator+=(const Coverage& o) {
     calls += o.calls;
     for (std::size_t i = 0; i < refused.size(); ++i) refused[i] += o.refused[i];
     report += o.report;
-    renewed_by_unequal_moves += o.renewed_by_unequal_moves;
-    renewed_by_safe_region += o.renewed_by_safe_region;
     switches += o.switches;
     return *this;
 }
@@ -121,8 +117,6 @@ std::string Coverage::words(std::string_view prefix) const {
     line("decided_by_filter", report.arithmetic.filter);
     line("decided_by_interval", report.arithmetic.interval);
     line("decided_by_exact", report.arithmetic.exact);
-    line("renewed_by_unequal_moves", renewed_by_unequal_moves);
-    line("renewed_by_safe_region", renewed_by_safe_region);
     line("switches_of_paper_hybrid", switches);
     return out.str();
 }

@@ -27,68 +27,42 @@ namespace annulus::oracle {
 /// One of the ways to keep a triangulation right.
 struct Setting {
     Strategy strategy = Strategy::filter;
-    Second_look second_look = Second_look::off;
     Tolerance_kind tolerance = Tolerance_kind::certified;
 
     // NOLINTNEXTLINE: a strategy alone is a setting
-    constexpr Setting(Strategy s = Strategy::filter, Second_look look = Second_look::off,
-                      Tolerance_kind kind = Tolerance_kind::certified)
-        : strategy(s), second_look(look), tolerance(kind) {}
+    constexpr Setting(Strategy s = Strategy::filter, Tolerance_kind kind = Tolerance_kind::certified)
+        : strategy(s), tolerance(kind) {}
     friend constexpr bool operator==(const Setting&, const Setting&) = default;
 };
 [[nodiscard]] inline Options options_of(const Setting& s) {
     Options o;
     o.strategy = s.strategy;
-    o.second_look = s.second_look;
     o.tolerance = s.tolerance;
     return o;
 }
 
-inline constexpr std::array<Setting, 11> certified_settings{{{Strategy::rebuild},
+inline constexpr std::array<Setting, 9> certified_settings{{{Strategy::rebuild},
                                                             {Strategy::relocate},
                                                             {Strategy::relocate_flips},
                                                             {Strategy::in_place},
                                                             {Strategy::filter},
-                                                            {Strategy::filter, Second_look::unequal_moves},
-                                                            {Strategy::filter, Second_look::safe_region},
                                                             {Strategy::filter_each},
                                                             {Strategy::paper},
                                                             {Strategy::paper_hybrid},
                                                             {Strategy::automatic}}};
 
-/// In space there are no second looks.
-inline constexpr std::array<Setting, 9> certified_settings_3{{{Strategy::rebuild},
-                                                              {Strategy::relocate},
-                                                              {Strategy::relocate_flips},
-                                                              {Strategy::in_place},
-                                                              {Strategy::filter},
-                                                              {Strategy::filter_each},
-                                                              {Strategy::paper},
-                                                            {Strategy::paper_hybrid},
-                                                              {Strategy::automatic}}};
-
 /// Those that promise no more than not to crash.
-inline constexpr std::array<Setting, 3> uncertified_settings{{{Strategy::paper, Second_look::off, Tolerance_kind::floating},
-                                                              {Strategy::paper, Second_look::off, Tolerance_kind::paper},
-                                                              {Strategy::paper_hybrid, Second_look::off, Tolerance_kind::paper}}};
+inline constexpr std::array<Setting, 3> uncertified_settings{{{Strategy::paper, Tolerance_kind::floating},
+                                                              {Strategy::paper, Tolerance_kind::paper},
+                                                              {Strategy::paper_hybrid, Tolerance_kind::paper}}};
 
-template <int d>
-[[nodiscard]] constexpr const auto& certified_settings_of() {
-    if constexpr (d == 2) return certified_settings;
-    else return certified_settings_3;
-}
-
-[[nodiscard]] constexpr std::string_view name_as_code(Second_look look) {
-    return look == Second_look::off ? "off" : look == Second_look::unequal_moves ? "unequal_moves" : "safe_region";
-}
-/// filter, filter-unequal_moves, filter-each-paper ...
+/// filter, filter-each, paper-floating ...
 [[nodiscard]] std::string name_of(const Setting& s);
 
 /// The filters, certified: what keeps tolerances from one call to the next.
-template <int d>
-[[nodiscard]] std::vector<Setting> filter_settings() {
+[[nodiscard]] inline std::vector<Setting> filter_settings() {
     std::vector<Setting> settings;
-    for (const Setting& s : certified_settings_of<d>())
+    for (const Setting& s : certified_settings)
         if (s.strategy == Strategy::filter || s.strategy == Strategy::filter_each || s.strategy == Strategy::automatic)
             settings.push_back(s);
     return settings;
@@ -239,8 +213,6 @@ struct Coverage {
     std::uint64_t calls = 0;                  ///< of the library
     std::array<std::uint64_t, 32> refused{};  ///< by error code
     Move_report report;                       ///< of all calls that were accepted
-    std::uint64_t renewed_by_unequal_moves = 0;
-    std::uint64_t renewed_by_safe_region = 0;
     std::uint64_t switches = 0;  ///< of paper-hybrid to paper
 
     Coverage& operator+=(const Coverage& o);

@@ -74,7 +74,6 @@ Session_of<d>::Session_of(const Program_of<d>& program) : setting_(program.setti
     Options options;
     options.strategy = setting_.strategy;
     options.tolerance = setting_.tolerance;
-    options.second_look = setting_.second_look;
     const std::optional<Error_code> refusal = verdict<d>(program.points);
     try {
         dt_.emplace(program.points, options);
@@ -158,8 +157,6 @@ void Session_of<d>::make(const Operation_of<d>& o) {
     if (const std::string words = report_fault(last_); !words.empty()) throw Fault{words};
     if (const std::string words = twin_->apply(o, std::nullopt); !words.empty()) throw Fault{words};
     coverage_.report += last_;
-    if (setting_.second_look == Second_look::unequal_moves) coverage_.renewed_by_unequal_moves += last_.renewed;
-    if (setting_.second_look == Second_look::safe_region) coverage_.renewed_by_safe_region += last_.renewed;
     coverage_.switches += strategy != dt_->strategy() ? 1U : 0U;
 }
 

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The strategy `filter` (docs/theory.md 5.1 to 5.3; src/annulus/engine/filter*.cpp, second_look.cpp) as a program: odometers, expiries, lists, what is
+(* The strategy `filter` (docs/theory.md 5.1 and 5.2; src/annulus/engine/filter*.cpp, odometers*.cpp) as a program: odometers, expiries, lists, what is
    looked at, what is written, rebase, undoing. Definitions only: algorithm_step.v proves what they keep, algorithm_run.v what follows for any
    sequence of calls.
 
@@ -14,8 +14,6 @@ From Annulus Require Export updated.
 Import ListNotations.
 Open Scope R_scope.
 
-Inductive second_looks := off | unequal_moves | safe_region.
-
 Class world := {
   position : Type;
   vertex : Type;
@@ -26,11 +24,8 @@ Class world := {
   points : certificate -> list vertex;
   holds : certificate -> (vertex -> position) -> Prop;
   counts_on : certificate -> certificate -> Prop;    (* counts_on d c: c is certified given that d holds *)
-  two_sided : certificate -> bool;                   (* an empty circle: *)
-  inside : certificate -> vertex -> bool;            (* which of its points belong inside *)
   capacity : nat;                                    (* of lists *)
   stamps : Z;                                        (* that tell steps apart: Horizons *)
-  chosen : second_looks;
   around : (Z -> option certificate) -> vertex -> list Z;   (* for_each_certificate *)
   (* arithmetic *)
   num : Type;                                        (* what the program computes with *)
@@ -44,7 +39,6 @@ Class world := {
   sum_lower : num -> num -> num;
   less : Z -> num -> num;                            (* what is left of an expiry, rounded down *)
   half : num -> Z;                                   (* Expiry::lower *)
-  overdue : Z -> num -> bool;                        (* an expiry below a base *)
   worn : num -> expiry_list -> bool }.               (* whether an odometer is to start again: commit() *)
 Coercion real : num >-> R.
 
@@ -65,7 +59,6 @@ Class laws := {
   real_zero : real zero = 0;
   number_zero : number zero;
   half_lower : forall b : num, half b = lower b;
-  overdue_right : forall e (b : num), overdue e b = true <-> value e < b;
   reading_above : forall b f p, number b -> 0 <= b -> valid f -> valid p ->
     number (reading_of b f p) /\ b + dist f p <= reading_of b f p;
   threshold_below : forall e b f p, (0 <= e <= never)%Z -> number b -> 0 <= b -> valid f -> valid p ->
@@ -77,15 +70,9 @@ Class laws := {
 (* ---- What a record may promise ---- *)
 
 (* Near its reference, or at it (tolerance 0: only at it). *)
-Definition near (m reference : placement) (allowance : vertex -> R) (v : vertex) : Prop :=
-  dist (reference v) (m v) < allowance v \/ m v = reference v.
-Definition sound (c : certificate) (reference : placement) (allowance : vertex -> R) : Prop :=
+Definition near (m reference : placement) (allowance : R) (v : vertex) : Prop := dist (reference v) (m v) < allowance \/ m v = reference v.
+Definition sound (c : certificate) (reference : placement) (allowance : R) : Prop :=
   forall m, (forall v, In v (points c) -> near m reference allowance v) -> (forall d, counts_on d c -> holds d m) -> holds c m.
-(* Unequal moves: a width that the two sides share. *)
-Definition wide (c : certificate) (reference : placement) (t : R) : Prop :=
-  forall allowance, (forall v, In v (points c) -> 0 <= allowance v) ->
-    (forall v w, In v (points c) -> In w (points c) -> inside c v = true -> inside c w = false -> allowance v + allowance w <= 2 * t) ->
-    sound c reference allowance.
 
 (* ---- State ---- *)
 
@@ -97,10 +84,9 @@ Record odometer := {
   stamp : Z }.
 Record written := {
   expiry : vertex -> Z;
-  tolerance : num;            (* for second looks *)
   reference : placement;
   origin : vertex -> R;       (* base of the point right after the record was made *)
-  allowance : vertex -> R }.
+  allowance : R }.
 Record state := {
   moving : placement;
   at_ : vertex -> odometer;
@@ -143,46 +129,31 @@ Definition anchor (x : placement) (s : state) (v : vertex) : state :=
                          else {| fixed := x v; base := reading s v (x v); room := room o; listing := listing o; stamp := epoch s |}) in
     {| moving := moving t; at_ := at_ t; mesh := mesh t; record := record t; epoch := epoch t; anchored := v :: anchored t |}.
 
-(* A second look that succeeded. Unequal: new expiries for the old reference, and what they allow; safe: how far from x. *)
-Inductive renewal := unequal (new : vertex -> num) (allowed : vertex -> R) | safe (far : vertex -> num).
-Definition renewed_expiry (k : renewal) (b : num) (v : vertex) : Z :=
-  match k with unequal new _ => half (new v) | safe far => half (sum_lower b (far v)) end.
-Variable second_look : state -> placement -> Z -> option renewal.
-
 Definition is_expired (s : state) (i : Z) (v : vertex) : bool := has s i v && (expiry (record s i) v <=? half (base (at_ s v)))%Z.
-Definition renewals := list (Z * certificate * renewal).
-(* The list so far, suspects, renewals. *)
-Definition look_at s x v (found : expiry_list * list Z * renewals) (i : Z) : expiry_list * list Z * renewals :=
-  let '(l, suspects, renewed) := found in
-  match mesh s i with
-  | None => found
-  | Some c =>
-      if negb (has s i v) then found
-      else if negb (is_expired s i v) then (put i (expiry (record s i) v) l, suspects, renewed)
-      else match second_look s x i with
-           | Some k => (put i (renewed_expiry k (base (at_ s v)) v) l, suspects, (i, c, k) :: renewed)
-           | None => (l, i :: suspects, renewed)
-           end
-  end.
+(* The list so far, suspects. *)
+Definition look_at s v (found : expiry_list * list Z) (i : Z) : expiry_list * list Z :=
+  let (l, suspects) := found in
+  if negb (has s i v) then found
+  else if is_expired s i v then (l, i :: suspects)
+  else (put i (expiry (record s i) v) l, suspects).
 Definition own (s : state) (v : vertex) (i : Z) : Z := if has s i v then expiry (record s i) v else never.
-Definition tour s x v (found : expiry_list * list Z * renewals) : expiry_list * list Z * renewals :=
-  let '(_, suspects, renewed) := found in
+Definition tour s v (found : expiry_list * list Z) : expiry_list * list Z :=
   let (expired, others) := partition (fun i => is_expired s i v) (around (mesh s) v) in
-  let '(l, suspects, renewed) := fold_left (look_at s x v) expired (cleared capacity, suspects, renewed) in
-  (put_many capacity (map (fun i => (own s v i, i)) others) l, suspects, renewed).
-Definition examine (s : state) (x : placement) (v : vertex) : expiry_list * list Z * renewals :=
+  let (l, suspects) := fold_left (look_at s v) expired (cleared capacity, snd found) in
+  (put_many capacity (map (fun i => (own s v i, i)) others) l, suspects).
+Definition examine (s : state) (v : vertex) : expiry_list * list Z :=
   let now := half (base (at_ s v)) in
-  if (rest (listing (at_ s v)) <=? now)%Z then tour s x v (listing (at_ s v), [], []) else
+  if (rest (listing (at_ s v)) <=? now)%Z then tour s v (listing (at_ s v), []) else
   let (visited, l) := take now (listing (at_ s v)) in
-  let found := fold_left (look_at s x v) visited (l, [], []) in
-  if (rest (fst (fst found)) <=? now)%Z then tour s x v found else found.
+  let found := fold_left (look_at s v) visited (l, []) in
+  if (rest (fst found) <=? now)%Z then tour s v found else found.
 
 (* Those that failed are anchored, then looked at: which depends on no other list. *)
-Definition find_expired (s : state) (x : placement) (failed : list vertex) : state * list Z * renewals :=
+Definition find_expired (s : state) (x : placement) (failed : list vertex) : state * list Z :=
   let t := fold_left (anchor x) failed (begin_anchoring s) in
   ({| moving := moving t; mesh := mesh t; record := record t; epoch := epoch t; anchored := anchored t;
-      at_ := fun v => if in_dec same_vertex v failed then set_listing (at_ t v) (fst (fst (examine t x v))) else at_ t v |},
-   flat_map (fun v => rev (snd (fst (examine t x v)))) failed, flat_map (fun v => rev (snd (examine t x v))) failed).
+      at_ := fun v => if in_dec same_vertex v failed then set_listing (at_ t v) (fst (examine t v)) else at_ t v |},
+   flat_map (fun v => rev (snd (examine t v))) failed).
 
 (* After a failure: what was kept of those that failed. *)
 Definition undo_anchoring (before t : state) (failed : list vertex) : state :=
@@ -193,8 +164,7 @@ Definition undo_anchoring (before t : state) (failed : list vertex) : state :=
 
 Record verdict := { id : Z; of : certificate; bound : num }.
 Record evaluated (x : placement) (k : verdict) : Prop := {
-  bound_sound : sound (of k) x (fun _ => bound k);
-  bound_wide : two_sided (of k) = true -> wide (of k) x (bound k);
+  bound_sound : sound (of k) x (bound k);
   bound_pos : 0 <= bound k;
   bound_number : number (bound k) }.
 (* From mesh to mesh': what is neither evaluated nor changed was no suspect. *)
@@ -209,33 +179,13 @@ Record repaired (x : placement) (old new : Z -> option certificate) (suspects : 
 
 Definition put_at (i e : Z) (v : vertex) (s : state) : state := set_at s v (set_listing (at_ s v) (put i e (listing (at_ s v)))).
 
-(* A certificate at x, and how far each point may go from there: commit_points, and commit_renewals with a safe region. *)
-Definition write_point x i (far : vertex -> num) (s : state) (v : vertex) : state :=
-  let s := anchor x s v in put_at i (half (sum_lower (base (at_ s v)) (far v))) v s.
-Definition write_at x i c (far : vertex -> num) (t : num) (s : state) : state :=
-  let s := fold_left (write_point x i far) (points c) s in
-  set_record s i {| expiry := fun v => half (sum_lower (base (at_ s v)) (far v)); tolerance := t;
-                    reference := x; origin := fun v => base (at_ s v); allowance := fun v => far v |}.
-Definition commit_evaluated x (s : state) (k : verdict) : state := write_at x (id k) (of k) (fun _ => bound k) (bound k) s.
-
-Definition renew_point i (new : vertex -> num) (s : state) (v : vertex) : state :=
-  let t := put_at i (half (new v)) v s in
-  if (stamp (at_ t v) =? epoch t)%Z then t else set_at t v (set_room (at_ t v)).
-Definition commit_renewal x (s : state) (n : Z * certificate * renewal) : state :=
-  let '(i, _, k) := n in
-  match mesh s i with
-  | None => s
-  | Some c =>      (* be it another one by now, which has been evaluated *)
-      if two_sided c then
-        match k with
-        | unequal new allowed =>
-            let t := fold_left (renew_point i new) (points c) s in
-            set_record t i {| expiry := fun v => half (new v); tolerance := zero;
-                              reference := reference (record s i); origin := origin (record s i); allowance := allowed |}
-        | safe far => write_at x i c far (tolerance (record s i)) s
-        end
-      else s
-  end.
+(* A certificate that was evaluated at x: commit_points. *)
+Definition write_point x i (t : num) (s : state) (v : vertex) : state :=
+  let s := anchor x s v in put_at i (half (sum_lower (base (at_ s v)) t)) v s.
+Definition set_written x i (t : num) (s : state) : state :=
+  set_record s i {| expiry := fun v => half (sum_lower (base (at_ s v)) t); reference := x; origin := fun v => base (at_ s v); allowance := t |}.
+Definition commit_evaluated x (s : state) (k : verdict) : state :=
+  set_written x (id k) (bound k) (fold_left (write_point x (id k) (bound k)) (points (of k)) s).
 
 Definition shifted (e : Z) (b : num) : Z := half (less e b).
 Definition rebase (s : state) (v : vertex) : state :=
@@ -244,7 +194,6 @@ Definition rebase (s : state) (v : vertex) : state :=
   let shift i := let r := record s i in
     if has s i v then
       {| expiry := set same_vertex (expiry r) v (shifted (expiry r v) b);
-         tolerance := if overdue (expiry r v) b then zero else tolerance r;
          reference := reference r; origin := set same_vertex (origin r) v (origin r v - b); allowance := allowance r |}
     else r in
   let relist l i := if has s i v then put i (shifted (expiry (record s i) v) b) l else l in
@@ -258,9 +207,8 @@ Definition with_mesh (s : state) (m : Z -> option certificate) : state :=
   {| moving := moving s; at_ := at_ s; mesh := m; record := record s; epoch := epoch s; anchored := anchored s |}.
 Definition move_to (x : placement) (s : state) : state :=
   {| moving := x; at_ := at_ s; mesh := mesh s; record := record s; epoch := epoch s; anchored := anchored s |}.
-Definition commit x (s : state) (renewed : renewals) (m : Z -> option certificate) (verdicts : list verdict) : state :=
-  let s := fold_left (commit_renewal x) renewed (with_mesh s m) in
-  let s := fold_left (commit_evaluated x) verdicts s in
+Definition commit x (s : state) (m : Z -> option certificate) (verdicts : list verdict) : state :=
+  let s := fold_left (commit_evaluated x) verdicts (with_mesh s m) in
   move_to x (fold_left finish (anchored s) s).
 
 (* ---- Everything anew, insertion ---- *)
@@ -268,9 +216,7 @@ Definition commit x (s : state) (renewed : renewals) (m : Z -> option certificat
 Definition fresh_point (i : Z) (t : num) (s : state) (v : vertex) : state :=
   set_at s v (set_listing (at_ s v) (put_new i (half (sum_lower (base (at_ s v)) t)) (listing (at_ s v)))).
 Definition write_fresh x (s : state) (k : verdict) : state :=
-  let s := fold_left (fresh_point (id k) (bound k)) (points (of k)) s in
-  set_record s (id k) {| expiry := fun v => half (sum_lower (base (at_ s v)) (bound k)); tolerance := bound k;
-                         reference := x; origin := fun v => base (at_ s v); allowance := fun _ => bound k |}.
+  set_written x (id k) (bound k) (fold_left (fresh_point (id k) (bound k)) (points (of k)) s).
 Definition settle (x : placement) (s : state) (m : Z -> option certificate) (verdicts : list verdict) : state :=
   let t := fold_left (write_fresh x) verdicts
     {| moving := x; mesh := m; record := record s; epoch := epoch s; anchored := [];

@@ -3,10 +3,10 @@
 
    - good           of a certificate: what its record promises (sane), that its points are near its reference (close), that lists know it
                     (listed), that the test of a step asks for it (tested). An expiry is below what is allowed, or below the base: overdue, or clipped by rebase
-   - advance        what anchoring, writing and renewing do to all else: odometers go on, lists and tests keep what they know
+   - advance        what anchoring and writing do to all else: odometers go on, lists and tests keep what they know
    - good_carried   so what is good stays good
    - anchor_advance, put_at_advance    two that do
-   - write_at_good  a certificate written at x, with what each point is allowed from there, is good *)
+   - evaluated_good a certificate that was evaluated at x, written down, is good *)
 Require Import Reals Lra Lia ZArith List Bool.
 From Annulus Require Import algorithm_listed high_word algorithm_filter.
 Import ListNotations.
@@ -38,12 +38,9 @@ Record fine (s : state) (v : vertex) : Prop := {
 Record sane (s : state) (i : Z) (c : certificate) : Prop := {
   an_id : is_id i;
   promise : sound c (reference (record s i)) (allowance (record s i));
-  shared : chosen = unequal_moves -> two_sided c = true -> 0 < tolerance (record s i) ->
-    wide c (reference (record s i)) (tolerance (record s i)) /\
-    forall v, In v (points c) -> value (expiry (record s i) v) - tolerance (record s i) <= origin (record s i) v;
   used : forall v, In v (points c) -> in_use (expiry (record s i) v);
   path : forall v, In v (points c) -> dist (reference (record s i) v) (fixed (at_ s v)) <= base (at_ s v) - origin (record s i) v;
-  expires : forall v, In v (points c) -> value (expiry (record s i) v) <= origin (record s i) v + allowance (record s i) v \/
+  expires : forall v, In v (points c) -> value (expiry (record s i) v) <= origin (record s i) v + allowance (record s i) \/
                                          value (expiry (record s i) v) <= base (at_ s v) }.
 Definition close (s : state) (x : placement) i c : Prop := forall v, In v (points c) ->
   near x (reference (record s i)) (allowance (record s i)) v /\ near (fixed_of s) (reference (record s i)) (allowance (record s i)) v.
@@ -123,7 +120,7 @@ Proof. unfold near, fixed_of. destruct (path_grows _ _ _ _ _ _ (follows _ _ _ _ 
 
 Lemma sane_carried i c : ~ ids i -> sane s i c -> sane t i c.
 Proof.
-  intros N [B C D E F G]. split; rewrite ?(same_record _ _ _ _ A i N); trivial.
+  intros N [B C E F G]. split; rewrite ?(same_record _ _ _ _ A i N); trivial.
   - intros v H. now apply path_carried, F.
   - intros v H. destruct (G v H) as [K|K]; [now left|right]. generalize (base_grows v). lra.
 Qed.
@@ -154,9 +151,6 @@ Proof.
     now apply put_proper.
   - intros A w. unfold touched. simpl. unfold set. destruct (same_vertex v w) as [<-|_]; [exact (A v)|exact (A w)].
 Qed.
-
-Lemma put_at_kept i e v s own : is_id i -> (e <= own)%Z -> kept (listing (at_ (put_at i e v s) v)) i own.
-Proof. intros I E. unfold put_at. simpl. rewrite set_same. simpl. apply put_kept; [exact I|right; now split]. Qed.
 
 Lemma anchor_touched x s v : touched (anchor x s v) v.
 Proof.
@@ -197,19 +191,19 @@ Proof.
 Qed.
 
 Section writing.
-Variables (x : placement) (i : Z) (far : vertex -> num).
+Variables (x : placement) (i : Z) (t : num).
 Hypothesis X : Valid x.
 Hypothesis I : is_id i.
 
-Lemma write_point_advance s v : (forall w, fine s w) -> advance x (eq i) s (write_point x i far s v).
+Lemma write_point_advance s v : (forall w, fine s w) -> advance x (eq i) s (write_point x i t s v).
 Proof.
   intro F. unfold write_point. assert (A := anchor_advance x s v F X).
   apply advance_trans with (anchor x s v); [now apply advance_more with (2 := A)|].
   apply put_at_advance; [exact (all_fine _ _ _ _ A)|exact I|apply half_range].
 Qed.
 
-Lemma write_point_done s v : let t := write_point x i far s v in
-  touched t v /\ kept (listing (at_ t v)) i (half (sum_lower (base (at_ t v)) (far v))).
+Lemma write_point_done s v : let u := write_point x i t s v in
+  touched u v /\ kept (listing (at_ u v)) i (half (sum_lower (base (at_ u v)) t)).
 Proof.
   unfold write_point. simpl. split.
   - unfold touched. simpl. rewrite set_same. simpl. apply anchor_touched.
@@ -217,29 +211,25 @@ Proof.
 Qed.
 
 (* Of another vertex, or of the same again, it stays done. *)
-Lemma write_point_stays s v w : touched s w -> kept (listing (at_ s w)) i (half (sum_lower (base (at_ s w)) (far w))) ->
-  let t := write_point x i far s v in touched t w /\ kept (listing (at_ t w)) i (half (sum_lower (base (at_ t w)) (far w))).
+Lemma write_point_stays s v w : touched s w -> kept (listing (at_ s w)) i (half (sum_lower (base (at_ s w)) t)) ->
+  let u := write_point x i t s v in touched u w /\ kept (listing (at_ u w)) i (half (sum_lower (base (at_ u w)) t)).
 Proof.
   intros T K. destruct (same_vertex v w) as [<-|N]; [apply write_point_done|]. cbv zeta.
-  assert (E : at_ (write_point x i far s v) w = at_ s w).
+  assert (E : at_ (write_point x i t s v) w = at_ s w).
   { unfold write_point, put_at, anchor. simpl. destruct (stamp (at_ s v) =? epoch s)%Z; simpl; rewrite !set_other by congruence; reflexivity. }
   unfold touched. rewrite E. split; [|exact K]. unfold write_point, anchor. simpl. destruct (stamp (at_ s v) =? epoch s)%Z; exact T.
 Qed.
 
-Lemma write_points l : forall s, (forall w, fine s w) -> let t := fold_left (write_point x i far) l s in
-  advance x (eq i) s t /\
-  forall w, In w l \/ (touched s w /\ kept (listing (at_ s w)) i (half (sum_lower (base (at_ s w)) (far w)))) ->
-    touched t w /\ kept (listing (at_ t w)) i (half (sum_lower (base (at_ t w)) (far w))).
+Lemma write_points l : forall s, (forall w, fine s w) -> let u := fold_left (write_point x i t) l s in
+  advance x (eq i) s u /\
+  forall w, In w l \/ (touched s w /\ kept (listing (at_ s w)) i (half (sum_lower (base (at_ s w)) t))) ->
+    touched u w /\ kept (listing (at_ u w)) i (half (sum_lower (base (at_ u w)) t)).
 Proof.
   induction l as [|v l IH]; intros s F; simpl.
   - split; [now apply advance_refl|]. intros w [[]|H]. exact H.
   - assert (A := write_point_advance s v F). destruct (IH _ (all_fine _ _ _ _ A)) as [B C]. split; [now apply advance_trans with (1 := A)|].
     intros w H. apply C. destruct H as [[<-|H]|[T K]]; [right; apply write_point_done|now left|right; now apply write_point_stays].
 Qed.
-
-Definition given (c : certificate) (t : num) : Prop :=
-  sound c x (fun v => far v) /\ (forall v, In v (points c) -> 0 <= far v /\ number (far v)) /\
-  (chosen = unequal_moves -> two_sided c = true -> wide c x t /\ forall v, real (far v) = t).
 
 Lemma set_record_advance s r : (forall w, fine s w) -> advance x (eq i) s (set_record s i r).
 Proof.
@@ -248,28 +238,24 @@ Proof.
   - intros j N. apply set_other. congruence.
   - intro v. destruct (F v). now split.
 Qed.
+End writing.
 
-Theorem write_at_good s c t : (forall w, fine s w) -> at_x s x -> given c t ->
-  advance x (eq i) s (write_at x i c far t s) /\ good (write_at x i c far t s) x (touched (write_at x i c far t s)) i c.
+Theorem evaluated_good x s k : Valid x -> is_id (id k) -> evaluated x k -> (forall w, fine s w) -> at_x s x -> let t := commit_evaluated x s k in
+  advance x (eq (id k)) s t /\ good t x (touched t) (id k) (of k).
 Proof.
-  intros F A (S & P & U). unfold write_at. destruct (write_points (points c) s F) as [B D].
-  set (u := fold_left (write_point x i far) (points c) s) in *.
-  set (r := {| expiry := _; tolerance := t; reference := x; origin := _; allowance := fun v => far v |}).
-  assert (C := set_record_advance u r (all_fine _ _ _ _ B)). split; [now apply advance_trans with (1 := B)|].
-  assert (E : record (set_record u i r) i = r) by (simpl; apply set_same).
+  intros X I [S P N] F A. cbv zeta. unfold commit_evaluated, set_written. destruct (write_points x (id k) (bound k) X I (points (of k)) s F) as [B D].
+  set (u := fold_left _ _ s) in *. set (r := {| expiry := _ |}).
+  assert (C := set_record_advance x (id k) u r (all_fine _ _ _ _ B)). split; [now apply advance_trans with (1 := B)|].
+  assert (E : record (set_record u (id k) r) (id k) = r) by (simpl; apply set_same).
   assert (at_u := stays_at_x _ _ _ _ B A).
-  assert (G : forall v, In v (points c) -> fixed (at_ u v) = x v).
+  assert (G : forall v, In v (points (of k)) -> fixed (at_ u v) = x v).
   { intros v H. destruct (D v (or_introl H)) as [T _]. apply (at_u v T). }
-  assert (V : forall v, In v (points c) -> value (expiry r v) <= base (at_ u v) + far v).
-  { intros v H. simpl. destruct (all_fine _ _ _ _ B v). destruct (P v H). now apply half_of_sum. }
   split; [split|..]; rewrite ?E; trivial.
-  - intros M Q _. destruct (U M Q) as [K Y]. split; [exact K|]. intros v H. generalize (V v H). rewrite (Y v). simpl. lra.
   - intros v _. apply half_range.
   - intros v H. simpl. rewrite (G v H), dist_zero. lra.
-  - intros v H. left. exact (V v H).
+  - intros v H. left. simpl. destruct (all_fine _ _ _ _ B v). now apply half_of_sum.
   - intros v H. rewrite E. split; right; [reflexivity|]. exact (G v H).
   - intros v H. rewrite E. exact (proj2 (D v (or_introl H))).
   - intros v H. left. exact (proj1 (D v (or_introl H))).
 Qed.
-End writing.
 End keep.

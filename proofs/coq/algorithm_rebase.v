@@ -27,9 +27,6 @@ Proof.
     + rewrite half_clips, value_0; lra.
 Qed.
 
-Lemma not_overdue e b : overdue e b = false -> b <= value e.
-Proof. intro H. destruct (Rlt_le_dec (value e) b) as [Lt|]; [|assumption]. apply overdue_right in Lt. congruence. Qed.
-
 Section rebasing.
 Variables (s : state) (v : vertex).
 Hypothesis F : forall w, fine s w.
@@ -62,7 +59,7 @@ Qed.
 
 Theorem rebase_good x (open : vertex -> Prop) i c : (forall j d, mesh s j = Some d -> is_id j) -> mesh s i = Some c -> open v -> good s x open i c -> good (rebase s v) x open i c.
 Proof.
-  intros Ids M O [[I S U E P X] C K T]. assert (H := has_spec s i c v M). destruct (F v) as [Nb Pb _ _ _]. fold b in Nb, Pb.
+  intros Ids M O [[I S E P X] C K T]. assert (H := has_spec s i c v M). destruct (F v) as [Nb Pb _ _ _]. fold b in Nb, Pb.
   assert (Fixed : forall w, fixed (at_ (rebase s v) w) = fixed (at_ s w)).
   { intro w. unfold rebase. simpl. unfold set. destruct (same_vertex v w) as [<-|_]; reflexivity. }
   assert (Far : forall w, w <> v -> at_ (rebase s v) w = at_ s w) by (intros w N; unfold rebase; simpl; now apply set_other).
@@ -71,13 +68,10 @@ Proof.
   - (* v is a point of it *)
     assert (V : In v (points c)) by now apply H.
     assert (Record : record (rebase s v) i = {| expiry := set same_vertex (expiry (record s i)) v (shifted (expiry (record s i) v) b);
-      tolerance := if overdue (expiry (record s i) v) b then zero else tolerance (record s i);
       reference := reference (record s i); origin := set same_vertex (origin (record s i)) v (origin (record s i) v - b);
       allowance := allowance (record s i) |}) by (unfold rebase; simpl; now rewrite D).
     destruct (shifted_below (expiry (record s i) v) b (E v V) Nb Pb) as [Cut Left].
-    split; [split|..]; rewrite ?Record; cbn [expiry tolerance reference origin allowance]; trivial.
-    + intros Mode Two Pos. destruct (overdue _ b) eqn:Lt; [rewrite real_zero in Pos; lra|]. assert (Ge := not_overdue _ _ Lt). destruct (U Mode Two Pos) as [U1 U2]. split; [exact U1|].
-      intros w Q. unfold set. destruct (same_vertex v w) as [<-|N]; [|now apply U2]. generalize (U2 v V) (Left ltac:(lra)). lra.
+    split; [split|..]; rewrite ?Record; cbn [expiry reference origin allowance]; trivial.
     + intros w Q. unfold set. destruct (same_vertex v w) as [<-|N]; [apply half_range|now apply E].
     + intros w Q. rewrite Fixed. unfold set. destruct (same_vertex v w) as [<-|N].
       * rewrite Near. generalize (P v Q). fold b. lra.
@@ -86,11 +80,11 @@ Proof.
       destruct (Rle_lt_dec (value (expiry (record s i) v)) b) as [Lt|Lt].
       * right. rewrite Near, (Cut Lt), value_0. lra.
       * left. destruct (X v Q) as [X1|X1]; [|fold b in X1; lra]. generalize (Left ltac:(lra)). lra.
-    + intros w Q. rewrite Record. cbn [expiry tolerance reference origin allowance]. destruct (C w Q) as [C1 C2]. split; [exact C1|]. unfold near, fixed_of. rewrite Fixed. exact C2.
-    + intros w Q. rewrite Record. cbn [expiry tolerance reference origin allowance]. unfold set. destruct (same_vertex v w) as [<-|N]; [|rewrite Far by congruence; now apply K].
+    + intros w Q. rewrite Record. cbn [expiry reference origin allowance]. destruct (C w Q) as [C1 C2]. split; [exact C1|]. unfold near, fixed_of. rewrite Fixed. exact C2.
+    + intros w Q. rewrite Record. cbn [expiry reference origin allowance]. unfold set. destruct (same_vertex v w) as [<-|N]; [|rewrite Far by congruence; now apply K].
       unfold rebase. simpl. rewrite set_same. simpl. apply relist_kept; [exact D|intros j J; exact (around_ids _ _ _ J)|].
       left. exact (around_all _ _ _ _ Ids M V).
-    + intros w Q. rewrite Record. cbn [expiry tolerance reference origin allowance]. destruct (same_vertex v w) as [<-|N]; [now left|]. rewrite Far, set_other by congruence. now apply T.
+    + intros w Q. rewrite Record. cbn [expiry reference origin allowance]. destruct (same_vertex v w) as [<-|N]; [now left|]. rewrite Far, set_other by congruence. now apply T.
   - (* nothing of it changes *)
     assert (V : forall w, In w (points c) -> w <> v) by (intros w Q ->; apply H in Q; congruence).
     assert (Record : record (rebase s v) i = record s i) by (unfold rebase; simpl; now rewrite D).

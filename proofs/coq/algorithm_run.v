@@ -13,8 +13,6 @@ Open Scope R_scope.
 
 Section run.
 Context {W : world} {L : laws}.
-Variable second_look : state -> placement -> Z -> option renewal.
-Hypothesis second_look_sound : second_look_right second_look.
 Notation Valid x := (forall v, valid (x v)).
 
 (* States that agree point by point. *)
@@ -24,7 +22,7 @@ Proof.
   intros A M I R E [F V G C]. split.
   - intro v. destruct (F v) as [F1 F2 F3 F4 F5]. split; rewrite ?A, ?E; trivial.
   - intro v. now rewrite M.
-  - intros i c H. rewrite I in H. destruct (G i c H) as [[G1 G2 G3 G4 G5 G6] G7 G8 G9].
+  - intros i c H. rewrite I in H. destruct (G i c H) as [[G1 G2 G4 G5 G6] G7 G8 G9].
     split; [split|..]; rewrite ?R; trivial; intros v Hv; rewrite ?R, ?A; auto.
     unfold near, fixed_of. rewrite A, M. exact (G7 v Hv).
   - intros i c d H D. rewrite I in H. destruct (C i c d H D) as [j J]. exists j. now rewrite I.
@@ -54,9 +52,9 @@ Qed.
 
 Theorem undo_keeps s x movers : invariant s -> Valid x -> (forall v, In v movers \/ x v = moving s v) ->
   let failed := find_failed s x movers in
-  invariant (undo_anchoring (begin_anchoring s) (fst (fst (find_expired second_look s x failed))) failed).
+  invariant (undo_anchoring (begin_anchoring s) (fst (find_expired s x failed)) failed).
 Proof.
-  intros V X M failed. destruct (undone_else second_look s x failed V X) as (E1 & E2 & E3 & E4).
+  intros V X M failed. destruct (undone_else s x failed V X) as (E1 & E2 & E3 & E4).
   apply (invariant_same (begin_anchoring s)).
   - apply undone; trivial.
   - intro v. now rewrite E1.
@@ -80,7 +78,7 @@ Proof.
     + destruct (A w) as [A1 _]; [congruence|]. split; rewrite ?A1; trivial.
   - intro w. simpl. unfold set. destruct (same_vertex v w); [exact P|apply Y].
   - intros i c H. assert (Q : forall w, In w (points c) -> w <> v) by (intros w Hw ->; exact (N i c H Hw)).
-    destruct (G i c H) as [[G1 G2 G3 G4 G5 G6] G7 G8 G9].
+    destruct (G i c H) as [[G1 G2 G4 G5 G6] G7 G8 G9].
     split; [split|..]; trivial; intros w Hw; destruct (A w (Q w Hw)) as [A1 A2]; rewrite ?A1; auto.
     unfold near, fixed_of. rewrite A1, A2. exact (G7 w Hw).
 Qed.
@@ -132,7 +130,7 @@ Lemma write_fresh_good x s k : (forall v, fine s v) -> (forall v, fixed (at_ s v
   moving t = moving s /\ mesh t = mesh s /\ epoch t = epoch s /\ (forall v, fine t v) /\ (forall v, fixed (at_ t v) = x v) /\
   good t x open (id k) (of k) /\ forall i c, i <> id k -> good s x open i c -> good t x open i c.
 Proof.
-  intros F X I [B1 B2 B3 B4]. unfold write_fresh.
+  intros F X I [B1 B3 B4]. unfold write_fresh, set_written.
   destruct (fresh_points (id k) (bound k) (points (of k)) I s (fun v => list_proper _ _ (F v))) as (E1 & E2 & E3 & E4 & P).
   set (u := fold_left _ _ s) in *. set (r := {| expiry := _ |}).
   assert (Rec : record (set_record u (id k) r) (id k) = r) by (simpl; apply set_same).
@@ -142,14 +140,13 @@ Proof.
   - assert (V : forall v, value (expiry r v) <= base (at_ u v) + bound k).
     { intro v. simpl. destruct (P v) as (_ & -> & _), (F v). now apply half_of_sum. }
     split; [split|..]; rewrite ?Rec; trivial.
-    + intros _ T _. split; [now apply B2|]. intros v _. generalize (V v). simpl. lra.
     + intros v _. apply half_range.
     + intros v _. simpl. destruct (P v) as (-> & _). rewrite X, dist_zero. lra.
     + intros v _. left. exact (V v).
     + intros v _. rewrite Rec. split; right; [reflexivity|]. unfold fixed_of. simpl. destruct (P v) as (-> & _). now rewrite X.
     + intros v H. rewrite Rec. simpl. destruct (P v) as (_ & -> & _ & _ & _ & K). now apply K.
     + intros v _. now left.
-  - intros i c N [[G1 G2 G3 G4 G5 G6] G7 G8 G9].
+  - intros i c N [[G1 G2 G4 G5 G6] G7 G8 G9].
     assert (R : record (set_record u (id k) r) i = record s i) by (simpl; rewrite set_other, E3 by congruence; reflexivity).
     split; [split|..]; rewrite ?R; trivial.
     + intros v H. simpl. destruct (P v) as (-> & -> & _). now apply G5.
@@ -191,7 +188,7 @@ Proof.
   - set (t := fold_left _ verdicts s0) in *. cbv zeta. split; [|exact M].
     split; trivial.
     + intro v. destruct (F v). now split.
-    + intros i c H. destruct (G i c H) as [[G1 G2 G3 G4 G5 G6] G7 G8 G9]. split; [now split|exact G7|exact G8|].
+    + intros i c H. destruct (G i c H) as [[G1 G2 G4 G5 G6] G7 G8 G9]. split; [now split|exact G7|exact G8|].
       intros v Hv. right. simpl. apply set_room_protects with i; [apply F|now apply G4|now apply G8].
     + intros i c d H. simpl in *. rewrite M in *. now apply (Counted i c d).
 Qed.
@@ -208,20 +205,19 @@ Definition right (y : system) : Prop := if tracks y then invariant (of_filter y)
 
 Definition covered (s : state) (x : placement) (movers : list vertex) : Prop := forall v, In v movers \/ x v = moving s v.
 Definition stepped s x failed m verdicts : state :=
-  let '(u, suspects, renewed) := find_expired second_look s x failed in commit x u renewed m verdicts.
+  commit x (fst (find_expired s x failed)) m verdicts.
 
 Inductive call : system -> system -> Prop :=
   (* move_all, move: everybody passes; somebody fails; Repair fails *)
   | passed s x movers : Valid x -> covered s x movers -> find_failed s x movers = [] ->
       call {| of_filter := s; tracks := true |} {| of_filter := move_to x s; tracks := true |}
   | processed s x movers m verdicts : Valid x -> covered s x movers ->
-      (let failed := find_failed s x movers in let '(u, suspects, _) := find_expired second_look s x failed in
-       repaired x (mesh u) m suspects verdicts) ->
+      (let (u, suspects) := find_expired s x (find_failed s x movers) in repaired x (mesh u) m suspects verdicts) ->
       call {| of_filter := s; tracks := true |}
         {| of_filter := stepped s x (find_failed s x movers) m verdicts; tracks := true |}
   | failing s x movers : Valid x -> covered s x movers ->
       call {| of_filter := s; tracks := true |}
-        {| of_filter := undo_anchoring (begin_anchoring s) (fst (fst (find_expired second_look s x (find_failed s x movers)))) (find_failed s x movers);
+        {| of_filter := undo_anchoring (begin_anchoring s) (fst (find_expired s x (find_failed s x movers))) (find_failed s x movers);
            tracks := true |}
   (* place, refresh: vertices come or go, or cells came back under other numbers; evaluated where everybody is *)
   | refreshed s placed m verdicts : (forall n, In n placed -> valid (snd n)) ->
@@ -244,9 +240,9 @@ Inductive call : system -> system -> Prop :=
 
 Lemma stepped_right s x failed m verdicts : invariant s -> Valid x ->
   (forall v, In v failed \/ passes s x v = true \/ x v = moving s v) ->
-  (let '(u, suspects, _) := find_expired second_look s x failed in repaired x (mesh u) m suspects verdicts) ->
+  (let (u, suspects) := find_expired s x failed in repaired x (mesh u) m suspects verdicts) ->
   invariant (stepped s x failed m verdicts).
-Proof. intros V X O R. exact (proj1 (committed second_look second_look_sound s x failed V X O m verdicts R)). Qed.
+Proof. intros V X O R. exact (proj1 (committed s x failed V X O m verdicts R)). Qed.
 
 Theorem call_keeps y z : right y -> call y z -> right z.
 Proof.

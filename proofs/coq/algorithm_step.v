@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* A step of `filter` (algorithm_filter.v): vertices that failed are anchored and looked at, Repair does what it may, all is written down.
 
-   - examined          what is neither a suspect nor renewed is good at the new positions
+   - examined          what is no suspect is good at the new positions
    - no_suspect_holds  so Repair may count on it: it holds there, given those it counts on
    - undone            if Repair fails, odometers and lists are what they were
    - committed         after commit the invariant holds at the new positions: all certificates hold *)
@@ -13,8 +13,6 @@ Open Scope R_scope.
 Section step.
 Context {W : world} {L : laws}.
 Notation Valid x := (forall v, valid (x v)).
-Variable second_look : state -> placement -> Z -> option renewal.
-Hypothesis second_look_sound : second_look_right second_look.
 
 (* ---- find_expired ---- *)
 
@@ -24,9 +22,8 @@ Hypothesis V : invariant s.
 Hypothesis X : Valid x.
 Hypothesis Others : forall v, In v failed \/ passes s x v = true \/ x v = moving s v.
 Let t := fold_left (anchor x) failed (begin_anchoring s).
-Let u := fst (fst (find_expired second_look s x failed)).
-Let suspects := snd (fst (find_expired second_look s x failed)).
-Let renewed := snd (find_expired second_look s x failed).
+Let u := fst (find_expired s x failed).
+Let suspects := snd (find_expired s x failed).
 
 Let F0 v : fine (begin_anchoring s) v := proj1 (begin_fine s (fine_all s V) v).
 
@@ -57,19 +54,13 @@ Qed.
 Lemma t_ids i c : mesh t i = Some c -> is_id i /\ forall w, In w (points c) -> in_use (expiry (record t i) w).
 Proof. rewrite t_mesh. intro M. destruct (t_sane i c M). now split. Qed.
 
-Lemma in_renewed i c k : In (i, c, k) renewed -> mesh s i = Some c /\ second_look t x i = Some k.
-Proof.
-  intro H. apply in_flat_map in H. destruct H as (v & _ & H). apply in_rev in H. rewrite <- t_mesh.
-  exact (proj2 (proj1 (examine_settles second_look t x v t_ids (list_proper _ _ (t_fine v)))) i c k H).
-Qed.
-
-Lemma u_at v : at_ u v = if in_dec same_vertex v failed then set_listing (at_ t v) (fst (fst (examine second_look t x v))) else at_ t v.
+Lemma u_at v : at_ u v = if in_dec same_vertex v failed then set_listing (at_ t v) (fst (examine t v)) else at_ t v.
 Proof. reflexivity. Qed.
 
 Theorem u_fine v : fine u v.
 Proof.
   destruct (t_fine v) as [B P Y Q S]. split; rewrite u_at; destruct (in_dec same_vertex v failed); trivial.
-  exact (proj1 (proj1 (examine_settles second_look t x v t_ids Q))).
+  exact (proj1 (examine_settles t v t_ids Q)).
 Qed.
 
 Lemma u_same v : fixed (at_ u v) = fixed (at_ t v) /\ base (at_ u v) = base (at_ t v) /\ stamp (at_ u v) = stamp (at_ t v).
@@ -96,34 +87,29 @@ Proof.
       destruct (begin_same s v) as (-> & _). apply (is_close _ _ _ _ _ G v H).
 Qed.
 
-Theorem examined i c : mesh u i = Some c ->
-  In i suspects \/ (exists k, In (i, c, k) renewed) \/ good u x (touched u) i c.
+Theorem examined i c : mesh u i = Some c -> In i suspects \/ good u x (touched u) i c.
 Proof.
   change (mesh u) with (mesh t). rewrite t_mesh. intro M.
-  (* at every point that failed it was a suspect, renewed or not reached *)
-  assert (D : In i suspects \/ (exists k, In (i, c, k) renewed) \/ forall v, In v failed -> In v (points c) ->
-    (half (base (at_ t v)) < expiry (record t i) v)%Z /\ kept (fst (fst (examine second_look t x v))) i (expiry (record t i) v)).
-  { assert (E : forall l, (forall v, In v l -> In v failed) -> In i suspects \/ (exists k, In (i, c, k) renewed) \/ forall v, In v l -> In v (points c) ->
-      (half (base (at_ t v)) < expiry (record t i) v)%Z /\ kept (fst (fst (examine second_look t x v))) i (expiry (record t i) v)).
-    { induction l as [|v l IH]; intro Inc; [right; right; intros v []|]. assert (Fv := Inc v (or_introl eq_refl)).
-      destruct (IH (fun w H => Inc w (or_intror H))) as [Q|[Q|Q]]; [now left|right; now left|].
-      destruct (in_dec same_vertex v (points c)) as [Y|Y].
-      - assert (Mt : mesh t i = Some c) by now rewrite t_mesh.
-        destruct (proj2 (examine_settles second_look t x v t_ids (list_proper _ _ (t_fine v))) i c Mt Y (t_listed i c M v Y)) as [H|[(k & H)|H]].
-        + left. apply in_flat_map. exists v. split; [exact Fv|now apply in_rev in H].
-        + right. left. exists k. apply in_flat_map. exists v. split; [exact Fv|now apply in_rev in H].
-        + right. right. intros w [<-|Hw] Hp; [exact H|now apply Q].
-      - right. right. intros w [<-|Hw] Hp; [contradiction|now apply Q]. }
-    apply E. trivial. }
-  destruct D as [D|[D|D]]; [now left|right; now left|right; right].
-  destruct (t_sane i c M) as [I S U E P Ex]. assert (R : record u i = record t i) by reflexivity.
+  (* at every point that failed it was a suspect, or not reached *)
+  assert (D : forall l, (forall v, In v l -> In v failed) -> In i suspects \/ forall v, In v l -> In v (points c) ->
+    (half (base (at_ t v)) < expiry (record t i) v)%Z /\ kept (fst (examine t v)) i (expiry (record t i) v)).
+  { induction l as [|v l IH]; intro Inc; [right; intros v []|]. assert (Fv := Inc v (or_introl eq_refl)).
+    destruct (IH (fun w H => Inc w (or_intror H))) as [Q|Q]; [now left|].
+    destruct (in_dec same_vertex v (points c)) as [Y|Y].
+    - assert (Mt : mesh t i = Some c) by now rewrite t_mesh.
+      destruct (proj2 (examine_settles t v t_ids (list_proper _ _ (t_fine v))) i c Mt Y (t_listed i c M v Y)) as [H|H].
+      + left. apply in_flat_map. exists v. split; [exact Fv|now apply in_rev in H].
+      + right. intros w [<-|Hw] Hp; [exact H|now apply Q].
+    - right. intros w [<-|Hw] Hp; [contradiction|now apply Q]. }
+  destruct (D failed (fun v H => H)) as [Q|Q]; [now left|right]. clear D.
+  destruct (t_sane i c M) as [I S E P Ex]. assert (R : record u i = record t i) by reflexivity.
   split; [split|..]; rewrite ?R; trivial.
   - intros v H. destruct (u_same v) as (-> & -> & _). now apply P.
   - intros v H. destruct (u_same v) as (_ & -> & _). now apply Ex.
   - intros v H. rewrite R, t_record. destruct (point_near i c v M H) as [N1 N2].
-    { intro Y. rewrite <- t_record. now apply D. }
+    { intro Y. rewrite <- t_record. now apply Q. }
     split; [exact N1|]. unfold near, fixed_of. destruct (u_same v) as (-> & _). exact N2.
-  - intros v H. rewrite R, u_at. destruct (in_dec same_vertex v failed) as [Y|Y]; [now apply D|now apply t_listed with c].
+  - intros v H. rewrite R, u_at. destruct (in_dec same_vertex v failed) as [Y|Y]; [now apply Q|now apply t_listed with c].
   - intros v H. rewrite R. unfold touched. rewrite u_at. destruct anchored_all as (_ & B & C & _).
     destruct (in_dec same_vertex v failed) as [Y|Y]; [left; now apply B|]. destruct (C v) as [C'|C']; [contradiction|].
     right. rewrite C', t_record. destruct (begin_good _ _ _ _ _ (good_all s V i c M)) as [_ _ _ T]. destruct (T v H) as [[]|T']. exact T'.
@@ -132,12 +118,8 @@ Qed.
 (* What Repair may count on: whatever is no suspect holds at x, if what it counts on does. *)
 Theorem no_suspect_holds i c : mesh u i = Some c -> ~ In i suspects -> (forall d, counts_on d c -> holds d x) -> holds c x.
 Proof.
-  intros M N K. destruct (examined i c M) as [Q|[(k & Q)|Q]]; [contradiction| |].
-  - destruct (in_renewed i c k Q) as [Ms Sl]. assert (Mt : mesh t i = Some c) by now rewrite t_mesh.
-    assert (P := second_look_promised second_look second_look_sound t x i c k t_fine X Mt (t_sane i c Ms) Sl). destruct P as [_ P]. destruct k as [new allowed|far].
-    + destruct P as [S P]. apply S; [|exact K]. intros v H. apply (P v H).
-    + destruct P as (_ & S & _). apply S; [|exact K]. intros v H. now right.
-  - apply (promise _ _ _ (is_sane _ _ _ _ _ Q)); [|exact K]. intros v H. apply (is_close _ _ _ _ _ Q v H).
+  intros M N K. destruct (examined i c M) as [Q|Q]; [contradiction|].
+  apply (promise _ _ _ (is_sane _ _ _ _ _ Q)); [|exact K]. intros v H. apply (is_close _ _ _ _ _ Q v H).
 Qed.
 
 (* A failure: everything is as it was when the step began. *)
@@ -162,40 +144,23 @@ Lemma w0_fine v : fine w0 v.
 Proof. destruct (u_fine v). now split. Qed.
 
 Lemma w0_good i c : good u x (touched u) i c -> good w0 x (touched w0) i c.
-Proof. intros [[I S U E P Ex] C K T]. split; trivial. now split. Qed.
+Proof. intros [[I S E P Ex] C K T]. split; trivial. now split. Qed.
 
-Lemma w0_promised i c k : promised t x (i, c, k) -> promised w0 x (i, c, k).
-Proof.
-  intros [Two P]. split; [exact Two|revert P]. destruct k as [new allowed|far]; [|trivial]. change (record w0 i) with (record t i).
-  intros [S P]. split; [exact S|]. intros v H. destruct (P v H) as (P1 & P2 & P3 & P4). unfold near, fixed_of.
-  change (record w0 i) with (record t i). change (at_ w0 v) with (at_ u v). destruct (u_same v) as (-> & -> & _). now repeat split.
-Qed.
-
-Theorem committed : let r := commit x u renewed m verdicts in invariant r /\ mesh r = m /\ moving r = x.
+Theorem committed : let r := commit x u m verdicts in invariant r /\ mesh r = m /\ moving r = x.
 Proof.
   destruct Mended as [Right Rest Ids Counted].
-  destruct (renewals_committed x (fun i => In i (map id verdicts)) renewed X w0 w0_fine u_at_x) as (F1 & A1 & M1 & P1 & G1).
-  - intros [[i c] k] [[j d] h] H H' E. unfold id_of_renewal in E. simpl in E. subst j.
-    destruct (in_renewed _ _ _ H), (in_renewed _ _ _ H'). congruence.
-  - intros i c k H. destruct (in_renewed i c k H) as [Ms Sl]. assert (S := t_sane i c Ms). split; [apply S|]. change (mesh w0 i) with (m i).
-    destruct (m i) as [d|] eqn:Mi; [|right; now left]. destruct (Rest i d Mi) as [Q|[Q1 Q2]]; [now left|]. right. right.
-    assert (d = c) by (change (mesh u i) with (mesh t i) in Q1; rewrite t_mesh in Q1; congruence). subst d. split; [reflexivity|].
-    apply w0_promised. exact (second_look_promised second_look second_look_sound t x i c k t_fine X (eq_trans (f_equal (fun f => f i) t_mesh) Ms) S Sl).
-  - intros i c H. change (mesh w0 i) with (m i) in H. destruct (Rest i c H) as [Q|[Q1 Q2]]; [now left|]. right.
-    destruct (examined i c Q1) as [Q|[Q|Q]]; [contradiction|now right|left]. now apply w0_good.
-  - set (w1 := fold_left (commit_renewal x) renewed w0) in *.
-    destruct (verdicts_committed x verdicts X w1 F1 A1) as (F2 & A2 & M2 & P2 & G2).
-    { intros k H. rewrite M1. destruct (Right k H) as [R1 R2]. split; [exact (Ids _ _ R1)|now split]. }
-    { exact G1. }
-    set (w2 := fold_left (commit_evaluated x) verdicts w1) in *.
+  destruct (verdicts_committed x verdicts X w0 w0_fine u_at_x) as (F2 & A2 & M2 & P2 & G2).
+  - intros k H. destruct (Right k H) as [R1 R2]. split; [exact (Ids _ _ R1)|now split].
+  - intros i c H. destruct (Rest i c H) as [Q|[Q1 Q2]]; [now left|right]. apply w0_good. destruct (examined i c Q1) as [Q|Q]; [contradiction|exact Q].
+  - set (w2 := fold_left (commit_evaluated x) verdicts w0) in *.
     destruct (finished x (anchored w2) w2 F2) as (F3 & M3 & P3 & G3).
     { intros i c H. destruct (G2 i c H) as [S C K T]. split; trivial. intros v Hv. destruct (T v Hv) as [H1|H1]; [left; now apply A2|now right]. }
-    assert (E : mesh (commit x u renewed m verdicts) = m).
-    { unfold commit. fold w0. fold w1. fold w2. simpl. rewrite M3, M2, M1. reflexivity. }
+    assert (E : mesh (commit x u m verdicts) = m).
+    { unfold commit. fold w0. fold w2. simpl. rewrite M3, M2. reflexivity. }
     split; [|now split]. split.
     + intro v. destruct (F3 v). now split.
     + exact X.
-    + intros i c H. destruct (G3 i c H) as [[I S U Us P Ex] C K T]. split; [now split|..]; trivial.
+    + intros i c H. destruct (G3 i c H) as [[I S Us P Ex] C K T]. split; [now split|..]; trivial.
     + rewrite E. exact Counted.
 Qed.
 End finding.

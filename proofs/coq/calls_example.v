@@ -88,9 +88,8 @@ Proof.
   unfold accepted. rewrite !andb_true_iff, forallb_forall. intros [[_ A] _] k K. apply in_map_iff in K. destruct K as (n & <- & K). apply in_seq in K.
   assert (N : nth_error (certificates T) n = Some (nth n (certificates T) (cell 0 0 0))) by (apply nth_error_nth'; lia). split.
   - unfold numbered. cbn [id of verdict_of]. replace (Z.of_nat n <? 0)%Z with false by (symmetry; apply Z.ltb_ge; lia). now rewrite Nat2Z.id.
-  - specialize (A _ (nth_error_In _ _ N)). unfold says_yes in A. rewrite andb_true_iff in A. destruct A as [D A]. exists false. cbn [of bound verdict_of].
-    apply (all_differ_right Nat.eqb) in D; [|intro; apply Nat.eqb_refl].
-    destruct (nth n (certificates T) (cell 0 0 0)) as [a b c|a b c|a b p q]; cbn [answer_of] in *; [| |split; [exact D|]];
+  - specialize (A _ (nth_error_In _ _ N)). unfold says_yes in A. rewrite andb_true_iff in A. destruct A as [_ A]. exists false. cbn [of bound verdict_of].
+    destruct (nth n (certificates T) (cell 0 0 0)) as [a b c|a b c|a b p q]; cbn [answer_of] in *;
       match goal with |- says ?x _ _ => destruct x; try discriminate A; reflexivity end.
 Qed.
 
@@ -129,13 +128,13 @@ Qed.
 Definition blank : state := {|
   moving := at_doubles low; algorithm_filter.mesh := fun _ => None; epoch := 0; anchored := [];
   at_ := fun v => {| fixed := at_doubles low v; base := 0; room := 0; listing := cleared capacity; stamp := 0 |};
-  record := fun _ => {| expiry := fun _ => 0%Z; tolerance := 0; reference := at_doubles low; origin := fun _ => 0; allowance := fun _ => 0 |} |}.
+  record := fun _ => {| expiry := fun _ => 0%Z; reference := at_doubles low; origin := fun _ => 0; allowance := 0 |} |}.
 Definition first : state := settle (at_doubles low) blank (numbered upright) (verdicts_of low upright).
 (* Vertex 3 moves. *)
-Definition second : state := stepped no_second_look first (at_doubles high) (find_failed first (at_doubles high) [3%nat]) (numbered level) (verdicts_of high level).
+Definition second : state := stepped first (at_doubles high) (find_failed first (at_doubles high) [3%nat]) (numbered level) (verdicts_of high level).
 (* Vertex 4 comes. *)
 Definition third : state :=
-  stepped no_second_look (fold_left place (placed high (comes 4)) second) (at_doubles high) [] (numbered with_fifth) (verdicts_of high with_fifth).
+  stepped (fold_left place (placed high (comes 4)) second) (at_doubles high) [] (numbered with_fifth) (verdicts_of high with_fifth).
 
 Lemma upright_accepted : accepted low upright = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
@@ -148,8 +147,8 @@ Lemma moved_alone : covered first (at_doubles high) [3%nat].
 Proof.
   intro v. change (moving first) with (at_doubles low). do 3 (destruct v as [|v]; [now right|]). destruct v as [|v]; [left; now left|now right].
 Qed.
-Lemma stepped_moving s x failed m verdicts : moving (stepped no_second_look s x failed m verdicts) = x.
-Proof. unfold stepped. now destruct (find_expired _ _ _ _) as [[u suspects] renewed]. Qed.
+Lemma stepped_moving s x failed m verdicts : moving (stepped s x failed m verdicts) = x.
+Proof. reflexivity. Qed.
 
 Lemma started : right {| of_filter := first; tracks := true |} /\ algorithm_filter.mesh first = numbered upright.
 Proof.
@@ -161,7 +160,7 @@ Proof.
 Qed.
 
 Definition everything_there : list Z := map Z.of_nat (seq 0 100).
-Lemma second_evaluated : let '(u, suspects, _) := find_expired no_second_look first (at_doubles high) (find_failed first (at_doubles high) [3%nat]) in
+Lemma second_evaluated : let (u, suspects) := find_expired first (at_doubles high) (find_failed first (at_doubles high) [3%nat]) in
   evaluates high (algorithm_filter.mesh u) (numbered level) suspects everything_there (verdicts_of high level).
 Proof.
   unfold find_expired. apply evaluates_all; [exact level_accepted|]. intros i Q. cbn [algorithm_filter.mesh].
@@ -169,9 +168,9 @@ Proof.
   now apply (numbered_outside low upright).
 Qed.
 
-Theorem flips : program_call no_second_look nobody {| of_filter := first; tracks := true |} upright {| of_filter := second; tracks := true |} level.
+Theorem flips : program_call nobody {| of_filter := first; tracks := true |} upright {| of_filter := second; tracks := true |} level.
 Proof.
-  apply (step no_second_look first high [3%nat] (numbered level) everything_there (verdicts_of high level) inside).
+  apply (step first high [3%nat] (numbered level) everything_there (verdicts_of high level) inside).
   - exact high_coordinates.
   - exact moved_alone.
   - exact second_evaluated.
@@ -186,7 +185,7 @@ Qed.
 
 Lemma second_mesh : algorithm_filter.mesh second = numbered level.
 Proof.
-  exact (proj1 (step_ends no_second_look no_second_look_right first high [3%nat] (numbered level) everything_there (verdicts_of high level) level (proj1 started)
+  exact (proj1 (step_ends first high [3%nat] (numbered level) everything_there (verdicts_of high level) level (proj1 started)
     high_coordinates moved_alone (accepted_glued high level level_accepted) (numbered_lists high level level_accepted) second_evaluated)).
 Qed.
 
@@ -201,8 +200,8 @@ Qed.
 Lemma second_right : right {| of_filter := second; tracks := true |}.
 Proof.
   assert (Ls : lists (algorithm_filter.mesh first) upright) by (rewrite (proj2 started); exact (numbered_lists low upright upright_accepted)).
-  refine (call_keeps no_second_look no_second_look_right _ _ (proj1 started) _).
-  exact (program_call_is_call no_second_look no_second_look_right nobody _ upright _ level (proj1 started) (accepted_glued low upright upright_accepted) Ls flips
+  refine (call_keeps _ _ (proj1 started) _).
+  exact (program_call_is_call nobody _ upright _ level (proj1 started) (accepted_glued low upright upright_accepted) Ls flips
     (accepted_glued high level level_accepted)).
 Qed.
 Lemma fourth_comes v : comes 4 = comes v -> ~ vertex_of level v.
@@ -213,7 +212,7 @@ Proof. apply evaluates_all; [exact fifth_accepted|]. intros i Q. cbn [placed fol
 Lemma third_mesh : algorithm_filter.mesh third = numbered with_fifth.
 Proof.
   assert (Ls : lists (algorithm_filter.mesh second) level) by (rewrite second_mesh; exact (numbered_lists high level level_accepted)).
-  exact (proj1 (inserted_ends no_second_look no_second_look_right second high (comes 4) (numbered with_fifth) everything_there (verdicts_of high with_fifth) level
+  exact (proj1 (inserted_ends second high (comes 4) (numbered with_fifth) everything_there (verdicts_of high with_fifth) level
     with_fifth second_right (accepted_glued high level level_accepted) Ls high_coordinates placed_moving fourth_comes third_evaluated
     (accepted_glued high with_fifth fifth_accepted) (numbered_lists high with_fifth fifth_accepted))).
 Qed.
@@ -227,9 +226,9 @@ Proof.
     destruct C as [->|[->| ->]]; [exists (0, 1, 2)%nat|exists (0, 1, 2)%nat|exists (2, 3, 4)%nat]; cbn; tauto.
 Qed.
 
-Theorem comes_in : program_call no_second_look (comes 4) {| of_filter := second; tracks := true |} level {| of_filter := third; tracks := true |} with_fifth.
+Theorem comes_in : program_call (comes 4) {| of_filter := second; tracks := true |} level {| of_filter := third; tracks := true |} with_fifth.
 Proof.
-  apply (inserted no_second_look second high (comes 4) (numbered with_fifth) everything_there (verdicts_of high with_fifth)).
+  apply (inserted second high (comes 4) (numbered with_fifth) everything_there (verdicts_of high with_fifth)).
   - exact high_coordinates.
   - exact placed_moving.
   - exact fourth_comes.

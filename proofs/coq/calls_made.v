@@ -23,10 +23,10 @@ Context {o : options}.
 #[local] Existing Instance the_laws.
 
 (* Vertex 4 goes. *)
-Definition fourth : state := stepped no_second_look third (at_doubles high) [] (numbered level) (verdicts_of high level).
-Theorem goes_out : program_call no_second_look (goes 4) {| of_filter := third; tracks := true |} with_fifth {| of_filter := fourth; tracks := true |} level.
+Definition fourth : state := stepped third (at_doubles high) [] (numbered level) (verdicts_of high level).
+Theorem goes_out : program_call (goes 4) {| of_filter := third; tracks := true |} with_fifth {| of_filter := fourth; tracks := true |} level.
 Proof.
-  apply (inserted no_second_look third high (goes 4) (numbered level) everything_there (verdicts_of high level)).
+  apply (inserted third high (goes 4) (numbered level) everything_there (verdicts_of high level)).
   - exact high_coordinates.
   - apply stepped_moving.
   - discriminate.
@@ -65,9 +65,9 @@ Proof.
     | |- signed _ (circle _ _ _ _) => left; right; vm_compute; discriminate end|]).
   contradiction.
 Qed.
-Theorem by_signs : program_call no_second_look nobody {| of_filter := fourth; tracks := true |} level {| of_filter := fifth; tracks := false |} level.
+Theorem by_signs : program_call nobody {| of_filter := fourth; tracks := true |} level {| of_filter := fifth; tracks := false |} level.
 Proof.
-  apply (signs_of_all no_second_look fourth true round (numbered level)).
+  apply (signs_of_all fourth true round (numbered level)).
   - exact round_coordinates.
   - exact level_signed.
   - exact (accepted_glued high level level_accepted).
@@ -82,13 +82,13 @@ Definition system_of (i : nat) : system := match i with O => settled low (number
   | _ => {| of_filter := fifth; tracks := false |} end.
 Definition mesh_after (i : nat) : plane_mesh.mesh := match i with O => upright | 2%nat => with_fifth | _ => level end.
 
-Lemma calls_made i : (i < 4)%nat -> program_call no_second_look (event_of i) (system_of i) (mesh_after i) (system_of (S i)) (mesh_after (S i)).
+Lemma calls_made i : (i < 4)%nat -> program_call (event_of i) (system_of i) (mesh_after i) (system_of (S i)) (mesh_after (S i)).
 Proof. intro L. do 4 (destruct i as [|i]; [first [exact flips|exact comes_in|exact goes_out|exact by_signs]|]). lia. Qed.
 
 Theorem example : (triangulation (at_doubles high) with_fifth /\ delaunay (at_doubles high) with_fifth) /\
   (triangulation (at_doubles round) level /\ delaunay (at_doubles round) level) /\ forall v, vertex_of with_fifth v <-> vertex_of upright v \/ v = 4%nat.
 Proof.
-  assert (D := program_delaunay_until no_second_look no_second_look_right 4 low (numbered upright) (verdicts_of low upright) blank event_of system_of mesh_after
+  assert (D := program_delaunay_until 4 low (numbered upright) (verdicts_of low upright) blank event_of system_of mesh_after
     (settled_right low upright low_coordinates upright_accepted) (Z.le_refl 0) eq_refl (accepted_glued low upright upright_accepted)
     (numbered_lists low upright upright_accepted) upright_winds calls_made).
   destruct (D 2%nat ltac:(lia)) as (A & B & C), (D 4%nat ltac:(lia)) as (E & F & _). unfold places in A, B, E, F. cbn [system_of mesh_after of_filter] in *.

@@ -134,10 +134,10 @@ Print Assumptions mesh_in_space.
 Theorem filter_in_the_plane : forall (o : options) n f m verdicts s (e : nat -> event) (y : nat -> system) (T : nat -> plane_mesh.mesh),
   start f m verdicts -> (0 <= epoch s)%Z -> y O = settled f m verdicts s ->
   glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
-  (forall i, (i < n)%nat -> program_call no_second_look (e i) (y i) (T i) (y (S i)) (T (S i))) ->
+  (forall i, (i < n)%nat -> program_call (e i) (y i) (T i) (y (S i)) (T (S i))) ->
   forall i, (i <= n)%nat ->
   triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i) /\ forall v, vertex_of (T i) v <-> present (vertex_of (T O)) e i v.
-Proof. intros o. exact (program_delaunay_until no_second_look no_second_look_right). Qed.
+Proof. intros o. exact program_delaunay_until. Qed.
 Print Assumptions filter_in_the_plane.
 
 Theorem verdicts_of_doubles_in_space : forall (o : options) f k, (forall v, coordinates_3 (f v)) -> its_cells_positive (at_doubles_3 f) k ->

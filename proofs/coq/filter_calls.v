@@ -19,8 +19,6 @@ Proof. destruct w; cbn [changed]; [intros -> v; reflexivity|tauto|tauto]. Qed.
 
 Section calls.
 Context {o : options}.
-Variable second_look : state -> algorithm_filter.placement -> Z -> option renewal.
-Hypothesis second_look_sound : second_look_right second_look.
 
 (* Who comes is in no certificate yet. *)
 Lemma placed_new (s : state) f e T : glued T -> lists (algorithm_filter.mesh s) T -> (forall v, e = comes v -> ~ vertex_of T v) ->
@@ -44,7 +42,7 @@ Qed.
 Lemma told_positive f k a b c : (forall v, coordinates_2 (f v)) -> of k = cell a b c -> told f k -> 0 < turn_at (at_doubles f) a b c.
 Proof.
   destruct k as [i c' t]. cbn [of]. intros D -> H. assert (A : answered_2 (at_doubles f) {| id := i; of := cell a b c; bound := t |}) by now apply told_answered.
-  destruct A as [(_ & _ & A & _)|(_ & A & _)]; exact A.
+  destruct A as [(_ & _ & A & _)|(_ & A)]; exact A.
 Qed.
 
 Theorem evaluates_repaired f old m suspects touched verdicts T : (forall v, coordinates_2 (f v)) -> evaluates f old m suspects touched verdicts ->
@@ -69,10 +67,10 @@ Proof.
   split; apply Q; [now left|now right].
 Qed.
 
-#[local] Instance the_laws : laws := plane_laws list_length stamps_there_are worn_out looks stamps_positive no_fold no_fold_local.
+#[local] Instance the_laws : laws := plane_laws list_length stamps_there_are worn_out stamps_positive no_fold no_fold_local.
 
 Lemma holds_right y : right y -> forall i c, algorithm_filter.mesh (of_filter y) i = Some c -> holds_2 no_fold c (places y).
-Proof. intros V. exact (proj2 (filter_is_right second_look second_look_sound y y V (here second_look y))). Qed.
+Proof. intros V. exact (proj2 (filter_is_right y y V (here y))). Qed.
 
 Lemma cells_positive (m : Z -> option certificate_2) x : (forall i c, m i = Some c -> holds_2 no_fold c x) -> forall i a b c, m i = Some (cell a b c) -> 0 < turn_at x a b c.
 Proof. intros H i a b c M. exact (H i _ M). Qed.
@@ -85,12 +83,12 @@ Qed.
 
 Lemma step_repaired s f movers m touched verdicts T : right {| of_filter := s; tracks := true |} -> (forall v, coordinates_2 (f v)) ->
   covered s (at_doubles f) movers -> glued T -> lists m T -> let failed := find_failed s (at_doubles f) movers in
-  let '(u, suspects, _) := find_expired second_look s (at_doubles f) failed in
+  let (u, suspects) := find_expired s (at_doubles f) failed in
   evaluates f (algorithm_filter.mesh u) m suspects touched verdicts -> repaired (at_doubles f) (algorithm_filter.mesh u) m suspects verdicts.
 Proof.
-  intros V D Co G L failed. destruct (find_expired second_look s (at_doubles f) failed) as [[u suspects] renewed] eqn:E. intro Ev.
+  intros V D Co G L failed. destruct (find_expired s (at_doubles f) failed) as [u suspects] eqn:E. intro Ev.
   apply (evaluates_repaired f _ m suspects touched verdicts T); trivial. intros i a b c M N.
-  assert (H := no_suspect_holds second_look second_look_sound s (at_doubles f) failed V (fun v => coordinates_valid _ (D v))
+  assert (H := no_suspect_holds s (at_doubles f) failed V (fun v => coordinates_valid _ (D v))
     (failed_or_not s (at_doubles f) movers Co) i (cell a b c)).
   rewrite E in H. apply (H M N). intros d [].
 Qed.
@@ -98,11 +96,11 @@ Qed.
 Lemma start_settles f m verdicts : start f m verdicts -> settled_by (at_doubles f) m verdicts.
 Proof.
   intro St. split; [|intros i c M; left; now apply (all_told _ _ _ St i c)|exact (ids _ _ _ St)|exact (with_cells _ _ _ St)].
-  intros k K. split; [now apply (told_right _ _ _ St)|]. apply (verdict_evaluated _ _ _ _ no_fold no_fold_local). now apply (start_answered f m verdicts).
+  intros k K. split; [now apply (told_right _ _ _ St)|]. apply (verdict_evaluated _ _ _ no_fold no_fold_local). now apply (start_answered f m verdicts).
 Qed.
 
 Theorem program_call_is_call e y T z T' : right y -> glued T -> lists (algorithm_filter.mesh (of_filter y)) T ->
-  program_call second_look e y T z T' -> glued T' -> call second_look y z.
+  program_call e y T z T' -> glued T' -> call y z.
 Proof.
   intros V GT LT C G. destruct C as [s f movers T D Co N|s f movers m touched verdicts w T T' D Co E Ch L W|s f movers T D Co|
     s f e m touched verdicts T T' D t Mo New E G' L Ke W|s b f e m verdicts T T' St G' L Ke W|s b f m T T' D H G' L Ke W|s b f e m T T' D H G' L Ke W|
@@ -110,7 +108,7 @@ Proof.
     try assert (X : forall v, valid_2 (at_doubles f v)) by (intro; apply coordinates_valid, D).
   - now apply passed with movers.
   - apply processed; trivial. assert (R := step_repaired s f movers m touched verdicts T' V D Co G L). cbv zeta in R |- *.
-    destruct (find_expired _ _ _ _) as [[u suspects] renewed]. now apply R.
+    destruct (find_expired _ _ _) as [u suspects]. now apply R.
   - apply failing; [exact X|exact Co].
   - assert (Va := placed_valid f e D). assert (Fr := placed_new s f e T GT LT New).
     destruct (places_keep (placed f e) s V Va Fr) as [P M]. fold t in P, M. rewrite <- Mo. apply refreshed; trivial. cbv zeta. fold t. rewrite Mo.
@@ -136,26 +134,21 @@ Qed.
 (* Of a ridge that was not evaluated the record is what it was. *)
 Lemma ridge_kept s f movers m touched verdicts T i u v w : right {| of_filter := s; tracks := true |} -> (forall v, coordinates_2 (f v)) ->
   covered s (at_doubles f) movers -> glued T -> lists m T -> let failed := find_failed s (at_doubles f) movers in
-  (let '(u, suspects, _) := find_expired second_look s (at_doubles f) failed in
+  (let (u, suspects) := find_expired s (at_doubles f) failed in
    evaluates f (algorithm_filter.mesh u) m suspects touched verdicts) ->
   existsb turns verdicts = false -> m i = Some (ridge u v w) -> certified_ridge (moving s) (at_doubles f) u v w.
 Proof.
   intros V D Co G L failed Ev No M. assert (X : forall v, valid_2 (at_doubles f v)) by (intro; apply coordinates_valid, D).
   assert (N : ~ In i (map id verdicts)).
-  { intro I. apply in_map_iff in I. destruct I as (k & <- & K). destruct (find_expired _ _ _ _) as [[t suspects] renewed].
+  { intro I. apply in_map_iff in I. destruct I as (k & <- & K).
     assert (Q := proj1 (each_told _ _ _ _ _ _ Ev k K)). assert (turns k = true) by (unfold turns; replace (of k) with (ridge u v w) by congruence; reflexivity).
     assert (existsb turns verdicts = true) by (apply existsb_exists; now exists k). congruence. }
   assert (R := step_repaired s f movers m touched verdicts T V D Co G L). fold failed in R. cbv zeta in R.
-  assert (P : repaired (at_doubles f) (algorithm_filter.mesh (fst (fst (find_expired second_look s (at_doubles f) failed)))) m
-    (snd (fst (find_expired second_look s (at_doubles f) failed))) verdicts)
-    by (destruct (find_expired _ _ _ _) as [[t suspects] renewed]; now apply R).
-  destruct (committed second_look second_look_sound s (at_doubles f) failed V X (failed_or_not s _ movers Co) m verdicts P) as (V' & M' & Mo).
-  assert (St : stepped second_look s (at_doubles f) failed m verdicts = commit (at_doubles f) (fst (fst (find_expired second_look s (at_doubles f) failed)))
-    (snd (find_expired second_look s (at_doubles f) failed)) m verdicts) by (unfold stepped; now destruct (find_expired _ _ _ _) as [[t suspects] renewed]).
+  assert (P := R Ev). destruct (committed s (at_doubles f) failed V X (failed_or_not s _ movers Co) m verdicts P) as (V' & M' & Mo).
   assert (Old : algorithm_filter.mesh s i = Some (ridge u v w)).
   { destruct (others_untouched _ _ _ _ _ P i _ M) as [I|[I _]]; [contradiction|]. revert I. unfold find_expired. cbn [fst algorithm_filter.mesh].
     now rewrite (t_mesh s (at_doubles f) failed V X). }
-  destruct (stepped_untouched second_look s (at_doubles f) failed m verdicts i _ V X M eq_refl N) as [Er Ea]. rewrite St in Er, Ea.
+  destruct (stepped_untouched s (at_doubles f) failed m verdicts i V X N) as [Er Ea].
   assert (K := same_record_certifies {| of_filter := s; tracks := true |} {| of_filter := _; tracks := true |} i u v w V V' eq_refl eq_refl Old
     (eq_trans (f_equal (fun g => g i) M') M) Er Ea).
   unfold places in K. cbn [of_filter] in K. now rewrite Mo in K.
@@ -171,19 +164,18 @@ Qed.
 
 Lemma step_ends s f movers m touched verdicts T : right {| of_filter := s; tracks := true |} -> (forall v, coordinates_2 (f v)) ->
   covered s (at_doubles f) movers -> glued T -> lists m T -> let failed := find_failed s (at_doubles f) movers in
-  (let '(u, suspects, _) := find_expired second_look s (at_doubles f) failed in
+  (let (u, suspects) := find_expired s (at_doubles f) failed in
    evaluates f (algorithm_filter.mesh u) m suspects touched verdicts) ->
-  algorithm_filter.mesh (stepped second_look s (at_doubles f) failed m verdicts) = m /\ moving (stepped second_look s (at_doubles f) failed m verdicts) = at_doubles f.
+  algorithm_filter.mesh (stepped s (at_doubles f) failed m verdicts) = m /\ moving (stepped s (at_doubles f) failed m verdicts) = at_doubles f.
 Proof.
   intros V D Co G L failed Ev. assert (R := step_repaired s f movers m touched verdicts T V D Co G L). fold failed in R. cbv zeta in R.
-  assert (P := committed second_look second_look_sound s (at_doubles f) failed V (fun v => coordinates_valid _ (D v)) (failed_or_not s _ movers Co) m verdicts).
-  unfold stepped. destruct (find_expired _ _ _ _) as [[t suspects] renewed]. destruct (P (R Ev)) as (_ & A & B). now split.
+  destruct (committed s (at_doubles f) failed V (fun v => coordinates_valid _ (D v)) (failed_or_not s _ movers Co) m verdicts (R Ev)) as (_ & A & B). now split.
 Qed.
 
 Lemma inserted_ends s f e m touched verdicts T T' : right {| of_filter := s; tracks := true |} -> glued T -> lists (algorithm_filter.mesh s) T ->
   (forall v, coordinates_2 (f v)) -> let t := fold_left place (placed f e) s in moving t = at_doubles f -> (forall v, e = comes v -> ~ vertex_of T v) ->
   evaluates f (algorithm_filter.mesh t) m [] touched verdicts -> glued T' -> lists m T' ->
-  let r := stepped second_look t (at_doubles f) [] m verdicts in algorithm_filter.mesh r = m /\ moving r = at_doubles f.
+  let r := stepped t (at_doubles f) [] m verdicts in algorithm_filter.mesh r = m /\ moving r = at_doubles f.
 Proof.
   intros V G Ls D t Mo New E G' L. destruct (places_keep (placed f e) s V (placed_valid f e D) (placed_new s f e T G Ls New)) as [P M]. fold t in P, M.
   apply (step_ends t f [] m touched verdicts T'); trivial. intro v. right. now rewrite Mo.
@@ -196,20 +188,20 @@ Qed.
 Lemma convex_right y T : right y -> lists (algorithm_filter.mesh (of_filter y)) T -> convex (places y) (border T).
 Proof. intros V [L _]. apply (certificates_convex T (algorithm_filter.mesh (of_filter y))); [intro c; apply L|now apply holds_right]. Qed.
 
-Lemma call_lists e y T z T' : right y -> glued T -> lists (algorithm_filter.mesh (of_filter y)) T -> program_call second_look e y T z T' -> glued T' ->
+Lemma call_lists e y T z T' : right y -> glued T -> lists (algorithm_filter.mesh (of_filter y)) T -> program_call e y T z T' -> glued T' ->
   lists (algorithm_filter.mesh (of_filter z)) T'.
 Proof.
   intros V Gy Ly C G. destruct C as [s f movers T D Co N|s f movers m touched verdicts w T T' D Co E Ch L W|s f movers T D Co|
     s f e m touched verdicts T T' D t Mo New E G' L Ke W|s b f e m verdicts T T' St G' L Ke W|s b f m T T' D H G' L Ke W|s b f e m T T' D H G' L Ke W|
     s f v m w T T' D Co H Ch L W|s T]; trivial.
   - unfold of_filter. now rewrite (proj1 (step_ends s f movers m touched verdicts T' V D Co G L E)).
-  - cbn [of_filter] in *. rewrite (proj1 (proj2 (undone_else second_look s (at_doubles f) failed V (fun v => coordinates_valid _ (D v))))). exact Ly.
+  - cbn [of_filter] in *. rewrite (proj1 (proj2 (undone_else s (at_doubles f) failed V (fun v => coordinates_valid _ (D v))))). exact Ly.
   - exact (eq_ind_r (fun n => lists n T') L (proj1 (inserted_ends s f e m touched verdicts T T' V Gy Ly D Mo New E G L))).
   - exact (eq_ind_r (fun n => lists n T') L (proj2 (settle_keeps (at_doubles f) s m verdicts (fun _ => epoch_right _ V)
       (fun v => coordinates_valid _ (in_domain _ _ _ St v)) (start_settles f m verdicts St)))).
 Qed.
 
-Theorem known_after e y T z T' : right y -> glued T -> lists (algorithm_filter.mesh (of_filter y)) T -> glued T' -> program_call second_look e y T z T' ->
+Theorem known_after e y T z T' : right y -> glued T -> lists (algorithm_filter.mesh (of_filter y)) T -> glued T' -> program_call e y T z T' ->
   border_known (places y) (places z) T T'.
 Proof.
   intros V Gy Ly G C. destruct C as [s f movers T D Co N|s f movers m touched verdicts w T T' D Co E Ch L W|s f movers T D Co|
@@ -223,7 +215,7 @@ Proof.
     destruct w; cbn [in_doubt changed] in *; [|now apply one_moved with movers; [| |apply Ch]|discriminate].
     subst T'. apply andb_false_iff in Q. destruct Q as [Q|Q]; [now apply one_moved with movers|]. right. split; [reflexivity|]. right.
     intros u v w I. left. destruct (ridge_listed _ T u v w L I) as (i & M). now apply (ridge_kept s f movers m touched verdicts T i).
-  - apply stays_known; [reflexivity|]. symmetry. exact (proj1 (undone_else second_look s (at_doubles f) failed V (fun v => coordinates_valid _ (D v)))).
+  - apply stays_known; [reflexivity|]. symmetry. exact (proj1 (undone_else s (at_doubles f) failed V (fun v => coordinates_valid _ (D v)))).
   - assert (R := proj2 (inserted_ends s f e m touched verdicts T T' V Gy Ly D Mo New E G L)). cbv zeta in R. fold t in R. rewrite R.
     destruct W as [B|W]; [|now left]. right. split; [exact B|]. left. rewrite <- Mo. unfold t, placed. destruct e as [|v|v]; cbn [fold_left]; [now exists O| |now exists O].
     exists v. intros n N. cbn [place move_to moving]. now rewrite set_other.
@@ -236,10 +228,10 @@ Qed.
 
 (* ---- From doubles to Delaunay ---- *)
 
-Lemma call_glued e y T z T' : glued T -> program_call second_look e y T z T' -> glued T'.
+Lemma call_glued e y T z T' : glued T -> program_call e y T z T' -> glued T'.
 Proof. intros G C. destruct C; trivial; now apply (changed_glued w T). Qed.
 
-Theorem call_vertices e y T z T' : program_call second_look e y T z T' -> keeps e T T'.
+Theorem call_vertices e y T z T' : program_call e y T z T' -> keeps e T T'.
 Proof. intro C. destruct C; trivial; try (intro; reflexivity); now apply changed_keeps with w. Qed.
 
 Lemma all_present n (e : nat -> event) (T : nat -> plane_mesh.mesh) : (forall i, (i < n)%nat -> keeps (e i) (T i) (T (S i))) ->
@@ -252,7 +244,7 @@ Qed.
 (* After each of n calls: machine_delaunay (../traces) asks for no more than 2^49. *)
 Theorem program_delaunay_until n f m verdicts s (e : nat -> event) (y : nat -> system) (T : nat -> plane_mesh.mesh) : start f m verdicts -> (0 <= epoch s)%Z ->
   y O = settled f m verdicts s -> glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
-  (forall i, (i < n)%nat -> program_call second_look (e i) (y i) (T i) (y (S i)) (T (S i))) ->
+  (forall i, (i < n)%nat -> program_call (e i) (y i) (T i) (y (S i)) (T (S i))) ->
   forall i, (i <= n)%nat -> triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i) /\
     forall v, vertex_of (T i) v <-> present (vertex_of (T O)) e i v.
 Proof.
@@ -264,7 +256,7 @@ Proof.
     - rewrite Y. split; [exact V0|]. split; [exact G|]. split; [|exact W]. exact (eq_ind_r (fun n => lists n (T O)) L M0).
     - destruct (IH (Nat.lt_le_incl _ _ Le)) as (Vi & Gi & Li & Wi). specialize (C i Le).
       assert (G' := call_glued _ _ _ _ _ Gi C). assert (L' := call_lists _ _ _ _ _ Vi Gi Li C G').
-      assert (V' := call_keeps second_look second_look_sound _ _ Vi (program_call_is_call _ _ _ _ _ Vi Gi Li C G')).
+      assert (V' := call_keeps _ _ Vi (program_call_is_call _ _ _ _ _ Vi Gi Li C G')).
       split; [exact V'|]. split; [exact G'|]. split; [exact L'|].
       apply (known_winds _ _ _ _ (known_after _ _ _ _ _ Vi Gi Li G' C) Wi); [apply (convex_right _ _ Vi Li)|apply (convex_right _ _ V' L')]. }
   intros i Le. destruct (K i Le) as (Vi & Gi & [Li _] & Wi). rewrite <- and_assoc. split.
@@ -274,7 +266,7 @@ Qed.
 
 Theorem program_delaunay f m verdicts s (e : nat -> event) (y : nat -> system) (T : nat -> plane_mesh.mesh) : start f m verdicts -> (0 <= epoch s)%Z ->
   y O = settled f m verdicts s -> glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
-  (forall i, program_call second_look (e i) (y i) (T i) (y (S i)) (T (S i))) -> forall i, triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i) /\
+  (forall i, program_call (e i) (y i) (T i) (y (S i)) (T (S i))) -> forall i, triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i) /\
     forall v, vertex_of (T i) v <-> present (vertex_of (T O)) e i v.
 Proof. intros St E Y G L W C i. exact (program_delaunay_until i f m verdicts s e y T St E Y G L W (fun j _ => C j) i (le_n i)). Qed.
 End calls.

@@ -23,8 +23,8 @@ Proof. intros [[_ X] [_ Y]]. split; (split; [apply value_format|]); assumption. 
 
 Section filter.
 Context {o : options}.
-#[global] Instance the_plane : world := plane list_length stamps_there_are worn_out looks no_fold.
-Definition answered_2 := answered list_length stamps_there_are worn_out looks no_fold.
+#[global] Instance the_plane : world := plane list_length stamps_there_are worn_out no_fold.
+Definition answered_2 := answered list_length stamps_there_are worn_out no_fold.
 
 (* ---- Verdicts ---- *)
 
@@ -33,7 +33,7 @@ Definition told (f : doubles) (k : verdict) : Prop := exists tight,
   match of k with
   | cell a b c => says (orientation_ladder tight (f a) (f b) (f c)) False (bound k)
   | ridge a b c => says (orientation_ladder tight (f a) (f b) (f c)) (flat_ridge_holds (f a) (f b) (f c) = true) (bound k)
-  | circle a b p q => NoDup [a; b; p; q] /\ says (empty_sphere_ladder tight (f a) (f b) (f p) (f q)) True (bound k)
+  | circle a b p q => says (empty_sphere_ladder tight (f a) (f b) (f p) (f q)) True (bound k)
   end.
 
 (* The comparison of coordinates is asked where the determinant is 0 only. *)
@@ -50,29 +50,29 @@ Lemma told_answered f k : (forall v, coordinates_2 (f v)) ->
   told f k -> answered_2 (at_doubles f) k.
 Proof.
   intros D P [tight H]. destruct k as [i c t]. cbn [of bound] in *. destruct c as [a b c|a b c|a b p q].
-  - apply (triangle_answered _ _ _ _ no_fold f i tight a b c t); [now intros|exact H].
-  - apply (triangle_answered _ _ _ _ no_fold f i tight a b c t); [now intros|]. apply (ridge_rule f tight); [now intros|exact H].
-  - destruct H as [N H], P. apply (circle_answered _ _ _ _ no_fold f i tight a b p q t); trivial; now intros.
+  - apply (triangle_answered _ _ _ no_fold f i tight a b c t); [now intros|exact H].
+  - apply (triangle_answered _ _ _ no_fold f i tight a b c t); [now intros|]. apply (ridge_rule f tight); [now intros|exact H].
+  - destruct P. apply (circle_answered _ _ _ no_fold f i tight a b p q t); trivial; now intros.
 Qed.
 
 Theorem told_evaluated f k : (forall v, coordinates_2 (f v)) ->
   match of k with circle a b p q => 0 < turn_at (at_doubles f) a b q /\ 0 < turn_at (at_doubles f) b a p | _ => True end ->
   told f k -> evaluated (at_doubles f) k.
-Proof. intros D P H. apply (verdict_evaluated _ _ _ _ no_fold no_fold_local). now apply told_answered. Qed.
+Proof. intros D P H. apply (verdict_evaluated _ _ _ no_fold no_fold_local). now apply told_answered. Qed.
 
 Lemma told_cell f k a b c : (forall v, coordinates_2 (f v)) -> of k = least_first a b c -> told f k -> 0 < turn_at (at_doubles f) a b c.
 Proof.
   intros D E H. apply (cell_of_circle no_fold). rewrite <- E. assert (A : answered_2 (at_doubles f) k).
   { apply told_answered; trivial. rewrite E. unfold least_first. destruct (_ && _)%bool; [exact I|]. destruct (_ && _)%bool; exact I. }
-  destruct A as [(_ & _ & A & _)|(_ & A & _)]; exact A.
+  destruct A as [(_ & _ & A & _)|(_ & A)]; exact A.
 Qed.
 
-Lemma near_squares (m x : placement) (a : nat -> R) n : near m x a n <-> dist2 (m n) (x n) < Rmax 0 (a n) * Rmax 0 (a n) \/ m n = x n.
+Lemma near_squares (m x : placement) a n : near m x a n <-> dist2 (m n) (x n) < Rmax 0 a * Rmax 0 a \/ m n = x n.
 Proof.
   unfold near. change (@dist the_plane (x n) (m n)) with (R_sqrt.sqrt (dist2 (m n) (x n))). assert (N := d2_nonneg (fst (m n)) (snd (m n)) (fst (x n)) (snd (x n))).
   change (d2 (fst (m n)) (snd (m n)) (fst (x n)) (snd (x n))) with (dist2 (m n) (x n)) in N. assert (S := sqrt_pos (dist2 (m n) (x n))).
   assert (E := sqrt_sqrt _ N). revert N S E. generalize (R_sqrt.sqrt (dist2 (m n) (x n))).
-  intros r N S E. unfold Rmax. destruct (Rle_dec 0 (a n)) as [A|A]; split; (intros [H|H]; [left|now right]); try lra.
+  intros r N S E. unfold Rmax. destruct (Rle_dec 0 a) as [A|A]; split; (intros [H|H]; [left|now right]); try lra.
   - rewrite <- E. now apply Rmult_le_0_lt_compat.
   - apply Rnot_le_lt. intro L. apply (Rlt_not_le _ _ H). rewrite <- E. now apply Rmult_le_compat.
 Qed.
@@ -96,20 +96,17 @@ Proof.
   split; apply P; [now left|now right].
 Qed.
 
-Variable second_look : state -> algorithm_filter.placement -> Z -> option renewal.
-Hypothesis second_look_sound : second_look_right second_look.
-
 (* The filter right after it evaluated everything: from whatever was before. *)
 Definition settled (f : doubles) m verdicts (s : state) : system := {| of_filter := settle (at_doubles f) s m verdicts; tracks := true |}.
 Definition places (y : system) : placement := moving (of_filter y).
 Definition watches (y : system) (T : plane_mesh.mesh) : Prop :=
   forall c, In c (certificates T) -> exists i, algorithm_filter.mesh (of_filter y) i = Some c.
 
-Theorem filter_holds f m verdicts s z : start f m verdicts -> (0 <= epoch s)%Z -> calls second_look (settled f m verdicts s) z ->
+Theorem filter_holds f m verdicts s z : start f m verdicts -> (0 <= epoch s)%Z -> calls (settled f m verdicts s) z ->
   forall i c, algorithm_filter.mesh (of_filter z) i = Some c -> holds_2 no_fold c (places z).
 Proof.
   intros S E. assert (B := start_answered f m verdicts). destruct (S) as [D R A I C].
-  apply (plane_filter_is_right _ _ _ _ stamps_positive no_fold no_fold_local second_look); trivial.
+  apply (plane_filter_is_right _ _ _ stamps_positive no_fold no_fold_local); trivial.
   - intro v. apply coordinates_valid, D.
   - intros k K. destruct (R k K). split; [assumption|now apply B].
 Qed.
@@ -122,15 +119,15 @@ Theorem same_record_certifies y z i u v w : right y -> right z -> tracks y = tru
 Proof.
   unfold right. intros V V' Y Z M M' Er Ea. rewrite Y in V. rewrite Z in V'. destruct V as [_ _ G _], V' as [_ _ G' _]. destruct (G i _ M) as [S C _ _], (G' i _ M') as [_ C' _ _].
   set (a := allowance (record (of_filter y) i)) in *. set (x := reference (record (of_filter y) i)) in *.
-  exists x, (fun n => Rmax 0 (a n) * Rmax 0 (a n)).
-  assert (Near : forall m n, near m x a n <-> dist2 (m n) (x n) < Rmax 0 (a n) * Rmax 0 (a n) \/ m n = x n) by (intros; apply near_squares).
+  exists x, (fun _ => Rmax 0 a * Rmax 0 a).
+  assert (Near : forall m n, near m x a n <-> dist2 (m n) (x n) < Rmax 0 a * Rmax 0 a \/ m n = x n) by (intros; apply near_squares).
   split; [|split].
   - intros n N. apply (promise _ _ _ S n); [|now intros]. intros z' I. apply Near. now apply N.
   - intros n I. apply Near. now apply C.
   - intros n I. apply Near. destruct (C' n I) as [N _]. rewrite Er, Ea in N. exact N.
 Qed.
 
-Theorem filter_delaunay f m verdicts s z T : start f m verdicts -> (0 <= epoch s)%Z -> calls second_look (settled f m verdicts s) z ->
+Theorem filter_delaunay f m verdicts s z T : start f m verdicts -> (0 <= epoch s)%Z -> calls (settled f m verdicts s) z ->
   glued T -> watches z T -> winds_once (places z) (border T) -> triangulation (places z) T /\ delaunay (places z) T.
 Proof.
   intros S E R G A W. apply (certificates_delaunay T (algorithm_filter.mesh (of_filter z))); trivial. exact (filter_holds f m verdicts s z S E R).

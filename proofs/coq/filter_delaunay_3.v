@@ -148,10 +148,8 @@ Definition settled_in_space (f : doubles_3) m verdicts (s : state) : system := {
 Definition places_3 (y : system) : placement_3 := moving (of_filter y).
 Definition watches_3 (y : system) (T : mesh_3) (U L : plane_mesh.mesh) : Prop :=
   forall c, In c (certificates_3 T U L) -> exists i, algorithm_filter.mesh (of_filter y) i = Some c.
-(* In space nothing is proved by a second look. *)
-Definition calls_in_space : system -> system -> Prop := calls (fun _ _ _ => None).
 
-Theorem filter_holds_3 f m verdicts s z : start_in_space f m verdicts -> (0 <= epoch s)%Z -> calls_in_space (settled_in_space f m verdicts s) z ->
+Theorem filter_holds_3 f m verdicts s z : start_in_space f m verdicts -> (0 <= epoch s)%Z -> calls (settled_in_space f m verdicts s) z ->
   forall i c, algorithm_filter.mesh (of_filter z) i = Some c -> holds_3 no_fold_3 c (places_3 z).
 Proof.
   intros S E. assert (B := start_answered_3 f m verdicts). destruct (S) as [D R A I C].
@@ -160,7 +158,7 @@ Proof.
   - intros k K. destruct (R k K). split; [assumption|now apply B].
 Qed.
 
-Theorem filter_delaunay_3 f m verdicts s z T U L : start_in_space f m verdicts -> (0 <= epoch s)%Z -> calls_in_space (settled_in_space f m verdicts s) z ->
+Theorem filter_delaunay_3 f m verdicts s z T U L : start_in_space f m verdicts -> (0 <= epoch s)%Z -> calls (settled_in_space f m verdicts s) z ->
   glued_3 T -> watches_3 z T U L -> silhouette_once (places_3 z) T U L -> triangulation_3 (places_3 z) T /\ delaunay_3 (places_3 z) T.
 Proof.
   intros S E R G A B. apply (certificates_delaunay_3 T U L (algorithm_filter.mesh (of_filter z))); trivial. exact (filter_holds_3 f m verdicts s z S E R).

@@ -2,10 +2,8 @@
 (* algorithm_run.v with the certificates of the plane and the arithmetic of the code: nothing of `world` and `laws` is left to believe, and what
    is asked of a verdict is what the ladder answers, a number that is at most half a least altitude or half a width (docs/theory.md 2.1, 2.2).
 
-   - verdict_evaluated      such a verdict promises what the model needs: also a width that two sides share (unequal moves)
-   - kept_circle_certifies  a safe region: how far the points are from a circle that is kept
+   - verdict_evaluated      such a verdict promises what the model needs
    - plane_filter_is_right  after any calls every triangle is positive, every circle empty, every ridge of the border convex
-   - plane_filter_alone_is_right   the same without second looks, where nothing is left but what Repair promises
 
    Vertices are numbers. A cell is written with its least vertex first, so that the circle of a facet can name its two cells. Where a determinant is 0 the
    certificate may hold by a rule (degenerate.h: the perturbation, a border that does not fold back): `tie`, any statement about the points. *)
@@ -45,7 +43,7 @@ Definition metric_2 : metric := {|
   distance_triangle := distance_triangle_2; read_above := reading_above_2; threshold_holds := threshold_below_2 |}.
 
 Section plane.
-Variables (capacity : nat) (stamps : Z) (worn : R -> expiry_list -> bool) (chosen : second_looks).
+Variables (capacity : nat) (stamps : Z) (worn : R -> expiry_list -> bool).
 Hypothesis stamps_pos : (0 < stamps)%Z.
 Variable tie : certificate_2 -> (nat -> point_2) -> Prop.
 Hypothesis tie_local : forall c m m', (forall v, In v (points_2 c) -> m v = m' v) -> tie c m -> tie c m'.
@@ -64,21 +62,10 @@ Proof.
 Qed.
 
 Definition family_2 : family point_2 := {|
-  kind := certificate_2; points_of := points_2; is_true := holds_2; relies_on := counts_on_2;
-  of_two_sides := fun c => match c with circle _ _ _ _ => true | _ => false end;
-  on_inner_side := fun c v => match c with circle a b _ _ => (v =? a)%nat || (v =? b)%nat | _ => false end |}.
+  kind := certificate_2; points_of := points_2; is_true := holds_2; relies_on := counts_on_2 |}.
 
-#[local] Instance plane : world := numbered capacity stamps worn chosen metric_2 family_2.
-#[local] Instance plane_laws : laws := numbered_laws capacity stamps worn chosen metric_2 family_2 stamps_pos counts_on_2_wf holds_2_local.
-
-Definition moved (m x : nat -> point_2) v : R := dist_euc (fst (m v)) (snd (m v)) (fst (x v)) (snd (x v)).
-
-Lemma moved_pos m x v : 0 <= moved m x v.
-Proof. apply sqrt_pos. Qed.
-Lemma near_moved m x (e : nat -> R) v : near m x e v -> moved m x v < e v \/ (m v = x v /\ moved m x v = 0).
-Proof.
-  intros [N|N]; [left; exact N|right]. split; [exact N|]. unfold moved. rewrite N. apply distance_refl.
-Qed.
+#[local] Instance plane : world := numbered capacity stamps worn metric_2 family_2.
+#[local] Instance plane_laws : laws := numbered_laws capacity stamps worn metric_2 family_2 stamps_pos counts_on_2_wf holds_2_local.
 
 Lemma cell_of_circle a b c m : holds_2 (least_first a b c) m -> 0 < turn_at m a b c.
 Proof.
@@ -95,133 +82,47 @@ Definition answered (x : nat -> point_2) (k : verdict) : Prop :=
   0 <= bound k /\ F (bound k) /\ holds_2 (of k) x /\
   match of k with
   | cell a b c | ridge a b c => 0 < turn_at x a b c /\ bound k <= half_altitude_at x a b c
-  | circle a b p q => NoDup [a; b; p; q] /\ 0 < turn_at x a b q /\ 0 < turn_at x b a p /\
-      0 < incircle_at x a b p q /\ bound k <= half_width_at x a b p q
+  | circle a b p q => 0 < turn_at x a b q /\ 0 < turn_at x b a p /\ 0 < incircle_at x a b p q /\ bound k <= half_width_at x a b p q
   end \/
-  (bound k = 0 /\ holds_2 (of k) x /\ match of k with circle a b p q => NoDup [a; b; p; q] | _ => True end).
+  (bound k = 0 /\ holds_2 (of k) x).
 
 Lemma triangle_sound x a b c t m : 0 <= t -> 0 < turn_at x a b c -> t <= half_altitude_at x a b c ->
-  (forall v, In v [a; b; c] -> near m x (fun _ => t) v) -> 0 < turn_at m a b c.
+  (forall v, In v [a; b; c] -> near m x t v) -> 0 < turn_at m a b c.
 Proof.
-  intros T P H N. destruct (near_or_same _ _ _ _ metric_2 family_2 (cell a b c) m x t T N) as [D|E].
+  intros T P H N. destruct (near_or_same _ _ _ metric_2 family_2 (cell a b c) m x t T N) as [D|E].
   - apply (orientation_tolerance_2 _ _ _ _ _ _ P _ _ _ _ _ _ t H); [apply (D a)|apply (D b)|apply (D c)]; simpl; tauto.
   - unfold turn_at. rewrite <- (E a), <- (E b), <- (E c) by (simpl; tauto). exact P.
 Qed.
 
-Section circles.
-Variables (x : nat -> point_2) (a b p q : nat).
-Hypothesis different : NoDup [a; b; p; q].
-
-Lemma sides_of : inside (circle a b p q) a = true /\ inside (circle a b p q) b = true /\
-  inside (circle a b p q) p = false /\ inside (circle a b p q) q = false.
+Lemma circle_sound x a b p q t m : 0 <= t -> 0 < turn_at x a b q -> 0 < turn_at x b a p -> 0 < incircle_at x a b p q -> t <= half_width_at x a b p q ->
+  (forall v, In v [a; b; p; q] -> near m x t v) -> 0 < turn_at m a b q -> 0 < turn_at m b a p -> 0 < incircle_at m a b p q.
 Proof.
-  inversion different as [|? ? Na Nb']; subst. inversion Nb' as [|? ? Nb Np]; subst. simpl in *.
-  rewrite !Nat.eqb_refl, orb_true_r. repeat split; apply orb_false_iff; rewrite !Nat.eqb_neq; intuition congruence.
+  intros T Tq Tp P H N Mq Mp. destruct (near_or_same _ _ _ metric_2 family_2 (circle a b p q) m x t T N) as [D|E].
+  - apply (circle_tolerance_2 _ _ _ _ _ _ _ _ Tq Tp P _ _ _ _ _ _ _ _ Mq Mp t H); [apply (D a)|apply (D b)|apply (D p)|apply (D q)]; simpl; tauto.
+  - unfold incircle_at in *. rewrite <- (E a), <- (E b), <- (E p), <- (E q) by (simpl; tauto). exact P.
 Qed.
-
-(* With nothing to share all are at their references. *)
-Lemma nothing_to_share (e : nat -> R) m : (forall v, In v [a; b; p; q] -> 0 <= e v) ->
-  (forall v w, In v [a; b; p; q] -> In w [a; b; p; q] -> inside (circle a b p q) v = true -> inside (circle a b p q) w = false -> e v + e w <= 2 * 0) ->
-  (forall v, In v [a; b; p; q] -> near m x e v) -> forall v, In v [a; b; p; q] -> x v = m v.
-Proof.
-  intros P S N v V. destruct sides_of as (Ia & Ib & Ip & Iq).
-  assert (Z : e v = 0).
-  { generalize (P v V). intro. assert (Pa := P a ltac:(simpl; tauto)). assert (Pp := P p ltac:(simpl; tauto)).
-    destruct (@inside plane (circle a b p q) v) eqn:I.
-    - generalize (S v p V ltac:(simpl; tauto) I Ip). lra.
-    - generalize (S a v ltac:(simpl; tauto) V Ia I). lra. }
-  destruct (near_moved _ _ _ _ (N v V)) as [K|[K _]]; [generalize (moved_pos m x v); lra|now symmetry].
-Qed.
-
-Theorem circle_wide t : 0 <= t -> 0 < turn_at x a b q -> 0 < turn_at x b a p -> 0 < incircle_at x a b p q -> t <= half_width_at x a b p q ->
-  wide (circle a b p q) x t.
-Proof.
-  intros T Tq Tp E H e P S m N K. change (@points plane (circle a b p q)) with [a; b; p; q] in *. left.
-  assert (Mq : 0 < turn_at m a b q) by (apply cell_of_circle, K; now left).
-  assert (Mp : 0 < turn_at m b a p) by (apply cell_of_circle, K; now right).
-  destruct (Rle_lt_or_eq_dec 0 t T) as [T'|T'].
-  - destruct sides_of as (Ia & Ib & Ip & Iq).
-    assert (L : forall v w, In v [a; b; p; q] -> In w [a; b; p; q] -> @inside plane (circle a b p q) v = true -> @inside plane (circle a b p q) w = false ->
-      moved m x v + moved m x w < 2 * t).
-    { intros v w V V' I I'. generalize (S v w V V' I I') (P v V) (P w V').
-      destruct (near_moved _ _ _ _ (N v V)) as [|[_ ->]], (near_moved _ _ _ _ (N w V')) as [|[_ ->]]; lra. }
-    set (da := Rmax (moved m x a) (moved m x b)). set (dp := Rmax (moved m x p) (moved m x q)).
-    assert (Sum : da + dp < 2 * t).
-    { unfold da, dp, Rmax. repeat destruct (Rle_dec _ _); apply L; simpl; tauto. }
-    set (r := (2 * t - (da + dp)) / 2).
-    assert (A : moved m x a <= da /\ moved m x b <= da) by (unfold da; split; [apply Rmax_l|apply Rmax_r]).
-    assert (B : moved m x p <= dp /\ moved m x q <= dp) by (unfold dp; split; [apply Rmax_l|apply Rmax_r]).
-    unfold moved in A, B.
-    apply (circle_certified_2 _ _ _ _ _ _ _ _ Tq Tp E _ _ _ _ _ _ _ _ Mq Mp (da + r) (dp + r)); unfold r; try lra.
-    fold (half_width_at x a b p q). lra.
-  - subst t. unfold incircle_at in *. rewrite <- !(nothing_to_share e m P S N) by (simpl; tauto). exact E.
-Qed.
-
-Theorem tie_wide : holds_2 (circle a b p q) x -> wide (circle a b p q) x 0.
-Proof. intros H e P S m N _. apply (holds_2_local _ x); [|exact H]. exact (nothing_to_share e m P S N). Qed.
-
-(* A circle with centre o: each of the inner points may go as far as it is from it, and each of the outer ones. *)
-Theorem kept_circle_certifies (o : point_2) r (e : nat -> R) :
-  let far v := dist_euc (fst (x v)) (snd (x v)) (fst o) (snd o) in
-  far a + e a <= r -> far b + e b <= r -> r <= far p - e p -> r <= far q - e q ->
-  (forall v, In v [a; b; p; q] -> 0 < e v) -> sound (circle a b p q) x e.
-Proof.
-  intros far A B P Q Pos m N K. change (@points plane (circle a b p q)) with [a; b; p; q] in *. left.
-  assert (Mq : 0 < turn_at m a b q) by (apply cell_of_circle, K; now left).
-  assert (Mp : 0 < turn_at m b a p) by (apply cell_of_circle, K; now right).
-  assert (D : forall v, In v [a; b; p; q] -> moved m x v < e v).
-  { intros v V. generalize (Pos v V). destruct (near_moved _ _ _ _ (N v V)) as [|[_ ->]]; lra. }
-  assert (In' : forall v, In v [a; b; p; q] -> dist_euc (fst (m v)) (snd (m v)) (fst o) (snd o) < far v + e v).
-  { intros v V. generalize (triangle (fst (m v)) (snd (m v)) (fst o) (snd o) (fst (x v)) (snd (x v))) (D v V). unfold moved, far. lra. }
-  assert (Out : forall v, In v [a; b; p; q] -> far v - e v < dist_euc (fst (m v)) (snd (m v)) (fst o) (snd o)).
-  { intros v V. generalize (triangle (fst (x v)) (snd (x v)) (fst o) (snd o) (fst (m v)) (snd (m v))) (D v V).
-    unfold moved, far. rewrite (distance_symm (fst (x v)) (snd (x v)) (fst (m v)) (snd (m v))). lra. }
-  assert (Ia := In' a ltac:(simpl; tauto)). assert (Ib := In' b ltac:(simpl; tauto)).
-  assert (Op := Out p ltac:(simpl; tauto)). assert (Oq := Out q ltac:(simpl; tauto)).
-  assert (Ra : 0 <= dist_euc (fst (m a)) (snd (m a)) (fst o) (snd o)) by apply sqrt_pos.
-  (* the placement is its own reference, with nothing moved by the least distance to the circle *)
-  set (w := Rmin (Rmin (r - dist_euc (fst (m a)) (snd (m a)) (fst o) (snd o)) (r - dist_euc (fst (m b)) (snd (m b)) (fst o) (snd o)))
-                 (Rmin (dist_euc (fst (m p)) (snd (m p)) (fst o) (snd o) - r) (dist_euc (fst (m q)) (snd (m q)) (fst o) (snd o) - r))).
-  assert (W : 0 < w) by (unfold w, Rmin; repeat destruct (Rle_dec _ _); lra).
-  assert (W' : w <= r - dist_euc (fst (m a)) (snd (m a)) (fst o) (snd o) /\ w <= r - dist_euc (fst (m b)) (snd (m b)) (fst o) (snd o) /\
-               w <= dist_euc (fst (m p)) (snd (m p)) (fst o) (snd o) - r /\ w <= dist_euc (fst (m q)) (snd (m q)) (fst o) (snd o) - r)
-    by (unfold w, Rmin; repeat destruct (Rle_dec _ _); lra).
-  apply (annulus_certifies _ _ _ _ _ _ _ _ (fst (m a)) (snd (m a)) (fst (m b)) (snd (m b)) (fst (m p)) (snd (m p)) (fst (m q)) (snd (m q))
-    (fst o) (snd o) (r - w) (r + w) w w); try lra; try exact Mq; try exact Mp; rewrite distance_refl; exact W.
-Qed.
-End circles.
 
 Theorem verdict_evaluated x k : answered x k -> evaluated x k.
 Proof.
-  destruct k as [i c t]. unfold answered. cbn [of bound]. intros [(T & N & H & A)|(-> & H & D)].
-  - assert (W : match c with circle _ _ _ _ => wide c x t | _ => sound c x (fun _ => t) end).
-    { destruct c as [a b c|a b c|a b p q].
-      - intros m M _. now apply (triangle_sound x a b c t).
-      - intros m M _. left. now apply (triangle_sound x a b c t).
-      - now apply circle_wide. }
-    split; cbn [of bound]; trivial; destruct c; try discriminate; trivial. now apply (of_wide _ _ _ _ metric_2 family_2).
-  - assert (W := holds_sound _ _ _ _ metric_2 family_2 holds_2_local c x H).
-    split; cbn [of bound]; trivial; [|exact (Rle_refl 0)|exact F_0]. destruct c as [| |a b p q]; try discriminate. intros _. now apply tie_wide.
+  destruct k as [i c t]. unfold answered. cbn [of bound]. intros [(T & N & H & A)|(-> & H)].
+  - assert (W : sound c x t).
+    { destruct c as [a b c|a b c|a b p q]; intros m M Cells.
+      - now apply (triangle_sound x a b c t).
+      - left. now apply (triangle_sound x a b c t).
+      - left. destruct A as (Tq & Tp & P & A). apply (circle_sound x a b p q t); trivial; apply cell_of_circle, Cells; [now left|now right]. }
+    split; cbn [of bound]; trivial.
+  - split; cbn [of bound]; [now apply (holds_sound _ _ _ metric_2 family_2 holds_2_local)|exact (Rle_refl 0)|exact F_0].
 Qed.
 
-(* Whatever is found by second looks, repaired, inserted, settled in between. *)
-Theorem plane_filter_is_right second_look s x m verdicts z : second_look_right second_look ->
+(* Whatever is repaired, inserted, settled in between. *)
+Theorem plane_filter_is_right s x m verdicts z :
   (nat -> (0 <= epoch s)%Z) -> (forall v, valid_2 (x v)) ->
   (forall k, In k verdicts -> m (id k) = Some (of k) /\ answered x k) -> (forall i c, m i = Some c -> In i (map id verdicts)) ->
   (forall i c, m i = Some c -> is_id i) -> (forall i c d, m i = Some c -> counts_on_2 d c -> exists j, m j = Some d) ->
-  calls second_look {| of_filter := settle x s m verdicts; tracks := true |} z ->
+  calls {| of_filter := settle x s m verdicts; tracks := true |} z ->
   forall i c, mesh (of_filter z) i = Some c -> holds_2 c (moving (of_filter z)).
 Proof.
-  intros L E X K A I C R. apply (evaluated_holds _ _ _ _ metric_2 family_2 stamps_pos counts_on_2_wf holds_2_local second_look s x m verdicts z); trivial.
+  intros E X K A I C R. apply (evaluated_holds _ _ _ metric_2 family_2 stamps_pos counts_on_2_wf holds_2_local s x m verdicts z); trivial.
   intros k H. destruct (K k H). split; [assumption|now apply verdict_evaluated].
 Qed.
-
-(* Without second looks, which is how it comes, they promise nothing. *)
-Corollary plane_filter_alone_is_right s x m verdicts z :
-  (nat -> (0 <= epoch s)%Z) -> (forall v, valid_2 (x v)) ->
-  (forall k, In k verdicts -> m (id k) = Some (of k) /\ answered x k) -> (forall i c, m i = Some c -> In i (map id verdicts)) ->
-  (forall i c, m i = Some c -> is_id i) -> (forall i c d, m i = Some c -> counts_on_2 d c -> exists j, m j = Some d) ->
-  calls (fun _ _ _ => None) {| of_filter := settle x s m verdicts; tracks := true |} z ->
-  forall i c, mesh (of_filter z) i = Some c -> holds_2 c (moving (of_filter z)).
-Proof. apply plane_filter_is_right, without_second_looks. Qed.
 End plane.

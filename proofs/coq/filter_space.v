@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* algorithm_run.v with the certificates of space and the arithmetic of the code, as filter_plane.v for the plane: what is asked of a verdict is what the
    ladder answers, a number that is at most half the width of a tetrahedron or the tolerance of an empty sphere whose cells have records of their own
-   (docs/theory.md 2.1, 2.2; sign_tolerance_3.v, own_tolerance_3). In space there are no second looks.
+   (docs/theory.md 2.1, 2.2; sign_tolerance_3.v, own_tolerance_3).
 
    - least_first_turned     a cell has one name, however its corners are turned
    - verdict_evaluated_3    such a verdict promises what the model needs
@@ -91,11 +91,10 @@ Proof.
 Qed.
 
 Definition family_3 : family vec := {|
-  kind := certificate_3; points_of := points_3; is_true := holds_3; relies_on := counts_on_3;
-  of_two_sides := fun _ => false; on_inner_side := fun _ _ => false |}.
+  kind := certificate_3; points_of := points_3; is_true := holds_3; relies_on := counts_on_3 |}.
 
-#[local] Instance space : world := numbered capacity stamps worn off metric_3 family_3.
-#[local] Instance space_laws : laws := numbered_laws capacity stamps worn off metric_3 family_3 stamps_pos counts_on_3_wf holds_3_local.
+#[local] Instance space : world := numbered capacity stamps worn metric_3 family_3.
+#[local] Instance space_laws : laws := numbered_laws capacity stamps worn metric_3 family_3 stamps_pos counts_on_3_wf holds_3_local.
 
 Lemma positive_cell m a b c d : holds_3 (least_first_3 a b c d) m -> 0 < orient_at m a b c d.
 Proof.
@@ -129,19 +128,19 @@ Proof.
 Qed.
 
 Lemma tetrahedron_sound x a b c d t m : 0 <= t -> 0 < orient_at x a b c d -> t <= tetrahedron.half_width_simplex (corners_at x a b c d) ->
-  (forall v, In v [a; b; c; d] -> near m x (fun _ => t) v) -> 0 < orient_at m a b c d.
+  (forall v, In v [a; b; c; d] -> near m x t v) -> 0 < orient_at m a b c d.
 Proof.
-  intros T P H N. destruct (near_or_same _ _ _ _ metric_3 family_3 (cell_3 a b c d) m x t T N) as [D|E].
+  intros T P H N. destruct (near_or_same _ _ _ metric_3 family_3 (cell_3 a b c d) m x t T N) as [D|E].
   - apply (tetrahedron.orientation_tolerance (corners_at x a b c d) (corners_at m a b c d) t P H). intro k. rewrite <- dist_3_norm.
     destruct k; unfold corners_at, point_of; apply D; simpl; tauto.
   - unfold orient_at. rewrite <- (E a), <- (E b), <- (E c), <- (E d) by (simpl; tauto). exact P.
 Qed.
 
 Lemma sphere_sound x a b c p q t m : 0 <= t -> 0 < orient_at x a b c q -> 0 < orient_at x b a c p -> 0 < insphere_at x a b c p q ->
-  t <= sign_tolerance_3.own_tolerance_3 (bicell_at x a b c p q) -> (forall v, In v [a; b; c; p; q] -> near m x (fun _ => t) v) ->
+  t <= sign_tolerance_3.own_tolerance_3 (bicell_at x a b c p q) -> (forall v, In v [a; b; c; p; q] -> near m x t v) ->
   0 < orient_at m a b c q -> 0 < orient_at m b a c p -> 0 < insphere_at m a b c p q.
 Proof.
-  intros T Q P S H N. destruct (near_or_same _ _ _ _ metric_3 family_3 (sphere a b c p q) m x t T N) as [D|E].
+  intros T Q P S H N. destruct (near_or_same _ _ _ metric_3 family_3 (sphere a b c p q) m x t T N) as [D|E].
   - rewrite <- (proj1 (cells_of_bicell x a b c p q)) in Q. rewrite <- (proj2 (cells_of_bicell x a b c p q)) in P.
     rewrite <- (proj1 (cells_of_bicell m a b c p q)), <- (proj2 (cells_of_bicell m a b c p q)). intros Q' P'.
     apply (sign_tolerance_3.sign_tolerance_3_own (bicell_at x a b c p q) (bicell_at m a b c p q) t); trivial. intro k. rewrite <- dist_3_norm.
@@ -152,25 +151,24 @@ Qed.
 Theorem verdict_evaluated_3 x k : answered_3 x k -> evaluated x k.
 Proof.
   destruct k as [i c t]. unfold answered_3. cbn [of bound]. intros [(T & N & A)|(-> & H)].
-  - assert (W : sound c x (fun _ => t)).
+  - assert (W : sound c x t).
     { destruct c as [a b c d|a b c d|a b c p q]; intros m M Cells.
       - now apply (tetrahedron_sound x a b c d t).
       - left. now apply (tetrahedron_sound x a b c d t).
       - left. destruct A as (Q & P & S & H). apply (sphere_sound x a b c p q t); trivial; apply positive_cell, Cells; [now left|now right]. }
-    split; cbn [of bound]; trivial. discriminate.
-  - split; cbn [of bound]; [now apply (holds_sound _ _ _ _ metric_3 family_3 holds_3_local)|discriminate|exact (Rle_refl 0)|exact F_0].
+    split; cbn [of bound]; trivial.
+  - split; cbn [of bound]; [now apply (holds_sound _ _ _ metric_3 family_3 holds_3_local)|exact (Rle_refl 0)|exact F_0].
 Qed.
 
 Theorem space_filter_is_right s x m verdicts z :
   (nat -> (0 <= epoch s)%Z) -> (forall v, valid_3 (x v)) ->
   (forall k, In k verdicts -> m (id k) = Some (of k) /\ answered_3 x k) -> (forall i c, m i = Some c -> In i (map id verdicts)) ->
   (forall i c, m i = Some c -> is_id i) -> (forall i c d, m i = Some c -> counts_on_3 d c -> exists j, m j = Some d) ->
-  calls (fun _ _ _ => None) {| of_filter := settle x s m verdicts; tracks := true |} z ->
+  calls {| of_filter := settle x s m verdicts; tracks := true |} z ->
   forall i c, mesh (of_filter z) i = Some c -> holds_3 c (moving (of_filter z)).
 Proof.
   intros E X K A I C R.
-  apply (evaluated_holds _ _ _ _ metric_3 family_3 stamps_pos counts_on_3_wf holds_3_local (fun _ _ _ => None) s x m verdicts z); trivial.
-  - apply without_second_looks.
-  - intros k H. destruct (K k H). split; [assumption|now apply verdict_evaluated_3].
+  apply (evaluated_holds _ _ _ metric_3 family_3 stamps_pos counts_on_3_wf holds_3_local s x m verdicts z); trivial.
+  intros k H. destruct (K k H). split; [assumption|now apply verdict_evaluated_3].
 Qed.
 End space.

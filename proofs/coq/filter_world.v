@@ -1,21 +1,16 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What the model of the filter is told of the plane and of space alike: vertices are numbers, arithmetic is that of the code (filter_doubles.v), lists,
-   stamps and second looks are left open. A dimension adds its points (`metric`) and its certificates (`family`): filter_plane.v, filter_space.v.
+(* What the model of the filter is told of the plane and of space alike: vertices are numbers, arithmetic is that of the code (filter_doubles.v), lists
+   and stamps are left open. A dimension adds its points (`metric`) and its certificates (`family`): filter_plane.v, filter_space.v.
 
    - around_all_right        of all ids there can be, those of certificates that contain a vertex
    - numbered, numbered_laws   the world, and that nothing of `laws` is left to believe
    - near_or_same            within a tolerance: all points are closer than it, or it is 0 and all are at their references
-   - of_wide                 a width that the two sides share is one that all points have
    - evaluated_holds         after any calls every certificate holds, if verdicts promise what `evaluated` says *)
 Require Import Reals Lra Lia ZArith List Bool Arith.
 From Annulus Require Import float_model float_sums high_word filter_doubles.
 From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run.
 Import ListNotations.
 Open Scope R_scope.
-
-Definition overdue_real (e : Z) (b : R) : bool := if Rlt_dec (value e) b then true else false.
-Lemma overdue_real_right e b : overdue_real e b = true <-> value e < b.
-Proof. unfold overdue_real. destruct (Rlt_dec _ _); split; easy. Qed.
 
 (* ---- Certificates around a vertex ---- *)
 
@@ -64,28 +59,25 @@ Record family (P : Type) := {
   kind : Type;
   points_of : kind -> list nat;
   is_true : kind -> (nat -> P) -> Prop;
-  relies_on : kind -> kind -> Prop;        (* relies_on d c: c is certified given d *)
-  of_two_sides : kind -> bool;
-  on_inner_side : kind -> nat -> bool }.
+  relies_on : kind -> kind -> Prop }.      (* relies_on d c: c is certified given d *)
 
-(* What is left open: the length of lists, after how many steps stamps wrap, when an odometer starts again, which second looks. *)
+(* What is left open: the length of lists, after how many steps stamps wrap, when an odometer starts again. *)
 Class options := Options {
-  list_length : nat; stamps_there_are : Z; worn_out : R -> expiry_list -> bool; looks : second_looks; stamps_positive : (0 < stamps_there_are)%Z }.
+  list_length : nat; stamps_there_are : Z; worn_out : R -> expiry_list -> bool; stamps_positive : (0 < stamps_there_are)%Z }.
 
 Section numbered.
-Variables (capacity : nat) (stamps : Z) (worn : R -> expiry_list -> bool) (chosen : second_looks).
+Variables (capacity : nat) (stamps : Z) (worn : R -> expiry_list -> bool).
 Variables (D : metric) (K : family (site D)).
 
 #[local] Instance numbered : world := {|
   position := site D; vertex := nat; certificate := kind _ K; same_vertex := Nat.eq_dec; same_position := same_site D;
   dist := distance D; points := points_of _ K; holds := is_true _ K; counts_on := relies_on _ K;
-  two_sided := of_two_sides _ K; inside := on_inner_side _ K;
   algorithm_filter.capacity := capacity; algorithm_filter.stamps := stamps; algorithm_filter.worn := worn;
-  algorithm_filter.chosen := chosen; around := around_all (points_of _ K);
+  around := around_all (points_of _ K);
   num := R; real := fun b => b; zero := 0; valid := in_box D; number := F; reading_of := read D; below := is_below D;
   algorithm_filter.threshold := filter_doubles.threshold;
   sum_lower := float_sums.sum_lower; less := filter_doubles.less;
-  half := lower; overdue := overdue_real |}.
+  half := lower |}.
 
 Hypothesis stamps_pos : (0 < stamps)%Z.
 Hypothesis relies_on_wf : well_founded (relies_on _ K).
@@ -106,7 +98,6 @@ Proof.
   - reflexivity.
   - exact F_0.
   - reflexivity.
-  - exact overdue_real_right.
   - exact (read_above D).
   - exact (threshold_holds D).
   - exact sum_lower_down.
@@ -115,7 +106,7 @@ Qed.
 
 (* ---- Tolerances ---- *)
 
-Lemma near_or_same (c : certificate) m x t : 0 <= t -> (forall v, In v (points c) -> near m x (fun _ => t) v) ->
+Lemma near_or_same (c : certificate) m x t : 0 <= t -> (forall v, In v (points c) -> near m x t v) ->
   (forall v, In v (points c) -> dist (x v) (m v) < t) \/ forall v, In v (points c) -> x v = m v.
 Proof.
   intros T N. destruct (Rle_lt_or_eq_dec 0 t T) as [P|E]; [left|right]; intros v I; destruct (N v I) as [H|H].
@@ -125,29 +116,22 @@ Proof.
   - now symmetry.
 Qed.
 
-Lemma of_wide c x t : 0 <= t -> wide c x t -> sound c x (fun _ => t).
-Proof. intros T H. apply H; intros; lra. Qed.
-
 (* A certificate that holds, with nothing to spare. *)
-Lemma holds_sound c x : holds c x -> sound c x (fun _ => 0).
+Lemma holds_sound c x : holds c x -> sound c x 0.
 Proof.
   intros H m N _. apply (is_local c x); [|exact H]. destruct (near_or_same c m x 0 (Rle_refl 0) N) as [L|S]; [|exact S].
   intros v I. generalize (distance_nonneg D (x v) (m v)). assert (L' := L v I). change (distance D (x v) (m v) < 0) in L'. lra.
 Qed.
 
-(* Whatever is found by second looks, repaired, inserted, settled in between. *)
-Theorem evaluated_holds second_look s x m verdicts z : second_look_right second_look ->
+(* Whatever is repaired, inserted, settled in between. *)
+Theorem evaluated_holds s x m verdicts z :
   (nat -> (0 <= epoch s)%Z) -> (forall v, valid (x v)) ->
   (forall k, In k verdicts -> m (id k) = Some (of k) /\ evaluated x k) -> (forall i c, m i = Some c -> In i (map id verdicts)) ->
   (forall i c, m i = Some c -> is_id i) -> (forall i c d, m i = Some c -> counts_on d c -> exists j, m j = Some d) ->
-  calls second_look {| of_filter := settle x s m verdicts; tracks := true |} z ->
+  calls {| of_filter := settle x s m verdicts; tracks := true |} z ->
   forall i c, mesh (of_filter z) i = Some c -> holds c (moving (of_filter z)).
 Proof.
-  intros L E X V A I C R. apply (from_the_start second_look L s x m verdicts z E X); [|exact R]. split; trivial.
+  intros E X V A I C R. apply (from_the_start s x m verdicts z E X); [|exact R]. split; trivial.
   intros i c H. left. now apply A with c.
 Qed.
-
-(* Without second looks, which is how it comes: they promise nothing. *)
-Lemma without_second_looks : second_look_right (fun _ _ _ => None).
-Proof. intros s x i c k _ _ _ E. discriminate E. Qed.
 End numbered.

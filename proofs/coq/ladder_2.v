@@ -58,12 +58,12 @@ Proof.
 Qed.
 End ladder.
 
-(* Whatever the lists and second looks of filter_plane.v. *)
+(* Whatever the lists of filter_plane.v. *)
 Section answered.
-Variables (capacity : nat) (stamps : Z) (worn : R -> algorithm_list.expiry_list -> bool) (chosen : second_looks).
+Variables (capacity : nat) (stamps : Z) (worn : R -> algorithm_list.expiry_list -> bool).
 Variable tie : certificate_2 -> (nat -> point_2) -> Prop.
-Let Plane := plane capacity stamps worn chosen tie.
-Notation answered := (answered capacity stamps worn chosen tie).
+Let Plane := plane capacity stamps worn tie.
+Notation answered := (answered capacity stamps worn tie).
 Variables (f : nat -> vector machine) (i : Z) (tight : bool).
 Let ref : nat -> point_2 := fun v => at_2 (f v).
 
@@ -82,17 +82,17 @@ Proof.
   intro D. split; intro S; destruct (triangle_says _ _ _ _ _ D S) as [(R0 & Fr & P & H)|(-> & Z & Q)]; try contradiction.
   - left. split; [exact R0|]. split; [exact Fr|]. split; [exact P|]. split; [exact P|exact H].
   - left. split; [exact R0|]. split; [exact Fr|]. split; [left; exact P|]. split; [exact P|exact H].
-  - right. split; [reflexivity|]. split; [right; now split|exact I].
+  - right. split; [reflexivity|]. right. now split.
 Qed.
 
-Theorem circle_answered a b p q r : (forall v, In v [a; b; p; q] -> coordinates_2 (f v)) -> NoDup [a; b; p; q] ->
+Theorem circle_answered a b p q r : (forall v, In v [a; b; p; q] -> coordinates_2 (f v)) ->
   0 < turn_at ref a b q -> 0 < turn_at ref b a p ->
   says (empty_sphere_ladder tight (f a) (f b) (f p) (f q)) (tie (circle a b p q) ref) r -> answered ref (@Build_verdict Plane i (circle a b p q) r).
 Proof.
-  intros D N Tq Tp S. destruct (empty_sphere_2_told f tight a b p q D) as [R _]. revert R S.
+  intros D Tq Tp S. destruct (empty_sphere_2_told f tight a b p q D) as [R _]. revert R S.
   destruct (empty_sphere_ladder _ _ _ _ _) as [|t|t|t]; simpl; try contradiction.
-  - intros Z [Q ->]. right. split; [reflexivity|]. split; [right; now split|exact N].
+  - intros Z [Q ->]. right. split; [reflexivity|]. right. now split.
   - intros (_ & P & H0 & H) ->. left. split; [exact H0|]. split; [apply value_format|]. split; [left; exact P|].
-    split; [exact N|]. split; [exact Tq|]. split; [exact Tp|]. split; [exact P|exact H].
+    split; [exact Tq|]. split; [exact Tp|]. split; [exact P|exact H].
 Qed.
 End answered.

@@ -36,7 +36,6 @@ Definition changed (w : change) (T T' : plane_mesh.mesh) : Prop :=
 
 Section calls.
 Context {o : options}.
-Variable second_look : state -> algorithm_filter.placement -> Z -> option renewal.
 
 (* place: who comes is put where the doubles say. *)
 Definition placed (f : doubles) (e : event) : list (vertex * position) := match e with comes v => [(v, at_doubles f v)] | _ => [] end.
@@ -59,22 +58,22 @@ Inductive program_call : event -> system -> plane_mesh.mesh -> system -> plane_m
       program_call nobody {| of_filter := s; tracks := true |} T {| of_filter := move_to (at_doubles f) s; tracks := true |} T
   (* somebody fails: evaluated, flipped or built anew, and evaluated again; the border is walked where it is in doubt *)
   | step s f movers m touched verdicts w T T' : (forall v, coordinates_2 (f v)) -> covered s (at_doubles f) movers ->
-      (let '(u, suspects, _) := find_expired second_look s (at_doubles f) (find_failed s (at_doubles f) movers) in
+      (let (u, suspects) := find_expired s (at_doubles f) (find_failed s (at_doubles f) movers) in
        evaluates f (algorithm_filter.mesh u) m suspects touched verdicts) ->
       changed w T T' -> lists m T' -> (in_doubt movers w verdicts = true -> winds_once (at_doubles f) (border T')) ->
       program_call nobody {| of_filter := s; tracks := true |} T
-        {| of_filter := stepped second_look s (at_doubles f) (find_failed s (at_doubles f) movers) m verdicts; tracks := true |} T'
+        {| of_filter := stepped s (at_doubles f) (find_failed s (at_doubles f) movers) m verdicts; tracks := true |} T'
   (* the call is refused *)
   | step_fails s f movers T : (forall v, coordinates_2 (f v)) -> covered s (at_doubles f) movers ->
       let failed := find_failed s (at_doubles f) movers in
       program_call nobody {| of_filter := s; tracks := true |} T
-        {| of_filter := undo_anchoring (begin_anchoring s) (fst (fst (find_expired second_look s (at_doubles f) failed))) failed; tracks := true |} T
+        {| of_filter := undo_anchoring (begin_anchoring s) (fst (find_expired s (at_doubles f) failed)) failed; tracks := true |} T
   (* insertion and removal, while tolerances are kept: that the border winds once, where it is another, is who inserts' word; or cells have other numbers *)
   | inserted s f e m touched verdicts T T' : (forall v, coordinates_2 (f v)) -> let t := fold_left place (placed f e) s in moving t = at_doubles f ->
       (forall v, e = comes v -> ~ vertex_of T v) ->
       evaluates f (algorithm_filter.mesh t) m [] touched verdicts -> glued T' -> lists m T' -> keeps e T T' ->
       border T' = border T \/ winds_once (at_doubles f) (border T') ->
-      program_call e {| of_filter := s; tracks := true |} T {| of_filter := stepped second_look t (at_doubles f) [] m verdicts; tracks := true |} T'
+      program_call e {| of_filter := s; tracks := true |} T {| of_filter := stepped t (at_doubles f) [] m verdicts; tracks := true |} T'
   (* all is evaluated: where it was right already, or after a rebuild, which has CGAL's word for the border *)
   | settles_all s b f e m verdicts T T' : start f m verdicts -> glued T' -> lists m T' -> keeps e T T' ->
       (T' = T /\ moving s = at_doubles f) \/ winds_once (at_doubles f) (border T') ->
@@ -94,8 +93,3 @@ Inductive program_call : event -> system -> plane_mesh.mesh -> system -> plane_m
       program_call nobody {| of_filter := s; tracks := false |} T {| of_filter := move_to (at_doubles f) (with_mesh s m); tracks := false |} T'
   | stops_tracking s T : program_call nobody {| of_filter := s; tracks := true |} T {| of_filter := s; tracks := false |} T.
 End calls.
-
-(* As the filter comes there are no second looks. *)
-Definition no_second_look {o : options} : state -> algorithm_filter.placement -> Z -> option renewal := fun _ _ _ => None.
-Lemma no_second_look_right {o : options} : second_look_right no_second_look.
-Proof. intros s x i c k _ _ _ E. discriminate E. Qed.

@@ -16,8 +16,6 @@ Section calls.
 Context {o : options}.
 #[local] Existing Instance the_space.
 
-(* In space nothing is proved by a second look. *)
-Definition no_look : state -> algorithm_filter.placement -> Z -> option renewal := fun _ _ _ => None.
 (* Who comes is put where the doubles say. *)
 Definition placed_3 (f : doubles_3) (newcomers : list nat) : list (vertex * position) := map (fun v => (v, at_doubles_3 f v)) newcomers.
 Record complete (m : Z -> option certificate_3) : Prop := {
@@ -35,21 +33,21 @@ Inductive space_call : system -> system -> Prop :=
       space_call {| of_filter := s; tracks := true |} {| of_filter := move_to (at_doubles_3 f) s; tracks := true |}
   (* somebody fails: evaluated, flipped or built anew, and evaluated again *)
   | step_3 s f movers m touched verdicts : (forall v, coordinates_3 (f v)) -> covered s (at_doubles_3 f) movers ->
-      (let '(u, suspects, _) := find_expired no_look s (at_doubles_3 f) (find_failed s (at_doubles_3 f) movers) in
+      (let (u, suspects) := find_expired s (at_doubles_3 f) (find_failed s (at_doubles_3 f) movers) in
        evaluates_3 f (algorithm_filter.mesh u) m suspects touched verdicts) -> complete m ->
       space_call {| of_filter := s; tracks := true |}
-        {| of_filter := stepped no_look s (at_doubles_3 f) (find_failed s (at_doubles_3 f) movers) m verdicts; tracks := true |}
+        {| of_filter := stepped s (at_doubles_3 f) (find_failed s (at_doubles_3 f) movers) m verdicts; tracks := true |}
   (* the call is refused *)
   | step_fails_3 s f movers : (forall v, coordinates_3 (f v)) -> covered s (at_doubles_3 f) movers ->
       let failed := find_failed s (at_doubles_3 f) movers in
       space_call {| of_filter := s; tracks := true |}
-        {| of_filter := undo_anchoring (begin_anchoring s) (fst (fst (find_expired no_look s (at_doubles_3 f) failed))) failed; tracks := true |}
+        {| of_filter := undo_anchoring (begin_anchoring s) (fst (find_expired s (at_doubles_3 f) failed)) failed; tracks := true |}
   (* insertion and removal, while tolerances are kept; or cells have other numbers *)
   | inserted_3 s f newcomers m touched verdicts : (forall v, coordinates_3 (f v)) ->
       let t := fold_left place (placed_3 f newcomers) s in moving t = at_doubles_3 f ->
       (forall v i c, In v newcomers -> algorithm_filter.mesh s i = Some c -> ~ In v (points_3 c)) ->
       evaluates_3 f (algorithm_filter.mesh t) m [] touched verdicts -> complete m ->
-      space_call {| of_filter := s; tracks := true |} {| of_filter := stepped no_look t (at_doubles_3 f) [] m verdicts; tracks := true |}
+      space_call {| of_filter := s; tracks := true |} {| of_filter := stepped t (at_doubles_3 f) [] m verdicts; tracks := true |}
   (* all is evaluated *)
   | settles_all_3 s b f m verdicts : start_in_space f m verdicts -> space_call {| of_filter := s; tracks := b |} (settled_in_space f m verdicts s)
   (* by signs alone (signed_3.v): of everything, when many moved *)
@@ -71,8 +69,6 @@ Inductive space_calls (y : system) : system -> Prop :=
 (* ---- Repair keeps its promise ---- *)
 
 #[local] Instance the_laws_3 : laws := space_laws list_length stamps_there_are worn_out stamps_positive no_fold_3 no_fold_3_local.
-Lemma no_look_right : second_look_right no_look.
-Proof. intros s x i c k _ _ _ E. discriminate E. Qed.
 
 Theorem evaluates_repaired_3 f old m suspects touched verdicts : (forall v, coordinates_3 (f v)) -> evaluates_3 f old m suspects touched verdicts -> complete m ->
   (forall i a b c d, old i = Some (least_first_3 a b c d) -> ~ In i suspects -> 0 < orient_at (at_doubles_3 f) a b c d) ->
@@ -99,14 +95,14 @@ Proof.
   intros k K. split; [now apply (told_right_3 _ _ _ St)|]. apply (verdict_evaluated_3 _ _ _ no_fold_3 no_fold_3_local). now apply (start_answered_3 f m verdicts).
 Qed.
 
-Theorem space_call_is_call y z : right y -> space_call y z -> call no_look y z.
+Theorem space_call_is_call y z : right y -> space_call y z -> call y z.
 Proof.
   intros V C. destruct C as [s f movers D Co N|s f movers m touched verdicts D Co E Cm|s f movers D Co failed|s f newcomers m touched verdicts D t Mo New E Cm|
     s b f m verdicts St|s b f m D H Cm|s b f m D H Cm|s f v m D Co H Cm|s]; try assert (X : forall v, valid_3 (at_doubles_3 f v)) by (intro; apply coordinates_valid_3, D).
   - now apply passed with movers.
-  - apply processed; trivial. cbv zeta. destruct (find_expired no_look s (at_doubles_3 f) _) as [[u suspects] renewed] eqn:F.
+  - apply processed; trivial. cbv zeta. destruct (find_expired s (at_doubles_3 f) _) as [u suspects] eqn:F.
     apply (evaluates_repaired_3 f _ m suspects touched verdicts); trivial. intros i a b c d M N. apply (positive_cell no_fold_3).
-    assert (H := no_suspect_holds no_look no_look_right s (at_doubles_3 f) (find_failed s (at_doubles_3 f) movers) V X
+    assert (H := no_suspect_holds s (at_doubles_3 f) (find_failed s (at_doubles_3 f) movers) V X
       (failed_or_not s (at_doubles_3 f) movers Co) i (least_first_3 a b c d)).
     rewrite F in H. apply (H M N). destruct (least_first_cell a b c d) as (a' & b' & c' & d' & ->). intros k [].
   - apply failing; [exact X|exact Co].
@@ -115,7 +111,7 @@ Proof.
       by (intros n i c I; apply in_map_iff in I; destruct I as (v & <- & I); now apply New).
     destruct (places_keep (placed_3 f newcomers) s V Va Fr) as [P M]. fold t in P, M. rewrite <- Mo. apply refreshed; trivial. cbv zeta. fold t. rewrite Mo.
     apply (evaluates_repaired_3 f _ m [] touched verdicts); trivial. intros i a b c d Q _. apply (positive_cell no_fold_3). rewrite <- Mo.
-    exact (proj2 (filter_is_right no_look no_look_right {| of_filter := t; tracks := true |} _ P (here no_look _)) i _ Q).
+    exact (proj2 (filter_is_right {| of_filter := t; tracks := true |} _ P (here _)) i _ Q).
   - apply settles; [intro; apply coordinates_valid_3, (in_domain_3 _ _ _ St)|now apply start_settles_3].
   - apply everything; [exact X| |exact (cells_are_there m Cm)]. intros i c M. now apply signed_holds_3, (H i).
   - apply everything; [exact X|exact H|exact (cells_are_there m Cm)].
@@ -126,12 +122,12 @@ Proof.
 Qed.
 
 Theorem space_calls_are_calls f m verdicts s z : start_in_space f m verdicts -> (0 <= epoch s)%Z -> space_calls (settled_in_space f m verdicts s) z ->
-  calls_in_space (settled_in_space f m verdicts s) z.
+  calls (settled_in_space f m verdicts s) z.
 Proof.
   intros St E R. assert (V : right (settled_in_space f m verdicts s)).
   { apply (@algorithm_run.settle_keeps the_space the_laws_3 (at_doubles_3 f) s m verdicts (fun _ => E)); [|now apply start_settles_3].
     intro v. apply coordinates_valid_3, (in_domain_3 _ _ _ St). }
   induction R as [|z u R IH C]; [apply here|]. apply further with z; [exact IH|].
-  apply space_call_is_call; [|exact C]. exact (proj1 (filter_is_right no_look no_look_right _ z V IH)).
+  apply space_call_is_call; [|exact C]. exact (proj1 (filter_is_right _ z V IH)).
 Qed.
 End calls.

@@ -65,78 +65,16 @@ Definition latest (l : expiry_list) : Z :=
 Close Scope float_scope.
 
 Section machine.
-Variables (h : horizons) (looks : second_looks).
+Variable h : horizons.
 
 Definition machine : world := {|
   position := point; vertex := Z; certificate := list Z; same_vertex := Z.eq_dec; same_position := same_coordinates;
   dist := fun _ _ => 0%R; points := fun c => c; holds := fun _ _ => True; counts_on := fun _ _ => False;
-  two_sided := fun c => Nat.eqb (length c) 4; inside := fun c v => existsb (Z.eqb v) (firstn 2 c);
-  capacity := listed h; stamps := last_stamp h; chosen := looks;
+  capacity := listed h; stamps := last_stamp h;
   around := fun mesh v => match mesh (-1 - v) with Some ids => ids | None => [] end;
   num := float; real := fun _ => 0%R; zero := 0%float; valid := fun _ => True; number := fun _ => True;
   reading_of := reading_at; below := fun f p r => (squared_distance p f <? r)%float;
   threshold := fun e b => value_of (half_of (half_mask h) (squared_threshold_lower (slack e b)));
   algorithm_filter.sum_lower := sum_lower; less := left_of; half := half_of (half_mask h);
-  overdue := fun e b => (value_of e <? b)%float;
   worn := fun b l => (odometer_ratio h * (value_of (latest l) - b) <? b)%float |}.
 End machine.
-
-(* ---- second_look.cpp ---- *)
-
-Section looks.
-Variables (h : horizons) (looks : second_looks) (delimiter : Z -> option (float * float * float)).
-#[local] Instance W : world := machine h looks.
-Open Scope float_scope.
-
-Definition greatest (l : list float) : float := fold_left (fun m x => if m <? x then x else m) l 0.
-(* Second_looks::unequal_moves: new expiries of the four points, from their expiries and readings. *)
-Definition unequal_expiries (t : float) (points : list (float * float)) : option (list float) :=
-  let way p := (snd p - (fst p - t)) + (snd p + t) * 0x1p-50 in
-  let inner := greatest (map way (firstn 2 points)) in
-  let outer := greatest (map way (skipn 2 points)) in
-  let left := 2 * t - (inner + outer) * 0x1.0000000000004p0 in
-  if 0x1p-2 * t <? left then
-    let until travelled p := let u := (fst p - t) + (travelled + 0x1p-1 * left) in u - u * 0x1p-50 in
-    Some (map (until inner) (firstn 2 points) ++ map (until outer) (skipn 2 points))
-  else None.
-(* safe_region_lower, and what Second_looks::safe_region asks of it. *)
-Definition safe_rooms (t : float) (c : float * float * float) (x : list point) : option (list float) :=
-  let '(cx, cy, r) := c in
-  let room inner p :=
-    let dx := nth 0 p 0 - cx in let dy := nth 1 p 0 - cy in
-    let distance := sqrt (dx * dx + dy * dy) in
-    (if inner : bool then r - distance else distance - r) - (distance + r) * 0x1p-48 in
-  let rooms := map (room true) (firstn 2 x) ++ map (room false) (skipn 2 x) in
-  if (0x1p-400 <? r) && (r <? 0x1p500) && forallb (fun a => 0 <? a) rooms && forallb (fun a => 0x1p-2 * t <? a) rooms then Some rooms
-  else None.
-
-Definition by_point (l : list (Z * float)) (v : Z) : float := match find (fun p => Z.eqb (fst p) v) l with Some p => snd p | None => 0 end.
-(* Second_looks::proves *)
-Definition look_again (s : state) (x : placement) (i : Z) : option renewal :=
-  match mesh s i with
-  | None => None
-  | Some c =>
-      let r := record s i in
-      if Nat.eqb (length c) 4 && (0 <? tolerance r) then
-        let readings := map (fun v => reading s v (x v)) c in
-        let lasts (until : list float) := forallb (fun p => fst p <? value_of (half_of (half_mask h) (snd p))) (combine readings until) in
-        match looks with
-        | off => None
-        | unequal_moves =>
-            match unequal_expiries (tolerance r) (combine (map (fun v => value_of (expiry r v)) c) readings) with
-            | Some new => if lasts new then Some (unequal (by_point (combine c new)) (fun _ => 0%R)) else None
-            | None => None
-            end
-        | safe_region =>
-            match delimiter i with
-            | Some o =>
-                match safe_rooms (tolerance r) o (map x c) with
-                | Some far => if lasts (map (fun p => sum_lower (fst p) (snd p)) (combine readings far)) then Some (safe (by_point (combine c far))) else None
-                | None => None
-                end
-            | None => None
-            end
-        end
-      else None
-  end.
-End looks.

@@ -70,24 +70,24 @@ Qed.
 (* ---- The plane ---- *)
 
 Section plane.
-Variables (capacity : nat) (stamps : Z) (ratio : float) (chosen : second_looks).
+Variables (capacity : nat) (stamps : Z) (ratio : float).
 Hypothesis stamps_pos : (0 < stamps)%Z.
 Hypothesis ratio_least : 1 <= real ratio.
 Hypothesis ratio_stands : stands 20 ratio (real ratio).
-#[local] Instance as_reals : options := Options capacity stamps (worn_real ratio) chosen stamps_pos.
+#[local] Instance as_reals : options := Options capacity stamps (worn_real ratio) stamps_pos.
 Notation K := (family_2 plane_certificates.no_fold).
-Notation floats := (floats capacity stamps ratio chosen metric_2 K grounded_2).
-Notation state_of := (state_of capacity stamps ratio chosen metric_2 K grounded_2).
-Notation verdict_of := (verdict_of capacity stamps ratio chosen metric_2 K grounded_2).
-Notation deed_of := (deed_of capacity stamps ratio chosen metric_2 K grounded_2).
-Notation proper_verdict := (proper_verdict capacity stamps ratio chosen metric_2 K grounded_2).
-Notation fit := (fit capacity stamps ratio chosen metric_2 K grounded_2).
-Notation small := (small capacity stamps ratio chosen metric_2 K grounded_2).
+Notation floats := (floats capacity stamps ratio metric_2 K grounded_2).
+Notation state_of := (state_of capacity stamps ratio metric_2 K grounded_2).
+Notation verdict_of := (verdict_of capacity stamps ratio metric_2 K grounded_2).
+Notation deed_of := (deed_of capacity stamps ratio metric_2 K grounded_2).
+Notation proper_verdict := (proper_verdict capacity stamps ratio metric_2 K grounded_2).
+Notation fit := (fit capacity stamps ratio metric_2 K grounded_2).
+Notation small := (small capacity stamps ratio metric_2 K grounded_2).
 
 (* What a call of the program decides is judged where the machine's numbers are (program_call); what it does to them is computed with floats (done). *)
 Definition machine_call (e : event) (s : @state floats) (b : bool) (T : plane_mesh.mesh) (d : @deed floats) (s' : @state floats) (b' : bool) (T' : plane_mesh.mesh) : Prop :=
   s' = done s d /\ fit d /\
-  program_call no_second_look e {| of_filter := state_of s; tracks := b |} T {| of_filter := done (state_of s) (deed_of d); tracks := b' |} T'.
+  program_call e {| of_filter := state_of s; tracks := b |} T {| of_filter := done (state_of s) (deed_of d); tracks := b' |} T'.
 
 Theorem machine_delaunay n (f : doubles) m (verdicts : list (@verdict floats)) (before : @state floats) (e : nat -> event) (s : nat -> @state floats)
     (b : nat -> bool) (d : nat -> @deed floats) (T : nat -> plane_mesh.mesh) : (Z.of_nat n < 2 ^ 49)%Z ->
@@ -100,16 +100,16 @@ Theorem machine_delaunay n (f : doubles) m (verdicts : list (@verdict floats)) (
     forall v, plane_mesh.vertex_of (T i) v <-> present (plane_mesh.vertex_of (T O)) e i v.
 Proof.
   intros N St V E Old S0 B0 Gl Li Wi C.
-  assert (Z0 := fun B => settled_same capacity stamps ratio chosen metric_2 K grounded_2 B (f : @placement floats) before m verdicts (in_domain _ _ _ St) Old (ids _ _ _ St) V).
+  assert (Z0 := fun B => settled_same capacity stamps ratio metric_2 K grounded_2 B (f : @placement floats) before m verdicts (in_domain _ _ _ St) Old (ids _ _ _ St) V).
   assert (R : forall i, (i < n)%nat -> state_of (s (S i)) = done (state_of (s i)) (deed_of (d i))).
-  { intros i L. apply (runs_same _ _ _ _ ratio_least ratio_stands _ _ grounded_2 s d n); trivial.
+  { intros i L. apply (runs_same _ _ _ ratio_least ratio_stands _ _ grounded_2 s d n); trivial.
     - intro B. rewrite S0. apply Z0.
     - intros j J. now destruct (C j J) as (E' & F & _).
     - apply within_reach_of. lia. }
   set (y := fun i => {| of_filter := state_of (s i); tracks := b i |}).
   assert (Q : y O = settled f m (map verdict_of verdicts) (state_of before)) by (unfold y; rewrite B0, S0; unfold settled; now rewrite (proj2 (Z0 (first_reach)))).
-  exact (program_delaunay_until no_second_look no_second_look_right n f m (map verdict_of verdicts) (state_of before) e y T St E Q Gl Li Wi
-    (fun i L => eq_ind_r (fun z => program_call _ _ {| of_filter := _; tracks := _ |} _ {| of_filter := z; tracks := _ |} _) (proj2 (proj2 (C i L))) (R i L))).
+  exact (program_delaunay_until n f m (map verdict_of verdicts) (state_of before) e y T St E Q Gl Li Wi
+    (fun i L => eq_ind_r (fun z => program_call _ {| of_filter := _; tracks := _ |} _ {| of_filter := z; tracks := _ |} _) (proj2 (proj2 (C i L))) (R i L))).
 Qed.
 End plane.
 
@@ -120,14 +120,14 @@ Variables (capacity : nat) (stamps : Z) (ratio : float).
 Hypothesis stamps_pos : (0 < stamps)%Z.
 Hypothesis ratio_least : 1 <= real ratio.
 Hypothesis ratio_stands : stands 20 ratio (real ratio).
-#[local] Instance as_reals_3 : options := Options capacity stamps (worn_real ratio) off stamps_pos.
+#[local] Instance as_reals_3 : options := Options capacity stamps (worn_real ratio) stamps_pos.
 Notation K := (family_3 no_fold_3).
-Notation floats := (floats capacity stamps ratio off metric_3 K grounded_3).
-Notation state_of := (state_of capacity stamps ratio off metric_3 K grounded_3).
-Notation verdict_of := (verdict_of capacity stamps ratio off metric_3 K grounded_3).
-Notation deed_of := (deed_of capacity stamps ratio off metric_3 K grounded_3).
-Notation proper_verdict := (proper_verdict capacity stamps ratio off metric_3 K grounded_3).
-Notation fit := (fit capacity stamps ratio off metric_3 K grounded_3).
+Notation floats := (floats capacity stamps ratio metric_3 K grounded_3).
+Notation state_of := (state_of capacity stamps ratio metric_3 K grounded_3).
+Notation verdict_of := (verdict_of capacity stamps ratio metric_3 K grounded_3).
+Notation deed_of := (deed_of capacity stamps ratio metric_3 K grounded_3).
+Notation proper_verdict := (proper_verdict capacity stamps ratio metric_3 K grounded_3).
+Notation fit := (fit capacity stamps ratio metric_3 K grounded_3).
 
 Definition machine_call_3 (s : @state floats) (b : bool) (d : @deed floats) (s' : @state floats) (b' : bool) : Prop :=
   s' = done s d /\ fit d /\ space_call {| of_filter := state_of s; tracks := b |} {| of_filter := done (state_of s) (deed_of d); tracks := b' |}.
@@ -144,9 +144,9 @@ Theorem machine_delaunay_3 n (f : doubles_3) m (verdicts : list (@verdict floats
       space_silhouette.silhouette_once places T U L -> space_triangulation.triangulation_3 places T /\ space_delaunay.delaunay_3 places T.
 Proof.
   intros N St V E Old S0 B0 C.
-  assert (Z0 := fun B => settled_same capacity stamps ratio off metric_3 K grounded_3 B (f : @placement floats) before m verdicts (in_domain_3 _ _ _ St) Old (ids_3 _ _ _ St) V).
+  assert (Z0 := fun B => settled_same capacity stamps ratio metric_3 K grounded_3 B (f : @placement floats) before m verdicts (in_domain_3 _ _ _ St) Old (ids_3 _ _ _ St) V).
   assert (R : forall i, (i < n)%nat -> state_of (s (S i)) = done (state_of (s i)) (deed_of (d i))).
-  { intros i L. apply (runs_same _ _ _ _ ratio_least ratio_stands _ _ grounded_3 s d n); trivial.
+  { intros i L. apply (runs_same _ _ _ ratio_least ratio_stands _ _ grounded_3 s d n); trivial.
     - intro B. rewrite S0. apply Z0.
     - intros j J. now destruct (C j J) as (E' & F & _).
     - apply within_reach_of. lia. }

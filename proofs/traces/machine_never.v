@@ -3,7 +3,6 @@
    reals. Whatever the machine makes of them is far above all that it is compared with, in both.
 
    - threshold_of_any    set_threshold, of any expiry
-   - overdue_of_any      whether an expiry is below a base
    - worn_expiry         whether an odometer is to start again, in reals; worn_expiry_of_any
    - same_stands         whether two coordinates are the same *)
 From Coq Require Import Reals ZArith Lia Lra List Bool.
@@ -138,14 +137,6 @@ Proof.
   set (d := float_error.fmul _ _) in *.
   assert (power (-450) < power 998) by (apply bpow_lt; lia). assert (power 510 < power 998) by (apply bpow_lt; lia).
   destruct (Rlt_dec _ d) as [_|N]; [|lra]. destruct (Rlt_dec _ d) as [_|N]; [reflexivity|lra].
-Qed.
-
-Theorem overdue_of_any : (value_of e <? b)%float = if Rlt_dec (high_word.value e) (real b) then true else false.
-Proof.
-  destruct (Rle_lt_dec (high_word.value e) (power 1000)) as [N|F].
-  { apply overdue_stands; [now apply near_value|exact N|]. apply stands_wider with 999%Z; [lia|exact B]. }
-  assert (power 999 < power 1000) by (apply bpow_lt; lia). generalize base_upper. intro U.
-  rewrite (proj1 (above_greater _ _ _ _ (far_value e E F) (stands_wider 999 1000 _ _ ltac:(lia) B) ltac:(lra))). destruct (Rlt_dec _ _); trivial. lra.
 Qed.
 
 Variable ratio : float.

@@ -7,7 +7,7 @@
    - below_stands_2, _3             the comparison of the step test is below_2, below_3, with a threshold that is
    - threshold_stands               set_threshold
    - reading_stands_2, _3           reading_2, reading_3
-   - sum_lower_stands, left_stands, overdue_stands      what commit_points and rebase compute
+   - sum_lower_stands, left_stands      what commit_points and rebase compute
 
    Points are in the coordinate domain, 2^500 at most; bases, tolerances and expiries below 2^1000, which no odometer reaches that is rebased:
    this is what remains of overflow, and NaN does not come up. With all bits of an upper half; tiny bounds drop some, which no theorem
@@ -237,10 +237,6 @@ Proof.
   intros E V B. assert (S := stands_sub 1000 1000 _ _ _ _ ltac:(lia) (value_stands e 1000 E V) B).
   apply (stands_sub 1001 949 _ _ _ _ ltac:(lia)); [exact S|]. exact (stands_mul 1001 (-52) _ _ _ _ ltac:(lia) S ulp52_stands).
 Qed.
-
-Theorem overdue_stands e b : (0 <= e < never)%Z -> high_word.value e <= power 1000 -> stands 1000 b (real b) ->
-  (value_of e <? b)%float = if Rlt_dec (high_word.value e) (real b) then true else false.
-Proof. intros E V B. exact (less_stands _ _ _ _ _ _ (value_stands e 1000 E V) B). Qed.
 
 (* What a threshold is kept as. *)
 Lemma kept_stands f r : stands 1021 f r -> stands 1021 (value_of (half_of half_mask_32 f)) (high_word.value (lower r)).

@@ -33,9 +33,9 @@ Inductive deed :=
 Definition done (s : state) (d : deed) : state :=
   match d with
   | pass x => move_to x s
-  | move x movers m verdicts => stepped no_look s x (find_failed s x movers) m verdicts
-  | refuse x movers => undo_anchoring (begin_anchoring s) (fst (fst (find_expired no_look s x (find_failed s x movers)))) (find_failed s x movers)
-  | refresh placed m verdicts => let t := fold_left place placed s in stepped no_look t (moving t) [] m verdicts
+  | move x movers m verdicts => stepped s x (find_failed s x movers) m verdicts
+  | refuse x movers => undo_anchoring (begin_anchoring s) (fst (find_expired s x (find_failed s x movers))) (find_failed s x movers)
+  | refresh placed m verdicts => let t := fold_left place placed s in stepped t (moving t) [] m verdicts
   | settle_all x m verdicts => settle x s m verdicts
   | sign_all x m => move_to x (with_mesh s m)
   | stop => s
@@ -43,20 +43,20 @@ Definition done (s : state) (d : deed) : state :=
 End deeds.
 
 Section runs.
-Variables (capacity : nat) (stamps : Z) (ratio : float) (chosen : second_looks).
+Variables (capacity : nat) (stamps : Z) (ratio : float).
 Hypothesis ratio_least : 1 <= real ratio.
 Hypothesis ratio_stands : stands 20 ratio (real ratio).
 Variables (D : metric) (K : family (site D)) (G : grounded D).
-Notation floats := (floats capacity stamps ratio chosen D K G).
-Notation reals := (reals capacity stamps ratio chosen D K).
-Notation state_of := (state_of capacity stamps ratio chosen D K G).
-Notation places_of := (places_of capacity stamps ratio chosen D K G).
-Notation verdict_of := (verdict_of capacity stamps ratio chosen D K G).
-Notation tame := (tame capacity stamps ratio chosen D K G).
-Notation small := (small capacity stamps ratio chosen D K G).
-Notation proper_verdict := (proper_verdict capacity stamps ratio chosen D K G).
+Notation floats := (floats capacity stamps ratio D K G).
+Notation reals := (reals capacity stamps ratio D K).
+Notation state_of := (state_of capacity stamps ratio D K G).
+Notation places_of := (places_of capacity stamps ratio D K G).
+Notation verdict_of := (verdict_of capacity stamps ratio D K G).
+Notation tame := (tame capacity stamps ratio D K G).
+Notation small := (small capacity stamps ratio D K G).
+Notation proper_verdict := (proper_verdict capacity stamps ratio D K G).
 Notation bounded := (in_bounds_all D G).
-Notation placed_of := (placed_of capacity stamps ratio chosen D K G).
+Notation placed_of := (placed_of capacity stamps ratio D K G).
 
 (* ---- A call ---- *)
 
@@ -86,15 +86,15 @@ Theorem done_same (B : reach) (s : @state floats) d : tame B s -> small B s -> f
 Proof.
   intros T S F. destruct d as [x|x movers m verdicts|x movers|placed m verdicts|x m verdicts|x m|]; cbn [done deed_of fit] in *.
   - now apply moved_same.
-  - destruct F as [X [M V]]. assert (E := failed_same _ _ _ _ _ _ _ B s x movers T X). change (@vertex floats) with nat in E. change (@vertex reals) with nat in E.
+  - destruct F as [X [M V]]. assert (E := failed_same _ _ _ _ _ _ B s x movers T X). change (@vertex floats) with nat in E. change (@vertex reals) with nat in E.
     rewrite <- E. now apply stepped_same.
-  - assert (E := failed_same _ _ _ _ _ _ _ B s x movers T F). change (@vertex floats) with nat in E. change (@vertex reals) with nat in E.
-    rewrite <- E. destruct (expired_same _ _ _ _ _ _ _ _ s x (find_failed s x movers) T S F) as (A & Q & _ & _ & _ & N). rewrite <- Q.
+  - assert (E := failed_same _ _ _ _ _ _ B s x movers T F). change (@vertex floats) with nat in E. change (@vertex reals) with nat in E.
+    rewrite <- E. destruct (expired_same _ _ _ _ _ _ _ s x (find_failed s x movers) T S F) as (A & Q & _ & N). rewrite <- Q.
     rewrite <- begun_same. apply undone_same; [now apply begun_tame|exact A|now symmetry].
-  - destruct F as [P [M V]]. destruct (places_same _ _ _ _ _ _ _ _ placed s T S P) as (A & N & E). cbv zeta. rewrite <- E.
-    apply (stepped_same _ _ _ _ ratio_least ratio_stands _ _ _ _ (moving (fold_left place placed s))); trivial. apply (tame_moving _ _ _ _ _ _ _ _ _ A).
-  - destruct F as [X [M V]]. apply settled_same; trivial. apply (tame_expiry _ _ _ _ _ _ _ _ s T).
-  - destruct F as [X [M _]]. apply (moved_same _ _ _ _ _ _ _ _ x); [exact X|]. now apply mesh_same.
+  - destruct F as [P [M V]]. destruct (places_same _ _ _ _ _ _ _ placed s T S P) as (A & N & E). cbv zeta. rewrite <- E.
+    apply (stepped_same _ _ _ ratio_least ratio_stands _ _ _ _ (moving (fold_left place placed s))); trivial. apply (tame_moving _ _ _ _ _ _ _ _ A).
+  - destruct F as [X [M V]]. apply settled_same; trivial. apply (tame_expiry _ _ _ _ _ _ _ s T).
+  - destruct F as [X [M _]]. apply (moved_same _ _ _ _ _ _ _ x); [exact X|]. now apply mesh_same.
   - now split.
 Qed.
 
@@ -103,7 +103,7 @@ Qed.
 (* From one call to the next. *)
 Lemma tame_next (B B' : reach) (s : @state floats) : tame B s -> gone B' = going B -> tame B' s /\ small B' s.
 Proof.
-  intros [A A' C E F H I] N. assert (Q : forall v, moderate capacity stamps ratio chosen D K G (at_ s v) (gone B')).
+  intros [A A' C E F H I] N. assert (Q : forall v, moderate capacity stamps ratio D K G (at_ s v) (gone B')).
   { intro v. destruct (C v) as [C1 [C2 C3]]. split; [exact C1|split; [exact C2|]]. rewrite N. apply Rle_trans with (1 := C3).
     destruct (going_bounds B). destruct (_ =? _)%Z; lra. }
   split; [|intro v; apply (Q v)]. split; trivial. intro v. destruct (Q v) as [C1 [C2 C3]]. split; [exact C1|split; [exact C2|]].

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The program of algorithm_filter.v on primitive floats and on reals does the same, operation after operation, while no odometer has gone far: the state
-   of the machine stands for a state of the model, and so it is after each operation. Without second looks, of any dimension.
+   of the machine stands for a state of the model, and so it is after each operation. Of any dimension.
 
    - floats        the program with the numbers of machine.v; state_of: the state of the model that a state of the machine stands for
    - tame          what a state of the machine has to be; small: no odometer has gone far
@@ -43,7 +43,7 @@ Record reach := {
 #[local] Opaque bpow.   (* 2^900 is not to be written out *)
 
 Section runs.
-Variables (capacity : nat) (stamps : Z) (ratio : float) (chosen : second_looks).
+Variables (capacity : nat) (stamps : Z) (ratio : float).
 Hypothesis ratio_least : 1 <= real ratio.
 Hypothesis ratio_stands : stands 20 ratio (real ratio).
 Variables (D : metric) (K : family (site D)) (G : grounded D).
@@ -53,30 +53,29 @@ Notation bounded := (in_bounds_all D G).
 Notation coordinates := (coordinates_of D G).
 
 (* The arithmetic that the replays run. *)
-Let replayed : world := machine {| listed := capacity; last_stamp := stamps; half_mask := half_mask_32; odometer_ratio := ratio |} chosen.
+Let replayed : world := machine {| listed := capacity; last_stamp := stamps; half_mask := half_mask_32; odometer_ratio := ratio |}.
 Definition floats : world := {|
   position := spot; vertex := nat; certificate := kind _ K; same_vertex := Nat.eq_dec;
   same_position := fun p q => @same_position replayed (coordinates p) (coordinates q);
   dist := fun p q => distance D (at_place p) (at_place q); points := points_of _ K;
   holds := fun c m => is_true _ K c (fun v => at_place (m v)); counts_on := relies_on _ K;
-  two_sided := of_two_sides _ K; inside := on_inner_side _ K;
-  algorithm_filter.capacity := capacity; algorithm_filter.stamps := stamps; algorithm_filter.chosen := chosen;
+  algorithm_filter.capacity := capacity; algorithm_filter.stamps := stamps;
   around := filter_world.around_all (points_of _ K);
   num := float; algorithm_filter.real := operations.value; zero := @zero replayed; valid := bounded; number := fun b => finite b = true;
   reading_of := fun b f p => @reading_of replayed b (coordinates f) (coordinates p);
   below := fun f p r => @below replayed (coordinates f) (coordinates p) r;
   threshold := @threshold replayed; sum_lower := @algorithm_filter.sum_lower replayed; less := @less replayed; half := @half replayed;
-  overdue := @overdue replayed; worn := @worn replayed |}.
+  worn := @worn replayed |}.
 
 Definition worn_real (b : R) (l : expiry_list) : bool := worn_expiry (latest l) ratio b.
-Definition reals : world := numbered capacity stamps worn_real chosen D K.
+Definition reals : world := numbered capacity stamps worn_real D K.
 
 (* ---- What a state of the machine stands for ---- *)
 
 Definition odometer_of (o : @odometer floats) : @odometer reals :=
   @Build_odometer reals (at_place (fixed o)) (real (base o)) (real (room o)) (listing o) (stamp o).
 Definition written_of (r : @written floats) : @written reals :=
-  @Build_written reals (expiry r) (real (tolerance r)) (fun v => at_place (reference r v)) (origin r) (allowance r).
+  @Build_written reals (expiry r) (fun v => at_place (reference r v)) (origin r) (allowance r).
 Definition state_of (s : @state floats) : @state reals :=
   @Build_state reals (fun v => at_place (moving s v)) (fun v => odometer_of (at_ s v)) (mesh s) (fun i => written_of (record s i)) (epoch s) (anchored s).
 Definition verdict_of (k : @verdict floats) : @verdict reals := @Build_verdict reals (id k) (of k) (real (bound k)).

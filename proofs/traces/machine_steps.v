@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* machine_state.v, continued: whole operations of the program on primitive floats and on reals, without second looks.
+(* machine_state.v, continued: whole operations of the program on primitive floats and on reals.
 
    - expired_same       find_expired: the same suspects
    - committed_same     commit: what is written, and what starts again
@@ -18,82 +18,68 @@ Close Scope float_scope.
 Open Scope R_scope.
 #[local] Opaque bpow.
 
-Definition no_look {W : world} : state -> placement -> Z -> option renewal := fun _ _ _ => None.
-
 Section steps.
-Variables (capacity : nat) (stamps : Z) (ratio : float) (chosen : second_looks).
+Variables (capacity : nat) (stamps : Z) (ratio : float).
 Hypothesis ratio_least : 1 <= real ratio.
 Hypothesis ratio_stands : stands 20 ratio (real ratio).
 Variables (D : metric) (K : family (site D)) (G : grounded D).
-Notation floats := (floats capacity stamps ratio chosen D K G).
-Notation reals := (reals capacity stamps ratio chosen D K).
-Notation state_of := (state_of capacity stamps ratio chosen D K G).
-Notation places_of := (places_of capacity stamps ratio chosen D K G).
-Notation verdict_of := (verdict_of capacity stamps ratio chosen D K G).
-Notation written_of := (written_of capacity stamps ratio chosen D K G).
-Notation odometer_of := (odometer_of capacity stamps ratio chosen D K G).
+Notation floats := (floats capacity stamps ratio D K G).
+Notation reals := (reals capacity stamps ratio D K).
+Notation state_of := (state_of capacity stamps ratio D K G).
+Notation places_of := (places_of capacity stamps ratio D K G).
+Notation verdict_of := (verdict_of capacity stamps ratio D K G).
+Notation written_of := (written_of capacity stamps ratio D K G).
+Notation odometer_of := (odometer_of capacity stamps ratio D K G).
 Variable B : reach.
-Notation tame := (tame capacity stamps ratio chosen D K G B).
-Notation small := (small capacity stamps ratio chosen D K G B).
+Notation tame := (tame capacity stamps ratio D K G B).
+Notation small := (small capacity stamps ratio D K G B).
 Notation bounded := (in_bounds_all D G).
 
 (* ---- Looking ---- *)
 
 Lemma half_base (s : @state floats) v : tame s -> half (base (at_ s v)) = half (base (at_ (state_of s) v)).
-Proof. intro T. apply half_stands. exact (proj1 (tame_base _ _ _ _ _ _ _ _ s T v)). Qed.
+Proof. intro T. apply half_stands. exact (proj1 (tame_base _ _ _ _ _ _ _ s T v)). Qed.
 
 Lemma is_expired_same (s : @state floats) i v : tame s -> is_expired s i v = is_expired (state_of s) i v.
 Proof. intro T. unfold is_expired. now rewrite (half_base s v T). Qed.
 
-Definition alike (a : expiry_list * list Z * @renewals floats) (b : expiry_list * list Z * @renewals reals) : Prop :=
-  fst a = fst b /\ snd a = [] /\ snd b = [] /\ proper capacity (fst (fst a)).
-
-Lemma alike_here l u : proper capacity l -> alike (l, u, []) (l, u, []).
-Proof. intro P. split; [reflexivity|split; [reflexivity|split; [reflexivity|exact P]]]. Qed.
-
 Section look.
-Variables (s : @state floats) (x : @placement floats) (v : nat).
+Variables (s : @state floats) (v : nat).
 Hypothesis T : tame s.
 
 Lemma expiry_range i w : (0 <= expiry (record s i) w <= never)%Z.
-Proof. destruct (tame_expiry _ _ _ _ _ _ _ _ s T i w). lia. Qed.
+Proof. destruct (tame_expiry _ _ _ _ _ _ _ s T i w). lia. Qed.
 
-Lemma look_same i a b : alike a b -> alike (look_at no_look s x v a i) (look_at no_look (state_of s) (places_of x) v b i).
+Lemma look_same f i : proper capacity (fst f) -> look_at s v f i = look_at (state_of s) v f i /\ proper capacity (fst (look_at s v f i)).
 Proof.
-  destruct a as [[l u] r], b as [[l' u'] r']. intros (E & R & R' & P). cbn [fst snd] in *. injection E as <- <-. subst r r'.
-  unfold look_at. change (mesh (state_of s) i) with (mesh s i). destruct (mesh s i) as [c|] eqn:M; [|now apply alike_here].
-  change (has (state_of s) i v) with (has s i v). rewrite <- (is_expired_same s i v T).
-  destruct (has s i v); cbn [negb]; [|now apply alike_here]. destruct (is_expired s i v); cbn [negb].
-  - now apply alike_here.
-  - apply alike_here, put_proper; [now apply (tame_ids _ _ _ _ _ _ _ _ s T i c)|apply expiry_range|exact P].
+  destruct f as [l u]. intro P. unfold look_at. change (has (state_of s) i v) with (has s i v). rewrite <- (is_expired_same s i v T).
+  destruct (has s i v) eqn:H; cbn [negb]; [|now split]. destruct (is_expired s i v); [now split|]. split; [reflexivity|].
+  unfold has in H. destruct (mesh s i) as [c|] eqn:M; [|discriminate]. apply put_proper; [now apply (tame_ids _ _ _ _ _ _ _ s T i c)|apply expiry_range|exact P].
 Qed.
 
-Lemma looks_same l : forall a b, alike a b -> alike (fold_left (look_at no_look s x v) l a) (fold_left (look_at no_look (state_of s) (places_of x) v) l b).
-Proof. induction l as [|i l IH]; intros a b A; [exact A|]. apply IH. now apply look_same. Qed.
+Lemma looks_same l : forall f, proper capacity (fst f) -> fold_left (look_at s v) l f = fold_left (look_at (state_of s) v) l f /\
+  proper capacity (fst (fold_left (look_at s v) l f)).
+Proof. induction l as [|i l IH]; intros f P; [now split|]. cbn [fold_left]. destruct (look_same f i P) as [E Q]. rewrite <- E. now apply IH. Qed.
 
-Lemma tour_same a b : alike a b -> alike (tour no_look s x v a) (tour no_look (state_of s) (places_of x) v b).
+Lemma tour_same f : tour s v f = tour (state_of s) v f /\ proper capacity (fst (tour s v f)).
 Proof.
-  destruct a as [[l u] r], b as [[l' u'] r']. intros (E & R & R' & P). cbn [fst snd] in *. injection E as <- <-. subst r r'.
   unfold tour. change (@around reals (mesh (state_of s)) v) with (@around floats (mesh s) v).
   replace (fun i => is_expired (state_of s) i v) with (fun i => is_expired s i v) by (apply functional_extensionality; intro; now apply is_expired_same).
   destruct (partition _ _) as [expired others] eqn:Q.
-  assert (L := looks_same expired (cleared capacity, u, []) (cleared capacity, u, []) (alike_here _ _ (cleared_proper capacity))).
   change (@algorithm_filter.capacity floats) with capacity. change (@algorithm_filter.capacity reals) with capacity.
-  destruct (fold_left (look_at no_look s x v) expired _) as [[m w] t], (fold_left (look_at no_look (state_of s) (places_of x) v) expired _) as [[m' w'] t'].
-  destruct L as (E & R & R' & P'). cbn [fst snd] in *. injection E as <- <-. subst t t'.
-  apply alike_here, put_many_proper; [|exact P'].
+  destruct (looks_same expired (cleared capacity, snd f) (cleared_proper capacity)) as [E P]. rewrite <- E.
+  destruct (fold_left (look_at s v) expired _) as [l u]. split; [reflexivity|]. cbn [fst] in *. apply put_many_proper; [|exact P].
   intros e I. apply in_map_iff in I. destruct I as (i & <- & I). cbn [fst snd]. split.
   - apply (around_all_ids (points_of _ K) (mesh s) v). apply (elements_in_partition _ _ Q). now right.
   - change (0 <= own s v i <= never)%Z. unfold own. destruct (has s i v); [exact (expiry_range i v)|unfold never; lia].
 Qed.
 
-Lemma examine_same : alike (examine no_look s x v) (examine no_look (state_of s) (places_of x) v).
+Lemma examine_same : examine s v = examine (state_of s) v /\ proper capacity (fst (examine s v)).
 Proof.
   unfold examine. rewrite <- (half_base s v T). change (listing (at_ (state_of s) v)) with (listing (at_ s v)).
-  assert (P := tame_list _ _ _ _ _ _ _ _ s T v). destruct (rest (listing (at_ s v)) <=? half (base (at_ s v)))%Z; [now apply tour_same, alike_here|].
+  assert (P := tame_list _ _ _ _ _ _ _ s T v). destruct (rest (listing (at_ s v)) <=? half (base (at_ s v)))%Z; [apply tour_same|].
   assert (Q := take_proper capacity (half (base (at_ s v))) _ P). destruct (take _ _) as [visited l]. cbn [snd] in Q.
-  assert (L := looks_same visited (l, [], []) (l, [], []) (alike_here _ _ Q)).
-  destruct L as (E & R & R' & P'). rewrite <- E. destruct (_ <=? _)%Z; [apply tour_same|]; exact (conj E (conj R (conj R' P'))).
+  destruct (looks_same visited (l, []) Q) as [E R]. rewrite <- E. destruct (_ <=? _)%Z; [apply tour_same|now split].
 Qed.
 End look.
 
@@ -103,38 +89,30 @@ Proof.
 Qed.
 
 (* find_expired, after the anchoring. *)
-Definition looked {W : world} (x : placement) (failed : list vertex) (t : state) : state * list Z * renewals :=
+Definition looked {W : world} (failed : list vertex) (t : state) : state * list Z :=
   ({| moving := moving t; mesh := mesh t; record := record t; epoch := epoch t; anchored := anchored t;
-      at_ := fun v => if in_dec same_vertex v failed then set_listing (at_ t v) (fst (fst (examine no_look t x v))) else at_ t v |},
-   flat_map (fun v => rev (snd (fst (examine no_look t x v)))) failed, flat_map (fun v => rev (snd (examine no_look t x v))) failed).
+      at_ := fun v => if in_dec same_vertex v failed then set_listing (at_ t v) (fst (examine t v)) else at_ t v |},
+   flat_map (fun v => rev (snd (examine t v))) failed).
 
-Lemma looked_same (t : @state floats) (x : @placement floats) failed : tame t ->
-  let found := looked x failed t in let found' := looked (places_of x) failed (state_of t) in
-  tame (fst (fst found)) /\ state_of (fst (fst found)) = fst (fst found') /\ snd (fst found) = snd (fst found') /\ snd found = [] /\ snd found' = [].
+Lemma looked_same (t : @state floats) failed : tame t -> let found := looked failed t in let found' := @looked reals failed (state_of t) in
+  tame (fst found) /\ state_of (fst found) = fst found' /\ snd found = snd found'.
 Proof.
-  intro A. assert (Same : forall v, alike (examine no_look t x v) (examine no_look (state_of t) (places_of x) v)) by (intro; now apply examine_same).
-  assert (Empty : forall l, flat_map (fun v => rev (snd (examine no_look t x v))) l = []).
-  { induction l as [|v l IH]; [reflexivity|]. cbn [flat_map]. rewrite IH. destruct (Same v) as (_ & -> & _). reflexivity. }
-  assert (Empty' : forall l, flat_map (fun v => rev (snd (examine no_look (state_of t) (places_of x) v))) l = []).
-  { induction l as [|v l IH]; [reflexivity|]. cbn [flat_map]. rewrite IH. destruct (Same v) as (_ & _ & -> & _). reflexivity. }
-  split; [|split; [|split; [|split; [apply Empty|apply Empty']]]].
+  intro A. assert (Same := fun v => examine_same t v A). split; [|split].
   - destruct A as [A1 A2 A3 A4 A5 A6 A7]. split; trivial; intro v; cbn [looked fst at_ epoch]; destruct (in_dec _ _ _); try apply A2; try apply A3; try apply A4; try apply A5.
     apply (Same v).
   - apply state_eq; try easy. intro v. cbn [looked fst at_]. change (@same_vertex floats) with Nat.eq_dec. change (@same_vertex reals) with Nat.eq_dec.
-    destruct (in_dec _ _ _); [|reflexivity]. destruct (Same v) as (Q & _). now rewrite <- Q.
-  - apply flat_map_ext. intro v. destruct (Same v) as (Q & _). now rewrite Q.
+    destruct (in_dec _ _ _); [|reflexivity]. now rewrite <- (proj1 (Same v)).
+  - apply flat_map_ext. intro v. now rewrite (proj1 (Same v)).
 Qed.
 
 Theorem expired_same (s : @state floats) (x : @placement floats) failed : tame s -> small s -> (forall v, bounded (x v)) ->
-  let found := find_expired no_look s x failed in let found' := find_expired no_look (state_of s) (places_of x) failed in
-  tame (fst (fst found)) /\ state_of (fst (fst found)) = fst (fst found') /\ snd (fst found) = snd (fst found') /\ snd found = [] /\ snd found' = [] /\
-  epoch (fst (fst found)) = epoch (begin_anchoring s).
+  let found := find_expired s x failed in let found' := find_expired (state_of s) (places_of x) failed in
+  tame (fst found) /\ state_of (fst found) = fst found' /\ snd found = snd found' /\ epoch (fst found) = epoch (begin_anchoring s).
 Proof.
-  intros T S X found found'. assert (N := begun_tame _ _ _ _ _ _ _ _ s T S).
-  destruct (anchors_same _ _ _ _ _ _ _ _ x X failed (begin_anchoring s) N) as [A E]. rewrite begun_same in E.
-  assert (F' : found' = looked (places_of x) failed (state_of (fold_left (anchor x) failed (begin_anchoring s)))) by (rewrite E; reflexivity).
-  destruct (looked_same _ x failed A) as (Q1 & Q2 & Q3 & Q4 & Q5). rewrite F'.
-  exact (conj Q1 (conj Q2 (conj Q3 (conj Q4 (conj Q5 (anchor_epoch x failed (begin_anchoring s))))))).
+  intros T S X found found'. assert (N := begun_tame _ _ _ _ _ _ _ s T S).
+  destruct (anchors_same _ _ _ _ _ _ _ x X failed (begin_anchoring s) N) as [A E]. rewrite begun_same in E.
+  assert (F' : found' = @looked reals failed (state_of (fold_left (anchor x) failed (begin_anchoring s)))) by (rewrite E; reflexivity).
+  destruct (looked_same _ failed A) as (Q1 & Q2 & Q3). rewrite F'. exact (conj Q1 (conj Q2 (conj Q3 (anchor_epoch x failed (begin_anchoring s))))).
 Qed.
 
 Theorem undone_same (b t : @state floats) failed : tame b -> tame t -> epoch b = epoch t ->
@@ -154,7 +132,7 @@ Lemma sum_same (s : @state floats) v t : tame s -> amount t ->
   @half floats (sum_lower (base (at_ s v)) t) = @half reals (sum_lower (base (at_ (state_of s) v)) (real t : @num reals)) /\
   small_expiry (@half floats (sum_lower (base (at_ s v)) t)).
 Proof.
-  intros T [Fin [P U]]. assert (Q := base_stands _ _ _ _ _ _ _ _ s v 902 T ltac:(lia)).
+  intros T [Fin [P U]]. assert (Q := base_stands _ _ _ _ _ _ _ s v 902 T ltac:(lia)).
   assert (S : stands 902 t (real t)).
   { split; [exact Fin|]. split; [reflexivity|]. rewrite Rabs_pos_eq by exact P. apply Rle_trans with (1 := U), bpow_le. lia. }
   destruct (sum_lower_stands 902 _ _ _ _ ltac:(lia) Q S) as (F & V & L). assert (H := half_stands _ F). rewrite V in H.
@@ -166,9 +144,9 @@ Lemma put_at_same (s : @state floats) i e v : tame s -> is_id i -> (0 <= e <= ne
   tame (put_at i e v s) /\ state_of (put_at i e v s) = @put_at reals i e v (state_of s).
 Proof.
   intros T I E. split.
-  - apply tame_set_at; [exact T|apply (tame_fixed _ _ _ _ _ _ _ _ s T)|apply (tame_base _ _ _ _ _ _ _ _ s T)|apply (tame_room _ _ _ _ _ _ _ _ s T)|].
-    apply put_proper; [exact I|exact E|apply (tame_list _ _ _ _ _ _ _ _ s T)].
-  - exact (set_at_same _ _ _ _ _ _ _ s v _).
+  - apply tame_set_at; [exact T|apply (tame_fixed _ _ _ _ _ _ _ s T)|apply (tame_base _ _ _ _ _ _ _ s T)|apply (tame_room _ _ _ _ _ _ _ s T)|].
+    apply put_proper; [exact I|exact E|apply (tame_list _ _ _ _ _ _ _ s T)].
+  - exact (set_at_same _ _ _ _ _ _ s v _).
 Qed.
 
 Lemma set_record_same (s : @state floats) i r : tame s -> (forall v, small_expiry (expiry r v)) ->
@@ -186,10 +164,10 @@ Variables (i : Z) (t : @num floats).
 Hypothesis I : is_id i.
 Hypothesis A : amount t.
 
-Lemma write_point_same (s : @state floats) v : tame s -> tame (write_point x i (fun _ => t) s v) /\
-  state_of (write_point x i (fun _ => t) s v) = write_point (places_of x) i (fun _ => real t) (state_of s) v.
+Lemma write_point_same (s : @state floats) v : tame s -> tame (write_point x i t s v) /\
+  state_of (write_point x i t s v) = write_point (places_of x) i (real t : @num reals) (state_of s) v.
 Proof.
-  intro T. destruct (anchor_same _ _ _ _ _ _ _ _ x X s v T) as [Q E]. unfold write_point. rewrite <- E.
+  intro T. destruct (anchor_same _ _ _ _ _ _ _ x X s v T) as [Q E]. unfold write_point. rewrite <- E.
   destruct (sum_same (anchor x s v) v t Q A) as [H S].
   destruct (put_at_same (anchor x s v) i (half (sum_lower (base (at_ (anchor x s v) v)) t)) v Q I ltac:(destruct S; lia)) as [P P'].
   split; [exact P|]. etransitivity; [exact P'|]. now rewrite H.
@@ -199,8 +177,8 @@ Lemma fresh_point_same (s : @state floats) v : tame s -> tame (fresh_point i t s
   state_of (fresh_point i t s v) = fresh_point i (real t : @num reals) (state_of s) v.
 Proof.
   intro T. destruct (sum_same s v t T A) as [H S]. split.
-  - apply tame_set_at; [exact T|apply (tame_fixed _ _ _ _ _ _ _ _ s T)|apply (tame_base _ _ _ _ _ _ _ _ s T)|apply (tame_room _ _ _ _ _ _ _ _ s T)|].
-    apply put_new_proper; [exact I|destruct S; lia|apply (tame_list _ _ _ _ _ _ _ _ s T)].
+  - apply tame_set_at; [exact T|apply (tame_fixed _ _ _ _ _ _ _ s T)|apply (tame_base _ _ _ _ _ _ _ s T)|apply (tame_room _ _ _ _ _ _ _ s T)|].
+    apply put_new_proper; [exact I|destruct S; lia|apply (tame_list _ _ _ _ _ _ _ s T)].
   - unfold fresh_point. rewrite set_at_same. unfold odometer_of at 1. cbn [set_listing fixed base room listing stamp]. now rewrite <- H.
 Qed.
 
@@ -210,15 +188,12 @@ Proof.
   intro H. induction l as [|v l IH]; intros s T; [now split|]. destruct (H s v T) as [Q E]. cbn [fold_left]. rewrite <- E. now apply IH.
 Qed.
 
-(* The record that both write_at and write_fresh leave. *)
 Lemma recorded_same (s : @state floats) : tame s ->
-  let r := @Build_written floats (fun v => half (sum_lower (base (at_ s v)) t)) t x (fun v => base (at_ s v)) (fun _ => t : @num floats) in
-  let r' := @Build_written reals (fun v => half (sum_lower (base (at_ (state_of s) v)) (real t : @num reals))) (real t) (places_of x)
-    (fun v => base (at_ (state_of s) v)) (fun _ => real t) in
-  tame (set_record s i r) /\ state_of (set_record s i r) = set_record (state_of s) i r'.
+  tame (set_written x i t s) /\ state_of (set_written x i t s) = set_written (places_of x) i (real t : @num reals) (state_of s).
 Proof.
-  intros T r r'. destruct (set_record_same s i r T) as [Q E]; [intro v; now apply sum_same|]. split; [exact Q|]. rewrite E. f_equal.
-  unfold written_of, r, r'. cbn [expiry tolerance reference origin allowance]. f_equal. apply functional_extensionality. intro v. now apply sum_same.
+  intro T. set (r := @Build_written floats (fun v => half (sum_lower (base (at_ s v)) t)) x (fun v => base (at_ s v)) t).
+  destruct (set_record_same s i r T) as [Q E]; [intro v; now apply sum_same|]. split; [exact Q|]. etransitivity; [exact E|].
+  unfold set_written, written_of, r. cbn [expiry reference origin allowance]. do 2 f_equal. apply functional_extensionality. intro v. now apply sum_same.
 Qed.
 End write.
 
@@ -227,7 +202,7 @@ Definition proper_verdict (k : @verdict floats) : Prop := is_id (id k) /\ amount
 Lemma evaluated_same (x : @placement floats) (s : @state floats) k : (forall v, bounded (x v)) -> tame s -> proper_verdict k ->
   tame (commit_evaluated x s k) /\ state_of (commit_evaluated x s k) = commit_evaluated (places_of x) (state_of s) (verdict_of k).
 Proof.
-  intros X T [I A]. unfold commit_evaluated, write_at.
+  intros X T [I A]. unfold commit_evaluated.
   destruct (fold_same _ _ (fun s v => write_point_same x X (id k) (bound k) I A s v) (points (of k)) s T) as [Q E].
   destruct (recorded_same x (id k) (bound k) A _ Q) as [Q' E']. split; [exact Q'|]. etransitivity; [exact E'|]. now rewrite E.
 Qed.

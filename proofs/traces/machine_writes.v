@@ -19,19 +19,19 @@ Open Scope R_scope.
 #[local] Opaque bpow.
 
 Section runs.
-Variables (capacity : nat) (stamps : Z) (ratio : float) (chosen : second_looks).
+Variables (capacity : nat) (stamps : Z) (ratio : float).
 Hypothesis ratio_least : 1 <= real ratio.
 Hypothesis ratio_stands : stands 20 ratio (real ratio).
 Variables (D : metric) (K : family (site D)) (G : grounded D).
-Notation floats := (floats capacity stamps ratio chosen D K G).
-Notation reals := (reals capacity stamps ratio chosen D K).
-Notation state_of := (state_of capacity stamps ratio chosen D K G).
-Notation places_of := (places_of capacity stamps ratio chosen D K G).
-Notation verdict_of := (verdict_of capacity stamps ratio chosen D K G).
+Notation floats := (floats capacity stamps ratio D K G).
+Notation reals := (reals capacity stamps ratio D K).
+Notation state_of := (state_of capacity stamps ratio D K G).
+Notation places_of := (places_of capacity stamps ratio D K G).
+Notation verdict_of := (verdict_of capacity stamps ratio D K G).
 Variable B : reach.
-Notation tame := (tame capacity stamps ratio chosen D K G B).
-Notation small := (small capacity stamps ratio chosen D K G B).
-Notation proper_verdict := (proper_verdict capacity stamps ratio chosen D K G).
+Notation tame := (tame capacity stamps ratio D K G B).
+Notation small := (small capacity stamps ratio D K G B).
+Notation proper_verdict := (proper_verdict capacity stamps ratio D K G).
 Notation bounded := (in_bounds_all D G).
 
 (* ---- The end of a step ---- *)
@@ -49,32 +49,32 @@ Lemma worn_same (s : @state floats) v : tame s ->
   @worn floats (base (at_ s v)) (listing (at_ s v)) = @worn reals (base (at_ (state_of s) v)) (listing (at_ (state_of s) v)).
 Proof.
   intro T. apply (worn_expiry_of_any (latest (listing (at_ s v))) (base (at_ s v))); trivial.
-  - now apply latest_range, (tame_list _ _ _ _ _ _ _ _ s T).
-  - apply (base_stands _ _ _ _ _ _ _ _ s v 999 T). lia.
-  - exact (base_smaller _ _ _ _ _ _ _ _ s v T).
-  - exact (proj2 (base_902 _ _ _ _ _ _ _ _ s v T)).
+  - now apply latest_range, (tame_list _ _ _ _ _ _ _ s T).
+  - apply (base_stands _ _ _ _ _ _ _ s v 999 T). lia.
+  - exact (base_smaller _ _ _ _ _ _ _ s v T).
+  - exact (proj2 (base_902 _ _ _ _ _ _ _ s v T)).
 Qed.
 
 Lemma room_same (s : @state floats) v : tame s -> tame (set_at s v (set_room (at_ s v))) /\
   state_of (set_at s v (set_room (at_ s v))) = @set_at reals (state_of s) v (set_room (at_ (state_of s) v)).
 Proof.
   intro T. destruct (threshold_of_any (earliest (listing (at_ s v))) (base (at_ s v))) as (F & V & _).
-  - apply (earliest_range capacity), (tame_list _ _ _ _ _ _ _ _ s T).
-  - apply (base_stands _ _ _ _ _ _ _ _ s v 999 T). lia.
-  - exact (base_smaller _ _ _ _ _ _ _ _ s v T).
-  - exact (proj2 (base_902 _ _ _ _ _ _ _ _ s v T)).
+  - apply (earliest_range capacity), (tame_list _ _ _ _ _ _ _ s T).
+  - apply (base_stands _ _ _ _ _ _ _ s v 999 T). lia.
+  - exact (base_smaller _ _ _ _ _ _ _ s v T).
+  - exact (proj2 (base_902 _ _ _ _ _ _ _ s v T)).
   - split.
-    + apply tame_set_at; [exact T|apply (tame_fixed _ _ _ _ _ _ _ _ s T)|apply (tame_base _ _ _ _ _ _ _ _ s T)|exact F|apply (tame_list _ _ _ _ _ _ _ _ s T)].
+    + apply tame_set_at; [exact T|apply (tame_fixed _ _ _ _ _ _ _ s T)|apply (tame_base _ _ _ _ _ _ _ s T)|exact F|apply (tame_list _ _ _ _ _ _ _ s T)].
     + rewrite set_at_same. f_equal. unfold odometer_of, set_room. cbn [fixed base room listing stamp]. f_equal. exact V.
 Qed.
 
 Lemma shifted_same (s : @state floats) v e : tame s -> small_expiry e ->
   @shifted floats e (base (at_ s v)) = @shifted reals e (base (at_ (state_of s) v)) /\ small_expiry (@shifted floats e (base (at_ s v))).
 Proof.
-  intros T [E U]. destruct (left_stands e (base (at_ s v)) E U (base_stands _ _ _ _ _ _ _ _ s v 1000 T ltac:(lia))) as (F & V & _).
+  intros T [E U]. destruct (left_stands e (base (at_ s v)) E U (base_stands _ _ _ _ _ _ _ s v 1000 T ltac:(lia))) as (F & V & _).
   assert (H := half_stands _ F). rewrite V in H. split; [exact H|].
   change (small_expiry (half_of half_mask_32 (left_of e (base (at_ s v))))). rewrite H. apply half_small.
-  destruct (base_902 _ _ _ _ _ _ _ _ s v T) as [_ P].
+  destruct (base_902 _ _ _ _ _ _ _ s v T) as [_ P].
   destruct (less_down e (real (base (at_ s v))) ltac:(lia) (connect.value_format _) P) as [L1 L2].
   destruct (Rle_lt_dec (high_word.value e) (real (base (at_ s v)))) as [Q|Q].
   - generalize (L1 Q) (bpow_ge_0 radix2 1000). lra.
@@ -83,7 +83,7 @@ Qed.
 
 Lemma rebase_same (s : @state floats) v : tame s -> tame (rebase s v) /\ state_of (rebase s v) = @rebase reals (state_of s) v.
 Proof.
-  intro T. assert (Sh := fun i => shifted_same s v _ T (tame_expiry _ _ _ _ _ _ _ _ s T i v)).
+  intro T. assert (Sh := fun i => shifted_same s v _ T (tame_expiry _ _ _ _ _ _ _ s T i v)).
   assert (Zero : real (@zero floats) = 0) by exact bridge_decide.value_zero.
   set (relist := fun (l : expiry_list) i => if has s i v then put i (shifted (expiry (record s i) v) (base (at_ s v))) l else l).
   assert (Proper : forall l m, (forall i, In i l -> is_id i) -> proper capacity m -> proper capacity (fold_left relist l m)).
@@ -104,14 +104,7 @@ Proof.
       apply (f_equal (fun f => fold_left f (around (mesh s) v) (cleared capacity))). apply functional_extensionality. intro l. apply functional_extensionality. intro i.
       change (has (state_of s) i v) with (has s i v). destruct (has s i v); [|reflexivity]. now rewrite (proj1 (Sh i)).
     + intro i. cbn [record]. change (has (state_of s) i v) with (has s i v). destruct (has s i v); [|reflexivity].
-      unfold written_of. cbn [expiry tolerance reference origin allowance]. rewrite (proj1 (Sh i)). f_equal.
-      assert (O : @overdue floats (expiry (record s i) v) (base (at_ s v)) = @overdue reals (expiry (record s i) v) (base (at_ (state_of s) v))).
-      { apply (overdue_of_any (expiry (record s i) v) (base (at_ s v))).
-        - apply (tame_expiry _ _ _ _ _ _ _ _ s T).
-        - apply (base_stands _ _ _ _ _ _ _ _ s v 999 T). lia.
-        - exact (base_smaller _ _ _ _ _ _ _ _ s v T).
-        - exact (proj2 (base_902 _ _ _ _ _ _ _ _ s v T)). }
-      change (expiry (record (state_of s) i)) with (expiry (record s i)). rewrite <- O. now destruct (overdue _ _).
+      unfold written_of. cbn [expiry reference origin allowance]. now rewrite (proj1 (Sh i)).
 Qed.
 
 Lemma finished_same (s : @state floats) v : tame s -> tame (finish s v) /\ state_of (finish s v) = @finish reals (state_of s) v.
@@ -128,23 +121,21 @@ Proof. intros [A A' C E F H I] M. split; trivial. Qed.
 
 Theorem committed_same (x : @placement floats) (s : @state floats) m verdicts : (forall v, bounded (x v)) -> tame s ->
   (forall i c, m i = Some c -> is_id i) -> (forall k, In k verdicts -> proper_verdict k) ->
-  tame (commit x s [] m verdicts) /\ state_of (commit x s [] m verdicts) = commit (places_of x) (state_of s) [] m (map verdict_of verdicts).
+  tame (commit x s m verdicts) /\ state_of (commit x s m verdicts) = commit (places_of x) (state_of s) m (map verdict_of verdicts).
 Proof.
-  intros X T M V. unfold commit. cbn [fold_left].
-  destruct (verdicts_same _ _ _ _ _ _ _ _ _ _ (fun s k => evaluated_same _ _ _ _ _ _ _ _ x s k X) verdicts (with_mesh s m) (mesh_same s m T M) V) as [A E].
+  intros X T M V. unfold commit.
+  destruct (verdicts_same _ _ _ _ _ _ _ _ _ (fun s k => evaluated_same _ _ _ _ _ _ _ x s k X) verdicts (with_mesh s m) (mesh_same s m T M) V) as [A E].
   change (with_mesh (state_of s) m) with (state_of (with_mesh s m)). rewrite <- E. set (t := fold_left (commit_evaluated x) verdicts (with_mesh s m)) in *.
-  destruct (fold_same _ _ _ _ _ _ _ _ _ _ (fun s v => finished_same s v) (anchored t) t A) as [N F].
+  destruct (fold_same _ _ _ _ _ _ _ _ _ (fun s v => finished_same s v) (anchored t) t A) as [N F].
   destruct (moved_same x _ X N) as [P Q]. split; [exact P|]. etransitivity; [exact Q|]. exact (f_equal (move_to (places_of x)) F).
 Qed.
 
 Theorem stepped_same (x : @placement floats) (s : @state floats) failed m verdicts : (forall v, bounded (x v)) -> tame s -> small s ->
   (forall i c, m i = Some c -> is_id i) -> (forall k, In k verdicts -> proper_verdict k) ->
-  tame (stepped no_look s x failed m verdicts) /\
-  state_of (stepped no_look s x failed m verdicts) = @stepped reals no_look (state_of s) (places_of x) failed m (map verdict_of verdicts).
+  tame (stepped s x failed m verdicts) /\
+  state_of (stepped s x failed m verdicts) = @stepped reals (state_of s) (places_of x) failed m (map verdict_of verdicts).
 Proof.
-  intros X T S M V. destruct (expired_same _ _ _ _ _ _ _ _ s x failed T S X) as (A & E & _ & N & N' & _). unfold stepped.
-  destruct (@find_expired floats no_look s x failed) as [[u suspects] renewed], (@find_expired reals no_look (state_of s) (places_of x) failed) as [[u' suspects'] renewed'].
-  cbn [fst snd] in *. subst renewed renewed' u'. now apply committed_same.
+  intros X T S M V. destruct (expired_same _ _ _ _ _ _ _ s x failed T S X) as (A & E & _). unfold stepped. rewrite <- E. now apply committed_same.
 Qed.
 
 (* ---- Everything anew; vertices come ---- *)
@@ -162,7 +153,7 @@ Proof.
   { destruct zero_tame as [F Z]. split; trivial; intro v.
     - split; [exact F|]. cbn [s0 at_ base stamp]. rewrite Z. split; [apply Rle_refl|]. apply reach_pos.
     - apply cleared_proper. }
-  destruct (verdicts_same _ _ _ _ _ _ _ _ _ _ (fun s k => fresh_same _ _ _ _ _ _ _ _ x s k) verdicts s0 T V) as [A E].
+  destruct (verdicts_same _ _ _ _ _ _ _ _ _ (fun s k => fresh_same _ _ _ _ _ _ _ x s k) verdicts s0 T V) as [A E].
   assert (Z : state_of s0 = @Build_state reals (places_of x) (fun v => @Build_odometer reals (places_of x v) zero zero (cleared capacity) 0) m
     (record (state_of s)) (epoch s) []).
   { now apply state_eq. }
@@ -170,8 +161,8 @@ Proof.
   set (t := fold_left (write_fresh x) verdicts s0) in A, E. change (fold_left (write_fresh x) verdicts _) with t.
   set (u := fold_left (write_fresh (places_of x)) (map verdict_of verdicts) _) in E. change (fold_left (write_fresh (places_of x)) (map verdict_of verdicts) _) with u.
   rewrite <- E. clearbody t. clear E s0 T.
-  assert (R := fun v => threshold_of_any (earliest (listing (at_ t v))) (base (at_ t v)) (earliest_range capacity _ (tame_list _ _ _ _ _ _ _ _ t A v))
-    (base_stands _ _ _ _ _ _ _ _ t v 999 A ltac:(lia)) (base_smaller _ _ _ _ _ _ _ _ t v A) (proj2 (base_902 _ _ _ _ _ _ _ _ t v A))).
+  assert (R := fun v => threshold_of_any (earliest (listing (at_ t v))) (base (at_ t v)) (earliest_range capacity _ (tame_list _ _ _ _ _ _ _ t A v))
+    (base_stands _ _ _ _ _ _ _ t v 999 A ltac:(lia)) (base_smaller _ _ _ _ _ _ _ t v A) (proj2 (base_902 _ _ _ _ _ _ _ t v A))).
   destruct A as [A1 A2 A3 A4 A5 A6 A7]. split.
   - split; trivial. exact (fun v => proj1 (R v)).
   - apply state_eq; try easy. intro v. cbn [at_]. unfold odometer_of, set_room. cbn [fixed base room listing stamp]. f_equal. exact (proj1 (proj2 (R v))).
@@ -183,9 +174,9 @@ Proof.
   destruct n as [v p]. intros T P. unfold place, placed_of. cbn [fst snd].
   set (o := @Build_odometer floats p (base (at_ s v)) zero (cleared capacity) (stamp (at_ s v))).
   assert (Q : tame (set_at s v o)).
-  { apply tame_set_at; [exact T|exact P|apply (tame_base _ _ _ _ _ _ _ _ s T)|exact (proj1 zero_tame)|apply cleared_proper]. }
+  { apply tame_set_at; [exact T|exact P|apply (tame_base _ _ _ _ _ _ _ s T)|exact (proj1 zero_tame)|apply cleared_proper]. }
   split.
-  - apply (moved_same (set same_vertex (moving s) v p)); [|exact Q]. intro w. unfold set. destruct (same_vertex v w); [exact P|apply (tame_moving _ _ _ _ _ _ _ _ s T)].
+  - apply (moved_same (set same_vertex (moving s) v p)); [|exact Q]. intro w. unfold set. destruct (same_vertex v w); [exact P|apply (tame_moving _ _ _ _ _ _ _ s T)].
   - apply state_eq; try easy; intro w; cbn [move_to moving set_at at_]; unfold set; change (@same_vertex floats) with Nat.eq_dec;
       change (@same_vertex reals) with Nat.eq_dec; destruct (Nat.eq_dec v w); reflexivity.
 Qed.

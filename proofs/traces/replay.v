@@ -6,11 +6,10 @@
    - test       who passes the test of a step and who fails                                     find_failed, passes
    - stamp      the stamp of the step, and that all are cleared where they wrap                 begin_anchoring
    - anchor     the bases of those that failed                                                  anchor
-   - examine    of each of these: what is taken from its list, whether there is a tour, suspects, what second looks renew and
-                with which numbers, the list that is left                                       examine
+   - examine    of each of these: what is taken from its list, whether there is a tour, suspects, the list that is left     examine
    - undo       what a call that fails takes back                                               undo_anchoring
    - write      the tolerance of a certificate that was evaluated                               same_tolerance (verdicts.v)
-   - renew, write   expiries, bases and thresholds of the points of a certificate                       commit_renewal, commit_evaluated, write_fresh
+                and expiries and bases of its points                                           commit_evaluated, write_fresh
    - finish     whether a vertex is rebased, its base, threshold and list                       finish
    - settle, place  thresholds and lists after a settling; a new vertex                         set_room, place
    - over       every suspect was evaluated or is gone; no certificate is without a record
@@ -29,12 +28,12 @@ Open Scope Z_scope.
 (* ---- The state ---- *)
 
 Section history.
-Variables (dimension : nat) (h : horizons) (looks : second_looks).
-#[local] Instance W : world := machine h looks.
+Variables (dimension : nat) (h : horizons).
+#[local] Instance W : world := machine h.
 
 Definition place_of : reader machine.point := times dimension real_number.
 
-Record known := { of_points : list Z; expiries : list (Z * Z); kept_tolerance : float; circle : option (float * float * float) }.
+Record known := { of_points : list Z; expiries : list (Z * Z) }.
 (* Where a step is. open: vertices failed, or cells changed, and what became of it is not told; unlooked: anchored, to be looked at; tracks: there are tolerances. *)
 Record progress := { open : bool; unlooked : list Z; tracks : bool }.
 Definition at_rest : progress := {| open := false; unlooked := []; tracks := true |}.
@@ -50,10 +49,9 @@ Record system := {
   waiting : list Z;                      (* anchored in this step and not finished *)
   suspects : list Z;
   course : progress;
-  renewed : renewals;
   decisions : Z }.
 Definition nothing : system := {| vertices := PositiveMap.empty _; certificates := PositiveMap.empty _; goal := PositiveMap.empty _; lives := [];
-  stamped := 0; settling := false; failed := []; before := PositiveMap.empty _; waiting := []; suspects := []; course := at_rest; renewed := []; decisions := 0 |}.
+  stamped := 0; settling := false; failed := []; before := PositiveMap.empty _; waiting := []; suspects := []; course := at_rest; decisions := 0 |}.
 
 Definition key (i : Z) : positive := Z.to_pos (i + 1).
 Definition find {A} (i : Z) (m : PositiveMap.t A) : option A := PositiveMap.find (key i) m.
@@ -64,8 +62,8 @@ Definition new_odometer (p : machine.point) : odometer := {| fixed := p; base :=
 Definition odometer_in (m : PositiveMap.t odometer) (y : system) (v : Z) : odometer := match find v m with Some o => o | None => new_odometer (x_of y v) end.
 Definition lookup (l : list (Z * Z)) (v : Z) : Z := match List.find (fun p => fst p =? v) l with Some p => snd p | None => never end.
 Definition written_of (k : known) : written :=
-  {| expiry := lookup (expiries k); tolerance := kept_tolerance k; reference := fun _ => []; origin := fun _ => 0%R; allowance := fun _ => 0%R |}.
-Definition unknown : known := {| of_points := []; expiries := []; kept_tolerance := 0; circle := None |}.
+  {| expiry := lookup (expiries k); reference := fun _ => []; origin := fun _ => 0%R; allowance := 0%R |}.
+Definition unknown : known := {| of_points := []; expiries := [] |}.
 
 (* As the model has it; `round` is what a tour of v goes round. *)
 Definition state_of (y : system) (v : Z) (round : list Z) : state := {|
@@ -81,27 +79,27 @@ Definition now (y : system) : state := state_of y 0 [].
 Definition keep (t : state) (vs : list Z) (m : PositiveMap.t odometer) : PositiveMap.t odometer := fold_left (fun m v => add v (at_ t v) m) vs m.
 Definition with_vertices (y : system) m w n : system := {| vertices := m; certificates := certificates y; goal := goal y; lives := lives y;
   stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := w; suspects := suspects y; course := course y;
-  renewed := renewed y; decisions := decisions y + n |}.
+  decisions := decisions y + n |}.
 Definition with_certificates (y : system) c : system := {| vertices := vertices y; certificates := c; goal := goal y; lives := lives y;
   stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := suspects y; course := course y;
-  renewed := renewed y; decisions := decisions y |}.
-Definition with_open (y : system) s r : system := {| vertices := vertices y; certificates := certificates y; goal := goal y; lives := lives y;
+  decisions := decisions y |}.
+Definition with_open (y : system) s : system := {| vertices := vertices y; certificates := certificates y; goal := goal y; lives := lives y;
   stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := s; course := course y;
-  renewed := r; decisions := decisions y |}.
+  decisions := decisions y |}.
 Definition with_course (y : system) c : system := {| vertices := vertices y; certificates := certificates y; goal := goal y; lives := lives y;
   stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := suspects y; course := c;
-  renewed := renewed y; decisions := decisions y |}.
+  decisions := decisions y |}.
 Definition to_look_at (y : system) (l : list Z) : system := with_course y {| open := open (course y); unlooked := l; tracks := tracks (course y) |}.
 Definition nobody (l : list Z) : bool := match l with [] => true | _ => false end.
 Definition with_goals (y : system) g l : system := {| vertices := vertices y; certificates := certificates y; goal := g; lives := l;
   stamped := stamped y; settling := settling y; failed := failed y; before := before y; waiting := waiting y; suspects := suspects y; course := course y;
-  renewed := renewed y; decisions := decisions y |}.
+  decisions := decisions y |}.
 Definition with_step (y : system) e f b n : system := {| vertices := vertices y; certificates := certificates y; goal := goal y; lives := lives y;
   stamped := e; settling := settling y; failed := f; before := b; waiting := waiting y; suspects := suspects y; course := course y;
-  renewed := renewed y; decisions := decisions y + n |}.
+  decisions := decisions y + n |}.
 Definition beginning (y : system) (b : bool) : system := {| vertices := if b then PositiveMap.empty _ else vertices y;
   certificates := if b then PositiveMap.empty _ else certificates y; goal := if b then PositiveMap.empty _ else goal y; lives := if b then [] else lives y;
-  stamped := stamped y; settling := b; failed := []; before := PositiveMap.empty _; waiting := []; suspects := []; course := at_rest; renewed := [];
+  stamped := stamped y; settling := b; failed := []; before := PositiveMap.empty _; waiting := []; suspects := []; course := at_rest;
   decisions := decisions y |}.
 
 Definition same_expiries (l : expiry_list) (r : Z) (es : list Z) : bool :=
@@ -137,7 +135,7 @@ Definition stamp_ (y : system) : reader system :=
   let t := begin_anchoring (now y) in
   let m := if stamped y =? stamps then PositiveMap.mapi (fun k _ => at_ t (Zpos k - 1)) (vertices y) else vertices y in
   must 7 ((epoch t =? e) && nobody (waiting y) && nobody (suspects y) && nobody (unlooked (course y)))
-  (ret (with_course (with_open (with_step (with_vertices y m [] 1) e (failed y) m 0) [] []) {| open := true; unlooked := []; tracks := true |})).
+  (ret (with_course (with_open (with_step (with_vertices y m [] 1) e (failed y) m 0) []) {| open := true; unlooked := []; tracks := true |})).
 
 Definition anchor_one (y : option system) (told : Z * float) : option system :=
   match y with
@@ -152,111 +150,66 @@ Definition anchor_ (y : system) : reader system :=
   must 8 (all2 Z.eqb (map fst l) (failed y))
   (match fold_left anchor_one l (Some y) with Some z => ret (to_look_at z (map fst l)) | None => must 8 false (ret y) end).
 
-(* Of a renewal, the numbers of the points in their order. *)
-Definition values (n : Z * certificate * renewal) : list float :=
-  let '(_, c, k) := n in match k with unequal new _ => map new c | safe far => map far c end.
-Definition circles (y : system) (i : Z) : option (float * float * float) := match find i (certificates y) with Some k => circle k | None => None end.
 Definition examine_ (y : system) : reader system :=
-  v <- number; toured <- number; round <- many number; named <- many number;
-  looked <- many (pair number (times (dimension + 2) real_number)); '(r, es) <- expiries_told;
+  v <- number; toured <- number; round <- many number; named <- many number; '(r, es) <- expiries_told;
   let s := state_of y v round in
   let l0 := listing (at_ s v) in
   let reading := half (base (at_ s v)) in
   let visited := if rest l0 <=? reading then [] else fst (take reading l0) in
-  let '(l, named', looked') := examine (look_again h looks (circles y)) s (x_of y) v in
-  must 9 (match unlooked (course y) with w :: _ => w =? v | [] => false end && same_expiries l r es && all2 Z.eqb (rev named') named &&
-          all2 (fun n t => (fst (fst n) =? fst t) && all2 same (values n) (snd t)) (rev looked') looked)
+  let (l, named') := examine s v in
+  must 9 (match unlooked (course y) with w :: _ => w =? v | [] => false end && same_expiries l r es && all2 Z.eqb (rev named') named)
   (let m := add v (set_listing (at_ s v) l) (vertices y) in
-   ret (with_open (with_vertices (to_look_at y (tl (unlooked (course y)))) m (waiting y) (1 + size visited + size round)) (suspects y ++ named) (renewed y ++ rev looked'))).
+   ret (with_open (with_vertices (to_look_at y (tl (unlooked (course y)))) m (waiting y) (1 + size visited + size round)) (suspects y ++ named))).
 
 Definition undo_ (y : system) : reader system :=
   let t := undo_anchoring {| moving := x_of y; at_ := odometer_in (before y) y; mesh := mesh (now y); record := record (now y); epoch := stamped y; anchored := [] |}
     (now y) (failed y) in
-  ret (with_course (with_open (with_vertices y (keep t (failed y) (vertices y)) [] 1) [] []) at_rest).
+  ret (with_course (with_open (with_vertices y (keep t (failed y) (vertices y)) [] 1) []) at_rest).
 
 Definition mend_ (y : system) : reader system :=
   l <- many number;
-  must 11 (nobody (unlooked (course y))) (ret (with_open (with_certificates y (fold_left (fun m i => PositiveMap.remove (key i) m) l (certificates y))) (without (suspects y) l) (renewed y))).
+  must 11 (nobody (unlooked (course y))) (ret (with_open (with_certificates y (fold_left (fun m i => PositiveMap.remove (key i) m) l (certificates y))) (without (suspects y) l))).
 
 (* The record of certificate i as an operation left it. *)
-Definition kept_record (t : state) (i : Z) (points : list Z) (o : option (float * float * float)) : known :=
-  {| of_points := points; expiries := map (fun v => (v, expiry (record t i) v)) points; kept_tolerance := tolerance (record t i); circle := o |}.
+Definition kept_record (t : state) (i : Z) (points : list Z) : known := {| of_points := points; expiries := map (fun v => (v, expiry (record t i) v)) points |}.
 Definition after (y : system) (t : state) (i : Z) (k : known) : system :=
   with_certificates (with_vertices y (keep t (of_points k) (vertices y)) (waiting y ++ rev (anchored t)) (size (of_points k))) (add i k (certificates y)).
 
-(* A certificate that is gone, or a ridge by now, is not renewed. *)
-Definition dead (y : system) (n : Z * certificate * renewal) : bool :=
-  match find (fst (fst n)) (certificates y) with Some k => negb (Nat.eqb (length (of_points k)) 4) | None => true end.
-Fixpoint next_renewal (y : system) (i : Z) (l : renewals) : option ((Z * certificate * renewal) * renewals) :=
-  match l with
-  | [] => None
-  | n :: l => if fst (fst n) =? i then Some (n, l)
-              else if dead y n then next_renewal y i l else None
-  end.
-Definition renew (y : system) : reader system :=
-  i <- number; l <- many (pair number (pair number number));
-  let points := map fst l in
-  (* Another under the same number: its record is to follow. *)
-  let y := match find i (certificates y) with
-           | Some _ => y
-           | None => with_open (with_certificates y (add i {| of_points := points; expiries := []; kept_tolerance := 0; circle := None |} (certificates y)))
-                       (i :: suspects y) (renewed y)
-           end in
-  match next_renewal y i (renewed y) with
-  | None => must 12 false (ret y)
-  | Some (n, others) =>
-      let '(_, c, k) := n in
-      let of_now := by_point (combine points (values n)) in
-      let k := match k with unequal _ _ => unequal of_now (fun _ => 0%R) | safe _ => safe of_now end in
-      let t := commit_renewal (x_of y) (now y) (i, c, k) in
-      let kept := kept_record t i points (circles y i) in
-      must 12 (match find i (certificates y) with Some k => all2 Z.eqb (of_points k) points | None => false end &&
-               all2 (fun '(v, (e, r)) '(_, e') => (e' =? e) && same (room (at_ t v)) (value_of r)) l (expiries kept))
-      (ret (with_open (after y t i kept) (suspects y) others))
-  end.
-
 Definition write (y : system) : reader system :=
   i <- number; tol <- real_number; l <- many (pair number (pair real_number number));
-  o <- (match looks with
-        | safe_region => if Nat.eqb dimension 2 && Nat.eqb (length l) 4 then '(cx, (cy, r)) <- pair real_number (pair real_number real_number); ret (Some (cx, cy, r))
-                         else ret None
-        | _ => ret None
-        end);
   let points := map fst l in
   let k := {| id := i; of := points : certificate; bound := tol |} in
-  let renewed_before := forallb (dead y) (renewed y) in
-  let y := with_certificates y (add i {| of_points := points; expiries := []; kept_tolerance := 0; circle := None |} (certificates y)) in
+  let y := with_certificates y (add i {| of_points := points; expiries := [] |} (certificates y)) in
   let t := if settling y then write_fresh (x_of y) (now y) k else commit_evaluated (x_of y) (now y) k in
-  let kept := kept_record t i points o in
-  must 13 (renewed_before && same_tolerance (decisions y mod 97 =? 0) (map (x_of y) points) tol && all2 (fun '(v, (b, e)) '(_, e') => same (base (at_ t v)) b && (e' =? e)) l (expiries kept))
-  (let z := after y t i kept in ret (with_open z (without (suspects z) [i]) [])).
+  let kept := kept_record t i points in
+  must 12 (same_tolerance (decisions y mod 97 =? 0) (map (x_of y) points) tol && all2 (fun '(v, (b, e)) '(_, e') => same (base (at_ t v)) b && (e' =? e)) l (expiries kept))
+  (let z := after y t i kept in ret (with_open z (without (suspects z) [i]))).
 
 Definition finish_ (y : system) : reader system :=
   v <- number; rebased <- number; round <- many number; b <- real_number; t <- number; '(r, es) <- expiries_told;
   let s := state_of y v round in let o := at_ s v in
   let u := finish s v in let o' := at_ u v in
-  must 14 (match waiting y with w :: _ => w =? v | [] => false end &&
+  must 13 (match waiting y with w :: _ => w =? v | [] => false end &&
            Bool.eqb (worn (base o) (listing o)) (rebased =? 1) && same (base o') b && same (room o') (value_of t) && same_expiries (listing o') r es)
   (let its := filter (fun i => has s i v) round in
-   let c := fold_left (fun m i => add i (kept_record u i (match mesh s i with Some ps => ps | None => [] end) (circles y i)) m) its (certificates y) in
+   let c := fold_left (fun m i => add i (kept_record u i (match mesh s i with Some ps => ps | None => [] end)) m) its (certificates y) in
    ret (with_certificates (with_vertices y (add v o' (vertices y)) (tl (waiting y)) (3 + size its)) c)).
 
 Definition over (y : system) : reader system :=
   n <- number;
-  must 15 (match waiting y, suspects y with [], [] => true | _, _ => false end && forallb (dead y) (renewed y) &&
-           (Z.of_nat (PositiveMap.cardinal (certificates y)) =? n))
-  (ret (with_course (with_open y [] []) at_rest)).
+  must 14 (match waiting y, suspects y with [], [] => true | _, _ => false end && (Z.of_nat (PositiveMap.cardinal (certificates y)) =? n))
+  (ret (with_course (with_open y []) at_rest)).
 
 (* No tolerances any longer, so none is tested until all is evaluated anew; a call that ended in an error, which left no vertex anchored. *)
 Definition untracked_ (y : system) : reader system :=
-  ret (with_course (with_open (with_vertices y (vertices y) [] 0) [] []) {| open := false; unlooked := []; tracks := false |}).
+  ret (with_course (with_open (with_vertices y (vertices y) [] 0) []) {| open := false; unlooked := []; tracks := false |}).
 Definition failed_ (y : system) : reader system :=
   let c := course y in
-  must 18 (nobody (waiting y) && nobody (unlooked c)) (ret (with_course y {| open := false; unlooked := []; tracks := tracks c |})).
+  must 17 (nobody (waiting y) && nobody (unlooked c)) (ret (with_course y {| open := false; unlooked := []; tracks := tracks c |})).
 (* A call that succeeded: vertices are where it was asked to have them, and that is where they were tested. *)
 Definition asked_ (y : system) : reader system :=
   l <- many (pair number place_of);
-  must 19 (negb (tracks (course y)) || forallb (fun '(v, p) => all2 same (x_of y v) p) l) (ret y).
+  must 18 (negb (tracks (course y)) || forallb (fun '(v, p) => all2 same (x_of y v) p) l) (ret y).
 
 Definition place_ (y : system) : reader system :=
   v <- number; p <- place_of;
@@ -266,21 +219,20 @@ Definition place_ (y : system) : reader system :=
 Definition event (e : Z) (y : system) : reader system :=
   match e with
   | 2 => places y | 3 => gone y | 4 => ret (beginning y true) | 5 => settle_ y | 6 => test y | 7 => stamp_ y | 8 => anchor_ y
-  | 9 => examine_ y | 10 => undo_ y | 11 => mend_ y | 12 => renew y | 13 => write y | 14 => finish_ y | 15 => over y | 16 => place_ y
-  | 17 => untracked_ y | 18 => failed_ y | 19 => asked_ y
+  | 9 => examine_ y | 10 => undo_ y | 11 => mend_ y | 12 => write y | 13 => finish_ y | 14 => over y | 15 => place_ y
+  | 16 => untracked_ y | 17 => failed_ y | 18 => asked_ y
   | _ => must e false (ret y)
   end.
 Fixpoint events (fuel : nat) (y : system) : reader system :=
   match fuel with O => ret y | S fuel => e <- number; if e =? 0 then ret y else z <- event e y; events fuel z end.
 End history.
 
-(* A history: dimension, horizons, second looks, events to the end. Decisions. *)
-Definition look_named (n : Z) : second_looks := match n with 1 => unequal_moves | 2 => safe_region | _ => off end.
+(* A history: dimension, horizons, events to the end. Decisions. *)
 Definition history (fuel : nat) : reader Z :=
-  d <- number; l <- number; s <- number; m <- number; o <- real_number; e <- number; d' <- number; k <- number;
+  d <- number; l <- number; s <- number; m <- number; o <- real_number; e <- number; d' <- number;
   must 1 ((e =? 1) && (d =? d'))
   (let h := {| listed := Z.to_nat l; last_stamp := s; half_mask := m; odometer_ratio := o |} in
-   y <- events (Z.to_nat d) h (look_named k) fuel (nothing h (look_named k)); ret (decisions h (look_named k) y)).
+   y <- events (Z.to_nat d) h fuel (nothing h); ret (decisions h y)).
 
 Fixpoint histories (fuel : nat) (n : Z) (w : array int) (i : int) : outcome Z :=
   match fuel with

@@ -18,7 +18,7 @@ namespace annulus {
 
 struct Trace {
     enum Event : std::uint64_t {
-        history = 1,   ///< dimension, second looks (0 to 2): another triangulation
+        history = 1,   ///< dimension: another triangulation
         places,        ///< vertices with their positions: where they are going, or are
         gone,          ///< vertices that are none any more
         begin,         ///< everything is evaluated anew; `places` names all vertices
@@ -26,11 +26,10 @@ struct Trace {
         test,          ///< 0 for all vertices or the mover + 1; the vertices that failed
         stamp,         ///< a step begins, with this stamp
         anchor,        ///< the vertices that failed with their bases
-        examine,       ///< vertex; 0 or 1: whether there was a tour; what it went round; suspects; renewals (id, d + 2 numbers); list
+        examine,       ///< vertex; 0 or 1: whether there was a tour; what it went round; suspects; list
         undo,          ///< the step is taken back
         mend,          ///< certificates that are gone or have other points now; what follows is written down
-        renew,         ///< id; its points with expiry and threshold: what a second look found is written down
-        write,         ///< id, tolerance; its points with base and expiry; the delimiter of a safe region
+        write,         ///< id, tolerance; its points with base and expiry
         finish,        ///< vertex; 0 or 1: whether it was rebased; what that went round; base, threshold, list
         over,          ///< how many certificates there are: the step is over
         place,         ///< vertex, position: it is new
@@ -53,7 +52,6 @@ struct Trace {
     template <int d>
     static inline Told<d> told;
     static inline std::vector<std::uint64_t> suspects, around;  // of one vertex
-    static inline std::size_t renewals = 0;                     // of the step
     static inline bool has_toured = false, has_rebased = false;
 
     static void word(std::uint64_t w) { words.push_back(w); }
@@ -82,11 +80,10 @@ struct Trace {
 
     /// Another engine: nothing has been told of it.
     template <int d>
-    static void start(Second_look look) {
+    static void start() {
         told<d> = {};
         word(history);
         word(d);
-        word(static_cast<std::uint64_t>(look));
     }
 
     template <int d>
@@ -185,7 +182,6 @@ struct Trace {
         tell_positions(o, step.x);
         word(stamp);
         word(o.stamp_);
-        renewals = 0;
     }
     template <int d>
     static void anchored(const Odometers<d>& o, const Step<d>& step) {
@@ -210,18 +206,13 @@ struct Trace {
         }
     }
     template <int d>
-    static void examined(const Odometers<d>& o, Index v, const Step<d>& step) {
+    static void examined(const Odometers<d>& o, Index v) {
         if (!on) return;
         word(examine);
         vertex(v);
         word(has_toured ? 1 : 0);
         list(around);
         list(suspects);
-        word(step.renewals.size() - renewals);
-        for (; renewals < step.renewals.size(); ++renewals) {
-            word(id_of_facet(step.renewals[renewals].facet));
-            numbers(step.renewals[renewals].expiry);
-        }
         expiries(o.list_[at(v)]);
         around.clear();
         suspects.clear();
@@ -231,7 +222,7 @@ struct Trace {
     static void undone(const Odometers<d>&, const Step<d>&) {
         if (on) word(undo);
     }
-    /// In their order where that matters, of a bi-cell: it names sides, and what a second look finds is in that order.
+    /// In their order where that matters, of a bi-cell: it names sides.
     template <int d, class Points>
     static std::vector<Index> listed(const Points& points) {
         std::vector<Index> p(points.begin(), points.end());
@@ -261,20 +252,6 @@ struct Trace {
         word(mend);
         list(lost);
     }
-    template <int d>
-    static void renewed(const Odometers<d>& o, const Renewal<d>& r) {
-        if (!on) return;
-        const Corner_index twin = o.table_.twin(r.facet);
-        const Facet_points<d> point = bicell_points(o.table_, r.facet);
-        word(renew);
-        word(id_of_facet(r.facet));
-        word(point.size());
-        for (std::size_t k = 0; k < point.size(); ++k) {
-            vertex(point[k]);
-            word(o.expiries_.of_facet(r.facet, twin, k).bits());
-            word(o.vertex_[at(point[k])].threshold.bits());
-        }
-    }
     template <int d, class S, class Expiry_of>
     static void written(const Odometers<d>& o, const S& s, Certificate_id id, Expiry_of expiry_of) {
         if (!on) return;
@@ -288,12 +265,6 @@ struct Trace {
             vertex(s.point[k]);
             number(o.list_[at(s.point[k])].base);
             word(expiry_of(k).bits());
-        }
-        if constexpr (d == 2) {
-            if (!o.looks_.gives_room() || told<d>.points[id].size() != 4) return;
-            const Delimiter_2& c = o.looks_.delimiter_[facet_of(id)];
-            numbers(c.centre);
-            number(c.radius);
         }
     }
     template <int d>

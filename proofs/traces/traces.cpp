@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // usage: traces SEED WORDS
 //
-// Histories of triangulations that move, in the plane and in space, under `filter` and `filter-each`, with each of the second looks: steps of
+// Histories of triangulations that move, in the plane and in space, under `filter` and `filter-each`: steps of
 // all vertices, of some, of one, insertions, removals, settlings, calls that fail. Compiled with ANNULUS_TRACE the engine tells what it
 // decided (trace.h); a line is what it told of one history, as hexadecimal words, after two for the dimension and the bounds in use.
 // Lines that begin with `table` are triangulations of the plane as they are after a call (audits.v). Ends when so many words
@@ -68,8 +68,7 @@ struct History {
         }
         Options options;
         options.strategy = below(4) == 0 ? Strategy::filter_each : Strategy::filter;
-        options.second_look = d == 2 ? static_cast<Second_look>(below(3)) : Second_look::off;
-        Trace::start<d>(options.second_look);
+        Trace::start<d>();
         Mesh mesh(std::span<const Point>(points), options);
         const double pace = std::ldexp(1.0, -4 - static_cast<int>(below(14)));
         const Point wind = [&] {

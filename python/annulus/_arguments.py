@@ -15,7 +15,6 @@ from ._error import Error, OpenBoundariesWarning
 
 STRATEGIES = ("auto", "filter", "filter-each", "in-place", "rebuild", "relocate", "relocate-flips", "paper", "paper-hybrid")
 TOLERANCES = ("certified", "paper", "floating")
-SECOND_LOOKS = ("off", "unequal", "safe-region")
 DENSITIES = ("one", "x2+y2", "x2", "sin2")
 DOMAINS = ("disc", "square")
 
@@ -97,13 +96,12 @@ def function(name: str, value: object) -> typing.Any:
     return value
 
 
-def options(strategy: object, tolerance: object, merge_duplicates: object, threads: object, second_look: object, report_changes: object,
+def options(strategy: object, tolerance: object, merge_duplicates: object, threads: object, report_changes: object,
             seed: object) -> dict[str, typing.Any]:
     """The options of a triangulation, as they are pickled."""
     return {"strategy": choice("strategy", strategy, STRATEGIES), "tolerance": choice("tolerance", tolerance, TOLERANCES),
             "merge_duplicates": truth("merge_duplicates", merge_duplicates), "threads": whole("threads", threads, 1, 2**31 - 1),
-            "second_look": choice("second_look", second_look, SECOND_LOOKS), "report_changes": truth("report_changes", report_changes),
-            "seed": seed_of(seed)}
+            "report_changes": truth("report_changes", report_changes), "seed": seed_of(seed)}
 
 
 def seed_of(seed: object) -> int:

@@ -111,7 +111,7 @@ def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one
     -----
     A signal is seen between two steps.
     """
-    options = _arguments.options(strategy, tolerance, merge_duplicates, threads, "off", False, seed)
+    options = _arguments.options(strategy, tolerance, merge_duplicates, threads, False, seed)
     how_many = not isinstance(points, (np.ndarray, list, tuple)) and hasattr(type(points), "__index__")
     return LloydResult(*_core.lloyd(
         _arguments.whole("points", points, 3, 100_000_000) if how_many else points, _arguments.choice("density", density, _arguments.DENSITIES),
@@ -161,7 +161,7 @@ def nodt(surface: str | os.PathLike[str] | tuple[ArrayLike, ArrayLike], vertices
     -----
     A signal is seen between two steps, and not while the first mesh is made, by CGAL's Mesh_3.
     """
-    options = _arguments.options(strategy, tolerance, False, threads, "off", False, seed)
+    options = _arguments.options(strategy, tolerance, False, threads, False, seed)
     return NodtResult(*_core.nodt(
         _surface_of(surface), _arguments.whole("vertices", vertices, 4, 10_000_000), _arguments.number("gradation", gradation),
         None if lock is None else _arguments.number("lock", lock), _arguments.truth("allow_crossing", allow_crossing),

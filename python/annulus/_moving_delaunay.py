@@ -39,8 +39,6 @@ class MovingDelaunay(Readings):
         ``collision``.
     threads : int, optional
         How many may work on what is parallel. Results do not depend on it.
-    second_look : str, optional
-        In the plane, a cheap test before a certificate is evaluated: ``off``, ``unequal`` or ``safe-region``.
     report_changes : bool, optional
         Whether reports list `changed_simplices` and `removed_simplices`.
     seed : int, optional
@@ -88,8 +86,8 @@ class MovingDelaunay(Readings):
     _options: dict[str, typing.Any]
 
     def __init__(self, points: ArrayLike, strategy: str = "auto", tolerance: str = "certified", merge_duplicates: bool = False,
-                 threads: int = 1, *, second_look: str = "off", report_changes: bool = True, seed: int = 0) -> None:
-        options = _arguments.options(strategy, tolerance, merge_duplicates, threads, second_look, report_changes, seed)
+                 threads: int = 1, *, report_changes: bool = True, seed: int = 0) -> None:
+        options = _arguments.options(strategy, tolerance, merge_duplicates, threads, report_changes, seed)
         array = points if type(points) is np.ndarray else _arguments.array_of(points, "points")
         shape = array.shape
         if len(shape) != 2 or shape[1] not in (2, 3):
@@ -201,4 +199,4 @@ class MovingDelaunay(Readings):
 
 def options_of(o: dict[str, typing.Any]) -> _core.Options:
     """What the compiled module takes, of options that `_arguments.options` has looked at."""
-    return _core.options(o["strategy"], o["tolerance"], o["second_look"], o["threads"], o["merge_duplicates"], o["report_changes"], o["seed"])
+    return _core.options(o["strategy"], o["tolerance"], o["threads"], o["merge_duplicates"], o["report_changes"], o["seed"])

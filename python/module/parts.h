@@ -31,8 +31,7 @@ void add_nodt(py::module_& m);
 }
 
 /// Options from their names. Throws Error(usage) for a name that there is not, with those that there are, and for no thread.
-[[nodiscard]] Options options_of(const std::string& strategy, const std::string& tolerance,
-                                 const std::string& second_look, int threads, bool merge_duplicates,
-                                 bool report_changes, std::uint64_t seed);
+[[nodiscard]] Options options_of(const std::string& strategy, const std::string& tolerance, int threads,
+                                 bool merge_duplicates, bool report_changes, std::uint64_t seed);
 
 }  // namespace annulus::python

@@ -36,8 +36,6 @@ constexpr Field fields[] = {
     {"exact", "int: certificates decided in integers.",
      [](Move_report& r) -> std::uint64_t& { return r.arithmetic.exact; }},
     {"evaluated", "int: certificates evaluated.", [](Move_report& r) -> std::uint64_t& { return r.evaluated; }},
-    {"renewed", "int: expired certificates that a second look proved without evaluation.",
-     [](Move_report& r) -> std::uint64_t& { return r.renewed; }},
     {"tours", "int: vertices all of whose certificates had to be looked at.",
      [](Move_report& r) -> std::uint64_t& { return r.tours; }},
     {"requeued", "int: vertices whose reference another vertex renewed (filter-each).",

@@ -41,7 +41,7 @@ def test_codes():
     assert code(dt.move, X[:1], [-1]) == "unknown_vertex"
     assert code(dt.remove, [2**40]) == "unknown_vertex"
     assert np.array_equal(dt.points, X) and dt.audit()
-    for wrong in ({"strategy": "best"}, {"tolerance": "none"}, {"threads": 0}, {"threads": -3}, {"second_look": "never"}):
+    for wrong in ({"strategy": "best"}, {"tolerance": "none"}, {"threads": 0}, {"threads": -3}):
         assert code(annulus.MovingDelaunay, X, **wrong) == "usage"
     for wrong in ({"threads": 1.5}, {"seed": -1}, {"strategy": None}, {"threads": 2**40}):
         with pytest.raises((TypeError, ValueError, OverflowError)):

@@ -61,7 +61,7 @@ typedef struct annulus_options {
     // "auto" (default), "filter", "filter-each", "in-place", "paper", "paper-hybrid", "relocate", "relocate-flips", "rebuild"
     const char* strategy;
     const char* tolerance;     // "certified" (default); with "paper" and "paper-hybrid" also "paper", "floating"
-    const char* second_look;   // "off" (default); in the plane "unequal", "safe-region"
+    const char* second_look;   // NULL or "off": there are none any longer
     int32_t threads;           // default 1; results do not depend on it. Negative: ANNULUS_USAGE
     int32_t merge_duplicates;  // not 0: equal points become one vertex instead of ANNULUS_COLLISION
     int32_t report_changes;    // not 0: annulus_changed lists cells

@@ -115,7 +115,9 @@ static void check_sizes_and_names(void) {
     options.tolerance = NULL;
     options.second_look = "";
     CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &options), ANNULUS_USAGE);
-    options.second_look = NULL;
+    options.second_look = "unequal";
+    CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &options), ANNULUS_USAGE);
+    options.second_look = "off";
     options.threads = -1;
     CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &options), ANNULUS_USAGE);
     options.threads = 2;

@@ -6,7 +6,6 @@
 #include <annulus/certificate/batch.h>
 #include <annulus/certificate/circumcircle_2.h>
 #include <annulus/certificate/circumsphere_3.h>
-#include <annulus/certificate/delimiter.h>
 #include <annulus/certificate/half_width.h>
 #include <annulus/certificate/ladder.h>
 #include <annulus/certificate/tolerances.h>

@@ -63,7 +63,6 @@ struct Scene {
     explicit Scene(const Setting& setting) : points(lattice<d>(d == 2 ? 14 : 12, 5)) {
         options = {.strategy = setting.strategy,
                    .tolerance = setting.tolerance,
-                   .second_look = setting.second_look,
                    .report_changes = true};
         dt = std::make_unique<Moving>(points, options);
         for (auto& p : points) p[0] += 0x1p-6 * p[1];
@@ -227,7 +226,7 @@ void starve_all(const std::array<Setting, N>& settings) {
     for (const Setting& setting : settings)
         for (const Call<d>& call : calls<d>())
             for (const Memory memory : {Memory::short_once, Memory::short_for_good}) {
-                CAPTURE(d, name_of(setting.strategy), oracle::name_as_code(setting.second_look), call.name,
+                CAPTURE(d, name_of(setting.strategy), call.name,
                         memory == Memory::short_for_good);
                 CHECK(starve_at_every_allocation<d>(setting, call, memory) == "");
             }
@@ -241,7 +240,7 @@ TEST_CASE("A call that runs out of memory leaves all as it was, whichever alloca
 
 TEST_CASE("A call in space that runs out of memory leaves all as it was, whichever allocation fails",
           "[allocation][space][deep]") {
-    starve_all<3>(oracle::certified_settings_3);
+    starve_all<3>(oracle::certified_settings);
 }
 
 TEST_CASE("A thread whose memory ran out once can go on triangulating space", "[allocation][space]") {

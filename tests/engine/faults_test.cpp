@@ -51,9 +51,9 @@ using Horizons_of = std::conditional_t<d != 0, Horizons, void>;
 std::vector<std::uint64_t> numbers(const Move_report& r) {
     const auto& m = r.moves;
     return {m.asked,      m.within_tolerance,  m.kept_in_place,       m.flipped,
-            m.reinserted, m.rebuilt,           r.evaluated,           r.renewed,
-            r.tours,      r.arithmetic.filter, r.arithmetic.interval, r.arithmetic.exact,
-            r.flips,      r.undone_flips};
+            m.reinserted, m.rebuilt,           r.evaluated,           r.tours,
+            r.flips,      r.arithmetic.filter, r.arithmetic.interval, r.arithmetic.exact,
+            r.undone_flips};
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 
 #include <rapidcheck.h>
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -24,17 +23,12 @@ REVEAL(Odometer, &Filter<2>::odometers_);
 REVEAL(Examination, &Filter<2>::repair_);
 REVEAL(List, &Odometers<2>::list_);
 REVEAL(Expiries, &Odometers<2>::expiries_);
-REVEAL(Looks, &Odometers<2>::looks_);
 REVEAL(Reading, &Odometers<2>::reading);
 REVEAL(Set_threshold, &Odometers<2>::set_threshold);
 REVEAL(Rebase, &Odometers<2>::rebase);
-REVEAL(Renew, &Odometers<2>::renew);
-REVEAL(Commit_renewals, &Odometers<2>::commit_renewals);
-REVEAL(Tolerances, &Second_looks<2>::tolerance_);
 
 struct Filter_session : Session<Filter<2>> {
-    explicit Filter_session(Random& random, Second_look look = Second_look::off)
-        : Session(random, Strategy::filter, look) {}
+    explicit Filter_session(Random& random) : Session(random, Strategy::filter) {}
     [[nodiscard]] Odometers<2>& odometers() { return Session::operator[](Odometer{}); }
     template <class Name>
     auto& operator[](Name) {
@@ -45,7 +39,6 @@ struct Filter_session : Session<Filter<2>> {
         return (odometers().*member(Name{}))(std::forward<Arguments>(arguments)...);
     }
     [[nodiscard]] Checker<2>& examination() { return Session::operator[](Examination{}).checker(); }
-    [[nodiscard]] By_corner<double>& look_tolerances() { return (*this)[Looks{}].*member(Tolerances{}); }
 };
 
 /// The expiries of facet f, point by point.
@@ -53,9 +46,6 @@ std::vector<Expiry*> expiries(Filter_session& s, Corner_index f) {
     std::vector<Expiry*> out;
     for (std::size_t k = 0; k < 4; ++k) out.push_back(&s[Expiries{}].of_facet(f, s.mesh.table().twin(f), k));
     return out;
-}
-bool is_empty_sphere(const Filter_session& s, Corner_index f) {
-    return facet_kind(s.mesh.table(), f) == Facet_kind::empty_sphere;
 }
 
 double odd(Random& random, int exponent) { return std::ldexp(1.0 + unit(random), exponent); }
@@ -163,88 +153,6 @@ TEST_CASE("Rebasing leaves no certificate more than it had", "[relocation][round
             RC_ASSERT(s[List{}][at(v)].base == 0.0);
             for (std::size_t k = 0; k < of_v.size(); ++k)
                 if (*of_v[k] != Expiry::never()) RC_ASSERT(Rational(of_v[k]->reading()) <= before[k]);
-        }
-    }));
-}
-
-TEST_CASE("Rebasing leaves no second look to a certificate that is overdue", "[relocation][rounding]") {
-    // What is left of it is less than nothing, which an expiry cannot say: its reference cannot be inferred any more.
-    REQUIRE(rc::check("and to no other less than it had", [](const Seed& seed) {
-        Random random = seed.random();
-        Filter_session s(random, Second_look::unequal_moves);
-        const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
-        const double base = 1.0;
-        const auto& t = s.mesh.table();
-        By_corner<char> overdue(t.facet_bound().offset(), 0);
-        const auto expiry_of_v = [&](Corner_index f) {
-            const Facet_points<2> point = bicell_points(t, f);
-            const auto k = std::find(point.begin(), point.end(), v) - point.begin();
-            return k == std::ssize(point) ? nullptr : expiries(s, f)[at(static_cast<Index>(k))];
-        };
-        for (Corner_index f(0); f < t.facet_bound(); ++f) {
-            s.look_tolerances()[f] = 0.25;
-            if (Expiry* const e = t.is_facet(f) ? expiry_of_v(f) : nullptr) {
-                *e = Expiry::lower(base + std::ldexp(integer(random, -4, 4), -20));
-                overdue[f] = e->reading() < base ? 1 : 0;
-            }
-        }
-        s[List{}][at(v)].base = base;
-        s.call(Rebase{}, v);
-        for (Corner_index f(0); f < t.facet_bound(); ++f)
-            RC_ASSERT(s.look_tolerances()[f] == (overdue[f] != 0 ? 0.0 : 0.25));
-    }));
-}
-
-TEST_CASE("Second looks leave the two sides of a circle no more than its width", "[relocation][rounding]") {
-    REQUIRE(rc::check("where the sums round up", [](const Seed& seed) {
-        Random random = seed.random();
-        Filter_session s(random, Second_look::unequal_moves);
-        const auto& t = s.mesh.table();
-        for (const Corner_index f : t.facets()) {
-            if (!is_empty_sphere(s, f)) continue;
-            const Facet_points<2> point = bicell_points(t, f);
-            const std::vector<Expiry*> expiry = expiries(s, f);
-            const double tolerance = std::ldexp(1.0 + unit(random), -integer(random, 0, 20));
-            s.look_tolerances()[f] = tolerance;
-            for (std::size_t k = 0; k < point.size(); ++k) {
-                const double base = unit(random);
-                *expiry[k] = Expiry::lower(base + tolerance);
-                s[List{}][at(point[k])].base = base + tolerance * between(random, 0.2, 0.9);
-            }
-            Step<2> step;
-            step.x = s.points;
-            if (!s.call(Renew{}, f, step)) continue;
-            // The expiry was at most the reference plus the tolerance.
-            std::array<Rational, 2> side{0, 0};
-            for (std::size_t k = 0; k < point.size(); ++k) {
-                const Rational reference = Rational(expiry[k]->reading()) - Rational(tolerance);
-                const Rational allowed = Rational(step.renewals[0].expiry[k]) - reference;
-                side[k / 2] = std::max(side[k / 2], allowed);
-            }
-            RC_ASSERT(side[0] + side[1] <= 2 * Rational(tolerance));
-        }
-    }));
-    REQUIRE(rc::check("and room from where a point is now is added to its base, rounded down", [](const Seed& seed) {
-        Random random = seed.random();
-        Filter_session s(random, Second_look::safe_region);
-        const auto& t = s.mesh.table();
-        for (const Corner_index f : t.facets()) {
-            if (!is_empty_sphere(s, f)) continue;
-            const Facet_points<2> point = bicell_points(t, f);
-            const std::vector<Expiry*> expiry = expiries(s, f);
-            Step<2> step;
-            step.x = s.points;
-            Renewal<2>& renewal = step.renewals.emplace_back();
-            renewal.facet = f;
-            for (std::size_t k = 0; k < point.size(); ++k) {
-                const double room = 0.4 * unit(random), sum = 1.0 + std::ldexp(integer(random, 1, 9), -20);
-                renewal.expiry[k] = room;
-                s[List{}][at(point[k])].base = rounded_down(Rational(sum) - Rational(room));
-            }
-            s.call(Commit_renewals{}, step);
-            for (std::size_t k = 0; k < point.size(); ++k)
-                RC_ASSERT(Rational(expiry[k]->reading()) <=
-                          Rational(s[List{}][at(point[k])].base) + Rational(renewal.expiry[k]));
         }
     }));
 }

@@ -12,7 +12,7 @@ namespace {
 /// The same under every way to keep a triangulation right.
 template <int d>
 void holds_under_all(Program_of<d> program) {
-    for (const Setting& setting : certified_settings_of<d>()) {
+    for (const Setting& setting : certified_settings) {
         program.setting = setting;
         INFO(as_code(program));
         CHECK(run(program) == "");
@@ -48,41 +48,6 @@ TEST_CASE("Ring positions permuted into a pentagram leave no star that winds twi
     holds_everywhere({{}, points, {move_all(framed_star), move_all(points)}});
 }
 
-TEST_CASE("A second look at subnormal positions ends", "[finds]") {
-    const double u = 0x1p-1074;
-    holds_everywhere({{},
-                      {{2 * u, 1 * u}, {12 * u, 1 * u}, {0, 13 * u}, {10 * u, 6 * u}},
-                      {move(0, {6 * u, 1 * u}), settle(), move(1, {7 * u, 8 * u}), settle(), move(0, {6 * u, 0})}});
-}
-
-TEST_CASE("A second look that a refused call cut short leaves nothing behind", "[finds]") {
-    // What it was about to renew was written into the records of the next settled triangulation.
-    holds_everywhere({{},
-                      {{0, 0}, {8, 0}, {4, 7}, {4, -7}, {20, 0}, {20, 9}},
-                      {settle(), move_all({{0, 0}, {8, 0}, {4, 7}, {4, -7}, {20.5, 0.5}, {0, 0}}),
-                       move_all({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}}), move(3, {3, 5}), settle()}});
-}
-
-TEST_CASE("A safe region renewed for a vertex that is off its fixed position is measured from where it is", "[finds]") {
-    holds_everywhere({{},
-                      {{-0x1.c0675cffdccap-1, -0x1.e0daa8280e75p-4},
-                       {-0x1.0cc3c948876ccp-2, -0x1.073ac5dd85bd4p-1},
-                       {0x1.e3372432fb666p-1, 0x1.6a5fca153768ep-1},
-                       {-0x1.25015be003f4ap-1, -0x1.940e1191c4ff4p-2}},
-                      {move_all({{-0x1.c0306a74c8274p-1, -0x1.df99ed05adab8p-4},
-                                 {-0x1.0ca7b6e1109fp-2, -0x1.06f837db39bf7p-1},
-                                 {0x1.e3372432fb666p-1, 0x1.6a5fca153768ep-1},
-                                 {-0x1.25015be003f4ap-1, -0x1.940e1191c4ff4p-2}}),
-                       move_all({{-0x1.c0306a74c8274p-1, -0x1.df99ed05adab8p-4},
-                                 {-0x1.0ca6de8bf89p-2, -0x1.06f636f603762p-1},
-                                 {0x1.e3372432fb666p-1, 0x1.6a5fca153768ep-1},
-                                 {-0x1.25015be003f4ap-1, -0x1.940e1191c4ff4p-2}}),
-                       move_all({{-0x1.c10c311c0e088p-1, -0x1.e49cd0e218a96p-4},
-                                 {-0x1.0cdfd9c505665p-2, -0x1.077d523e4d986p-1},
-                                 {0x1.e2f4c84b469b9p-1, 0x1.6a50db010e2a2p-1},
-                                 {-0x1.24deb1945c4dap-1, -0x1.939906249ef6ap-2}})}});
-}
-
 TEST_CASE("A timestamp refused by filter-each leaves fixed positions and tolerances", "[finds]") {
     holds_everywhere({{}, {{2, 3}, {1, 1}, {4, 3}}, {move_all({{0, 0}, {68, 1000}, {68, 1000}})}});
     holds_everywhere({{},
@@ -95,13 +60,13 @@ TEST_CASE("A timestamp refused after the points became collinear on the way leav
 }
 
 TEST_CASE("The paper's filter and tolerances keep CGAL's object valid", "[finds]") {
-    CHECK(run({{Strategy::paper, Second_look::off, Tolerance_kind::paper},
+    CHECK(run({{Strategy::paper, Tolerance_kind::paper},
                {{87, 86}, {90, 27}, {-23, 50}, {29, -25}, {97, -53}},
                {move(0, {28, 42})}}) == "");
 }
 
 TEST_CASE("With the paper's tolerances vertices come and go without crash or hang", "[finds]") {
-    const Setting paper{Strategy::paper, Second_look::off, Tolerance_kind::paper};
+    const Setting paper{Strategy::paper, Tolerance_kind::paper};
     CHECK(run({paper,
                {{12, 0}, {9, 7}, {5, 4}, {2, 13}, {11, 8}},
                {move_all({{12, 0}, {9, 7}, {5, 4}, {2, 13}, {5, 10}}), remove(0), insert({11, 0})}}) == "");

@@ -52,7 +52,7 @@ TEMPLATE_TEST_CASE_SIG("Steady motion that breaks off never leaves a wrong trian
     using Do = Calls<d>;
     constexpr std::array steady{Motion::drift, Motion::own_ways, Motion::orbits,
                                 Motion::shear, Motion::rotation, Motion::breathing};
-    for (const Setting& setting : filter_settings<d>()) {
+    for (const Setting& setting : filter_settings()) {
         DYNAMIC_SECTION(name_of(setting)) {
             for_each_seed(d == 2 ? 40 : 12, [&](Random& random) {
                 const Points_of<d> home = some_points<d>(ordinary_set<d>(random), 4, d == 2 ? 40 : 20, random);
@@ -81,7 +81,7 @@ TEMPLATE_TEST_CASE_SIG("Tolerances given up and taken up again never leave a wro
                        "[motions]", ((int d), d), 2, 3) {
     // At rest, far within tolerances, about them, far beyond them, in turns.
     using Do = Calls<d>;
-    for (const Setting& setting : filter_settings<d>()) {
+    for (const Setting& setting : filter_settings()) {
         DYNAMIC_SECTION(name_of(setting)) {
             for_each_seed(d == 2 ? 40 : 12, [&](Random& random) {
                 const Points_of<d> home = some_points<d>(ordinary_set<d>(random), 4, d == 2 ? 40 : 20, random);
@@ -115,7 +115,7 @@ TEMPLATE_TEST_CASE_SIG("Lattices that wander and return many times are still Del
         Random random(3);
         homes.push_back(point_set(Set_3::sphere, 24, random));
     }
-    for (const Setting& setting : certified_settings_of<d>()) {
+    for (const Setting& setting : certified_settings) {
         CAPTURE(name_of(setting));
         for (const Points_of<d>& home : homes) {
             Program_of<d> program{setting, home, {}};
@@ -132,7 +132,7 @@ TEMPLATE_TEST_CASE_SIG("Lattices that wander and return many times are still Del
 TEMPLATE_TEST_CASE_SIG("After a refused call the flips that it took back do no harm, dimension", "[motions]",
                        ((int d), d), 2, 3) {
     using Do = Calls<d>;
-    for (const Setting& setting : filter_settings<d>()) {
+    for (const Setting& setting : filter_settings()) {
         CAPTURE(name_of(setting));
         for_each_seed(20, [&](Random& random) {
             const Points_of<d> home = some_points<d>(all_sets<d>()[random() % 5], 12, 12, random);

@@ -51,7 +51,7 @@ Error_code code_of(Call call) {
 
 TEMPLATE_TEST_CASE_SIG("Moving one by one and moving all at once end in the same cells, dimension", "[relocation]",
                        ((int d), d), 2, 3) {
-    for (const Setting& setting : certified_settings_of<d>()) {
+    for (const Setting& setting : certified_settings) {
         DYNAMIC_SECTION(name_of(setting)) {
             for_each_seed(d == 2 ? 60 : 15, [&](Random& random) {
                 const Set_of<d> set = any_set<d>(random);
@@ -79,7 +79,7 @@ TEMPLATE_TEST_CASE_SIG("Moving one by one and moving all at once end in the same
 
 TEMPLATE_TEST_CASE_SIG("Scaling by a power of two scales the tolerances and changes nothing else, dimension",
                        "[relocation]", ((int d), d), 2, 3) {
-    for (const Setting& setting : certified_settings_of<d>()) {
+    for (const Setting& setting : certified_settings) {
         DYNAMIC_SECTION(name_of(setting)) {
             for_each_seed(d == 2 ? 60 : 15, [&](Random& random) {
                 const Set_of<d> set = ordinary_set<d>(random);
@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE_SIG("Scaling by a power of two scales the tolerances and chan
 
 TEMPLATE_TEST_CASE_SIG("The order of the input changes nothing but the names, dimension", "[relocation]", ((int d), d),
                        2, 3) {
-    for (const Setting& setting : certified_settings_of<d>()) {
+    for (const Setting& setting : certified_settings) {
         DYNAMIC_SECTION(name_of(setting)) {
             for_each_seed(d == 2 ? 60 : 15, [&](Random& random) {
                 const Set_of<d> set = any_set<d>(random);
@@ -167,7 +167,7 @@ TEMPLATE_TEST_CASE_SIG("The order of the input changes nothing but the names, di
 TEMPLATE_TEST_CASE_SIG("Reported changes are the cells that came and those that went, dimension", "[relocation]",
                        ((int d), d), 2, 3) {
     constexpr auto corners = static_cast<std::size_t>(d + 1);
-    for (const Setting& setting : certified_settings_of<d>()) {
+    for (const Setting& setting : certified_settings) {
         DYNAMIC_SECTION(name_of(setting)) {
             for_each_seed(d == 2 ? 60 : 15, [&](Random& random) {
                 const bool degenerate = random() % 2 == 0;
@@ -232,7 +232,7 @@ TEMPLATE_TEST_CASE_SIG("Equal input points are merged on request, dimension", "[
         Points_of<d> points = some_points<d>(any_set<d>(random), 4, 30, random);
         for (std::size_t i = 3; i < points.size(); ++i)
             if (random() % 5 == 0) points[i] = points[random() % i];
-        const Setting setting = certified_settings_of<d>()[random() % certified_settings_of<d>().size()];
+        const Setting setting = certified_settings[random() % certified_settings.size()];
         Options options = options_of(setting);
         options.merge_duplicates = true;
         Moving_of<d> dt(points, options);
@@ -266,7 +266,7 @@ TEMPLATE_TEST_CASE_SIG("A null handle, the vertex at infinity and a stranger nam
     more.back().fill(5.0);
     const Moving other(more);
     const typename Space<d>::Moving::Point there = Space<d>::point(more.back());
-    for (const Setting& setting : certified_settings_of<d>()) {
+    for (const Setting& setting : certified_settings) {
         CAPTURE(name_of(setting));
         Moving dt(corners, options_of(setting));
         // Of the strangers one has an index that this triangulation has too.

@@ -143,11 +143,10 @@ TEMPLATE_TEST_CASE_SIG("measure() and theta() are what definitions give, dimensi
 TEMPLATE_TEST_CASE_SIG("displacement() is the distance from the fixed position, from above and closely, dimension",
                        "[readings]", ((int d), d), 2, 3) {
     using Moving = typename Space<d>::Moving;
-    for (const Setting& setting : certified_settings_of<d>()) {
+    for (const Setting& setting : certified_settings) {
         CAPTURE(name_of(setting));
         Options options;
         options.strategy = setting.strategy;
-        options.second_look = setting.second_look;
         const bool keeps = setting.strategy == Strategy::filter || setting.strategy == Strategy::filter_each ||
                            setting.strategy == Strategy::paper;
         bool moved = false;

@@ -5,7 +5,6 @@
 #include <support/arbitrary.h>
 #include <support/catch.h>
 
-#include <annulus/certificate/delimiter.h>
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/expiry.h>
 
@@ -169,30 +168,4 @@ TEST_CASE("An expiry is not above the reading it is made of, nor far below", "[r
     CHECK(Expiry::lower(-HUGE_VAL) == Expiry{});
     CHECK(Expiry::never().reading() == HUGE_VAL);
     CHECK(Expiry::lower(std::numeric_limits<double>::max()) < Expiry::never());
-}
-
-TEST_CASE("Room in a safe region is rounded down", "[relocation][rounding]") {
-    REQUIRE(rc::check("for points next to the circle", [](const Seed& seed) {
-        Random random = seed.random();
-        for (int i = 0; i < 200; ++i) {
-            const double scale =
-                std::ldexp(1.0, random() % 4 == 0 ? integer(random, -560, -390) : integer(random, -300, 300));
-            Delimiter_2 circle{vector<2>(random, scale), scale * (0.5 + unit(random))};
-            std::array<Coordinates<2>, 4> x;
-            for (std::size_t k = 0; k < 4; ++k) {
-                const double share = std::ldexp(1.0 + unit(random), -integer(random, 2, 47));
-                const double r = circle.radius * (k < 2 ? 1.0 - share : 1.0 + share), angle = between(random, 0, 6.3);
-                x[k] = {circle.centre[0] + r * std::cos(angle), circle.centre[1] + r * std::sin(angle)};
-            }
-            std::array<double, 4> room{};
-            if (!safe_region_lower(circle, {&x[0], &x[1], &x[2], &x[3]}, room)) continue;
-            for (std::size_t k = 0; k < 4; ++k) {
-                const Rational distance_squared = exact_squared_distance<2>(x[k], circle.centre);
-                const Rational sign(k < 2 ? -1 : 1);
-                const Rational reach = Rational(circle.radius) + sign * Rational(room[k]);
-                if (reach < 0 || (k < 2 ? reach * reach < distance_squared : reach * reach > distance_squared))
-                    RC_FAIL("too much room: " + as_code(room[k]) + " of point " + text<2>(x[k], circle.centre));
-            }
-        }
-    }));
 }

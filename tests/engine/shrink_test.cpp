@@ -160,7 +160,7 @@ TEMPLATE_TEST_CASE_SIG("Any bytes are a program, legal for the most part, and ev
         INFO(fault);
         REQUIRE(fault.empty());
     }
-    for (const Setting& s : certified_settings_of<d>()) CHECK(settings.count(name_of(s)) == 1);
+    for (const Setting& s : certified_settings) CHECK(settings.count(name_of(s)) == 1);
     for (const Setting& s : uncertified_settings) CHECK(settings.count(name_of(s)) == 1);
     std::cout << "dimension " << d << ", random bytes: " << coverage.operations << " operations, "
               << std::lround(100.0 * coverage.legal_share()) << " % legal\n";

@@ -18,10 +18,6 @@ using annulus::testing::Random;
 
 namespace {
 
-std::string title(const Setting& s) {
-    return std::string(name_of(s.strategy)) + ", second look " + std::string(name_as_code(s.second_look));
-}
-
 /// A fault of the session as a failed assertion.
 template <class Body>
 void without_fault(Body body) {
@@ -113,8 +109,6 @@ Position from_fixed(Session& session, std::size_t i, double share, const Positio
 
 constexpr Setting filter{Strategy::filter};
 constexpr Setting filter_each{Strategy::filter_each};
-constexpr Setting filter_look{Strategy::filter, Second_look::unequal_moves};
-constexpr Setting filter_region{Strategy::filter, Second_look::safe_region};
 
 /// sum of D^2 must be a normal number for the comparison of squares to be exact enough to promise anything.
 bool squares_underflow(Family family) {
@@ -126,7 +120,7 @@ bool squares_underflow(Family family) {
 TEST_CASE("A settled tolerance is never above the exact one and within 0.2 % of it, under every strategy",
           "[tolerance]") {
     for (const Setting& setting : certified_settings) {
-        DYNAMIC_SECTION(title(setting)) {
+        DYNAMIC_SECTION(name_of(setting)) {
             REQUIRE(rc::check([setting] {
                 const auto set = *point_set_case(0, 30);
                 without_fault([&] {
@@ -143,8 +137,8 @@ TEST_CASE("A settled tolerance is never above the exact one and within 0.2 % of 
 }
 
 TEST_CASE("Tolerances after a drift leave the vertices of no certificate more than undoes it", "[tolerance]") {
-    for (const Setting& setting : {filter, filter_look, filter_region, filter_each}) {
-        DYNAMIC_SECTION(title(setting)) {
+    for (const Setting& setting : {filter, filter_each}) {
+        DYNAMIC_SECTION(name_of(setting)) {
             REQUIRE(rc::check([setting] {
                 const auto set = *point_set_case(4, 25);
                 without_fault([&] {
@@ -169,8 +163,8 @@ TEST_CASE("Tolerances after a drift leave the vertices of no certificate more th
 TEST_CASE("The most harmful moves, just inside and just outside the tolerances, leave nothing wrong", "[tolerance]") {
     // Few points, so that the certificate that decides one vertex decides its neighbours too. The scale is one where
     // squares of tolerances are subnormal.
-    for (const Setting& setting : {filter, filter_look, filter_region, filter_each}) {
-        DYNAMIC_SECTION(title(setting)) {
+    for (const Setting& setting : {filter, filter_each}) {
+        DYNAMIC_SECTION(name_of(setting)) {
             REQUIRE(rc::check([setting] {
                 Random random(*annulus::testing::seeds());
                 for (int repeat = 0; repeat < 10; ++repeat) {
@@ -201,8 +195,8 @@ TEST_CASE("The most harmful moves, just inside and just outside the tolerances, 
 
 TEST_CASE("Moves of 0.9999 tolerances, all at once, evaluate nothing and keep the triangulation",
           "[tolerance][tight]") {
-    for (const Setting& setting : {filter, filter_look, filter_region, filter_each}) {
-        DYNAMIC_SECTION(title(setting)) {
+    for (const Setting& setting : {filter, filter_each}) {
+        DYNAMIC_SECTION(name_of(setting)) {
             REQUIRE(rc::check([setting] {
                 const auto set = *point_set_case(3, 30);
                 RC_PRE(!squares_underflow(set.family));
@@ -233,8 +227,8 @@ TEST_CASE("Moves of 0.9999 tolerances, all at once, evaluate nothing and keep th
 TEST_CASE(
     "The worst moves of every certificate of the plane, by 0.9999 of the vertices' tolerances and by a little more",
     "[tolerance][tight]") {
-    for (const Setting& setting : {filter, filter_look, filter_region, filter_each}) {
-        DYNAMIC_SECTION(title(setting)) {
+    for (const Setting& setting : {filter, filter_each}) {
+        DYNAMIC_SECTION(name_of(setting)) {
             annulus::testing::Undone undone;
             REQUIRE(rc::check([&undone, setting](const annulus::testing::Seed& seed) {
                 Random random = seed.random();
@@ -251,8 +245,8 @@ TEST_CASE(
 }
 
 TEST_CASE("Whenever a drifting call reports all within tolerance the audit passes", "[tolerance]") {
-    for (const Setting& setting : {filter, filter_look, filter_region, filter_each}) {
-        DYNAMIC_SECTION(title(setting)) {
+    for (const Setting& setting : {filter, filter_each}) {
+        DYNAMIC_SECTION(name_of(setting)) {
             REQUIRE(rc::check([setting] {
                 const auto set = *point_set_case(4, 25);
                 without_fault([&] {

@@ -18,10 +18,7 @@ std::vector<Case> all_cases() {
     std::vector<Case> cases;
     for (const testing::Motion_kind motion : testing::all_motions)
         for (const Setting& setting : all_settings)
-            for (const int d : {2, 3})
-                // There are no second looks in space.
-                if (d == 2 || setting.second_look == Second_look::off)
-                    cases.push_back({.motion = motion, .setting = setting, .dimension = d});
+            for (const int d : {2, 3}) cases.push_back({.motion = motion, .setting = setting, .dimension = d});
     return cases;
 }
 

@@ -44,7 +44,7 @@ class Runner {
           motion_(c.motion, c.points, random),
           calls_(random()),
           looks_(random()),
-          options_{.strategy = c.setting.strategy, .second_look = c.setting.second_look, .seed = random()},
+          options_{.strategy = c.setting.strategy, .seed = random()},
           dt_(motion_.positions(), options_),
           expected_(motion_.positions()),
           live_(c.points, true) {

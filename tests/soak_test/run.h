@@ -17,12 +17,9 @@ namespace annulus::soak {
 struct Setting {
     std::string_view name;
     Strategy strategy;
-    Second_look second_look = Second_look::off;
 };
-inline constexpr std::array<Setting, 11> all_settings{{
+inline constexpr std::array<Setting, 9> all_settings{{
     {"filter", Strategy::filter},
-    {"filter-unequal", Strategy::filter, Second_look::unequal_moves},
-    {"filter-safe-region", Strategy::filter, Second_look::safe_region},
     {"filter-each", Strategy::filter_each},
     {"auto", Strategy::automatic},
     {"paper", Strategy::paper},

@@ -73,7 +73,7 @@ class ProgressLine(ToolTest):
     def test_fits_whatever_the_width(self):
         for columns in (1, 2, 5, 10, 20, 39, 40, 52, 60, 79, 80, 81, 100, 120, 300):
             for words in (self.LLOYD, ("nodt", "--sphere", "--vertices", "60", "--iterations", "3"),
-                          ("compare", "--strategies", "filter:unequal:certified,rebuild", "--", *self.LLOYD)):
+                          ("compare", "--strategies", "paper-hybrid:certified,rebuild", "--", *self.LLOYD)):
                 with self.subTest(columns=columns, words=words):
                     text = self.drawn(columns, *words)
                     screen = Screen(columns)

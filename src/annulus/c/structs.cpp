@@ -34,7 +34,8 @@ Options options_of(const annulus_options* given) {
     choose(options.strategy, known.strategy, strategy_named, "strategy",
            "auto, filter, filter-each, in-place, paper, paper-hybrid, relocate, relocate-flips, rebuild");
     choose(options.tolerance, known.tolerance, tolerance_kind_named, "kind of tolerance", "certified, paper, floating");
-    choose(options.second_look, known.second_look, second_look_named, "second look", "off, unequal, safe-region");
+    if (known.second_look != nullptr && std::string_view(known.second_look) != "off")
+        throw Refused(ANNULUS_USAGE, "annulus_options.second_look is neither NULL nor \"off\"");
     options.threads = std::max(1, known.threads);
     options.merge_duplicates = known.merge_duplicates != 0;
     options.report_changes = known.report_changes != 0;

@@ -73,9 +73,6 @@ void add_tracking(CLI::App& app, Tracking_arguments& a) {
     app.add_option("--tolerance", a.tolerance, "Kind of tolerance; only certified ones are proved, and others are for the strategies paper and paper-hybrid")
         ->check(CLI::IsMember({"certified", "paper", "floating"}))
         ->capture_default_str();
-    app.add_option("--second-look", a.second_look, "Cheap test before an expired certificate is evaluated (filter)")
-        ->check(CLI::IsMember({"off", "unequal", "safe-region"}))
-        ->capture_default_str();
     app.add_option("--audit", a.audit, "Exact audit every N steps and at the end; 0: never")
         ->type_name("N")
         ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
@@ -86,13 +83,10 @@ Options options_of(const Tracking_arguments& tracking, const Common_arguments& c
     Options o;
     const auto strategy = strategy_named(tracking.strategy);
     const auto tolerance = tolerance_kind_named(tracking.tolerance);
-    const auto look = second_look_named(tracking.second_look);
     if (!strategy) throw Error(Error_code::usage, "no strategy is called '" + tracking.strategy + "'");
     if (!tolerance) throw Error(Error_code::usage, "no kind of tolerance is called '" + tracking.tolerance + "'");
-    if (!look) throw Error(Error_code::usage, "no second look is called '" + tracking.second_look + "'");
     o.strategy = *strategy;
     o.tolerance = *tolerance;
-    o.second_look = *look;
     o.threads = common.threads;
     o.seed = common.seed;
     return o;

@@ -34,7 +34,6 @@ struct Common_arguments {
 struct Tracking_arguments {
     std::string strategy = "auto";
     std::string tolerance = "certified";
-    std::string second_look = "off";
     std::uint64_t audit = 100;
 };
 

@@ -29,16 +29,11 @@ struct Compare_call {
     std::vector<std::string> strategies{"rebuild", "relocate", "auto"};
 };
 
-/// "filter", "paper:floating", "filter:unequal": a strategy, then what differs from the rest of the command.
+/// "filter", "paper:floating": a strategy, and where it differs from the rest of the command its kind of tolerance.
 Tracking_arguments variant(Tracking_arguments t, const std::string& name) {
-    std::size_t from = name.find(':');
-    t.strategy = name.substr(0, from);
-    while (from != std::string::npos) {
-        const std::size_t to = name.find(':', from + 1);
-        const std::string word = name.substr(from + 1, to == std::string::npos ? to : to - from - 1);
-        (second_look_named(word) ? t.second_look : t.tolerance) = word;
-        from = to;
-    }
+    const std::size_t colon = name.find(':');
+    t.strategy = name.substr(0, colon);
+    if (colon != std::string::npos) t.tolerance = name.substr(colon + 1);
     return t;
 }
 
@@ -238,8 +233,7 @@ Run add_compare(CLI::App& app, const Invocation& invocation, Make_nodt make_nodt
         "The same motion under several strategies: annulus compare --strategies a,b -- lloyd|nodt|replay ...");
     const auto a = std::make_shared<Compare_call>();
     sub->add_option("--strategies", a->strategies,
-                    "Strategies, separated by commas; NAME:KIND changes the tolerance (paper:floating) or the second "
-                    "look (filter:unequal) of one")
+                    "Strategies, separated by commas; NAME:KIND changes the tolerance of one (paper:floating)")
         ->delimiter(',')
         ->capture_default_str();
     add_common(*sub, a->common, "compare.json, report.html and a table for each strategy");

@@ -147,7 +147,6 @@ bool Filter<d>::examine(Step<d>& step) {
         const double price = step.budget.spent + repair_.checker().pending_price();
         if (step.mover != none || price <= 0.5 * step.budget.limit) return repair_.evaluate(step);
         odometers_.undo(step);
-        step.renewals.clear();
         step.scope = Scope::everything;
         repair_.begin(step);
     }
@@ -179,7 +178,6 @@ void Filter<d>::finish(Step<d>& step, Move_report& report) {
     const bool alone = step.mover != none;
     report += step.report;
     report.price += step.budget.spent;
-    report.renewed += step.renewals.size();
     report.tours += step.tours;
     if (!alone) ++(tolerances ? report.tolerance_steps : report.sign_steps);
     if (tolerances) tracking_.note_step(step.failed.size(), step.report.evaluated);

@@ -30,7 +30,7 @@ class Filter final : public Upkeep<d> {
         signs,       ///< of all certificates of what moves, never tolerances: `in-place`
     };
     /// Precondition: one of these four.
-    explicit Filter(Delaunay_mesh<d>& mesh, Strategy strategy = Strategy::filter, Second_look look = Second_look::off)
+    explicit Filter(Delaunay_mesh<d>& mesh, Strategy strategy = Strategy::filter)
         : Upkeep<d>(strategy),
           means_(strategy == Strategy::automatic  ? Means::any
                  : strategy == Strategy::in_place ? Means::signs
@@ -38,7 +38,7 @@ class Filter final : public Upkeep<d> {
           mesh_(mesh),
           table_(mesh.table()),
           repair_(mesh),
-          odometers_(table_, look) {}
+          odometers_(table_) {}
 
     /// For the step test, evaluations and signs. Nothing that is found or counted depends on it.
     void set_threads(int threads) {

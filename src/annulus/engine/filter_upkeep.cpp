@@ -98,7 +98,7 @@ void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& rep
             const Index last = std::min(bound.value(), first + block);
             for (I i(first); i.value() < last; ++i) add(i);
             const Stage_counts counts = checker.evaluate();
-            odometers_.commit_fresh(checker, x);
+            odometers_.commit_fresh(checker);
             report.evaluated += counts.total();
             report.arithmetic += counts;
         }

@@ -35,7 +35,6 @@ struct Move_report {
     Move_counts moves;
     Stage_counts arithmetic;         ///< stage that decided, per certificate evaluated
     std::uint64_t evaluated = 0;     ///< certificates evaluated
-    std::uint64_t renewed = 0;       ///< expired certificates that a second look proved without evaluation
     std::uint64_t tours = 0;         ///< filter: failed vertices all of whose certificates had to be looked at
     std::uint64_t requeued = 0;      ///< filter-each: vertices whose reference another vertex's failure renewed
     std::uint64_t flips = 0;         ///< flips that stand
@@ -54,7 +53,6 @@ struct Move_report {
         moves += o.moves;
         arithmetic += o.arithmetic;
         evaluated += o.evaluated;
-        renewed += o.renewed;
         tours += o.tours;
         requeued += o.requeued;
         flips += o.flips;

@@ -16,7 +16,6 @@ void Odometers<d>::drop() noexcept {
     release(vertex_);
     release(list_);
     expiries_.free();
-    looks_.free();
 }
 
 template <int d>
@@ -25,7 +24,6 @@ void Odometers<d>::resize() {
     grow(vertex_, n);
     grow(list_, n);
     expiries_.resize(table_.cell_bound());
-    looks_.resize(table_.facet_bound());
 }
 
 template <int d>

@@ -4,7 +4,6 @@
 #include <annulus/engine/certificate_expiries.h>
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/checker.h>
-#include <annulus/engine/second_look.h>
 #include <annulus/engine/step.h>
 
 #include <algorithm>
@@ -27,7 +26,7 @@ namespace annulus {
 template <int d>
 class Odometers {
   public:
-    Odometers(const Cell_table<d>& table, Second_look look) : table_(table), looks_(look) {}
+    explicit Odometers(const Cell_table<d>& table) : table_(table) {}
 
     [[nodiscard]] bool kept() const { return kept_; }
     /// They are not to be trusted any more.
@@ -37,8 +36,8 @@ class Odometers {
 
     /// Starts afresh at x: no certificate expires, until commit_fresh() has been told of it. O(n).
     void begin(std::span<const Coordinates<d>> x);
-    /// What Checker evaluated at x; no certificate that it names has an expiry.
-    void commit_fresh(const Checker<d>& checker, std::span<const Coordinates<d>> x);
+    /// What Checker evaluated there; no certificate that it names has an expiry.
+    void commit_fresh(const Checker<d>& checker);
     /// Then the step test may be asked.
     void finish_beginning();
 
@@ -64,11 +63,11 @@ class Odometers {
     [[nodiscard]] bool find_failed(std::span<const Coordinates<d>> x, std::size_t first, std::size_t last,
                                    std::vector<Index>& failed) const;
 
-    /// Takes what is due: anchors those that failed, and names their certificates that expired to Checker, or renews them.
+    /// Takes what is due: anchors those that failed, and names their certificates that expired to Checker.
     void find_expired(Step<d>& step, Checker<d>& checker);
     /// Takes that back.
     void undo(const Step<d>& step);
-    /// Writes down what was evaluated or created, and renewals; the mesh is Delaunay at step.x.
+    /// Writes down what was evaluated or created; the mesh is Delaunay at step.x.
     void commit(Step<d>& step, const Checker<d>& checker);
     /// Before what find_expired() is not called for: certificates that others name are about to be evaluated.
     void begin_anchoring(Step<d>& step);
@@ -84,16 +83,14 @@ class Odometers {
     }
     void set_threshold(Index v) { vertex_[at(v)].threshold = High_word::lower(squared_threshold_lower(slack(v))); }
     void anchor(Index v, Step<d>& step);
-    [[nodiscard]] bool renew(Corner_index f, Step<d>& step) const;
-    void look_at(Certificate_id id, Index v, Step<d>& step, Checker<d>& checker);
+    void look_at(Certificate_id id, Index v, Checker<d>& checker);
     void tour(Index v, Step<d>& step, Checker<d>& checker);
     void rebase(Index v);
     template <class Points>
     void prefetch(const Points& points) const;
-    void commit_renewals(Step<d>& step);
     /// `fresh`: no certificate in question is on any list, and nobody is anchored.
     template <bool fresh>
-    void commit_evaluated(const Checker<d>& checker, std::span<const Coordinates<d>> x, Step<d>* step);
+    void commit_evaluated(const Checker<d>& checker, Step<d>* step);
     template <bool fresh, class S, class Expiry_of>
     void commit_points(const S& suspect, Certificate_id id, Expiry_of expiry_of, Step<d>* step);
 
@@ -102,7 +99,6 @@ class Odometers {
     std::vector<Vertex_record<d>> vertex_;
     std::vector<List> list_;  // by vertex
     Certificate_expiries<d> expiries_;
-    Second_looks<d> looks_;
     std::uint32_t stamp_ = 0;  // of Expiry_list::stamp
     // Of one tour:
     std::vector<std::uint32_t> certificates_;  // 2 half-facet, or 2 corner + 1

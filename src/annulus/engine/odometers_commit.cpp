@@ -32,29 +32,6 @@ void Odometers<d>::commit_points(const S& s, Certificate_id id, Expiry_of expiry
     ANNULUS_TRACED(written(*this, s, id, expiry_of));
 }
 
-template <int d>
-void Odometers<d>::commit_renewals(Step<d>& step) {
-    for (const Renewal<d>& renewal : step.renewals) {
-        if (!table_.is_facet(renewal.facet)) continue;
-        const Corner_index twin = table_.twin(renewal.facet);
-        const Facet_points<d> point = bicell_points(table_, renewal.facet);
-        if (std::find(point.begin(), point.end(), infinite) != point.end()) continue;  // it is another by now
-        looks_.note_renewed(renewal.facet);
-        for (std::size_t k = 0; k < point.size(); ++k) {
-            const Index v = point[k];
-            double expiry = renewal.expiry[k];
-            if (looks_.gives_room()) {  // around the present position
-                anchor(v, step);
-                expiry = sum_lower(list_[at(v)].base, expiry);
-            }
-            expiries_.of_facet(renewal.facet, twin, k) = Expiry::lower(expiry);
-            list_[at(v)].put(id_of_facet(renewal.facet), Expiry::lower(expiry));
-            if (list_[at(v)].stamp != stamp_) set_threshold(v);
-        }
-        ANNULUS_TRACED(renewed(*this, renewal));
-    }
-}
-
 /// What commit_points() needs of these points first: whether they are anchored. A guess would have to wait for it.
 template <int d>
 template <class Points>
@@ -68,7 +45,7 @@ void Odometers<d>::prefetch(const Points& points) const {
 
 template <int d>
 template <bool fresh>
-void Odometers<d>::commit_evaluated(const Checker<d>& checker, std::span<const Coordinates<d>> x, Step<d>* step) {
+void Odometers<d>::commit_evaluated(const Checker<d>& checker, Step<d>* step) {
     const auto facets = checker.facets();
     if (!fresh)
         for (std::size_t i = 0; i < std::min(prefetched, facets.size()); ++i) prefetch(facets[i].point);
@@ -77,7 +54,6 @@ void Odometers<d>::commit_evaluated(const Checker<d>& checker, std::span<const C
         const auto& s = facets[i];
         if (!checker.exists(s)) continue;
         const Corner_index twin = table_.twin(s.id);
-        if (looks_.on()) looks_.keep(s.id, s.kind, s.point, s.verdict.tolerance, x);
         const auto expiry_of = [&](std::size_t k) -> Expiry& { return expiries_.of_facet(s.id, twin, k); };
         if (s.kind == Facet_kind::empty_sphere) {
             commit_points<fresh>(s, id_of_facet(s.id), expiry_of, step);
@@ -125,13 +101,8 @@ void Odometers<d>::rebase(Index v) {
         [&](Corner_index h) {
             const Corner_index f = table_.facet(h);
             const Facet_points<d> point = bicell_points(table_, f);
-            for (std::size_t k = 0; k < point.size(); ++k) {
-                if (point[k] != v) continue;
-                Expiry& e = expiries_.of_facet(f, table_.twin(f), k);
-                // Unequal moves infer the reference from the expiry, which they cannot once it has been cut off at 0.
-                if (e.reading() < base) looks_.forget(f);
-                shift(e, id_of_facet(f));
-            }
+            for (std::size_t k = 0; k < point.size(); ++k)
+                if (point[k] == v) shift(expiries_.of_facet(f, table_.twin(f), k), id_of_facet(f));
         });
     ANNULUS_TRACED(rebased(*this, v));
 }
@@ -140,8 +111,7 @@ template <int d>
 void Odometers<d>::commit(Step<d>& step, const Checker<d>& checker) {
     resize();
     ANNULUS_TRACED(committing(*this, checker));
-    commit_renewals(step);
-    commit_evaluated<false>(checker, step.x, &step);
+    commit_evaluated<false>(checker, &step);
     for (const Index v : step.anchored) {
         const List& list = list_[at(v)];
         if (list.base > Horizons::odometer * (list.latest().reading() - list.base)) rebase(v);
@@ -152,8 +122,8 @@ void Odometers<d>::commit(Step<d>& step, const Checker<d>& checker) {
 }
 
 template <int d>
-void Odometers<d>::commit_fresh(const Checker<d>& checker, std::span<const Coordinates<d>> x) {
-    commit_evaluated<true>(checker, x, nullptr);
+void Odometers<d>::commit_fresh(const Checker<d>& checker) {
+    commit_evaluated<true>(checker, nullptr);
 }
 
 template class Odometers<2>;

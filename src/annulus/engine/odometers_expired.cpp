@@ -8,27 +8,9 @@
 
 namespace annulus {
 
-/// A second look at facet f, whose certificate expired. The step keeps what is to be written down.
-template <int d>
-bool Odometers<d>::renew(Corner_index f, Step<d>& step) const {
-    if (!looks_.on() || facet_kind(table_, f) != Facet_kind::empty_sphere) return false;
-    const Facet_points<d> point = bicell_points(table_, f);
-    const Corner_index twin = table_.twin(f);
-    typename Second_looks<d>::Facet_numbers expiry{};
-    typename Second_looks<d>::Facet_numbers readings{};
-    for (std::size_t k = 0; k < point.size(); ++k) {
-        expiry[k] = expiries_.of_facet(f, twin, k).reading();
-        readings[k] = reading(point[k], step.x[at(point[k])]);
-    }
-    Renewal<d> renewal;
-    if (!looks_.proves(f, point, expiry, readings, step.x, renewal)) return false;
-    step.renewals.push_back(renewal);
-    return true;
-}
-
 /// Looks at one certificate of v, which is anchored: expired, or else back on the list.
 template <int d>
-void Odometers<d>::look_at(Certificate_id id, Index v, Step<d>& step, Checker<d>& checker) {
+void Odometers<d>::look_at(Certificate_id id, Index v, Checker<d>& checker) {
     List& list = list_[at(v)];
     if (is_of_cell(id)) {
         const Cell_index c = cell_of(id);
@@ -50,12 +32,6 @@ void Odometers<d>::look_at(Certificate_id id, Index v, Step<d>& step, Checker<d>
     if (expiry == Expiry::never()) return;
     if (!expiry.reached(list.base)) {
         list.put(id, expiry);
-    } else if (renew(f, step)) {
-        double until = 0.0;
-        const Facet_points<d> point = bicell_points(table_, f);
-        for (std::size_t k = 0; k < point.size(); ++k)
-            if (point[k] == v) until = step.renewals.back().expiry[k];
-        list.put(id, Expiry::lower(looks_.gives_room() ? sum_lower(list.base, until) : until));
     } else {
         checker.add_facet(f);
         ANNULUS_TRACED(suspected(id));
@@ -92,7 +68,7 @@ void Odometers<d>::tour(Index v, Step<d>& step, Checker<d>& checker) {
             expiry = expiries_.of_facet(table_, h, own);
         }
         if (expiry.reached(list.base)) {
-            look_at(id, v, step, checker);
+            look_at(id, v, checker);
         } else {
             listed_.push_back(expiry);
             listed_id_.push_back(id);
@@ -135,9 +111,9 @@ void Odometers<d>::find_expired(Step<d>& step, Checker<d>& checker) {
     for (const Index v : step.failed) {
         List& list = list_[at(v)];
         if (!list.rest().reached(list.base))  // else the tour looks at these as well
-            list.take_reached(list.base, [&](Certificate_id id) { look_at(id, v, step, checker); });
+            list.take_reached(list.base, [&](Certificate_id id) { look_at(id, v, checker); });
         if (list.rest().reached(list.base)) tour(v, step, checker);
-        ANNULUS_TRACED(examined(*this, v, step));
+        ANNULUS_TRACED(examined(*this, v));
     }
 }
 

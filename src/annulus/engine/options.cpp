@@ -17,11 +17,4 @@ std::optional<Tolerance_kind> tolerance_kind_named(std::string_view name) {
     return std::nullopt;
 }
 
-std::optional<Second_look> second_look_named(std::string_view name) {
-    if (name == "off") return Second_look::off;
-    if (name == "unequal") return Second_look::unequal_moves;
-    if (name == "safe-region") return Second_look::safe_region;
-    return std::nullopt;
-}
-
 }  // namespace annulus

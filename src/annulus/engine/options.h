@@ -8,13 +8,6 @@
 
 namespace annulus {
 
-/// A cheap test for a certificate whose tolerance failed, before it is evaluated again. In the plane only: in space all are off.
-enum class Second_look : std::uint8_t {
-    off,
-    unequal_moves,  ///< max D over the facet + max D over the opposite vertices < width (theory 2)
-    safe_region,    ///< every point is still on its side of the certificate's standard delimiter (paper 2.3 and 3.2)
-};
-
 /// How the triangulation is kept right.
 enum class Strategy : std::uint8_t {
     rebuild,         ///< from scratch at every call (Builder)
@@ -45,13 +38,11 @@ enum class Strategy : std::uint8_t {
 
 [[nodiscard]] std::optional<Strategy> strategy_named(std::string_view name);
 [[nodiscard]] std::optional<Tolerance_kind> tolerance_kind_named(std::string_view name);
-[[nodiscard]] std::optional<Second_look> second_look_named(std::string_view name);  ///< off, unequal, safe-region
 
 /// What a caller may choose, as one value.
 struct Options {
     Strategy strategy = Strategy::automatic;
     Tolerance_kind tolerance = Tolerance_kind::certified;  ///< others with `paper` and `paper_hybrid` alone, else Error(usage)
-    Second_look second_look = Second_look::off;
     int threads = 1;                ///< 1 or more, else Error(usage); results do not depend on it
     bool merge_duplicates = false;  ///< equal input points become one vertex instead of an error
     bool report_changes = false;    ///< list the cells that came and went in a call: Move_report::changed, gone

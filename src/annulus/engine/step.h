@@ -8,7 +8,6 @@
 #include <annulus/engine/vertex_record.h>
 #include <annulus/mesh/index.h>
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,13 +16,6 @@ namespace annulus {
 
 /// Which certificates a step evaluates: those that expired; without tolerances all those of the vertex that moves, or all.
 enum class Scope : std::uint8_t { expired, star, everything };
-
-/// New expiries, or rooms, of the points of a facet whose certificate a second look proved: in the order of bicell_points().
-template <int d>
-struct Renewal {
-    Corner_index facet;
-    std::array<double, static_cast<std::size_t>(d + 2)> expiry{};
-};
 
 /// A cache line, or one and a half: around a vertex are 12 certificates in the plane, 80 in space.
 template <int d>
@@ -46,7 +38,6 @@ struct Step {
     std::vector<Index> failed;          ///< those that left their tolerances; without tolerances those that move
     std::vector<Before> before;         ///< of these
     std::vector<Index> anchored;        ///< their fixed position is the goal by now
-    std::vector<Renewal<d>> renewals;
     std::uint64_t tours = 0;            ///< vertices all of whose certificates were looked at
     Budget budget;                      ///< of all that the step does
     Move_report report;                 ///< what was evaluated and flipped
@@ -82,7 +73,6 @@ struct Step {
         step.failed.clear();
         step.before.clear();
         step.anchored.clear();
-        step.renewals.clear();
         step.tours = 0;
         step.budget = {};
         step.clear_findings();

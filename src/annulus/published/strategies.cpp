@@ -30,7 +30,7 @@ std::unique_ptr<Upkeep<d>> make_strategy(Delaunay_mesh<d>& mesh, const Options& 
         case Strategy::relocate_flips: return std::make_unique<Relocator<d>>(mesh, strategy);
         default: break;
     }
-    auto filter = std::make_unique<Filter<d>>(mesh, strategy, options.second_look);
+    auto filter = std::make_unique<Filter<d>>(mesh, strategy);
     filter->set_threads(options.threads);
     return filter;
 }

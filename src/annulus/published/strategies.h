@@ -10,7 +10,7 @@
 namespace annulus {
 
 /// The strategy that the options name, for this mesh, which must outlive it. Throws Error(usage) where they do not fit:
-/// tolerances that are not certified are the paper's strategies' alone, and they have no second look.
+/// tolerances that are not certified are the paper's strategies' alone.
 template <int d>
 [[nodiscard]] std::unique_ptr<Upkeep<d>> make_strategy(Delaunay_mesh<d>& mesh, const Options& options);
 

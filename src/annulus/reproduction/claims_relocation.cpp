@@ -142,9 +142,6 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
     if (!plane.empty()) {
         const auto x = of_each(plane, [](const auto& race) { return speed_up(race, "paper-safe-region", "paper-printed"); });
         c.theirs = "with the test " + range(x, times) + " times as long in the plane";
-        c.ours = "a second look at certificates whose tolerance expired: " +
-                 range(of_each(plane, [](const auto& race) { return speed_up(race, "filter:safe-region", "filter"); }), times) +
-                 " times as long (filter, plane)";
         c.verdict = agree_if(least(x) >= 0.97);
         c.reason = least(x) >= 0.97 ? "A vertex beyond its tolerance and within its safe region keeps its reference, and is tested again at each further step."
                                     : "It spares relocations, which are dear beside the test of some twelve circles; tests in place spare more.";

@@ -8,12 +8,10 @@ namespace annulus {
 
 namespace {
 
-Options options_of(Strategy strategy, Tolerance_kind kind = Tolerance_kind::certified,
-                   Second_look look = Second_look::off) {
+Options options_of(Strategy strategy, Tolerance_kind kind = Tolerance_kind::certified) {
     Options o;
     o.strategy = strategy;
     o.tolerance = kind;
-    o.second_look = look;
     return o;
 }
 
@@ -98,9 +96,6 @@ void add_lloyd(const Reproduction_size& size, std::vector<Part_plan>& out) {
                   .racers = racers(1, sampled(steps, 10), 10)};
         p.race.racers.push_back(
             printed("relocate-flips", {.tolerances = false, .flips = true}, 0, Kind::copy, sampled(steps, 10)));
-        p.race.racers.push_back({"filter:safe-region", Kind::follower,
-                                 options_of(Strategy::filter, Tolerance_kind::certified, Second_look::safe_region), 1,
-                                 0});
         p.race.racers.push_back(printed("paper-safe-region", {.safe_region = true}, 10));
         p.race.surveys = x2 ? spread(steps) : decades(steps, true);
         p.race.distributions = decades(steps, false);

@@ -162,7 +162,6 @@ class Printed_filter<d>::Work {
 
     void process(Index h, bool first) {
         if (choice_.safe_region && stays_in_safe_region(h)) {
-            ++report_.renewed;
             if (first) ++report_.moves.kept_in_place;
             return;
         }
