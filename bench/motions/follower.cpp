@@ -17,35 +17,26 @@ namespace {
 using namespace annulus;
 
 template <int d>
-class Mesh_follower final : public Follower<d> {
-  public:
-    Mesh_follower(const Points<d>& x, const Options& options) : mesh_(std::span<const Coordinates<d>>(x), options) {}
-
-    double follow(const Motion<d>& motion, Stopwatch watch, Move_report& report) override {
-        std::vector<Index> arrivals;
-        arrivals.reserve(motion.arrive().size());
-        Move_report one;
-        const double begin = watch.seconds();
-        for (const Index i : motion.leave()) mesh_.remove(i, &one);
-        report = mesh_.move_all(std::span<const Coordinates<d>>(motion.points()));
-        for (const Coordinates<d>& p : motion.arrive()) arrivals.push_back(mesh_.insert(p, &one));
-        const double s = watch.seconds() - begin;
-        require_numbers(motion, arrivals);
-        return s;
-    }
-    [[nodiscard]] bool is_delaunay() const override { return mesh_.audit().delaunay(); }
-
-    static void require_numbers(const Motion<d>& motion, const std::vector<Index>& arrivals) {
-        for (std::size_t k = 0; k < arrivals.size(); ++k)
-            if (arrivals[k] != motion.number_of_arrival(k))
-                throw std::logic_error("a motion and a triangulation number differently");
-    }
-
-  private:
-    Moving_mesh<d> mesh_;
-};
+Index insert(Moving_mesh<d>& mesh, const Coordinates<d>& p, Move_report& report) {
+    return mesh.insert(p, &report);
+}
+Index insert(Moving_delaunay_2& object, const Coordinates<2>& p, Move_report& report) {
+    return object.index(object.insert({p[0], p[1]}, &report));
+}
+Index insert(Moving_delaunay_3& object, const Coordinates<3>& p, Move_report& report) {
+    return object.index(object.insert({p[0], p[1], p[2]}, &report));
+}
 
 template <int d>
+void remove(Moving_mesh<d>& mesh, Index i, Move_report& report) {
+    mesh.remove(i, &report);
+}
+template <class Object>
+void remove(Object& object, Index i, Move_report& report) {
+    object.remove(object.vertex(static_cast<std::size_t>(i)), &report);
+}
+
+template <int d, class Object>
 class Object_follower final : public Follower<d> {
   public:
     Object_follower(const Points<d>& x, const Options& options, bool view)
@@ -56,21 +47,21 @@ class Object_follower final : public Follower<d> {
         arrivals.reserve(motion.arrive().size());
         Move_report one;
         const double begin = watch.seconds();
-        for (const Index i : motion.leave()) object_.remove(object_.vertex(static_cast<std::size_t>(i)), &one);
+        for (const Index i : motion.leave()) remove(object_, i, one);
         report = object_.move_all(std::span<const Coordinates<d>>(motion.points()));
-        for (const Coordinates<d>& p : motion.arrive()) {
-            if constexpr (d == 2) arrivals.push_back(object_.index(object_.insert({p[0], p[1]}, &one)));
-            else arrivals.push_back(object_.index(object_.insert({p[0], p[1], p[2]}, &one)));
-        }
-        if (view_) (void)object_.triangulation();
+        for (const Coordinates<d>& p : motion.arrive()) arrivals.push_back(insert(object_, p, one));
+        if constexpr (!std::is_same_v<Object, Moving_mesh<d>>)
+            if (view_) (void)object_.triangulation();
         const double s = watch.seconds() - begin;
-        Mesh_follower<d>::require_numbers(motion, arrivals);
+        for (std::size_t k = 0; k < arrivals.size(); ++k)
+            if (arrivals[k] != motion.number_of_arrival(k))
+                throw std::logic_error("a motion and a triangulation number differently");
         return s;
     }
     [[nodiscard]] bool is_delaunay() const override { return object_.audit().delaunay(); }
 
   private:
-    std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3> object_;
+    Object object_;
     bool view_;
 };
 
@@ -85,9 +76,10 @@ std::unique_ptr<Follower<d>> follower(const std::string& name, int threads, cons
     Options options;
     options.strategy = *strategy;
     options.threads = threads;
-    if (what == "mesh") return std::make_unique<Mesh_follower<d>>(x, options);
+    if (what == "mesh") return std::make_unique<Object_follower<d, Moving_mesh<d>>>(x, options, false);
     if (!what.empty() && what != "view") throw std::invalid_argument(name + ": there are :mesh and :view");
-    return std::make_unique<Object_follower<d>>(x, options, what == "view");
+    using Object = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
+    return std::make_unique<Object_follower<d, Object>>(x, options, what == "view");
 }
 
 template std::unique_ptr<Follower<2>> follower<2>(const std::string&, int, const Points<2>&);

@@ -19,7 +19,7 @@ def walks(bench):
     for d, n in ((3, 8000), (2, 10000)):
         yield from [f"## Random walk, uniform points, {d}D, {n} points", "", *HEAD]
         for s in (1e-6, 1e-5, 1e-4, 1e-3, 0.003, 0.01, 0.03, 0.1, 0.3, 1):
-            yield row(f"s = {s:g}", MUST[d].get(s), AIM[d].get(s),
+            yield row(f"s = {s:g}", MUST[d].get(s, 0.95), AIM[d].get(s, 1.0),
                       bench.motion(dimension=d, points=n, spacings=s, steps=steps(bench), warm=12))
         yield ""
 
@@ -30,7 +30,7 @@ def families(bench):
         for family in ("sphere", "slab", "clusters", "faces", "lattice", "ball"):
             for s in (1e-3, 0.01):
                 few = (family, d) == ("sphere", 3)
-                yield row(f"{family}, s = {s:g}", FAMILIES_MUST[d].get(family), FAMILIES_AIM[d].get(family),
+                yield row(f"{family}, s = {s:g}", FAMILIES_MUST[d].get(family, 0.9), FAMILIES_AIM[d].get(family, 1.0),
                           bench.motion(dimension=d, family=family, points=1000 if few else n, spacings=s, steps=steps(bench), warm=8))
         yield ""
 

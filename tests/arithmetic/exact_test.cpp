@@ -68,7 +68,7 @@ void quotient(Number& r, const mpz_class& numerator, const mpz_class& a, const m
 }  // namespace
 
 TEST_CASE("doubles are integers times one power of two, exactly", "[arithmetic]") {
-    REQUIRE(rc::check("any numbers of the domain", [](const Seed& seed) {
+    REQUIRE(for_all("any numbers of the domain", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 20; ++i) {
             std::vector<double> x(static_cast<std::size_t>(integer(random, 1, 10)));
@@ -76,7 +76,7 @@ TEST_CASE("doubles are integers times one power of two, exactly", "[arithmetic]"
             if (!round_trips(x)) RC_FAIL(as_code(x));
         }
     }));
-    REQUIRE(rc::check("numbers of one magnitude", [](const Seed& seed) {
+    REQUIRE(for_all("numbers of one magnitude", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 20; ++i) {
             const int exponent = integer(random, -1074, 500);
@@ -109,7 +109,7 @@ TEST_CASE("doubles as integers at the ends of the range", "[arithmetic]") {
 }
 
 TEST_CASE("scaled integers do not depend on a common power of two", "[arithmetic]") {
-    REQUIRE(rc::check("even where the numbers become subnormal", [](const Seed& seed) {
+    REQUIRE(for_all("even where the numbers become subnormal", [](const Seed& seed) {
         Random random = seed.random();
         std::vector<double> x(4), y(4);
         const int exponent = integer(random, -1068, 480);
@@ -126,7 +126,7 @@ TEST_CASE("scaled integers do not depend on a common power of two", "[arithmetic
 
 TEST_CASE("the quotient by roots is below the truth and within a unit in the last place", "[arithmetic]") {
     gmp_randclass bits(gmp_randinit_mt);
-    REQUIRE(rc::check("integers of up to 4,000 bits", [&bits](const Seed& seed) {
+    REQUIRE(for_all("integers of up to 4,000 bits", [&bits](const Seed& seed) {
         Random random = seed.random();
         bits.seed(static_cast<unsigned long>(seed.value));
         const auto draw = [&](int most) {
@@ -239,7 +239,7 @@ TEST_CASE("the quotient is the largest double not above the truth, ties included
 
 TEST_CASE("a quotient that is a double is found, however long the roots are", "[arithmetic]") {
     // Longer than MPFR's working precision: every operation loses something, and only the tie test sees the double.
-    REQUIRE(rc::check("of roots up to 240 bits", [](const Seed& seed) {
+    REQUIRE(for_all("of roots up to 240 bits", [](const Seed& seed) {
         Random random = seed.random();
         const auto bits = [&](int count) {
             mpz_class z = 1;

@@ -26,7 +26,7 @@ double any_double(Random& random) {
 }  // namespace
 
 TEST_CASE("The upper half of a double is not above it and nearly as large", "[arithmetic]") {
-    REQUIRE(rc::check([](const Seed& seed) {
+    REQUIRE(for_all([](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 1000; ++i) {
             const double x = any_double(random);

@@ -77,7 +77,7 @@ std::string as_code(const Interval& i) {
     } while (false)
 
 TEST_CASE("interval operations enclose the exact results", "[arithmetic]") {
-    REQUIRE(rc::check("of every pair of numbers inside", [](const Seed& seed) {
+    REQUIRE(for_all("of every pair of numbers inside", [](const Seed& seed) {
         Random random = seed.random();
         for (int k = 0; k < 50; ++k) {
             const Sampled x = sampled(random), y = sampled(random);
@@ -111,7 +111,7 @@ TEST_CASE("interval operations enclose the exact results", "[arithmetic]") {
 }
 
 TEST_CASE("an operation on two numbers gives neighbouring ends", "[arithmetic]") {
-    REQUIRE(rc::check("sum, difference, product, quotient, square and root", [](const Seed& seed) {
+    REQUIRE(for_all("sum, difference, product, quotient, square and root", [](const Seed& seed) {
         Random random = seed.random();
         for (int k = 0; k < 50; ++k) {
             const double a = number(random), b = number(random);
@@ -135,7 +135,7 @@ TEST_CASE("an operation on two numbers gives neighbouring ends", "[arithmetic]")
 }
 
 TEST_CASE("the root of an interval encloses the roots of its ends", "[arithmetic]") {
-    REQUIRE(rc::check("compared by squares", [](const Seed& seed) {
+    REQUIRE(for_all("compared by squares", [](const Seed& seed) {
         Random random = seed.random();
         for (int k = 0; k < 50; ++k) {
             double low = std::fabs(number(random)), high = std::fabs(number(random));
@@ -153,7 +153,7 @@ TEST_CASE("the root of an interval encloses the roots of its ends", "[arithmetic
 }
 
 TEST_CASE("scaled differences enclose the exact ones", "[arithmetic]") {
-    REQUIRE(rc::check("with any power of two that keeps them in range", [](const Seed& seed) {
+    REQUIRE(for_all("with any power of two that keeps them in range", [](const Seed& seed) {
         Random random = seed.random();
         for (int k = 0; k < 50; ++k) {
             const double a = any_in_domain(random),

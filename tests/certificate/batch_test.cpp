@@ -68,7 +68,7 @@ void check_modes(const std::vector<Case>& x, More... more) {
 }  // namespace
 
 TEST_CASE("a batch is a loop of single calls, bit for bit", "[certificate][space]") {
-    REQUIRE(rc::check("in the plane", [](const Seed& seed) {
+    REQUIRE(for_all("in the plane", [](const Seed& seed) {
         std::vector<Triangle> triangles;
         std::vector<Bicell> bicells;
         for_each_triangle(seed.random(), 2, [&](const Triangle& t) { triangles.push_back(t); });
@@ -76,7 +76,7 @@ TEST_CASE("a batch is a loop of single calls, bit for bit", "[certificate][space
         check_modes(triangles);
         check_modes(bicells);
     }));
-    REQUIRE(rc::check("in space", [](const Seed& seed) {
+    REQUIRE(for_all("in space", [](const Seed& seed) {
         std::vector<Tetrahedron> tetrahedra;
         std::vector<Bicell_3> bicells;
         for_each_tetrahedron(seed.random(), 1, [&](const Tetrahedron& t) { tetrahedra.push_back(t); });
@@ -87,7 +87,7 @@ TEST_CASE("a batch is a loop of single calls, bit for bit", "[certificate][space
 }
 
 TEST_CASE("tight is the largest double that is not above the truth", "[certificate]") {
-    REQUIRE(rc::check("in the plane", [](const Seed& seed) {
+    REQUIRE(for_all("in the plane", [](const Seed& seed) {
         for_each_triangle(seed.random(), 3, [](const Triangle& t) {
             const Triangle_truth truth(t);
             const double y = orientation_exact(t.tuple()).tolerance;
@@ -109,7 +109,7 @@ TEST_CASE("tight is the largest double that is not above the truth", "[certifica
 TEST_CASE(
     "the sign tolerance is the least half width of annuli and cells, that of a vertex the least of its certificates",
     "[certificate][space]") {
-    REQUIRE(rc::check("of bi-cells in the plane and in space", [](const Seed& seed) {
+    REQUIRE(for_all("of bi-cells in the plane and in space", [](const Seed& seed) {
         for_each_delaunay_bicell(seed.random(), 1, [](const Bicell& c) {
             const Verdict sign = sign_verdict(c.tuple(), Mode::tight);
             const double cells = std::min(orientation_exact({&c.a, &c.b, &c.q}).tolerance,

@@ -32,7 +32,7 @@ bool within_bounds(const Space_errors& e) {
 }  // namespace
 
 TEST_CASE("the filter in space is never off by more than its bounds", "[certificate][space]") {
-    REQUIRE(rc::check("on coordinates of one magnitude and of many", [](const Seed& seed) {
+    REQUIRE(for_all("on coordinates of one magnitude and of many", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 10; ++i) {
             Numbers x = start(15, 3, random);
@@ -60,7 +60,7 @@ TEST_CASE("the bounds of the norms in space are made of those of the vectors", "
 
 TEST_CASE("Boost's intervals and CGAL's enclose the same terms", "[certificate][space]") {
     using Cgal = CGAL::Interval_nt<false>;
-    REQUIRE(rc::check("of bi-cells of usual magnitudes", [](const Seed& seed) {
+    REQUIRE(for_all("of bi-cells of usual magnitudes", [](const Seed& seed) {
         for_each_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
             for (const Point_3* p : c.tuple())
                 for (const double x : *p)

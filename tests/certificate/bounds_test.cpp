@@ -34,7 +34,7 @@ Numbers spread(std::size_t n, Random& random) {
 }  // namespace
 
 TEST_CASE("the filter is never off by more than its bounds", "[certificate]") {
-    REQUIRE(rc::check("on coordinates of one magnitude and of many", [](const Seed& seed) {
+    REQUIRE(for_all("on coordinates of one magnitude and of many", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 30; ++i) {
             const Numbers x = i % 2 == 0 ? start(6, 2, random) : spread(6, random);

@@ -46,7 +46,7 @@ Circumsphere_3 sphere_of(double x, double y, double z) {
 }  // namespace
 
 TEST_CASE("The sphere of a cell claims no sign that is within its error", "[certificate][space]") {
-    REQUIRE(rc::check("of the cell", [](const Seed& seed) {
+    REQUIRE(for_all("of the cell", [](const Seed& seed) {
         Random random = seed.random();
         std::array<Point_3, 4> x;
         const auto sign = [](const auto& y) { return exact_orientation(y[0], y[1], y[2], y[3]); };
@@ -58,7 +58,7 @@ TEST_CASE("The sphere of a cell claims no sign that is within its error", "[cert
                 if (clear != 0) HOLDS(clear == sign(x), (Tetrahedron{x[0], x[1], x[2], x[3]}));
             }
     }));
-    REQUIRE(rc::check("of the point", [](const Seed& seed) {
+    REQUIRE(for_all("of the point", [](const Seed& seed) {
         Random random = seed.random();
         std::array<Point_3, 5> x;
         const auto sign = [](const auto& y) { return exact_empty_sphere(y[0], y[1], y[2], y[3], y[4]); };

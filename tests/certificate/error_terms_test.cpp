@@ -120,27 +120,27 @@ bool is_below(double tolerance, double determinant, const Rational& det_error, d
 }  // namespace
 
 TEST_CASE("the filter claims no sign that is within its error", "[certificate][space]") {
-    REQUIRE(rc::check("of triangles", [](const Seed& seed) {
+    REQUIRE(for_all("of triangles", [](const Seed& seed) {
         at_changes<2, 3>(
             seed, 8, [](const auto& x) { return sign_of(triangle_of(x)); },
             [](const auto& x) { check_sign(triangle_of(x), ask(triangle_of(x))); });
     }));
-    REQUIRE(rc::check("of bi-cells", [](const Seed& seed) {
+    REQUIRE(for_all("of bi-cells", [](const Seed& seed) {
         at_changes<2, 4>(
             seed, 8, [](const auto& x) { return sign_of(bicell_of(x)); },
             [](const auto& x) { check_sign(bicell_of(x), ask(bicell_of(x))); });
     }));
-    REQUIRE(rc::check("of tetrahedra", [](const Seed& seed) {
+    REQUIRE(for_all("of tetrahedra", [](const Seed& seed) {
         at_changes<3, 4>(
             seed, 8, [](const auto& x) { return sign_of(tetrahedron_of(x)); },
             [](const auto& x) { check_sign(tetrahedron_of(x), ask(tetrahedron_of(x))); });
     }));
-    REQUIRE(rc::check("of bi-cells in space", [](const Seed& seed) {
+    REQUIRE(for_all("of bi-cells in space", [](const Seed& seed) {
         at_changes<3, 5>(
             seed, 8, [](const auto& x) { return sign_of(bicell_of(x)); },
             [](const auto& x) { check_sign(bicell_of(x), ask(bicell_of(x), Cell_widths::never)); });
     }));
-    REQUIRE(rc::check("of a circle that is asked many times", [](const Seed& seed) {
+    REQUIRE(for_all("of a circle that is asked many times", [](const Seed& seed) {
         at_changes<2, 3>(
             seed, 8, [](const auto& x) { return sign_of(triangle_of(x)); },
             [](const auto& x) {
@@ -157,7 +157,7 @@ TEST_CASE("the filter claims no sign that is within its error", "[certificate][s
 
 TEST_CASE("the filter calls no annulus forward that is within its error of being backward", "[certificate][space]") {
     for (std::size_t k = 1; k < partitions_3; ++k)
-        REQUIRE(rc::check("partition " + std::to_string(k), [k](const Seed& seed) {
+        REQUIRE(for_all("partition " + std::to_string(k), [k](const Seed& seed) {
             at_changes<3, 5>(
                 seed, 8, [k](const auto& x) { return sgn(sides(bicell_of(x))[k]); },
                 [k](const auto& x) {
@@ -171,7 +171,7 @@ TEST_CASE("the filter calls no annulus forward that is within its error of being
 
 TEST_CASE("a tolerance of the filter is what is left after the errors of determinant and norms",
           "[certificate][space]") {
-    REQUIRE(rc::check("in the plane", [](const Seed& seed) {
+    REQUIRE(for_all("in the plane", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 10; ++i) {
             const Triangle t = triangle_of(some_points<2, 3>(random));
@@ -195,7 +195,7 @@ TEST_CASE("a tolerance of the filter is what is left after the errors of determi
                       c);
         }
     }));
-    REQUIRE(rc::check("in space, annuli and cells", [](const Seed& seed) {
+    REQUIRE(for_all("in space, annuli and cells", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 10; ++i) {
             const Bicell_3 c = bicell_of(some_points<3, 5>(random));

@@ -34,7 +34,7 @@ bool is_of_usual_magnitude(const Bicell_3& c) {
 }  // namespace
 
 TEST_CASE("the half widths of a bi-cell of space do not depend on how it is named", "[certificate][space]") {
-    REQUIRE(rc::check("on bi-cells of every family", [](const Seed& seed) {
+    REQUIRE(for_all("on bi-cells of every family", [](const Seed& seed) {
         for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
             for (const Cell_widths cells : all_cells) {
                 const Verdict v = empty_sphere_exact(c.tuple(), cells);
@@ -66,7 +66,7 @@ TEST_CASE("the half widths of a bi-cell of space do not depend on how it is name
 }
 
 TEST_CASE("the width of a tetrahedron does not depend on the order of its vertices", "[certificate][space]") {
-    REQUIRE(rc::check("on tetrahedra of every family", [](const Seed& seed) {
+    REQUIRE(for_all("on tetrahedra of every family", [](const Seed& seed) {
         for_each_tetrahedron(seed.random(), 1, [](const Tetrahedron& t) {
             const std::array<const Point_3*, 4> x = t.tuple();
             std::array<std::size_t, 4> order{0, 1, 2, 3};
@@ -86,7 +86,7 @@ TEST_CASE("the width of a tetrahedron does not depend on the order of its vertic
 }
 
 TEST_CASE("half widths scale by powers of two and do not see exact translations", "[certificate][space]") {
-    REQUIRE(rc::check("on bi-cells of usual magnitudes", [](const Seed& seed) {
+    REQUIRE(for_all("on bi-cells of usual magnitudes", [](const Seed& seed) {
         Random random = seed.random();
         for_each_delaunay_bicell_3(seed.random(), 1, [&random](const Bicell_3& c) {
             if (!is_of_usual_magnitude(c)) return;

@@ -73,7 +73,7 @@ double least_coordinate(const Bicell& c) {
 }  // namespace
 
 TEST_CASE("a bi-cell seen from its other side is the same certificate", "[certificate]") {
-    REQUIRE(rc::check("a <-> b with p <-> q", [](const Seed& seed) {
+    REQUIRE(for_all("a <-> b with p <-> q", [](const Seed& seed) {
         for_each_bicell(seed.random(), 5, [](const Bicell& c) {
             HOLDS(is_bicell(c.turned()), c);
             HOLDS(equal(empty_sphere_exact(c.tuple()), empty_sphere_exact(c.turned().tuple())), c);
@@ -81,12 +81,12 @@ TEST_CASE("a bi-cell seen from its other side is the same certificate", "[certif
         });
     }));
     REQUIRE(
-        rc::check("the other diagonal of four points in convex position has the opposite sign", [](const Seed& seed) {
+        for_all("the other diagonal of four points in convex position has the opposite sign", [](const Seed& seed) {
             for_each_bicell(seed.random(), 5, [](const Bicell& c) {
                 if (is_bicell(c.flipped())) HOLDS(ladder(c).sign == -ladder(c.flipped()).sign, c);
             });
         }));
-    REQUIRE(rc::check("where the points are not in convex position the circle is empty", [](const Seed& seed) {
+    REQUIRE(for_all("where the points are not in convex position the circle is empty", [](const Seed& seed) {
         for_each_bicell(seed.random(), 5, [](const Bicell& c) {
             if (!is_bicell(c.flipped()) && exact_orientation(c.a, c.p, c.q) != 0 &&
                 exact_orientation(c.b, c.p, c.q) != 0)
@@ -96,7 +96,7 @@ TEST_CASE("a bi-cell seen from its other side is the same certificate", "[certif
 }
 
 TEST_CASE("a triangle begins at any of its vertices", "[certificate]") {
-    REQUIRE(rc::check("rotation keeps sign and exact tolerance, reversal changes the sign", [](const Seed& seed) {
+    REQUIRE(for_all("rotation keeps sign and exact tolerance, reversal changes the sign", [](const Seed& seed) {
         for_each_triangle(seed.random(), 8, [](const Triangle& t) {
             const Verdict v = orientation_exact(t.tuple());
             HOLDS(equal(v, orientation_exact(t.rotated().tuple())), t);
@@ -108,7 +108,7 @@ TEST_CASE("a triangle begins at any of its vertices", "[certificate]") {
 }
 
 TEST_CASE("a power of two times the coordinates is a power of two times the tolerance", "[certificate]") {
-    REQUIRE(rc::check("in every stage, inside the range of the filter", [](const Seed& seed) {
+    REQUIRE(for_all("in every stage, inside the range of the filter", [](const Seed& seed) {
         Random random = seed.random();
         for (const Bicell_family family : all_bicell_families)
             for (int i = 0; i < 3; ++i) {
@@ -119,7 +119,7 @@ TEST_CASE("a power of two times the coordinates is a power of two times the tole
                 check_scaling_of_all_stages(Triangle{c.a, c.b, c.q}, integer(random, -60, 60));
             }
     }));
-    REQUIRE(rc::check("in the exact stage, everywhere", [](const Seed& seed) {
+    REQUIRE(for_all("in the exact stage, everywhere", [](const Seed& seed) {
         Random random = seed.random();
         for (const Bicell_family family : all_bicell_families)
             for (int i = 0; i < 3; ++i) {
@@ -150,7 +150,7 @@ TEST_CASE("a tolerance a bit below a power of two times so much is a bit less am
 }
 
 TEST_CASE("an exact translation changes nothing in any stage", "[certificate]") {
-    REQUIRE(rc::check("integers, moved by up to 2^50", [](const Seed& seed) {
+    REQUIRE(for_all("integers, moved by up to 2^50", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 30; ++i) {
             const double dx = std::ldexp(integer(random, -9, 9), integer(random, 0, 46));
@@ -172,7 +172,7 @@ TEST_CASE("an exact translation changes nothing in any stage", "[certificate]") 
 }
 
 TEST_CASE("a quarter turn keeps the exact answer; a mirror exchanges the sides", "[certificate]") {
-    REQUIRE(rc::check("of bi-cells", [](const Seed& seed) {
+    REQUIRE(for_all("of bi-cells", [](const Seed& seed) {
         for_each_bicell(seed.random(), 3, [](const Bicell& c) {
             const Verdict v = empty_sphere_exact(c.tuple());
             const Bicell turned{quarter_turned(c.a), quarter_turned(c.b), quarter_turned(c.p), quarter_turned(c.q)};

@@ -60,19 +60,19 @@ struct Leavers {
 }  // namespace
 
 TEST_CASE("no stage gives more than the exact one", "[certificate]") {
-    REQUIRE(rc::check("on triangles", [](const Seed& seed) {
+    REQUIRE(for_all("on triangles", [](const Seed& seed) {
         for_each_triangle(seed.random(), 8, [](const Triangle& t) { check_order(t); });
     }));
-    REQUIRE(rc::check("on bi-cells", [](const Seed& seed) {
+    REQUIRE(for_all("on bi-cells", [](const Seed& seed) {
         for_each_bicell(seed.random(), 6, [](const Bicell& c) { check_order(c); });
     }));
 }
 
 TEST_CASE("the ladder gives the answer of its first stage that has one", "[certificate]") {
-    REQUIRE(rc::check("on triangles", [](const Seed& seed) {
+    REQUIRE(for_all("on triangles", [](const Seed& seed) {
         for_each_triangle(seed.random(), 4, [](const Triangle& t) { check_ladder(t); });
     }));
-    REQUIRE(rc::check("on bi-cells", [](const Seed& seed) {
+    REQUIRE(for_all("on bi-cells", [](const Seed& seed) {
         for_each_bicell(seed.random(), 4, [](const Bicell& c) { check_ladder(c); });
     }));
 }

@@ -138,7 +138,7 @@ void check_triangle(const Triangle& any, Random& random, Tried& tried) {
 TEST_CASE("moves within the tolerance keep the empty circle, moves just beyond do not", "[certificate]") {
     Tried tried;
     int cases = 0;  // RC_PARAMS decides how many
-    REQUIRE(rc::check("of bi-cells of every family", [&tried, &cases](const Seed& seed) {
+    REQUIRE(for_all("of bi-cells of every family", [&tried, &cases](const Seed& seed) {
         ++cases;
         Random random = seed.random();
         for_each_delaunay_bicell(seed.random(), 3, [&](const Bicell& c) { check_bicell(c, random, tried); });
@@ -150,7 +150,7 @@ TEST_CASE("moves within the tolerance keep the empty circle, moves just beyond d
 TEST_CASE("moves within the tolerance keep the orientation, moves just beyond do not", "[certificate]") {
     Tried tried;
     int cases = 0;  // RC_PARAMS decides how many
-    REQUIRE(rc::check("of triangles of every family", [&tried, &cases](const Seed& seed) {
+    REQUIRE(for_all("of triangles of every family", [&tried, &cases](const Seed& seed) {
         ++cases;
         Random random = seed.random();
         for_each_triangle(seed.random(), 6, [&](const Triangle& t) { check_triangle(t, random, tried); });
@@ -160,7 +160,7 @@ TEST_CASE("moves within the tolerance keep the orientation, moves just beyond do
 }
 
 TEST_CASE("the tolerance of a whole bi-cell needs no condition on its triangles", "[certificate]") {
-    REQUIRE(rc::check("the least of the three certificates", [](const Seed& seed) {
+    REQUIRE(for_all("the least of the three certificates", [](const Seed& seed) {
         Random random = seed.random();
         for_each_delaunay_bicell(seed.random(), 3, [&random](const Bicell& c) {
             const Verdict circle = ladder(c), left = ladder(Triangle{c.a, c.b, c.q}),

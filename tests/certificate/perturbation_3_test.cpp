@@ -68,7 +68,7 @@ int check_triangulation(const std::set<Point_3>& points) {
 
 TEST_CASE("cospherical points are decided as CGAL decides them, never 0, from both sides alike",
           "[certificate][space]") {
-    REQUIRE(rc::check("on integer points of one norm", [](const Seed& seed) {
+    REQUIRE(for_all("on integer points of one norm", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 30; ++i) {
             const Bicell_3 c = bicell(Family_3::cospherical_exact, random);
@@ -77,7 +77,7 @@ TEST_CASE("cospherical points are decided as CGAL decides them, never 0, from bo
     }));
     int seen = 0;
     int cases = 0;
-    REQUIRE(rc::check("on corners of cubes", [&](const Seed& seed) {
+    REQUIRE(for_all("on corners of cubes", [&](const Seed& seed) {
         ++cases;
         Random random = seed.random();
         for (int i = 0; i < 30; ++i) {
@@ -92,7 +92,7 @@ TEST_CASE("every facet of a triangulation of a grid by CGAL has an empty sphere,
           "[certificate][space]") {
     int cospherical = 0;
     int cases = 0;  // RC_PARAMS decides how many
-    REQUIRE(rc::check("on grids", [&](const Seed& seed) {
+    REQUIRE(for_all("on grids", [&](const Seed& seed) {
         ++cases;
         Random random = seed.random();
         std::set<Point_3> points;

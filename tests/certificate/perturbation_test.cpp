@@ -79,11 +79,11 @@ int check_triangulation(const Points& points) {
 }  // namespace
 
 TEST_CASE("cocircular points are decided as CGAL decides them, never 0, from both sides alike", "[certificate]") {
-    REQUIRE(rc::check("on Pythagorean points", [](const Seed& seed) {
+    REQUIRE(for_all("on Pythagorean points", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 30; ++i) check_like_cgal(bicell(Bicell_family::cocircular_exact, random));
     }));
-    REQUIRE(rc::check("on rectangles of a grid", [](const Seed& seed) {
+    REQUIRE(for_all("on rectangles of a grid", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 30; ++i) check_like_cgal(grid_square(random));
     }));
@@ -92,7 +92,7 @@ TEST_CASE("cocircular points are decided as CGAL decides them, never 0, from bot
 TEST_CASE("every edge of a triangulation by CGAL has an empty circle, perturbed where cocircular", "[certificate]") {
     int cocircular = 0;
     int cases = 0;  // RC_PARAMS decides how many
-    REQUIRE(rc::check("on grids", [&cocircular, &cases](const Seed& seed) {
+    REQUIRE(for_all("on grids", [&cocircular, &cases](const Seed& seed) {
         ++cases;
         Random random = seed.random();
         const auto n = static_cast<std::size_t>(integer(random, 25, 100));
@@ -101,7 +101,7 @@ TEST_CASE("every edge of a triangulation by CGAL has an empty circle, perturbed 
     CHECK(cocircular > 10 * cases);
     cocircular = 0;
     cases = 0;
-    REQUIRE(rc::check("on Pythagorean points", [&cocircular, &cases](const Seed& seed) {
+    REQUIRE(for_all("on Pythagorean points", [&cocircular, &cases](const Seed& seed) {
         ++cases;
         Random random = seed.random();
         const auto n = static_cast<std::size_t>(integer(random, 25, 100));

@@ -59,16 +59,16 @@ void check_signs(const Bicell& c) {
 }  // namespace
 
 TEST_CASE("every stage has the exact sign of the orientation", "[certificate]") {
-    REQUIRE(rc::check("of triangles of every family", [](const Seed& seed) {
+    REQUIRE(for_all("of triangles of every family", [](const Seed& seed) {
         for_each_triangle(seed.random(), 8, [](const Triangle& t) { check_signs(t); });
     }));
 }
 
 TEST_CASE("every stage has the exact sign of the empty circle", "[certificate]") {
-    REQUIRE(rc::check("of bi-cells of every family", [](const Seed& seed) {
+    REQUIRE(for_all("of bi-cells of every family", [](const Seed& seed) {
         for_each_bicell(seed.random(), 4, [](const Bicell& c) { check_signs(c); });
     }));
-    REQUIRE(rc::check("of four points in any order, whatever the orientation of the cells", [](const Seed& seed) {
+    REQUIRE(for_all("of four points in any order, whatever the orientation of the cells", [](const Seed& seed) {
         Random random = seed.random();
         for_each_bicell(seed.random(), 2, [&random](const Bicell& c) {
             std::array<Point, 4> x{c.a, c.b, c.p, c.q};
@@ -76,7 +76,7 @@ TEST_CASE("every stage has the exact sign of the empty circle", "[certificate]")
             check_signs(Bicell{x[0], x[1], x[2], x[3]});
         });
     }));
-    REQUIRE(rc::check("of four points some of which are equal", [](const Seed& seed) {
+    REQUIRE(for_all("of four points some of which are equal", [](const Seed& seed) {
         Random random = seed.random();
         for_each_bicell(seed.random(), 1, [&random](const Bicell& c) {
             std::array<Point, 4> x{c.a, c.b, c.p, c.q};
@@ -87,7 +87,7 @@ TEST_CASE("every stage has the exact sign of the empty circle", "[certificate]")
 }
 
 TEST_CASE("degenerate inputs have sign 0, tolerance 0, and reach the exact stage", "[certificate]") {
-    REQUIRE(rc::check("collinear points", [](const Seed& seed) {
+    REQUIRE(for_all("collinear points", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 20; ++i) {
             const Triangle t = triangle(Triangle_family::collinear, random);
@@ -96,7 +96,7 @@ TEST_CASE("degenerate inputs have sign 0, tolerance 0, and reach the exact stage
             HOLDS(v.stage == Stage::exact, t);
         }
     }));
-    REQUIRE(rc::check("cocircular points", [](const Seed& seed) {
+    REQUIRE(for_all("cocircular points", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 20; ++i) {
             const Bicell c = bicell(Bicell_family::cocircular_exact, random);
@@ -136,7 +136,7 @@ TEST_CASE("The circle of a triangle claims nothing that is not so", "[certificat
         HOLDS(exact_empty_circle(a, b, c, p) > 0, (Bicell{a, b, p, c}));
         return true;
     };
-    REQUIRE(rc::check("of bi-cells of every family, whichever corner comes first", [&check](const Seed& seed) {
+    REQUIRE(for_all("of bi-cells of every family, whichever corner comes first", [&check](const Seed& seed) {
         Random random = seed.random();
         for_each_bicell(seed.random(), 4, [&](const Bicell& c) {
             std::array<Point, 3> x{c.a, c.b, c.q};
@@ -145,7 +145,7 @@ TEST_CASE("The circle of a triangle claims nothing that is not so", "[certificat
             (void)check(c.p, c.b, c.a, c.q);
         });
     }));
-    REQUIRE(rc::check("and it says so of nearly every ordinary one", [&check](const Seed& seed) {
+    REQUIRE(for_all("and it says so of nearly every ordinary one", [&check](const Seed& seed) {
         Random random = seed.random();
         int claimed = 0;
         for (int i = 0; i < 100; ++i) {

@@ -94,7 +94,7 @@ struct Leavers {
 }  // namespace
 
 TEST_CASE("tetrahedra: every stage is sound, tight and has the exact sign", "[certificate][space]") {
-    REQUIRE(rc::check("of every family", [](const Seed& seed) {
+    REQUIRE(for_all("of every family", [](const Seed& seed) {
         for_each_tetrahedron(seed.random(), 2,
                              [](const Tetrahedron& t) {
                                  check_answers(t, ask(t), Tetrahedron_truth(t));
@@ -106,7 +106,7 @@ TEST_CASE("tetrahedra: every stage is sound, tight and has the exact sign", "[ce
 }
 
 TEST_CASE("bi-cells of space: every stage is sound, tight and has the exact sign", "[certificate][space]") {
-    REQUIRE(rc::check("of every family, with both signs", [](const Seed& seed) {
+    REQUIRE(for_all("of every family, with both signs", [](const Seed& seed) {
         for_each_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
             check_answers(c, ask(c, Cell_widths::never), Bicell_3_truth(c, false));
             const int truth = Bicell_3_truth(c, false).sign();
@@ -115,7 +115,7 @@ TEST_CASE("bi-cells of space: every stage is sound, tight and has the exact sign
             HOLDS(!sphere.positive() || !sphere.contains(c.p) || truth < 0, c);
         });
     }));
-    REQUIRE(rc::check("of every family, Delaunay, with cells", [](const Seed& seed) {
+    REQUIRE(for_all("of every family, Delaunay, with cells", [](const Seed& seed) {
         for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
             check_answers(c, ask(c, Cell_widths::always), Bicell_3_truth(c, true));
         });
@@ -123,7 +123,7 @@ TEST_CASE("bi-cells of space: every stage is sound, tight and has the exact sign
 }
 
 TEST_CASE("which annuli are backward, and the cells that stand in for them", "[certificate][space]") {
-    REQUIRE(rc::check("in bi-cells of every family", [](const Seed& seed) {
+    REQUIRE(for_all("in bi-cells of every family", [](const Seed& seed) {
         for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
             const Answers never = ask(c, Cell_widths::never), needed = ask(c, Cell_widths::where_needed),
                           always = ask(c, Cell_widths::always);
@@ -160,7 +160,7 @@ TEST_CASE("which annuli are backward, and the cells that stand in for them", "[c
 }
 
 TEST_CASE("the ladder in space gives the answer of its first stage that has one", "[certificate][space]") {
-    REQUIRE(rc::check("on tetrahedra and bi-cells", [](const Seed& seed) {
+    REQUIRE(for_all("on tetrahedra and bi-cells", [](const Seed& seed) {
         for_each_tetrahedron(seed.random(), 2, [](const Tetrahedron& t) {
             const Answers a = ask(t);
             const Verdict rest = a.interval ? *a.interval : a.exact;
@@ -293,7 +293,7 @@ TEST_CASE("The sphere of a cell claims nothing that is not so", "[certificate][s
         HOLDS(exact_empty_sphere(x[0], x[1], x[2], x[3], p) > 0, (Bicell_3{x[0], x[1], x[2], p, x[3]}));
         return true;
     };
-    REQUIRE(rc::check("of bi-cells of every family, whichever corner comes first", [&check](const Seed& seed) {
+    REQUIRE(for_all("of bi-cells of every family, whichever corner comes first", [&check](const Seed& seed) {
         Random random = seed.random();
         for_each_bicell_3(seed.random(), 4, [&](const Bicell_3& c) {
             std::array<Point_3, 4> x{c.a, c.b, c.c, c.q};
@@ -308,7 +308,7 @@ TEST_CASE("The sphere of a cell claims nothing that is not so", "[certificate][s
             (void)check({c.b, c.a, c.c, c.p}, c.q);
         });
     }));
-    REQUIRE(rc::check("and it says so of nearly every ordinary one", [&check](const Seed& seed) {
+    REQUIRE(for_all("and it says so of nearly every ordinary one", [&check](const Seed& seed) {
         Random random = seed.random();
         int claimed = 0;
         for (int i = 0; i < 100; ++i) {

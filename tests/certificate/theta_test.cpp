@@ -67,7 +67,7 @@ bool is_extreme(Bicell_family family) {
 
 TEST_CASE("theta is the angle between the axis of the facet and the bisector of the opposite vertices",
           "[certificate]") {
-    REQUIRE(rc::check("of bi-cells of the usual magnitudes, up to 2^500 and down to 2^-400", [](const Seed& seed) {
+    REQUIRE(for_all("of bi-cells of the usual magnitudes, up to 2^500 and down to 2^-400", [](const Seed& seed) {
         Random random = seed.random();
         for (const Bicell_family family : all_bicell_families)
             for (int i = 0; i < 5 && !is_extreme(family); ++i) {
@@ -109,7 +109,7 @@ TEST_CASE("the slab of the paper is the altitude over the first side", "[certifi
     CHECK(paper_slab(t.tuple()) == 1.5);
     CHECK(paper_slab(t.rotated().tuple()) == Approx(1.2).epsilon(1e-15));
     CHECK(paper_slab(t.rotated().rotated().tuple()) == 2.0);
-    REQUIRE(rc::check("never below the certified tolerance, which is of the least altitude", [](const Seed& seed) {
+    REQUIRE(for_all("never below the certified tolerance, which is of the least altitude", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 50; ++i) {
             const Triangle u = triangle(Triangle_family::uniform, random);

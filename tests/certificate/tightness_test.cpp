@@ -78,10 +78,10 @@ void print(const char* what, const Slacks& s) {
 }  // namespace
 
 TEST_CASE("a stage that answers is within its slack of the truth", "[certificate]") {
-    REQUIRE(rc::check("on triangles of every family", [](const Seed& seed) {
+    REQUIRE(for_all("on triangles of every family", [](const Seed& seed) {
         for_each_triangle(seed.random(), 4, [](const Triangle& t) { check(t, Triangle_truth(t)); });
     }));
-    REQUIRE(rc::check("on Delaunay bi-cells of every family", [](const Seed& seed) {
+    REQUIRE(for_all("on Delaunay bi-cells of every family", [](const Seed& seed) {
         for_each_delaunay_bicell(seed.random(), 3, [](const Bicell& c) { check(c, Bicell_truth(c)); });
     }));
 }

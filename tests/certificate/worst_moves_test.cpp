@@ -222,7 +222,7 @@ void check_configuration(const std::vector<Coordinates<d>>& x, Random& random, T
 TEST_CASE("The worst moves of orientations and empty circles, within 0.9999 of the tolerance and at 1.001",
           "[certificate]") {
     Tried tried;
-    REQUIRE(rc::check("of triangles and bi-cells of every family", [&tried](const Seed& seed) {
+    REQUIRE(for_all("of triangles and bi-cells of every family", [&tried](const Seed& seed) {
         Random random = seed.random();
         for_each_triangle(seed.random(), 1, [&](const Triangle& t) { check_simplex<2>(corners(t), random, tried); });
         for_each_delaunay_bicell(seed.random(), 1,
@@ -236,7 +236,7 @@ TEST_CASE("The worst moves of orientations and empty circles, within 0.9999 of t
 TEST_CASE("The worst moves of tetrahedra and empty spheres, within 0.9999 of the tolerance and at 1.001",
           "[certificate][space]") {
     Tried tried;
-    REQUIRE(rc::check("of tetrahedra and bi-cells of every family", [&tried](const Seed& seed) {
+    REQUIRE(for_all("of tetrahedra and bi-cells of every family", [&tried](const Seed& seed) {
         Random random = seed.random();
         for (const Family_3 family : all_families_3) {
             if (random() % 2 == 0) continue;
@@ -252,7 +252,7 @@ TEST_CASE("The worst moves of tetrahedra and empty spheres, within 0.9999 of the
 
 TEST_CASE("The worst moves of every cell, bi-cell and hull ridge of small triangulations", "[certificate][space]") {
     std::array<Tried, 2> tried;
-    REQUIRE(rc::check("of five kinds in both dimensions", [&tried](const Seed& seed) {
+    REQUIRE(for_all("of five kinds in both dimensions", [&tried](const Seed& seed) {
         Random random = seed.random();
         const Small_set set = all_small_sets[random() % all_small_sets.size()];
         const double off = std::ldexp(1.0, -integer(random, 2, 50));

@@ -16,7 +16,7 @@ using namespace annulus;
 using namespace annulus::testing;
 
 TEST_CASE("An expiry is reached by the readings that are not below it", "[relocation]") {
-    REQUIRE(rc::check([](const Seed& seed) {
+    REQUIRE(for_all([](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 1000; ++i) {
             const Expiry e =
@@ -33,7 +33,7 @@ TEST_CASE("An expiry is reached by the readings that are not below it", "[reloca
 
 TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not name or announce", "[relocation]",
                        ((std::size_t capacity), capacity), 6, 14) {
-    REQUIRE(rc::check([](const Seed& seed) {
+    REQUIRE(for_all([](const Seed& seed) {
         Random random = seed.random();
         Expiry_list<capacity> list;
         std::map<std::uint32_t, Expiry> truth;  // every certificate of the vertex
@@ -84,7 +84,7 @@ TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not na
 }
 
 TEST_CASE("Many certificates at once: those listed come first, the others announce themselves", "[relocation]") {
-    REQUIRE(rc::check([](const Seed& seed) {
+    REQUIRE(for_all([](const Seed& seed) {
         Random random = seed.random();
         Expiry_list<14> list;
         std::vector<Expiry> expiry;

@@ -6,6 +6,7 @@
 #include <engine/filter_session.h>
 
 #include <support/catch.h>
+#include <support/properties.h>
 
 #include <rapidcheck.h>
 
@@ -53,7 +54,7 @@ double odd(Random& random, int exponent) { return std::ldexp(1.0 + unit(random),
 }  // namespace
 
 TEST_CASE("A reading is at least base and displacement", "[relocation][rounding]") {
-    REQUIRE(rc::check("of every magnitude", [](const Seed& seed) {
+    REQUIRE(for_all("of every magnitude", [](const Seed& seed) {
         Random random = seed.random();
         Filter_session s(random);
         for (int i = 0; i < 200; ++i) {
@@ -70,7 +71,7 @@ TEST_CASE("A reading is at least base and displacement", "[relocation][rounding]
 }
 
 TEST_CASE("What a vertex may move, and what passes, is below earliest expiry less base", "[relocation][rounding]") {
-    REQUIRE(rc::check("where the difference rounds up", [](const Seed& seed) {
+    REQUIRE(for_all("where the difference rounds up", [](const Seed& seed) {
         Random random = seed.random();
         Filter_session s(random);
         for (int i = 0; i < 200; ++i) {
@@ -99,7 +100,7 @@ TEST_CASE("What a vertex may move, and what passes, is below earliest expiry les
 }
 
 TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]") {
-    REQUIRE(rc::check("where their sum is just below a number of 21 bits", [](const Seed& seed) {
+    REQUIRE(for_all("where their sum is just below a number of 21 bits", [](const Seed& seed) {
         Random random = seed.random();
         Filter_session s(random);
         const auto cells = s.finite_cells();
@@ -132,7 +133,7 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
 }
 
 TEST_CASE("Rebasing leaves no certificate more than it had", "[relocation][rounding]") {
-    REQUIRE(rc::check("where the rest is just below a number of 21 bits", [](const Seed& seed) {
+    REQUIRE(for_all("where the rest is just below a number of 21 bits", [](const Seed& seed) {
         Random random = seed.random();
         Filter_session s(random);
         for (int i = 0; i < 50; ++i) {

@@ -105,7 +105,7 @@ void check_distances(const Seed& seed, int low, int high) {
 }  // namespace
 
 TEST_CASE("Sums are rounded outward, by less than two units in the last place", "[relocation][rounding]") {
-    REQUIRE(rc::check("of numbers of any magnitude", [](const Seed& seed) {
+    REQUIRE(for_all("of numbers of any magnitude", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 500; ++i) {
             const double a = positive(random, -1074, 500);
@@ -128,14 +128,12 @@ TEST_CASE("Sums are rounded outward, by less than two units in the last place", 
 }
 
 TEST_CASE("Displacements are never taken for shorter than they are", "[relocation][rounding]") {
-    REQUIRE(rc::check("plane", [](const Seed& seed) { check_distances<2>(seed, -30, 30); }));
-    REQUIRE(rc::check("space", [](const Seed& seed) { check_distances<3>(seed, -30, 30); }));
-    REQUIRE(
-        rc::check("plane, where squares underflow", [](const Seed& seed) { check_distances<2>(seed, -1060, -440); }));
-    REQUIRE(
-        rc::check("space, where squares underflow", [](const Seed& seed) { check_distances<3>(seed, -1060, -440); }));
-    REQUIRE(rc::check("plane, at the end of the domain", [](const Seed& seed) { check_distances<2>(seed, 490, 500); }));
-    REQUIRE(rc::check("space, at the end of the domain", [](const Seed& seed) { check_distances<3>(seed, 490, 500); }));
+    REQUIRE(for_all("plane", [](const Seed& seed) { check_distances<2>(seed, -30, 30); }));
+    REQUIRE(for_all("space", [](const Seed& seed) { check_distances<3>(seed, -30, 30); }));
+    REQUIRE(for_all("plane, where squares underflow", [](const Seed& seed) { check_distances<2>(seed, -1060, -440); }));
+    REQUIRE(for_all("space, where squares underflow", [](const Seed& seed) { check_distances<3>(seed, -1060, -440); }));
+    REQUIRE(for_all("plane, at the end of the domain", [](const Seed& seed) { check_distances<2>(seed, 490, 500); }));
+    REQUIRE(for_all("space, at the end of the domain", [](const Seed& seed) { check_distances<3>(seed, 490, 500); }));
     CHECK(distance_upper<2>({3, 0}, {0, 4}) == 5.0 * (1.0 + 0x1p-49));
     CHECK(distance_upper<2>({0x1p-600, 0}, {0, 0}) == 0x1p-600 * (1.0 + 0x1p-49));
     CHECK(distance_upper<3>({0x1p-1074, 0, 0}, {0, 0, 0}) == 0x1p-1074);
@@ -150,7 +148,7 @@ TEST_CASE("Displacements are never taken for shorter than they are", "[relocatio
 }
 
 TEST_CASE("An expiry is not above the reading it is made of, nor far below", "[relocation][rounding][tight]") {
-    REQUIRE(rc::check("of any magnitude", [](const Seed& seed) {
+    REQUIRE(for_all("of any magnitude", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 500; ++i) {
             const double x = positive(random, -1074, 1000);

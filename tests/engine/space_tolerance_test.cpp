@@ -147,7 +147,7 @@ TEST_CASE("A settled tolerance in space is never above what its certificates all
           "[tolerance][space][tight]") {
     for (const Strategy strategy : filters) {
         DYNAMIC_SECTION(name_of(strategy)) {
-            REQUIRE(rc::check([=] {
+            REQUIRE(for_all([=] {
                 const Set_3 set = all_sets_3[*rc::gen::inRange<std::size_t>(0, all_sets_3.size())];
                 Random random(*seeds());
                 const Moving_delaunay_3 dt(point_set(set, 4 + random() % 12, random),
@@ -169,7 +169,7 @@ TEST_CASE("The most harmful moves in space, just inside and just outside the tol
           "[tolerance][space]") {
     for (const Strategy strategy : filters) {
         DYNAMIC_SECTION(name_of(strategy)) {
-            REQUIRE(rc::check([=] {
+            REQUIRE(for_all([=] {
                 const Set_3 set = all_sets_3[*rc::gen::inRange<std::size_t>(0, all_sets_3.size())];
                 const auto seed = *seeds();
                 Random random(seed);
@@ -236,7 +236,7 @@ TEST_CASE("The worst moves of every certificate of space, by 0.9999 of the verti
     for (const Strategy strategy : filters) {
         DYNAMIC_SECTION(name_of(strategy)) {
             Undone undone;
-            REQUIRE(rc::check([&undone, strategy](const Seed& seed) {
+            REQUIRE(for_all([&undone, strategy](const Seed& seed) {
                 Random random = seed.random();
                 const testing::Small_set set = all_small_sets[random() % all_small_sets.size()];
                 const double off = std::ldexp(1.0, -integer(random, 2, 22));

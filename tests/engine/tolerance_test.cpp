@@ -12,6 +12,7 @@ using namespace annulus;
 using namespace annulus::oracle;
 using annulus::testing::between;
 using annulus::testing::Family;
+using annulus::testing::for_all;
 using annulus::testing::Point_set_case;
 using annulus::testing::point_set_case;
 using annulus::testing::Random;
@@ -121,7 +122,7 @@ TEST_CASE("A settled tolerance is never above the exact one and within 0.2 % of 
           "[tolerance]") {
     for (const Setting& setting : certified_settings) {
         DYNAMIC_SECTION(name_of(setting)) {
-            REQUIRE(rc::check([setting] {
+            REQUIRE(for_all([setting] {
                 const auto set = *point_set_case(0, 30);
                 without_fault([&] {
                     Session session(Program{setting, set.points, {}});
@@ -139,7 +140,7 @@ TEST_CASE("A settled tolerance is never above the exact one and within 0.2 % of 
 TEST_CASE("Tolerances after a drift leave the vertices of no certificate more than undoes it", "[tolerance]") {
     for (const Setting& setting : {filter, filter_each}) {
         DYNAMIC_SECTION(name_of(setting)) {
-            REQUIRE(rc::check([setting] {
+            REQUIRE(for_all([setting] {
                 const auto set = *point_set_case(4, 25);
                 without_fault([&] {
                     Session session(Program{setting, set.points, {}});
@@ -165,7 +166,7 @@ TEST_CASE("The most harmful moves, just inside and just outside the tolerances, 
     // squares of tolerances are subnormal.
     for (const Setting& setting : {filter, filter_each}) {
         DYNAMIC_SECTION(name_of(setting)) {
-            REQUIRE(rc::check([setting] {
+            REQUIRE(for_all([setting] {
                 Random random(*annulus::testing::seeds());
                 for (int repeat = 0; repeat < 10; ++repeat) {
                     const std::size_t n = 4 + random() % 3;
@@ -197,7 +198,7 @@ TEST_CASE("Moves of 0.9999 tolerances, all at once, evaluate nothing and keep th
           "[tolerance][tight]") {
     for (const Setting& setting : {filter, filter_each}) {
         DYNAMIC_SECTION(name_of(setting)) {
-            REQUIRE(rc::check([setting] {
+            REQUIRE(for_all([setting] {
                 const auto set = *point_set_case(3, 30);
                 RC_PRE(!squares_underflow(set.family));
                 without_fault([&] {
@@ -230,7 +231,7 @@ TEST_CASE(
     for (const Setting& setting : {filter, filter_each}) {
         DYNAMIC_SECTION(name_of(setting)) {
             annulus::testing::Undone undone;
-            REQUIRE(rc::check([&undone, setting](const annulus::testing::Seed& seed) {
+            REQUIRE(for_all([&undone, setting](const annulus::testing::Seed& seed) {
                 Random random = seed.random();
                 const auto set = annulus::testing::all_small_sets[random() % annulus::testing::all_small_sets.size()];
                 const double off = std::ldexp(1.0, -annulus::testing::integer(random, 2, 22));
@@ -247,7 +248,7 @@ TEST_CASE(
 TEST_CASE("Whenever a drifting call reports all within tolerance the audit passes", "[tolerance]") {
     for (const Setting& setting : {filter, filter_each}) {
         DYNAMIC_SECTION(name_of(setting)) {
-            REQUIRE(rc::check([setting] {
+            REQUIRE(for_all([setting] {
                 const auto set = *point_set_case(4, 25);
                 without_fault([&] {
                     Session session(Program{setting, set.points, {}});

@@ -4,6 +4,7 @@
 #include <annulus/statistics/memory.h>
 
 #include <support/catch.h>
+#include <support/properties.h>
 
 #include <rapidcheck.h>
 
@@ -13,6 +14,7 @@
 #include <numeric>
 
 using namespace annulus;
+using annulus::testing::for_all;
 
 TEST_CASE("linear bins are half open but the last") {
     Histogram h = Histogram::linear(0, 1, 4);
@@ -48,7 +50,7 @@ TEST_CASE("a histogram without samples has no least and no greatest") {
 }
 
 TEST_CASE("every sample is counted where the edges say") {
-    CHECK(rc::check("counts match the edges", [] {
+    CHECK(for_all("counts match the edges", [] {
         const bool logarithmic = *rc::gen::arbitrary<bool>();
         const auto bins = *rc::gen::inRange<std::size_t>(1, 30);
         Histogram a = logarithmic ? Histogram::log10(1e-3, 70, bins) : Histogram::linear(-0.3, 70, bins);

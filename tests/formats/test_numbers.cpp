@@ -8,6 +8,7 @@
 #include <annulus/formats/write_mesh.h>
 
 #include <support/catch.h>
+#include <support/properties.h>
 
 #include <rapidcheck.h>
 
@@ -17,6 +18,7 @@
 #include <limits>
 
 using namespace annulus;
+using annulus::testing::for_all;
 using annulus_test::Temporary_directory;
 
 namespace {
@@ -66,7 +68,7 @@ TEST_CASE("decimals are rounded to nearest, at both ends of the range too") {
 }
 
 TEST_CASE("writing and reading a double gives its bits back") {
-    CHECK(rc::check("decimal, then parse_double", [] {
+    CHECK(for_all("decimal, then parse_double", [] {
         const double x = *finite_double();
         double y = 0;
         RC_ASSERT(parse_double(decimal(x), y) == Number_kind::finite);
@@ -76,7 +78,7 @@ TEST_CASE("writing and reading a double gives its bits back") {
 
 TEST_CASE("a mesh is read back bit for bit") {
     const Temporary_directory directory;
-    CHECK(rc::check("write_mesh, then read_mesh and read_points, in two dimensions", [&] {
+    CHECK(for_all("write_mesh, then read_mesh and read_points, in two dimensions", [&] {
         const auto size = *rc::gen::inRange<std::size_t>(3, 20);
         const auto points = *rc::gen::container<std::vector<Coordinates<2>>>(
             size, rc::gen::map(rc::gen::pair(finite_double(), finite_double()), [](const auto& p) {
@@ -134,7 +136,7 @@ TEST_CASE("any bytes at all are read or refused, never more") {
                                              "#",
                                              "\"",
                                              "\r\n"};
-    CHECK(rc::check("read_points on " + name, [&] {
+    CHECK(for_all("read_points on " + name, [&] {
         std::string content = *rc::gen::element<std::string>(
             "", "OFF\n", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n",
             "ply\nformat binary_big_endian 1.0\nelement vertex 2\nproperty list uchar int a\nproperty char x\n"

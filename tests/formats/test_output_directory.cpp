@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <support/catch.h>
+#include <support/repeats.h>
 
 #include <csignal>
 #include <fstream>
@@ -86,7 +87,7 @@ TEST_CASE("runs that begin and end below the same missing directory do not distu
     const Temporary_directory directory;
     const fs::path parent = directory.path() / "new" / "one";
     const auto begin_and_end = [&](const char* name, std::string& said) {
-        for (int k = 0; k < 2000 && said.empty(); ++k) {
+        for (int k = 0; k < repeats(2000) && said.empty(); ++k) {
             try {
                 const Output_directory out(parent / name, is_result, false);
             } catch (const std::exception& error) {

@@ -9,6 +9,7 @@
 #include <annulus/kernel/builder.h>
 #include <annulus/mesh/certificates.h>
 
+#include <support/built_numbers.h>
 #include <support/catch.h>
 #include <support/repeats.h>
 #include <support/small_sets.h>
@@ -74,22 +75,6 @@ std::pair<int, Cell_set<d>> by_cgal(const std::vector<Coordinates<d>>& x) {
             for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c) list(tr, c);
         return {tr.dimension(), cells};
     }
-}
-
-/// Twins are mutual and share their vertices.
-template <int d>
-bool glued(const Cell_table<d>& t) {
-    for (const Cell_index c : t.cells())
-        for (int i = 0; i <= d; ++i) {
-            const Corner_index h = t.corner(c, i), k = t.twin(h);
-            if (t.twin(k) != h) return false;
-            auto a = cell_points(t, c), b = cell_points(t, t.cell_of(k));
-            a[static_cast<std::size_t>(t.slot_of(h))] = b[static_cast<std::size_t>(t.slot_of(k))] = none;
-            std::sort(a.begin(), a.end());
-            std::sort(b.begin(), b.end());
-            if (a != b) return false;
-        }
-    return true;
 }
 
 template <int d>
@@ -190,32 +175,17 @@ TEMPLATE_TEST_CASE_SIG("The kernel's cells have the same numbers with any number
     // Rounds of several threads, in space with a second pass.
     constexpr std::size_t many = Horizons::tiny ? 3000 : d == 2 ? 20000 : 60000;
     Builder<d> builder;
-    std::vector<Index> all(many);
-    std::iota(all.begin(), all.end(), Index{0});
-    const auto said = [&](std::span<const Coordinates<d>> x, int threads) {
-        REQUIRE(builder.build(x, all, threads));
-        Cell_table<d> table;
-        builder.copy_to(table, x.size(), threads);
-        REQUIRE(glued(table));
-        std::vector<Index> numbers;
-        for (const Cell_index c : table.cells())
-            for (int i = 0; i <= d; ++i) {
-                numbers.push_back(table.vertex(table.corner(c, i)));
-                numbers.push_back(table.twin(table.corner(c, i)).value());
-            }
-        for (Index v = 0; v < table.vertex_bound(); ++v) numbers.push_back(table.corner_of(v).value());
-        numbers.push_back(table.corner_of_infinity().value());
-        return numbers;
-    };
     for (const std::string_view family : {"uniform", "clusters", "faces"}) {
         CAPTURE(d, family);
         const bench::Scene<d> scene(family, "walk", many, 0.1, 1);
-        const auto alone = said(scene.points(), 1);
-        for (const int threads : {2, 5}) CHECK((said(scene.points(), threads) == alone));
+        const auto alone = built_numbers<d>(builder, scene.points(), 1);
+        for (const int threads : {2, 5}) CHECK((built_numbers<d>(builder, scene.points(), threads) == alone));
     }
     const bench::Scene<d> scene("uniform", "walk", many, 0.1, 1);
     std::vector<Coordinates<d>> x(scene.points().begin(), scene.points().end());
     x[many / 2] = x[17] = x[many - many / 8];
+    std::vector<Index> all(many);
+    std::iota(all.begin(), all.end(), Index{0});
     const auto named = [&](int threads) {
         try {
             (void)builder.build(x, all, threads);

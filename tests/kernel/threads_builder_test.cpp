@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Threads that build at once, also under ThreadSanitizer, by one builder whose buffers hold what it built before.
+// Threads that build at once, by one builder whose buffers hold what it built before; over tiny horizons also under
+// ThreadSanitizer, with as many parts and rounds of fewer points.
 #include <support/built_numbers.h>
 #include <support/small_sets.h>
 
@@ -13,16 +14,16 @@ using namespace annulus::testing;
 TEMPLATE_TEST_CASE_SIG("Threads that insert at once build what one thread builds, dimension", "[kernel][parallel]",
                        ((int d), d), 2, 3) {
     Random random(1);
-    const auto x = small_set<d>(testing::Small_set::uniform, 20000, 0, random);
+    const auto x = small_set<d>(testing::Small_set::uniform, Horizons::tiny ? 3000 : 20000, 0, random);
     Builder<d> builder;
     const auto alone = built_numbers<d>(builder, x, 1);
     for (const int threads : {2, 4}) CHECK((built_numbers<d>(builder, x, threads) == alone));
 }
 
-// The last round has more than 64 shares of 4,096 vertices; 64 parts are the most.
+// The last round has more than 64 shares of Horizons::shared_part vertices; 64 parts are the most.
 TEST_CASE("More threads than parts build what one thread builds", "[kernel][parallel]") {
     Random random(3);
-    const auto x = small_set<2>(testing::Small_set::uniform, 320000, 0, random);
+    const auto x = small_set<2>(testing::Small_set::uniform, Horizons::tiny ? 2000 : 320000, 0, random);
     Builder<2> builder;
     const auto alone = built_numbers<2>(builder, x, 1);
     CHECK((built_numbers<2>(builder, x, 300) == alone));
@@ -30,13 +31,14 @@ TEST_CASE("More threads than parts build what one thread builds", "[kernel][para
 
 // All cells are at that vertex, or at infinity. Its rank was that of infinity before, which is in each thread's territory.
 TEST_CASE("A corner of the first cell that is of a later round is in no thread's territory", "[kernel][parallel]") {
-    std::vector<Coordinates<2>> x(90000);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = {static_cast<double>(i), 0};
-    std::vector<Index> all(x.size());
+    constexpr std::size_t n = Horizons::tiny ? 900 : 90000;
+    std::vector<Coordinates<2>> x(n);
+    for (std::size_t i = 0; i < n; ++i) x[i] = {static_cast<double>(i), 0};
+    std::vector<Index> all(n);
     std::iota(all.begin(), all.end(), Index{0});
     Builder<2> builder;
     REQUIRE(!builder.build(x, all));
-    const Index corner = builder.order()[60000];  // of the last round, which has seven eighths
+    const Index corner = builder.order()[n / 3 * 2];  // of the last round, which has seven eighths
     x[static_cast<std::size_t>(corner)][1] = 0.25;
     const auto alone = built_numbers<2>(builder, x, 1);
     const auto order = builder.order();

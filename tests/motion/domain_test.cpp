@@ -5,6 +5,7 @@
 #include <annulus/motion/sampling_2.h>
 
 #include <support/catch.h>
+#include <support/properties.h>
 
 #include <rapidcheck.h>
 
@@ -16,6 +17,7 @@
 #include <vector>
 
 using namespace annulus;
+using annulus::testing::for_all;
 
 namespace {
 
@@ -83,7 +85,7 @@ TEST_CASE("containment, area, box and extent", "[motion][domain]") {
 }
 
 TEST_CASE("the convex hull of points contains them all", "[motion][domain]") {
-    CHECK(rc::check("every point is in the hull of the points", [] {
+    CHECK(for_all("every point is in the hull of the points", [] {
         const auto seed = *rc::gen::arbitrary<std::uint32_t>();
         const auto n = *rc::gen::inRange<std::size_t>(3, 200);
         const auto grid = *rc::gen::inRange(0, 2);

@@ -7,6 +7,7 @@
 #include <annulus/motion/voronoi_cell_2.h>
 
 #include <support/catch.h>
+#include <support/properties.h>
 
 #include <rapidcheck.h>
 
@@ -15,11 +16,12 @@
 #include <vector>
 
 using namespace annulus;
+using annulus::testing::for_all;
 
 using Points = std::vector<Coordinates<2>>;
 
 TEST_CASE("Voronoi cells in the domain add up to the domain", "[motion][cell]") {
-    CHECK(rc::check("masses of all cells sum to the mass of the domain, for every density", [] {
+    CHECK(for_all("masses of all cells sum to the mass of the domain, for every density", [] {
         const auto seed = *rc::gen::arbitrary<std::uint32_t>();
         const auto n = *rc::gen::inRange<std::size_t>(1, 300);
         const auto which = *rc::gen::inRange(0, 3);

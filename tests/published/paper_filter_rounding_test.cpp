@@ -4,6 +4,7 @@
 #include <engine/filter_session.h>
 
 #include <support/catch.h>
+#include <support/properties.h>
 
 #include <rapidcheck.h>
 
@@ -23,7 +24,7 @@ REVEAL(Paper_passes, &Paper_filter<2>::passes);
 }  // namespace
 
 TEST_CASE("paper: what passes is nearer to its fixed position than its tolerance", "[relocation][rounding]") {
-    REQUIRE(rc::check("of tolerances of any magnitude", [](const Seed& seed) {
+    REQUIRE(for_all("of tolerances of any magnitude", [](const Seed& seed) {
         Random random = seed.random();
         Session<Paper_filter<2>> s(random, Strategy::paper, Tolerance_kind::floating, 0U);
         for (int i = 0; i < 500; ++i) {

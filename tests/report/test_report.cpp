@@ -9,6 +9,7 @@
 #include <annulus/report/summary.h>
 
 #include <support/catch.h>
+#include <support/properties.h>
 
 #include <rapidcheck.h>
 
@@ -19,6 +20,7 @@
 #include <limits>
 
 using namespace annulus;
+using annulus::testing::for_all;
 using annulus_test::Temporary_directory;
 using annulus_test::well_formed;
 
@@ -90,7 +92,7 @@ TEST_CASE("text is escaped, and what is no character is replaced") {
     CHECK(escaped("\xc0\xaf") == bad + bad);                      // overlong
     CHECK(escaped("\xed\xa0\x80") == bad + bad + bad);            // a surrogate
     CHECK(escaped("\xf4\x90\x80\x80") == bad + bad + bad + bad);  // beyond the last character
-    CHECK(rc::check("escaped text is always well formed", [] {
+    CHECK(for_all("escaped text is always well formed", [] {
         const auto text =
             *rc::gen::container<std::string>(rc::gen::elementOf(std::string("<>&\"'\xc3\xa9\xff\x01 ab")));
         RC_ASSERT(well_formed("<p t=\"" + escaped(text) + "\">" + escaped(text) + "</p>"));
@@ -147,7 +149,7 @@ TEST_CASE("a large triangulation is shown in a window, and the page says so") {
 }
 
 TEST_CASE("every edge of a picture is drawn once") {
-    CHECK(rc::check("trails cover the edges", [] {
+    CHECK(for_all("trails cover the edges", [] {
         Picture picture;
         const auto n = *rc::gen::inRange<Index>(2, 12);
         for (Index i = 0; i < n; ++i)  // on a curve without three points in a line, so that segments are told apart
@@ -190,7 +192,7 @@ TEST_CASE("every edge of a picture is drawn once") {
 TEST_CASE("plots take any values") {
     const double inf = std::numeric_limits<double>::infinity();
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK(rc::check("svg_plot is well formed and finite", [&] {
+    CHECK(for_all("svg_plot is well formed and finite", [&] {
         const auto value = rc::gen::element(0., -0., 1., -1., 1e-300, 1e300, 5e-324, 3., inf, -inf, nan, 1e-5, 7e4);
         const auto scale = rc::gen::element(Scale::linear, Scale::log10);
         Plot plot{"t", {"x", *scale}, {"y", *scale}, {}};

@@ -2,29 +2,52 @@
 #pragma once
 
 #include <annulus/kernel/builder.h>
+#include <annulus/mesh/certificates.h>
 
 #include <support/catch.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <numeric>
+#include <span>
 #include <vector>
 
 namespace annulus::testing {
 
-/// What `builder` builds of the points x, which are in general position: for each corner of each cell its vertex, and
-/// the corner beyond the facet opposite to it.
+/// Twins are mutual and share their vertices.
 template <int d>
-std::vector<Index> built_numbers(Builder<d>& builder, const std::vector<Coordinates<d>>& x, int threads) {
+bool glued(const Cell_table<d>& t) {
+    for (const Cell_index c : t.cells())
+        for (int i = 0; i <= d; ++i) {
+            const Corner_index h = t.corner(c, i), k = t.twin(h);
+            if (t.twin(k) != h) return false;
+            auto a = cell_points(t, c), b = cell_points(t, t.cell_of(k));
+            a[static_cast<std::size_t>(t.slot_of(h))] = b[static_cast<std::size_t>(t.slot_of(k))] = none;
+            std::sort(a.begin(), a.end());
+            std::sort(b.begin(), b.end());
+            if (a != b) return false;
+        }
+    return true;
+}
+
+/// What `builder` builds of the points x, which are in general position: for each corner of each cell its vertex, and
+/// the corner beyond the facet opposite to it; for each vertex, and infinity, a corner.
+template <int d>
+std::vector<Index> built_numbers(Builder<d>& builder, std::span<const Coordinates<d>> x, int threads) {
     std::vector<Index> all(x.size());
     std::iota(all.begin(), all.end(), Index{0});
     REQUIRE(builder.build(x, all, threads));
     Cell_table<d> table;
     builder.copy_to(table, x.size(), threads);
+    REQUIRE(glued(table));
     std::vector<Index> numbers;
     for (const Cell_index c : table.cells())
         for (int i = 0; i <= d; ++i) {
             numbers.push_back(table.vertex(table.corner(c, i)));
             numbers.push_back(table.twin(table.corner(c, i)).value());
         }
+    for (Index v = 0; v < table.vertex_bound(); ++v) numbers.push_back(table.corner_of(v).value());
+    numbers.push_back(table.corner_of_infinity().value());
     return numbers;
 }
 
