@@ -9,6 +9,7 @@
 #include <annulus/certificate/batch.h>
 #include <annulus/certificate/circumcircle_2.h>
 #include <annulus/certificate/half_width.h>
+#include <annulus/certificate/perturbed_sign.h>
 #include <annulus/certificate/tolerances.h>
 
 #include <cstdlib>
@@ -66,9 +67,9 @@ std::string check_bicell(const Tuple<2, 4>& x) {
     // Cocircular: one diagonal or the other, never both or neither, wherever the four are in convex position.
     if (truth.sign() == 0) {
         const Tuple<2, 4> flipped{x[2], x[3], x[1], x[0]};
-        const int sign = perturbed_empty_circle_sign(x);
+        const int sign = perturbed_sign(x);
         if (sign != 1 && sign != -1) return "the perturbed sign is none";
-        if (perturbed_empty_circle_sign(flipped) != -sign) return "both diagonals are chosen, or neither";
+        if (perturbed_sign(flipped) != -sign) return "both diagonals are chosen, or neither";
     }
     return {};
 }

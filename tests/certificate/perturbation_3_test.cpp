@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The symbolic perturbation in space beside CGAL's own.
 
+#include <annulus/certificate/perturbed_sign.h>
+
 #include <support/arbitrary.h>
 #include <support/catch.h>
 #include <support/stages_3.h>
@@ -33,11 +35,13 @@ int cgal_sign(const Bicell_3& c) {
 }
 
 void check_like_cgal(const Bicell_3& c) {
-    const int sign = perturbed_empty_sphere_sign(c.tuple());
+    const int sign = perturbed_sign(c.tuple());
     HOLDS(sign == 1 || sign == -1, c);
     HOLDS(sign == cgal_sign(c), c);
-    HOLDS(sign == perturbed_empty_sphere_sign(c.turned().tuple()), c);
-    HOLDS(sign == perturbed_empty_sphere_sign(c.rotated().tuple()), c);
+    HOLDS(sign == perturbed_sign(c.turned().tuple()), c);
+    HOLDS(sign == perturbed_sign(c.rotated().tuple()), c);
+    const std::vector<Point_3> copies{c.q, c.p, c.c, c.b, c.a};  // places decide, and not where they are kept
+    HOLDS(sign == perturbed_sign({&copies[4], &copies[3], &copies[2], &copies[1], &copies[0]}), c);
 }
 
 /// The number of cospherical facets, all of them right.
@@ -59,7 +63,7 @@ int check_triangulation(const std::set<Point_3>& points) {
         HOLDS(sign >= 0, c);
         if (sign > 0) continue;
         ++cospherical;
-        HOLDS(perturbed_empty_sphere_sign(c.tuple()) == 1, c);
+        HOLDS(perturbed_sign(c.tuple()) == 1, c);
     }
     return cospherical;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The symbolic perturbation beside CGAL's own.
 
+#include <annulus/certificate/perturbed_sign.h>
+
 #include <support/arbitrary.h>
 #include <support/catch.h>
 #include <support/stages.h>
@@ -32,11 +34,13 @@ int cgal_sign(const Bicell& c) {
 }
 
 void check_like_cgal(const Bicell& c) {
-    const int sign = perturbed_empty_circle_sign(c.tuple());
+    const int sign = perturbed_sign(c.tuple());
     HOLDS(sign == 1 || sign == -1, c);
     HOLDS(sign == cgal_sign(c), c);
-    HOLDS(sign == perturbed_empty_circle_sign(c.turned().tuple()), c);
-    HOLDS(sign == -perturbed_empty_circle_sign(c.flipped().tuple()), c);
+    HOLDS(sign == perturbed_sign(c.turned().tuple()), c);
+    HOLDS(sign == -perturbed_sign(c.flipped().tuple()), c);
+    const Points copies{c.q, c.p, c.b, c.a};  // places decide, and not where they are kept
+    HOLDS(sign == perturbed_sign({&copies[3], &copies[2], &copies[1], &copies[0]}), c);
     // The circle of the positive triangle a b q has no first point.
     HOLDS(sign == cgal_sign({c.b, c.q, c.p, c.a}), c);
 }
@@ -71,7 +75,7 @@ int check_triangulation(const Points& points) {
         HOLDS(sign >= 0, c);
         if (sign > 0) continue;
         ++cocircular;
-        HOLDS(perturbed_empty_circle_sign(c.tuple()) == 1, c);
+        HOLDS(perturbed_sign(c.tuple()) == 1, c);
     }
     return cocircular;
 }
@@ -115,7 +119,7 @@ TEST_CASE("the four corners of the unit square, by hand", "[certificate]") {
     // so the diagonal that stays is the one that misses it.
     const Bicell missing{{0, 1}, {1, 0}, {0, 0}, {1, 1}};
     REQUIRE(is_bicell(missing));
-    CHECK(perturbed_empty_circle_sign(missing.tuple()) == 1);
-    CHECK(perturbed_empty_circle_sign(missing.turned().tuple()) == 1);
-    CHECK(perturbed_empty_circle_sign(missing.flipped().tuple()) == -1);
+    CHECK(perturbed_sign(missing.tuple()) == 1);
+    CHECK(perturbed_sign(missing.turned().tuple()) == 1);
+    CHECK(perturbed_sign(missing.flipped().tuple()) == -1);
 }

@@ -69,7 +69,7 @@ class CheckRooms(unittest.TestCase):
         self.rejects("src/annulus/certificate/x.cpp", SPDX + '#include "../cli/x.h"\n', 2)
 
     def test_cgal_where_it_may_not_be(self):
-        for room in ("arithmetic", "certificate", "mesh", "engine", "statistics", "formats", "report", "c", "cli"):
+        for room in ("arithmetic", "space", "certificate", "mesh", "engine", "statistics", "formats", "report", "c", "cli"):
             self.rejects(f"src/annulus/{room}/x.cpp", SPDX + "#include <CGAL/Object.h>\n", 2)
 
     def test_unknown_room(self):

@@ -14,46 +14,43 @@ inline constexpr std::size_t width = 1;
 template <>
 inline constexpr std::size_t width<Lanes> = Lanes::size();
 
-/// Coordinate c of point i of the certificates x[0], x[1], ... side by side.
+/// Point i of the certificates x[0], x[1], ... side by side.
 template <class V, class T>
-V gather(const T* x, std::size_t i, std::size_t c) {
-    if constexpr (width<V> == 1) return (*x[0][i])[c];
-    else return V([&](auto lane) { return (*x[lane][i])[c]; });
-}
+struct Gathered {
+    const T* x;
+    std::size_t i;
 
-template <class V, class T>
-V difference(const T* x, std::size_t i, std::size_t j, std::size_t c) {
-    return gather<V>(x, i, c) - gather<V>(x, j, c);
-}
+    V operator[](std::size_t c) const {
+        if constexpr (width<V> == 1) return coordinate(*x, i, c);
+        else return V([&](auto lane) { return coordinate(x[lane], i, c); });
+    }
+};
 
-template <class V, class T>
-Vector_2<V> vector_2(const T* x, std::size_t i, std::size_t j) {
-    return {difference<V>(x, i, j, 0), difference<V>(x, i, j, 1)};
-}
-template <class V, class T>
-Vector_3<V> vector_3(const T* x, std::size_t i) {
-    return {difference<V>(x, i, 0, 0), difference<V>(x, i, 0, 1), difference<V>(x, i, 0, 2)};
+template <class V, std::size_t d, std::size_t k>
+auto vector(const std::array<const std::array<double, d>*, k>* x, std::size_t i, std::size_t j) {
+    using Point = Gathered<V, std::array<const std::array<double, d>*, k>>;
+    return detail::as_vector(Euclidean<static_cast<int>(d)>::difference(Point{x, i}, Point{x, j}));
 }
 
 // The filter stage of width<V> certificates from x on.
 template <class V>
 detail::Bicell_decision<V> decide(const Tuple<2, 3>* x, bool certified, Cell_widths) {
-    return {detail::decide_orientation(vector_2<V>(x, 1, 0), vector_2<V>(x, 2, 0), vector_2<V>(x, 2, 1), certified),
+    return {detail::decide_orientation(vector<V>(x, 1, 0), vector<V>(x, 2, 0), vector<V>(x, 2, 1), certified),
             V(0.0)};
 }
 template <class V>
 detail::Bicell_decision<V> decide(const Tuple<2, 4>* x, bool certified, Cell_widths) {
-    return {detail::decide_annulus(vector_2<V>(x, 1, 0), vector_2<V>(x, 2, 0), vector_2<V>(x, 3, 0),
-                                   vector_2<V>(x, 3, 2), certified),
+    return {detail::decide_annulus(vector<V>(x, 1, 0), vector<V>(x, 2, 0), vector<V>(x, 3, 0),
+                                   vector<V>(x, 3, 2), certified),
             V(0.0)};
 }
 template <class V>
 detail::Bicell_decision<V> decide(const Tuple<3, 4>* x, bool certified, Cell_widths) {
-    return {detail::decide_orientation(vector_3<V>(x, 1), vector_3<V>(x, 2), vector_3<V>(x, 3), certified), V(0.0)};
+    return {detail::decide_orientation(vector<V>(x, 1, 0), vector<V>(x, 2, 0), vector<V>(x, 3, 0), certified), V(0.0)};
 }
 template <class V>
 detail::Bicell_decision<V> decide(const Tuple<3, 5>* x, bool certified, Cell_widths cells) {
-    return detail::decide_annulus(vector_3<V>(x, 1), vector_3<V>(x, 2), vector_3<V>(x, 3), vector_3<V>(x, 4), certified,
+    return detail::decide_annulus(vector<V>(x, 1, 0), vector<V>(x, 2, 0), vector<V>(x, 3, 0), vector<V>(x, 4, 0), certified,
                                   cells);
 }
 

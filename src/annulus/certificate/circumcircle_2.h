@@ -22,8 +22,8 @@ namespace annulus {
 class Circumcircle_2 {
   public:
     Circumcircle_2(const Coordinates<2>& a, const Coordinates<2>& b, const Coordinates<2>& c) : origin_(a) {
-        const Vector_2<double> u{b[0] - a[0], b[1] - a[1]};
-        const Vector_2<double> v{c[0] - a[0], c[1] - a[1]};
+        const Vector_2<double> u = detail::difference(b, a);
+        const Vector_2<double> v = detail::difference(c, a);
         const double uu = u.x * u.x + u.y * u.y;
         const double vv = v.x * v.x + v.y * v.y;
         twice_area_ = u.x * v.y - u.y * v.x;
@@ -54,7 +54,7 @@ class Circumcircle_2 {
   private:
     /// The determinant; m is raised to the largest coordinate.
     [[nodiscard]] double outside_of(const Coordinates<2>& p, double& m) const {
-        const Vector_2<double> w{p[0] - origin_[0], p[1] - origin_[1]};
+        const Vector_2<double> w = detail::difference(p, origin_);
         const double ww = w.x * w.x + w.y * w.y;
         m = std::max(m, detail::magnitude(w));
         return (w.x * normal_.x + w.y * normal_.y) + ww * twice_area_;

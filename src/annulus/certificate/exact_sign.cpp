@@ -6,14 +6,11 @@
 #include <annulus/certificate/later_stages.h>
 #include <annulus/certificate/width_terms_3.h>
 
-#include <type_traits>
+#include <utility>
 
 namespace annulus {
 
 namespace {
-
-template <int d, class T>
-using Vector = std::conditional_t<d == 2, Vector_2<T>, Vector_3<T>>;
 
 template <class T>
 T orientation(const Vector_2<T>& u, const Vector_2<T>& v) {
@@ -45,13 +42,9 @@ T empty_sphere(const Vector_3<T>& u, const Vector_3<T>& v, const Vector_3<T>& w,
     return T(square(w) * dot(uv, t) - dot(w, n));
 }
 
-/// Calls determinant(v_1, .., v_(k-1)) with vectors to the first point, as difference(i, coordinate) makes them.
-template <int d, class T, std::size_t... i, class Difference, class Determinant>
-T of_vectors(std::index_sequence<i...>, const Difference& difference, const Determinant& determinant) {
-    const auto vector = [&](std::size_t k) {
-        if constexpr (d == 2) return Vector<d, T>{difference(k, 0), difference(k, 1)};
-        else return Vector<d, T>{difference(k, 0), difference(k, 1), difference(k, 2)};
-    };
+/// Calls determinant(v_1, .., v_(k-1)) with vectors to the first point.
+template <class T, std::size_t... i, class Vector, class Determinant>
+T of_vectors(std::index_sequence<i...>, const Vector& vector, const Determinant& determinant) {
     return determinant(vector(i + 1)...);
 }
 
@@ -62,18 +55,16 @@ Staged_sign sign_of(const Tuple<d, k>& x, const Determinant& determinant) {
     const auto interval = [&](std::size_t) {
         Verdict out;
         const bool told = detail::with_scale(x, [&](const auto& difference, const detail::Scale&) {
-            const auto to_first = [&](std::size_t i, std::size_t c) { return Interval(difference((*x[i])[c], (*x[0])[c])); };
-            return detail::interval_sign(of_vectors<d, Interval>(vectors, to_first, determinant), out);
+            const auto to_first = [&](std::size_t i) { return detail::difference(x, i, 0, difference); };
+            return detail::interval_sign(of_vectors<Interval>(vectors, to_first, determinant), out);
         });
         if (told) sign = {out.sign, Stage::interval};
         return told;
     };
     const auto exact = [&](std::size_t) {
-        std::array<double, static_cast<std::size_t>(d* k)> flat{};
-        for (std::size_t i = 0; i < k; ++i) std::copy(x[i]->begin(), x[i]->end(), flat.begin() + static_cast<int>(d * i));
-        const Scaled_integers z(flat);
-        const auto to_first = [&](std::size_t i, std::size_t c) { return mpz_class(z.integer[d * i + c] - z.integer[c]); };
-        sign.sign = static_cast<std::int8_t>(sgn(of_vectors<d, mpz_class>(vectors, to_first, determinant)));
+        const Scaled_integers z(coordinates(x));
+        const auto to_first = [&](std::size_t i) { return detail::difference<d>(z, i, 0); };
+        sign.sign = static_cast<std::int8_t>(sgn(of_vectors<mpz_class>(vectors, to_first, determinant)));
     };
     (void)later_stages(1, [&](std::size_t) { return sign.stage == Stage::exact; }, interval, exact);
     return sign;

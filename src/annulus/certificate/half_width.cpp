@@ -65,12 +65,6 @@ Annuli_terms<T, partitions_3> annuli(const Tuple<3, 5>&, const From& from) {
     return {t.determinant, t.inner, t.outer};
 }
 
-template <class T, std::size_t d, class Coordinate>
-auto vector(const Coordinate& coordinate) {
-    if constexpr (d == 2) return Vector_2<T>{coordinate(0), coordinate(1)};
-    else return Vector_3<T>{coordinate(0), coordinate(1), coordinate(2)};
-}
-
 // ---- Intervals. The rounding mode is upward. -----------------------------------------------------------------------------------
 
 /// sqrt(x) + sqrt(y), a lower bound: a root rounded upward is at most 1 + 2^-52 times the root.
@@ -129,11 +123,7 @@ bool enclosed(const Annuli_terms<Interval, n>& t, const detail::Scale& s, Bicell
 template <std::size_t d, std::size_t k, class Evaluate>
 bool with_interval_vectors(const std::array<const std::array<double, d>*, k>& x, Evaluate evaluate) {
     return detail::with_scale(x, [&](const auto& difference, const detail::Scale& s) {
-        return evaluate(
-            [&](std::size_t i, std::size_t j) {
-                return vector<Interval, d>([&](std::size_t c) { return difference((*x[i])[c], (*x[j])[c]); });
-            },
-            s);
+        return evaluate([&](std::size_t i, std::size_t j) { return detail::difference(x, i, j, difference); }, s);
     });
 }
 
@@ -160,16 +150,9 @@ Half_width exact_quotient(const mpz_class& determinant, const mpz_class& inner, 
 
 template <std::size_t d, std::size_t k, class Evaluate>
 auto with_integer_vectors(const std::array<const std::array<double, d>*, k>& x, Evaluate evaluate) {
-    std::array<double, d * k> flat{};
-    for (std::size_t i = 0; i < k; ++i)
-        for (std::size_t c = 0; c < d; ++c) flat[d * i + c] = (*x[i])[c];
-    const Scaled_integers z(flat);
-    return evaluate(
-        [&](std::size_t i, std::size_t j) {
-            return vector<mpz_class, d>(
-                [&](std::size_t c) { return mpz_class(z.integer[d * i + c] - z.integer[d * j + c]); });
-        },
-        z.exponent);
+    const Scaled_integers z(coordinates(x));
+    constexpr int dimension = static_cast<int>(d);
+    return evaluate([&](std::size_t i, std::size_t j) { return detail::difference<dimension>(z, i, j); }, z.exponent);
 }
 
 template <class X>

@@ -27,7 +27,7 @@ template <std::size_t d, std::size_t k>
 [[nodiscard]] double largest_difference(const std::array<const std::array<double, d>*, k>& x) {
     double m = 0.0;
     for (std::size_t i = 1; i < k; ++i)
-        for (std::size_t c = 0; c < d; ++c) m = std::max(m, std::fabs((*x[i])[c] - (*x[0])[c]));
+        for (const double c : annulus::difference(x, i, 0)) m = std::max(m, std::fabs(c));
     return m;
 }
 

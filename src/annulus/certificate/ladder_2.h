@@ -13,9 +13,6 @@ namespace annulus {
 
 namespace detail {
 
-[[nodiscard]] inline Vector_2<double> difference(const Coordinates<2>& a, const Coordinates<2>& b) {
-    return {a[0] - b[0], a[1] - b[1]};
-}
 /// Accepts the rounded terms of a certificate: decide() on one of them.
 [[nodiscard]] inline bool accept(const Width_terms<double>& t, double det_error, double norm_error, bool certified,
                                  Verdict& out) {
@@ -59,8 +56,8 @@ template <class V>
 ///
 /// Rounding mode must be to nearest. About 10 ns; batch.h is faster. Errors: bounds.h, proofs/gappa/certificates_2.g.
 [[nodiscard]] inline bool orientation_filter(const Tuple<2, 3>& x, bool certified, Verdict& out) {
-    const auto d = detail::decide_orientation(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]),
-                                              detail::difference(*x[2], *x[1]), certified);
+    const auto d = detail::decide_orientation(detail::difference(x, 1, 0), detail::difference(x, 2, 0),
+                                              detail::difference(x, 2, 1), certified);
     return detail::answer(d.sign, d.tolerance, out);
 }
 
@@ -69,9 +66,8 @@ template <class V>
 ///
 /// Rounding mode must be to nearest. About 15 ns; batch.h is faster. Errors: bounds.h, proofs/gappa/certificates_2.g.
 [[nodiscard]] inline bool empty_sphere_filter(const Tuple<2, 4>& x, bool certified, Verdict& out) {
-    const auto d =
-        detail::decide_annulus(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]),
-                               detail::difference(*x[3], *x[0]), detail::difference(*x[3], *x[2]), certified);
+    const auto d = detail::decide_annulus(detail::difference(x, 1, 0), detail::difference(x, 2, 0),
+                                          detail::difference(x, 3, 0), detail::difference(x, 3, 2), certified);
     return detail::answer(d.sign, d.tolerance, out);
 }
 
@@ -91,20 +87,12 @@ template <class V>
 
 /// Half the width of the paper's slab (its 2.2): the altitude of x[2] over the line x[0] x[1], in plain double.
 [[nodiscard]] inline double paper_slab(const Tuple<2, 3>& x) {
-    const auto u = detail::difference(*x[1], *x[0]);
-    const auto v = detail::difference(*x[2], *x[0]);
+    const auto u = detail::difference(x, 1, 0);
+    const auto v = detail::difference(x, 2, 0);
     return 0.5 * (u.x * v.y - u.y * v.x) / std::sqrt(u.x * u.x + u.y * u.y);
 }
 
 /// Half the width of the paper's slab of a hull vertex x[2] with neighbours x[0], x[1]: the same.
 [[nodiscard]] inline double paper_ridge(const Tuple<2, 3>& x) { return paper_slab(x); }
-
-/// Sign of the empty circle of x = {a, b, p, q} with CGAL's lexicographic symbolic perturbation where the four points
-/// are cocircular: never 0. Precondition: empty_sphere_verdict(x).sign == 0 and both triangles are positive.
-///
-/// CGAL's removal relies on the triangulation being the one this perturbation picks (theory 6.7), so that flips decide
-/// cocircular cases with it. Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D
-/// triangulations, 2011.
-[[nodiscard]] int perturbed_empty_circle_sign(const Tuple<2, 4>& x);
 
 }  // namespace annulus

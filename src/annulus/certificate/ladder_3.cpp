@@ -10,11 +10,6 @@ namespace {
 
 // ---- Interval stage ---------------------------------------------------------------------------------------------
 
-template <std::size_t k, class Difference>
-Vector_3<Interval> vector(const std::array<const Coordinates<3>*, k>& x, std::size_t i, const Difference& difference) {
-    return {difference((*x[i])[0], (*x[0])[0]), difference((*x[i])[1], (*x[0])[1]), difference((*x[i])[2], (*x[0])[2])};
-}
-
 /// Half the width of a tetrahedron, scaled: false where it is not certainly positive or not tight.
 bool width_lower(const Width_terms<Interval>& t, double& lower) {
     if (!(t.determinant.lower() > 0.0)) return false;
@@ -23,18 +18,6 @@ bool width_lower(const Width_terms<Interval>& t, double& lower) {
 }
 
 // ---- Exact stage ------------------------------------------------------------------------------------------------
-
-template <std::size_t k>
-Scaled_integers integers(const std::array<const Coordinates<3>*, k>& x) {
-    std::array<double, 3 * k> flat{};
-    for (std::size_t i = 0; i < k; ++i) std::copy(x[i]->begin(), x[i]->end(), flat.begin() + static_cast<int>(3 * i));
-    return Scaled_integers(flat);
-}
-
-Vector_3<mpz_class> vector(const Scaled_integers& z, std::size_t i) {
-    return {mpz_class(z.integer[3 * i] - z.integer[0]), mpz_class(z.integer[3 * i + 1] - z.integer[1]),
-            mpz_class(z.integer[3 * i + 2] - z.integer[2])};
-}
 
 /// Half a width, the largest double not above it; 0 where the determinant is not positive.
 double half_width(const Width_terms<mpz_class>& t, long exponent) {
@@ -46,8 +29,9 @@ struct Exact_bicell {
     long exponent;
 
     explicit Exact_bicell(const Tuple<3, 5>& x) {
-        const Scaled_integers z = integers(x);
-        terms = annulus_terms(vector(z, 1), vector(z, 2), vector(z, 3), vector(z, 4));
+        const Scaled_integers z(coordinates(x));
+        const auto vector = [&](std::size_t i) { return detail::difference<3>(z, i, 0); };
+        terms = annulus_terms(vector(1), vector(2), vector(3), vector(4));
         exponent = z.exponent;
     }
     [[nodiscard]] double half_width_of(std::size_t k) const {
@@ -59,7 +43,8 @@ struct Exact_bicell {
 
 bool orientation_interval(const Tuple<3, 4>& x, Verdict& out) {
     return detail::with_scale(x, [&](const auto& difference, const detail::Scale& s) {
-        const auto t = orientation_terms(vector(x, 1, difference), vector(x, 2, difference), vector(x, 3, difference));
+        const auto vector = [&](std::size_t i) { return detail::difference(x, i, 0, difference); };
+        const auto t = orientation_terms(vector(1), vector(2), vector(3));
         if (!detail::interval_sign(t.determinant, out)) return false;
         if (out.sign < 0) return true;
         double lower = 0.0;
@@ -71,8 +56,8 @@ bool orientation_interval(const Tuple<3, 4>& x, Verdict& out) {
 
 bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cell_widths cells) {
     return detail::with_scale(x, [&](const auto& difference, const detail::Scale& s) {
-        const auto t = annulus_terms(vector(x, 1, difference), vector(x, 2, difference), vector(x, 3, difference),
-                                     vector(x, 4, difference));
+        const auto vector = [&](std::size_t i) { return detail::difference(x, i, 0, difference); };
+        const auto t = annulus_terms(vector(1), vector(2), vector(3), vector(4));
         out.backward = 0;
         bool certainly = false;  // one of them is backward
         for (std::size_t k = 1; k < partitions_3; ++k) {
@@ -102,8 +87,9 @@ bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cell_widths cells
 }
 
 Verdict orientation_exact(const Tuple<3, 4>& x) {
-    const Scaled_integers z = integers(x);
-    const auto t = orientation_terms(vector(z, 1), vector(z, 2), vector(z, 3));
+    const Scaled_integers z(coordinates(x));
+    const auto vector = [&](std::size_t i) { return detail::difference<3>(z, i, 0); };
+    const auto t = orientation_terms(vector(1), vector(2), vector(3));
     Verdict out;
     out.stage = Stage::exact;
     out.sign = static_cast<std::int8_t>(sgn(t.determinant));
@@ -136,23 +122,6 @@ Annuli annuli_exact(const Tuple<3, 5>& x) {
         out.half_width[k] = e.half_width_of(k);
     }
     return out;
-}
-
-int perturbed_empty_sphere_sign(const Tuple<3, 5>& x) {
-    // The cell a b c q is positive; p is the point tested against its sphere. The perturbation of the lexicographically largest
-    // point dominates; its coefficient is an orientation of the other four. Two of them suffice: if the first is 0, its four
-    // points lie on a plane that contains no fifth.
-    const std::array<const Coordinates<3>*, 4> cell{x[0], x[1], x[2], x[4]};
-    const Coordinates<3>* p = x[3];
-    std::array<const Coordinates<3>*, 5> order{x[0], x[1], x[2], x[4], p};
-    std::sort(order.begin(), order.end(), [](const Coordinates<3>* l, const Coordinates<3>* r) { return *l < *r; });
-    for (std::size_t i = 4; i > 2; --i) {
-        if (order[i] == p) return 1;
-        Tuple<3, 4> replaced = cell;
-        *std::find(replaced.begin(), replaced.end(), order[i]) = p;
-        if (const int inside = orientation_verdict(replaced, false).sign; inside != 0) return -inside;
-    }
-    return 1;
 }
 
 }  // namespace annulus

@@ -28,10 +28,6 @@ enum class Cell_widths : std::uint8_t {
 
 namespace detail {
 
-[[nodiscard]] inline Vector_3<double> difference(const Coordinates<3>& a, const Coordinates<3>& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
 /// The filter stage of a tetrahedron, from the terms of its orientation and the largest difference m.
 template <class V>
 [[nodiscard]] Decision<V> decide_width(const Width_terms<V>& t, const V& m, bool certified) {
@@ -110,8 +106,8 @@ template <class V>
 ///
 /// Rounding mode must be to nearest. Errors: bounds.h, proofs/gappa/certificates_3.g.
 [[nodiscard]] inline bool orientation_filter(const Tuple<3, 4>& x, bool certified, Verdict& out) {
-    const auto d = detail::decide_orientation(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]),
-                                              detail::difference(*x[3], *x[0]), certified);
+    const auto d = detail::decide_orientation(detail::difference(x, 1, 0), detail::difference(x, 2, 0),
+                                              detail::difference(x, 3, 0), certified);
     return detail::answer(d.sign, d.tolerance, out);
 }
 
@@ -124,8 +120,8 @@ template <class V>
 [[nodiscard]] inline bool empty_sphere_filter(const Tuple<3, 5>& x, bool certified, Verdict& out,
                                               Cell_widths cells = Cell_widths::where_needed) {
     return detail::answer(
-        detail::decide_annulus(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]),
-                               detail::difference(*x[3], *x[0]), detail::difference(*x[4], *x[0]), certified, cells),
+        detail::decide_annulus(detail::difference(x, 1, 0), detail::difference(x, 2, 0),
+                               detail::difference(x, 3, 0), detail::difference(x, 4, 0), certified, cells),
         out);
 }
 
@@ -156,28 +152,21 @@ struct Annuli {
 
 /// Half the width of the paper's standard annulus, abc | pq, in plain double; 0 where the sphere is not empty.
 [[nodiscard]] inline double paper_annulus(const Tuple<3, 5>& x) {
-    const auto t = annulus_terms(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]),
-                                 detail::difference(*x[3], *x[0]), detail::difference(*x[4], *x[0]));
+    const auto t = annulus_terms(detail::difference(x, 1, 0), detail::difference(x, 2, 0),
+                                 detail::difference(x, 3, 0), detail::difference(x, 4, 0));
     return std::max(0.0, t.determinant / (std::sqrt(t.inner[abc_pq]) + std::sqrt(t.outer[abc_pq])));
 }
 
 /// Half the width of the paper's slab (its 2.2): half the altitude of x[3] over the plane of x[0], x[1], x[2], in plain double.
 [[nodiscard]] inline double paper_slab(const Tuple<3, 4>& x) {
-    const auto n = cross(detail::difference(*x[1], *x[0]), detail::difference(*x[2], *x[0]));
-    return 0.5 * dot(n, detail::difference(*x[3], *x[0])) / std::sqrt(square(n));
+    const auto n = cross(detail::difference(x, 1, 0), detail::difference(x, 2, 0));
+    return 0.5 * dot(n, detail::difference(x, 3, 0)) / std::sqrt(square(n));
 }
 
 /// Half the width of the paper's slab of a hull ridge x[0] x[1], in plain double: of the planes parallel to it and to x[2] x[3].
 [[nodiscard]] inline double paper_ridge(const Tuple<3, 4>& x) {
-    const auto n = cross(detail::difference(*x[1], *x[0]), detail::difference(*x[3], *x[2]));
-    return 0.5 * std::fabs(dot(n, detail::difference(*x[2], *x[0]))) / std::sqrt(square(n));
+    const auto n = cross(detail::difference(x, 1, 0), detail::difference(x, 3, 2));
+    return 0.5 * std::fabs(dot(n, detail::difference(x, 2, 0))) / std::sqrt(square(n));
 }
-
-/// Sign of the empty sphere of x = {a, b, c, p, q} with CGAL's lexicographic symbolic perturbation where the five points are
-/// cospherical: never 0. Precondition: empty_sphere_verdict(x).sign == 0 and both cells are positive.
-///
-/// As perturbed_empty_circle_sign; the rule is that of CGAL::Delaunay_triangulation_3::side_of_oriented_sphere. Devillers and
-/// Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations, 2011.
-[[nodiscard]] int perturbed_empty_sphere_sign(const Tuple<3, 5>& x);
 
 }  // namespace annulus

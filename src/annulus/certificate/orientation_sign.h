@@ -23,19 +23,13 @@ namespace detail {
 }  // namespace detail
 
 [[nodiscard]] inline int orientation_sign(const Tuple<2, 3>& x) {
-    const Vector_2<double> u{(*x[1])[0] - (*x[0])[0], (*x[1])[1] - (*x[0])[1]};
-    const Vector_2<double> v{(*x[2])[0] - (*x[0])[0], (*x[2])[1] - (*x[0])[1]};
+    const auto u = detail::difference(x, 1, 0), v = detail::difference(x, 2, 0);
     const double m = std::max(detail::magnitude(u), detail::magnitude(v));
     return detail::clear_sign(u.x * v.y - u.y * v.x, bounds::orientation_2 * bounds::u * (m * m), m, bounds::filter_range);
 }
 
 [[nodiscard]] inline int orientation_sign(const Tuple<3, 4>& x) {
-    const auto difference = [&x](std::size_t k) {
-        return Vector_3<double>{(*x[k])[0] - (*x[0])[0], (*x[k])[1] - (*x[0])[1], (*x[k])[2] - (*x[0])[2]};
-    };
-    const Vector_3<double> u = difference(1);
-    const Vector_3<double> v = difference(2);
-    const Vector_3<double> w = difference(3);
+    const auto u = detail::difference(x, 1, 0), v = detail::difference(x, 2, 0), w = detail::difference(x, 3, 0);
     const double m = std::max(detail::magnitude(u), std::max(detail::magnitude(v), detail::magnitude(w)));
     return detail::clear_sign(dot(cross(u, v), w), bounds::orientation_3 * bounds::u * (m * m * m), m, bounds::filter_range_3);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
 #include <annulus/arithmetic/stage.h>
+#include <annulus/space/places.h>
 
-#include <array>
+#include <cstdint>
 #include <string_view>
 
 namespace annulus {
@@ -35,9 +35,5 @@ struct Verdict {
     std::uint8_t backward =
         0;  ///< empty spheres in space: bit k where partition k is not certainly forward (ladder_3.h)
 };
-
-/// Pointers to the positions of the points of one certificate.
-template <int d, int k>
-using Tuple = std::array<const Coordinates<d>*, static_cast<std::size_t>(k)>;
 
 }  // namespace annulus

@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/exact.h>
 #include <annulus/arithmetic/interval.h>
+#include <annulus/certificate/vector.h>
 
 #include <algorithm>
 
@@ -18,13 +19,6 @@ struct Width_terms {
     T determinant;
     T inner;
     T outer;
-};
-
-/// A vector of the plane over any number type.
-template <class T>
-struct Vector_2 {
-    T x;
-    T y;
 };
 
 /// Half the least altitude of the triangle 0, u, v, where w = v - u; positive when the triangle is.

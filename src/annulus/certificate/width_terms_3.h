@@ -7,14 +7,6 @@
 
 namespace annulus {
 
-/// A vector of space over any number type.
-template <class T>
-struct Vector_3 {
-    T x;
-    T y;
-    T z;
-};
-
 // Each function below is one line of the proofs (proofs/gappa/certificates_3.g): the order of operations is part of what is proved.
 
 template <class T>

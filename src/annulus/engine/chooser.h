@@ -66,7 +66,7 @@ class Chooser {
     }
 
     /// That, a vertex: as much as a rebuild, so that with the one that follows no step costs more than twice what was the
-    /// best (rent or buy), which is less than one and a half of CGAL's insertions.
+    /// best (rent or buy), which is less than one and a half insertions of all points.
     static constexpr double share() { return Prices<d>::rebuild - (Prices<d>::signs - Prices<d>::cells); }
     static_assert(share() + Prices<d>::rebuild + (Prices<d>::signs - Prices<d>::cells) < 1.45 * Prices<d>::insertion);
 

@@ -13,7 +13,7 @@ struct Prices;
 template <>
 struct Prices<2> {
     // A vertex, of a timestamp:
-    static constexpr double insertion = 22.5;  // CGAL's, of all points: beside which no step is to be dear
+    static constexpr double insertion = 22.5;  // of all points, one by one (cgal/): beside which no step is to be dear
     static constexpr double rebuild = 12.4;
     static constexpr double cells = 2.0;     // the signs of everything: cells a vertex
     static constexpr double signs = 2.45;    // with what is written for each vertex

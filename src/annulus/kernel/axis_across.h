@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/walk.h>
+#include <annulus/space/places.h>
 
 #include <cstddef>
 #include <optional>

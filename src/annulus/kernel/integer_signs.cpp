@@ -140,8 +140,8 @@ std::optional<bool> integer_sphere_holds(const std::array<Scaled_point<d>, stati
     if (r.bits > 61) return {};
     const Sphere_signs<d> s = sphere_signs(r.v, r.bits);
     if (s.sphere != 0) return s.sphere > 0;
-    // CGAL's perturbation lifts the lexicographically largest point most: what it does to the sphere decides, then the
-    // second largest.
+    // The perturbation (perturbed_sign) lifts the lexicographically largest point most: what it does to the sphere
+    // decides, then the second largest.
     const auto largest_but = [&p](std::size_t but) {
         std::size_t f = but == 0 ? 1 : 0;
         for (std::size_t i = 0; i <= last; ++i)

@@ -42,7 +42,7 @@ struct Audit_result {
 
 /// Exact verdict: every cell positive, every facet locally Delaunay, the boundary one closed convex surface that winds
 /// once, every vertex used, no two at one place. Integer arithmetic throughout; shares no code with the certificates
-/// it audits, nor with CGAL's predicates. O(n) big-integer determinants, a few hundred nanoseconds each.
+/// it audits, nor with its predicates. O(n) big-integer determinants, a few hundred nanoseconds each.
 /// Precondition: finite coordinates. Theory 1 has why these conditions suffice; docs/theory.md the turning number.
 /// The first fault names vertices by `input.names`, or by their index, counted from `first`.
 [[nodiscard]] Audit_result audit(const Audit_input<2>& input, Index first = 0);

@@ -26,7 +26,7 @@ namespace annulus {
 /// Cell c has d + 1 corners h = 4c + i. Corner h carries a vertex and stands for the facet opposite to it, seen from c
 /// (a half-facet). `twin(h)` is the same facet seen from the other side, so `vertex(h)` and `vertex(twin(h))` are the
 /// opposite vertices of the bi-cell. A facet has the index of the lesser of its two half-facets, which changes with its
-/// cells; nothing is stored of it. Cells are positively oriented as in CGAL. All operations are O(1) unless they say otherwise.
+/// cells; nothing is stored of it. Cells are positively oriented (certificate/ladder_3.h). All operations are O(1) unless they say otherwise.
 template <int d>
 class Cell_table {
   public:
@@ -174,8 +174,8 @@ class Cell_table {
         twin_[t] = h;
     }
 
-    /// 2D: replaces the edge opposite to corner h by the other diagonal of its bi-cell, corner for corner as CGAL's
-    /// `flip(face, i)` does. Precondition: the opposite vertices are not adjacent.
+    /// 2D: replaces the edge opposite to corner h by the other diagonal of its bi-cell; proofs/coq/plane_table.v has it
+    /// corner for corner. Precondition: the opposite vertices are not adjacent.
     void flip(Corner_index h);
 
     /// 3D: the next cell around an edge. h and k are the two corners of one cell whose vertices are not on the edge; on

@@ -3,16 +3,13 @@
 
 #include <annulus/certificate/exact_sign.h>
 #include <annulus/certificate/ladder.h>
+#include <annulus/certificate/perturbed_sign.h>
 
 #include <algorithm>
 #include <array>
 
 // What decides a certificate whose determinant is 0 (docs/theory.md 6.7), for every dimension by overloads on the tuple.
 namespace annulus {
-
-/// Sign of an empty sphere whose points are cospherical, by CGAL's perturbation. Precondition: both cells are positive.
-[[nodiscard]] inline int perturbed_sign(const Tuple<2, 4>& x) { return perturbed_empty_circle_sign(x); }
-[[nodiscard]] inline int perturbed_sign(const Tuple<3, 5>& x) { return perturbed_empty_sphere_sign(x); }
 
 /// Whether the sphere of a positive cell holds p, exactly; where it passes through p, by the perturbation.
 template <int d>
@@ -25,18 +22,10 @@ template <int d>
     return (sign != 0 ? sign : perturbed_sign(x)) < 0;
 }
 
-/// Points of space as they are seen along an axis.
-template <std::size_t n>
-[[nodiscard]] std::array<Coordinates<2>, n> seen_along(std::size_t axis, const std::array<const Coordinates<3>*, n>& x) {
-    std::array<Coordinates<2>, n> y{};
-    for (std::size_t k = 0; k < n; ++k) y[k] = {(*x[k])[(axis + 1) % 3], (*x[k])[(axis + 2) % 3]};
-    return y;
-}
-
 /// A ridge of determinant 0 is convex enough unless the hull folds back there. In the plane x is {u, w, v}, v the vertex of
 /// the ridge: it lies between its neighbours.
 [[nodiscard]] inline bool flat_ridge_holds(const Tuple<2, 3>& x) {
-    return (*x[0] < *x[2] && *x[2] < *x[1]) || (*x[1] < *x[2] && *x[2] < *x[0]);
+    return (precedes(x, 0, 2) && precedes(x, 2, 1)) || (precedes(x, 1, 2) && precedes(x, 2, 0));
 }
 /// In space x is {u, w, c, d}, u w the ridge: c and d lie on different sides of it, in the plane that they share.
 [[nodiscard]] inline bool flat_ridge_holds(const Tuple<3, 4>& x) {

@@ -14,8 +14,8 @@ namespace annulus {
 
 /// Half the width of the standard annulus, ab | pq and abc | pq; 0 where the circle or sphere is not empty.
 [[nodiscard]] inline double standard_half_width(const Tuple<2, 4>& x) {
-    const auto p = detail::difference(*x[2], *x[0]), q = detail::difference(*x[3], *x[0]);
-    const auto t = annulus_terms(detail::difference(*x[1], *x[0]), p, q, detail::difference(*x[3], *x[2]));
+    const auto p = detail::difference(x, 2, 0), q = detail::difference(x, 3, 0);
+    const auto t = annulus_terms(detail::difference(x, 1, 0), p, q, detail::difference(x, 3, 2));
     return std::max(0.0, t.determinant / (std::sqrt(t.inner) + std::sqrt(t.outer)));
 }
 [[nodiscard]] inline double standard_half_width(const Tuple<3, 5>& x) { return paper_annulus(x); }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace annulus {
@@ -93,8 +94,10 @@ inline void append_sides(const Tuple<3, 5>& x, std::vector<Tuple<3, 4>>& out) {
     out.push_back({x[3], x[4], x[1], x[2]});
     out.push_back({x[3], x[4], x[2], x[0]});
 }
-inline double theta_of(const Tuple<2, 4>& x) { return theta(*x[0], *x[1], *x[2], *x[3]); }
-inline double theta_of(const Tuple<3, 5>& x) { return theta(*x[0], *x[1], *x[2], *x[3], *x[4]); }
+template <class Bicell>
+double theta_of(const Bicell& x) {
+    return std::apply([](const auto*... p) { return theta(*p...); }, x);
+}
 
 /// Bi-cells.
 template <int d>

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/exact.h>
+#include <annulus/space/places.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+namespace annulus {
+
+/// A vector of the plane over any number type.
+template <class T>
+struct Vector_2 {
+    T x;
+    T y;
+};
+
+/// A vector of space over any number type.
+template <class T>
+struct Vector_3 {
+    T x;
+    T y;
+    T z;
+};
+
+namespace detail {
+
+template <class T>
+[[nodiscard]] constexpr Vector_2<T> as_vector(std::array<T, 2> v) {
+    return {std::move(v[0]), std::move(v[1])};
+}
+template <class T>
+[[nodiscard]] constexpr Vector_3<T> as_vector(std::array<T, 3> v) {
+    return {std::move(v[0]), std::move(v[1]), std::move(v[2])};
+}
+
+/// a - b, rounded.
+[[nodiscard]] inline Vector_2<double> difference(const Coordinates<2>& a, const Coordinates<2>& b) {
+    return as_vector(Euclidean<2>::difference(a, b));
+}
+[[nodiscard]] inline Vector_3<double> difference(const Coordinates<3>& a, const Coordinates<3>& b) {
+    return as_vector(Euclidean<3>::difference(a, b));
+}
+
+/// Point i of a certificate minus point j, by `minus`.
+template <std::size_t d, std::size_t k, class Minus = std::minus<>>
+[[nodiscard]] auto difference(const std::array<const std::array<double, d>*, k>& x, std::size_t i, std::size_t j,
+                              Minus minus = {}) {
+    return as_vector(annulus::difference(x, i, j, minus));
+}
+
+/// Exact, of `coordinates` of a certificate in R^d.
+template <int d>
+[[nodiscard]] auto difference(const Scaled_integers& z, std::size_t i, std::size_t j) {
+    const auto minus = [](const mpz_class& a, const mpz_class& b) { return mpz_class(a - b); };
+    return as_vector(Euclidean<d>::difference(&z.integer[d * i], &z.integer[d * j], minus));
+}
+
+}  // namespace detail
+
+}  // namespace annulus

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/standard.h>
+
+#include <array>
+#include <functional>
+#include <type_traits>
+
+namespace annulus {
+
+/// R^d: what is asked of the space that the points are in.
+template <int d>
+struct Euclidean {
+    static_assert(d == 2 || d == 3);
+
+    /// p - q, and the only place where places are subtracted. They are whatever gives a coordinate for [c], of any type
+    /// that `minus` takes: doubles, lanes of them, integers.
+    template <class P, class Minus = std::minus<>>
+    [[nodiscard]] static constexpr auto difference(const P& p, const P& q, Minus minus = {}) {
+        using T = std::decay_t<decltype(minus(p[0], q[0]))>;
+        if constexpr (d == 2) return std::array<T, 2>{minus(p[0], q[0]), minus(p[1], q[1])};
+        else return std::array<T, 3>{minus(p[0], q[0]), minus(p[1], q[1]), minus(p[2], q[2])};
+    }
+};
+
+}  // namespace annulus
