@@ -165,12 +165,12 @@ class Repetition {
         for (Index i = 0; i < bound; i += 1 + bound / 512) {
             const Corner_index f(i);
             if (!table.is_facet(f) || facet_kind(table, f) != Facet_kind::empty_sphere) continue;
-            const auto points = bicell_points(table, f);
+            const auto points = bicell_sites(table, f);
             std::array<Coordinates<d>, static_cast<std::size_t>(d + 2)> p;
             double way = 0.0;
             for (std::size_t k = 0; k < points.size(); ++k) {
-                p[k] = before[at(points[k])];
-                way = std::max(way, std::sqrt(squared_distance<d>(x[at(points[k])], p[k])));
+                p[k] = before[at(points[k].vertex)];
+                way = std::max(way, std::sqrt(squared_distance<d>(x[at(points[k].vertex)], p[k])));
             }
             const double room = facet_verdict(Facet_kind::empty_sphere, p).tolerance;
             sum += way < room ? way / room : way > 0.0 ? 1.0 : 0.0;
@@ -258,7 +258,7 @@ class Repetition {
         std::vector<Tuple<d, d + 2>> tuples;
         for (const Corner_index f : table.facets())
             if (facet_kind(table, f) == Facet_kind::empty_sphere)
-                tuples.push_back(tuple<d, d + 2>(bicell_points(table, f), std::span<const Coordinates<d>>(x)));
+                tuples.push_back(tuple<d, d + 2>(bicell_sites(table, f), std::span<const Coordinates<d>>(x)));
         std::vector<Verdict> verdict(tuples.size());
         Stage_counts by;
         const double s = least(3, [&] { by = evaluate(tuples, Mode::fast, verdict); });

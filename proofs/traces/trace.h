@@ -223,10 +223,11 @@ struct Trace {
         if (on) word(undo);
     }
     /// In their order where that matters, of a bi-cell: it names sides.
-    template <int d, class Points>
-    static std::vector<Index> listed(const Points& points) {
-        std::vector<Index> p(points.begin(), points.end());
-        p.erase(std::remove(p.begin(), p.end(), none), p.end());
+    template <int d, class Sites>
+    static std::vector<Index> listed(const Sites& sites) {
+        std::vector<Index> p;
+        for (const auto& [v, label] : sites)
+            if (v != none) p.push_back(v);
         if (p.size() != d + 2) std::sort(p.begin(), p.end());
         return p;
     }
@@ -236,7 +237,7 @@ struct Trace {
         if (is_of_cell(id)) {
             const Cell_index c = cell_of(id);
             if (!(c < t.cell_bound()) || !t.is_cell(c) || t.is_infinite(c)) return {};
-            return listed<d>(cell_points(t, c));
+            return listed<d>(cell_sites(t, c));
         }
         const Corner_index f = facet_of(id);
         if (!(f < t.facet_bound()) || !t.is_facet(f)) return {};
@@ -261,9 +262,9 @@ struct Trace {
         number(s.verdict.tolerance);
         word(told<d>.points[id].size());
         for (std::size_t k = 0; k < s.point.size(); ++k) {
-            if (s.point[k] == none) continue;
-            vertex(s.point[k]);
-            number(o.list_[at(s.point[k])].base);
+            if (s.point[k].vertex == none) continue;
+            vertex(s.point[k].vertex);
+            number(o.list_[at(s.point[k].vertex)].base);
             word(expiry_of(k).bits());
         }
     }

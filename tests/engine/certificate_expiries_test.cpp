@@ -41,11 +41,11 @@ TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, 
     const auto next = [&number] { return Expiry::lower(number += 1.0); };
     for (const Corner_index f : t.facets()) {
         if (facet_kind(t, f) != Facet_kind::empty_sphere) continue;
-        const Facet_points<d> point = bicell_points(t, f);
+        const Facet_sites<d> point = bicell_sites(t, f);
         for (std::size_t k = 0; k < point.size(); ++k) {
             const Expiry number_of_point = next();
             expiries.of_facet(f, t.twin(f), k) = number_of_point;
-            truth[{id_of_facet(f), point[k]}] = number_of_point;
+            truth[{id_of_facet(f), point[k].vertex}] = number_of_point;
         }
     }
     for (const Cell_index c : t.finite_cells())

@@ -120,13 +120,13 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
             };
             for (const auto& e : s.examination().facets()) {
                 if (e.kind == Facet_kind::nothing) continue;
-                for (const Index v : e.point)
+                for (const auto& [v, label] : e.point)
                     if (v != none) check(v, std::as_const(s[Expiries{}]).of_facet(s.mesh.table(), e.id, v), e.verdict.tolerance);
             }
             for (const auto& e : s.examination().cells()) {
                 if (e.kind == Facet_kind::nothing) continue;
                 for (std::size_t k = 0; k < e.point.size(); ++k)
-                    check(e.point[k], s[Expiries{}].of_cell(Cell_table<2>::corner(e.id, static_cast<int>(k))), e.verdict.tolerance);
+                    check(e.point[k].vertex, s[Expiries{}].of_cell(Cell_table<2>::corner(e.id, static_cast<int>(k))), e.verdict.tolerance);
             }
         }
     }));
@@ -143,7 +143,7 @@ TEST_CASE("Rebasing leaves no certificate more than it had", "[relocation][round
             const auto& t = s.mesh.table();
             for (const Corner_index f : t.facets())
                 for (std::size_t k = 0; k < 4; ++k)
-                    if (bicell_points(t, f)[k] == v) of_v.push_back(expiries(s, f)[k]);
+                    if (bicell_sites(t, f)[k].vertex == v) of_v.push_back(expiries(s, f)[k]);
             std::vector<Rational> before;
             for (Expiry* e : of_v) {
                 *e = Expiry::lower(1.0 + std::ldexp(integer(random, 0, 9), -20));

@@ -31,14 +31,14 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 template <int d>
-using Cell_set = std::set<Cell_points<d>>;
+using Cell_set = std::set<Cell_vertices<d>>;
 
 /// Cells as sets of vertices, those at infinity too.
 template <int d>
 Cell_set<d> cells_of(const Cell_table<d>& t) {
     Cell_set<d> cells;
     for (const Cell_index c : t.cells()) {
-        auto v = cell_points(t, c);
+        auto v = cell_vertices(t, c);
         std::sort(v.begin(), v.end());
         cells.insert(v);
     }
@@ -52,7 +52,7 @@ std::pair<int, Cell_set<d>> by_cgal(const std::vector<Coordinates<d>>& x) {
     std::map<Coordinates<d>, Index> index;
     for (std::size_t i = 0; i < x.size(); ++i) index.emplace(x[i], static_cast<Index>(i));
     const auto list = [&](const auto& tr, auto cell) {
-        Cell_points<d> v{};
+        Cell_vertices<d> v{};
         for (int k = 0; k <= d; ++k) {
             const auto w = cell->vertex(k);
             Coordinates<d> p{};

@@ -15,12 +15,12 @@ namespace {
 template <int d>
 void add_simplex(Cell_table<d>& t, Index first) {
     const Cell_index inside = t.new_cell();
-    for (int i = 0; i <= d; ++i) t.set_vertex(t.corner(inside, i), first + i);
+    for (int i = 0; i <= d; ++i) t.set_site(t.corner(inside, i), Site<d>(first + i));
     std::array<Cell_index, static_cast<std::size_t>(d + 1)> outside;
     for (int i = 0; i <= d; ++i) {
         // Infinity in the place of vertex i. Which way round it goes does not matter here.
         const Cell_index c = outside[static_cast<std::size_t>(i)] = t.new_cell();
-        for (int k = 0; k <= d; ++k) t.set_vertex(t.corner(c, k), k == i ? infinite : first + k);
+        for (int k = 0; k <= d; ++k) t.set_site(t.corner(c, k), Site<d>(k == i ? infinite : first + k));
         t.glue(t.corner(inside, i), t.corner(c, i));
     }
     for (int i = 0; i <= d; ++i)
@@ -43,13 +43,13 @@ TEST_CASE("In the plane two borders that share nothing but infinity are not one"
     // The corners of a cell go around it counter-clockwise there, so the cell with infinity has two of them exchanged.
     const auto add_triangle = [](Cell_table<2>& t, Index first) {
         const Cell_index inside = t.new_cell();
-        for (int i = 0; i < 3; ++i) t.set_vertex(t.corner(inside, i), first + i);
+        for (int i = 0; i < 3; ++i) t.set_site(t.corner(inside, i), Site<2>(first + i));
         std::array<Cell_index, 3> outside;
         for (int i = 0; i < 3; ++i) {
             const Cell_index c = outside[static_cast<std::size_t>(i)] = t.new_cell();
-            t.set_vertex(t.corner(c, 0), infinite);
-            t.set_vertex(t.corner(c, 1), first + (i + 2) % 3);
-            t.set_vertex(t.corner(c, 2), first + (i + 1) % 3);
+            t.set_site(t.corner(c, 0), Site<2>(infinite));
+            t.set_site(t.corner(c, 1), Site<2>(first + (i + 2) % 3));
+            t.set_site(t.corner(c, 2), Site<2>(first + (i + 1) % 3));
             t.glue(t.corner(inside, i), t.corner(c, 0));
         }
         for (int i = 0; i < 3; ++i)  // across the edge from infinity to vertex i + 1

@@ -55,8 +55,8 @@ double steps_of(const std::string& family, std::size_t vertices) {
         const Cell_index c = walk_to<d>(Table_walker<d>(t, x), p,
                                         t.cell_of(near == none ? t.corner_of_infinity() : t.corner_of(near)), steps);
         if (k >= walks / 2) sum += static_cast<double>(steps);
-        const int i = t.slot(c, infinite);
-        Cell_points<d> v = cell_points(t, c);
+        const int i = t.slot_of_infinity(c);
+        Cell_sites<d> v = cell_sites(t, c);
         if (i >= 0) {
             v[static_cast<std::size_t>(i)] = v[i == 0 ? 1 : 0];
             Tuple<d, d + 1> y = tuple<d, d + 1>(v, std::span<const Coordinates<d>>(x));
@@ -69,7 +69,7 @@ double steps_of(const std::string& family, std::size_t vertices) {
                 REQUIRE(sure_orientation<d>(y) >= 0);
             }
         }
-        landmarks.note(v[0], steps);
+        landmarks.note(v[0].vertex, steps);
     }
     return sum / (walks / 2);
 }

@@ -17,7 +17,7 @@ namespace {
 Cell_list_3 cells_of_table(const Cell_table<3>& t) {
     Cell_list_3 cells;
     for (const Cell_index c : t.cells()) {
-        auto x = cell_points(t, c);
+        auto x = cell_vertices(t, c);
         std::sort(x.begin(), x.end());
         cells.push_back(x);
     }
@@ -41,15 +41,21 @@ void check_same(const Delaunay_mesh<3>& e, Cgal_view_3<No_info>& view, const Poi
         }
 }
 
+Cell_vertices<3> vertices_of(const Cell_sites<3>& x) { return {x[0].vertex, x[1].vertex, x[2].vertex, x[3].vertex}; }
+
+bool has_all(const Cell_table<3>& t, Cell_index c, std::initializer_list<Index> vertices) {
+    return std::all_of(vertices.begin(), vertices.end(), [&](Index v) { return t.slot(c, Site<3>(v)) >= 0; });
+}
+
 bool is_edge(const Cell_table<3>& t, Index p, Index q) {
     for (const Cell_index c : t.cells())
-        if (t.slot(c, p) >= 0 && t.slot(c, q) >= 0) return true;
+        if (has_all(t, c, {p, q})) return true;
     return false;
 }
 
 bool is_facet(const Cell_table<3>& t, Index p, Index q, Index r) {
     for (const Cell_index c : t.cells())
-        if (t.slot(c, p) >= 0 && t.slot(c, q) >= 0 && t.slot(c, r) >= 0) return true;
+        if (has_all(t, c, {p, q, r})) return true;
     return false;
 }
 
@@ -69,8 +75,8 @@ Cell_list_3 exchanged(Cell_list_3 cells, const Cell_list_3& gone, const Cell_lis
     return cells;
 }
 
-/// Whether the two orders of vertices are the same but for an even permutation.
-bool same_orientation(const Cell_points<3>& x, const Cell_points<3>& y) {
+/// Whether the two orders of corners are the same but for an even permutation.
+bool same_orientation(const Cell_sites<3>& x, const Cell_sites<3>& y) {
     int inversions = 0;
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = i + 1; j < 4; ++j)
@@ -81,9 +87,9 @@ bool same_orientation(const Cell_points<3>& x, const Cell_points<3>& y) {
 /// Both sides of every facet see its vertices turn in opposite directions.
 void check_orientations(const Cell_table<3>& t) {
     for (const Corner_index f : t.facets()) {
-        Cell_points<3> one = facet_and_vertex(t, f);
-        Cell_points<3> other = facet_and_vertex(t, t.twin(f));
-        one[3] = other[3] = none;
+        Cell_sites<3> one = facet_and_vertex(t, f);
+        Cell_sites<3> other = facet_and_vertex(t, t.twin(f));
+        one[3] = other[3] = Site<3>(none);
         REQUIRE_FALSE(same_orientation(one, other));
     }
 }
@@ -106,7 +112,7 @@ TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL
             const Corner_index h = t.corner(cell, static_cast<int>(random() % 4));
             const Corner_index k =
                 t.corner(cell, static_cast<int>((static_cast<std::size_t>(t.slot_of(h)) + 1 + random() % 3) % 4));
-            const auto [a, b, c, q] = facet_and_vertex(t, h);
+            const auto [a, b, c, q] = vertices_of(facet_and_vertex(t, h));
             const Index p = t.vertex(t.twin(h));
             const Cell_list_3 before = cells_of_table(t);
             const std::size_t kind = random() % 3;
@@ -116,7 +122,7 @@ TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL
                 REQUIRE(flip_facet(t, h, cells));
                 CHECK(cells_of_table(t) == exchanged(before, {{a, b, c, q}, {a, b, c, p}}, {{a, b, p, q}, {b, c, p, q}, {c, a, p, q}}));
             } else if (kind == 1) {
-                Cell_points<3> x = facet_and_vertex(t, h);
+                Cell_vertices<3> x = vertices_of(facet_and_vertex(t, h));
                 while (x[2] != t.vertex(k)) x = {x[1], x[2], x[0], x[3]};
                 if (is_facet(t, x[2], p, q) || !flip_edge(t, h, k, cells)) {
                     CHECK(cells_of_table(t) == before);
@@ -129,10 +135,12 @@ TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL
                 const auto flip = flip_4_4(t, h, k);
                 if (!flip || is_edge(t, p, q)) continue;
                 Cell_list_3 gone;
-                for (const Cell_index g : flip->gone) gone.push_back(cell_points(t, g));
+                for (const Cell_index g : flip->gone) gone.push_back(cell_vertices(t, g));
                 std::vector<Cell_index> touched;
                 replace_cells<3>(t, flip->gone, flip->came, touched);
-                CHECK(cells_of_table(t) == exchanged(before, gone, Cell_list_3(flip->came.begin(), flip->came.end())));
+                Cell_list_3 came;
+                for (const Cell_sites<3>& x : flip->came) came.push_back(vertices_of(x));
+                CHECK(cells_of_table(t) == exchanged(before, gone, came));
             }
             ++made[kind];
             check_orientations(t);
@@ -202,24 +210,24 @@ TEST_CASE("The corners of a ridge and of a bi-cell are in the order that the cer
     const Points_3 x = point_set(Set_3::uniform, 60, random);
     e.build(x);
     const auto& t = e.table();
-    const auto at = [&](Index v) { return &x[static_cast<std::size_t>(v)]; };
+    const auto at = [&](Site<3> s) { return &x[static_cast<std::size_t>(s.vertex)]; };
     int ridges = 0;
     for (const Corner_index f : t.facets()) {
         for (const Corner_index h : {f, t.twin(f)}) {
             const Facet_kind kind = facet_kind(t, h);
             if (kind == Facet_kind::empty_sphere) {
-                const auto p = bicell_points(t, h);
+                const auto p = bicell_sites(t, h);
                 CHECK(orientation_verdict({at(p[0]), at(p[1]), at(p[2]), at(p[4])}).sign > 0);
                 CHECK(orientation_verdict({at(p[1]), at(p[0]), at(p[2]), at(p[3])}).sign > 0);
                 CHECK(empty_sphere_verdict({at(p[0]), at(p[1]), at(p[2]), at(p[3]), at(p[4])}).sign > 0);
             } else if (kind == Facet_kind::ridge) {
                 ++ridges;
-                const auto p = ridge_vertex_last(t, h, ridge_points(t, h));
-                CHECK(p[2] == t.vertex(h));
-                CHECK(p[3] == t.vertex(t.twin(h)));
+                const auto p = ridge_vertex_last(t, h, ridge_sites(t, h));
+                CHECK((p[2] == t.site(h)));
+                CHECK((p[3] == t.opposite(h)));
                 CHECK(orientation_verdict({at(p[0]), at(p[1]), at(p[2]), at(p[3])}).sign > 0);
             } else {
-                const auto p = slab_points(t, h);
+                const auto p = slab_sites(t, h);
                 CHECK(orientation_verdict({at(p[0]), at(p[1]), at(p[2]), at(p[3])}).sign > 0);
             }
         }

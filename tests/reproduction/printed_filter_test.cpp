@@ -93,12 +93,15 @@ TEST_CASE("Its tolerances are those of the paper's queue") {
 TEST_CASE("A point keeps its side of a delimiter until it has crossed the middle circle") {
     // A unit square's diagonal as the facet: the delimiter is the circle midway between those of a, b and of p, q.
     const std::vector<Coordinates<2>> x{{-1, 0}, {1, 0}, {0, -3}, {0, 3}};
-    Facet_certificate<2> f{Facet_kind::empty_sphere, {0, 1, 2, 3}};
+    const auto sites = [](Index a, Index b, Index p, Index q) {
+        return Facet_sites<2>{Site<2>(a), Site<2>(b), Site<2>(p), Site<2>(q)};
+    };
+    Facet_certificate<2> f{Facet_kind::empty_sphere, sites(0, 1, 2, 3)};
     CHECK(keeps_its_side(f, x, 1, {1.99, 0}));
     CHECK_FALSE(keeps_its_side(f, x, 1, {2.01, 0}));
     CHECK(keeps_its_side(f, x, 3, {0, 2.01}));
     CHECK_FALSE(keeps_its_side(f, x, 3, {0, 1.99}));
-    f = {Facet_kind::slab, {0, 1, 3, none}};
+    f = {Facet_kind::slab, sites(0, 1, 3, none)};
     CHECK(keeps_its_side(f, x, 3, {7, 1.51}));
     CHECK_FALSE(keeps_its_side(f, x, 3, {7, 1.49}));
     CHECK(keeps_its_side(f, x, 0, {-1, 1.49}));

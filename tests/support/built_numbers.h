@@ -21,8 +21,8 @@ bool glued(const Cell_table<d>& t) {
         for (int i = 0; i <= d; ++i) {
             const Corner_index h = t.corner(c, i), k = t.twin(h);
             if (t.twin(k) != h) return false;
-            auto a = cell_points(t, c), b = cell_points(t, t.cell_of(k));
-            a[static_cast<std::size_t>(t.slot_of(h))] = b[static_cast<std::size_t>(t.slot_of(k))] = none;
+            auto a = cell_sites(t, c), b = cell_sites(t, t.cell_of(k));
+            a[static_cast<std::size_t>(t.slot_of(h))] = b[static_cast<std::size_t>(t.slot_of(k))] = Site<d>(none);
             std::sort(a.begin(), a.end());
             std::sort(b.begin(), b.end());
             if (a != b) return false;

@@ -28,7 +28,7 @@ void Cgal_view<Traits>::create_vertices() {
     };
     const Cell_table<d>& t = mesh_.table();
     for (const Cell_index c : t.cells())
-        for (const Index v : cell_points(t, c)) create(v);
+        for (const Index v : cell_vertices(t, c)) create(v);
     for (std::size_t v = 0; v < handle_.size(); ++v) create(static_cast<Index>(v));
 }
 

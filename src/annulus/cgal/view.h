@@ -65,7 +65,7 @@ class Cgal_view {
     bool audit(std::span<const Coordinates<d>> x, Audit_result& result) const;
 
   private:
-    using Points = Cell_points<d>;
+    using Points = Cell_vertices<d>;
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] Vertex_handle vertex_of(Index v) const {
         return v == infinite ? tr_.infinite_vertex() : handle_[at(v)];

@@ -94,7 +94,7 @@ void Cgal_view<Traits>::audit_adjacency(Audit_result& result) const {
     Traits::for_each_cell(tr_, [&](Cell_handle c) {
         const Cell_index number = number_of(c);
         const bool known = number.value() >= 0 && number < t.cell_bound() && cell_.has(number) && cell_[number] == c &&
-                           t.is_cell(number) && cell_points(t, number) == points_of(c);
+                           t.is_cell(number) && cell_vertices(t, number) == points_of(c);
         if (known) ++found;
         else detail::object_fault(result, "the mesh has not the cell of CGAL's object" + written(c));
         for (int i = 0; i <= d; ++i) {

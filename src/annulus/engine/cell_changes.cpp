@@ -10,40 +10,40 @@ namespace annulus {
 
 namespace {
 
-/// A cell, and before it what cells have in common that are the same: their vertices, in the order of the indices, and their orientation.
-template <class Points>
+/// A cell, and before it what cells have in common that are the same: their sites, sorted, and their orientation.
+template <class Cell>
 struct Keyed {
-    Points vertices;
+    Cell sites;
     bool odd = false;
-    Points cell;
+    Cell cell;
 
-    explicit Keyed(const Points& x) : vertices(x), cell(x) {
+    explicit Keyed(const Cell& x) : sites(x), cell(x) {
         for (std::size_t i = 0; i < x.size(); ++i)
             for (std::size_t k = 0; k < i; ++k) odd = odd != (x[k] > x[i]);
-        std::sort(vertices.begin(), vertices.end());
+        std::sort(sites.begin(), sites.end());
     }
-    [[nodiscard]] auto key() const { return std::tie(vertices, odd); }
+    [[nodiscard]] auto key() const { return std::tie(sites, odd); }
 };
 
-template <class Points>
-using Sorted = std::vector<Keyed<Points>>;
+template <class Cell>
+using Sorted = std::vector<Keyed<Cell>>;
 
-template <class Points>
-Sorted<Points> sorted(const std::vector<Points>& cells) {
-    Sorted<Points> out(cells.begin(), cells.end());
+template <class Cell>
+Sorted<Cell> sorted(const std::vector<Cell>& cells) {
+    Sorted<Cell> out(cells.begin(), cells.end());
     std::sort(out.begin(), out.end(), [](const auto& l, const auto& r) { return l.key() < r.key(); });
     return out;
 }
 
 /// Those of `cells` that `others` lacks, corner by corner; all of them where `everything` is asked for.
-template <class Points>
-std::vector<Index> without(const Sorted<Points>& cells, const Sorted<Points>& others, bool everything) {
+template <class Cell>
+std::vector<Index> without(const Sorted<Cell>& cells, const Sorted<Cell>& others, bool everything) {
     std::vector<Index> out;
     auto other = others.begin();
-    for (const Keyed<Points>& x : cells) {
+    for (const Keyed<Cell>& x : cells) {
         while (other != others.end() && other->key() < x.key()) ++other;
         if (everything || other == others.end() || other->key() != x.key())
-            out.insert(out.end(), x.cell.begin(), x.cell.end());
+            for (const auto& [v, label] : x.cell) out.push_back(v);
     }
     return out;
 }
@@ -59,26 +59,26 @@ Cell_changes<d>::Cell_changes(Delaunay_mesh<d>& mesh, std::span<const Coordinate
 }
 
 template <int d>
-auto Cell_changes<d>::all_cells(std::span<const Coordinates<d>> x) const -> std::vector<Points> {
+auto Cell_changes<d>::all_cells(std::span<const Coordinates<d>> x) const -> std::vector<Sites> {
     std::vector<Index> corners;
     mesh_.list_all_cells(x, corners);
-    std::vector<Points> cells(corners.size() / (d + 1));
-    for (std::size_t c = 0; c < cells.size(); ++c) std::copy_n(&corners[c * (d + 1)], d + 1, cells[c].begin());
+    std::vector<Sites> cells(corners.size() / (d + 1));
+    for (std::size_t k = 0; k < corners.size(); ++k) cells[k / (d + 1)][k % (d + 1)] = Site<d>(corners[k]);
     return cells;
 }
 
 template <int d>
 void Cell_changes<d>::list(std::span<const Coordinates<d>> x, Move_report& report) {
     journal_.check();
-    std::vector<Points> came;
+    std::vector<Sites> came;
     if (watched_ && !journal_.replaced()) {
         const Cell_table<d>& t = mesh_.table();
         for (const Cell_index c : journal_.places())
-            if (t.is_cell(c)) came.push_back(cell_points(t, c));
+            if (t.is_cell(c)) came.push_back(cell_sites(t, c));
     } else {
         came = all_cells(x);
     }
-    const Sorted<Points> before = sorted(watched_ ? journal_.gone() : before_), after = sorted(came);
+    const Sorted<Sites> before = sorted(watched_ ? journal_.gone() : before_), after = sorted(came);
     const bool flat = !watched_ || mesh_.dimension() != d;
     report.changed = without(after, before, flat);
     report.gone = without(before, after, flat);

@@ -25,13 +25,13 @@ class Cell_changes {
     void list(std::span<const Coordinates<d>> x, Move_report& report);
 
   private:
-    using Points = typename Cell_journal<d>::Points;
-    [[nodiscard]] std::vector<Points> all_cells(std::span<const Coordinates<d>> x) const;
+    using Sites = typename Cell_journal<d>::Sites;
+    [[nodiscard]] std::vector<Sites> all_cells(std::span<const Coordinates<d>> x) const;
 
     Delaunay_mesh<d>& mesh_;
     Cell_journal<d>& journal_;
     bool watched_;                ///< the table is: there are cells of dimension d
-    std::vector<Points> before_;  ///< all cells, where it is not
+    std::vector<Sites> before_;  ///< all cells, where it is not
 };
 
 extern template class Cell_changes<2>;

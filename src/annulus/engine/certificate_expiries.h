@@ -28,9 +28,9 @@ static_assert(Wide_horizons::cells <= Index{1} << 29, "the greatest corner, twic
 /// At which readings certificates expire, each of its points: the truth, of which expiry lists hold hints.
 ///
 /// Everything is kept at the corners of the cells, nothing by facet, so that what a vertex has to look at on a tour is in its own
-/// cells: one cache line each in space. The certificate of facet f has the d + 2 points that bicell_points(f) gives at most, infinity being none of them: the d
-/// of the facet, of which the first d - 1 are kept at f and the last at its twin, then vertex(twin(f)), kept at the twin, and
-/// vertex(f), kept at f. 64 bytes a cell in space, 36 in the plane. What is kept of a cell or a facet that changes is to be written
+/// cells: one cache line each in space. The certificate of facet f has the d + 2 points that bicell_sites(f) gives at most, infinity being none of them: the d
+/// of the facet, of which the first d - 1 are kept at f and the last at its twin, then the corner of twin(f), kept at the twin, and
+/// that of f, kept at f. 64 bytes a cell in space, 36 in the plane. What is kept of a cell or a facet that changes is to be written
 /// anew, as its certificate is to be evaluated anew.
 template <int d>
 class Certificate_expiries {
@@ -46,7 +46,7 @@ class Certificate_expiries {
     /// Of the certificate of the facet opposite to corner h, for its vertex.
     [[nodiscard]] Expiry& of_opposite(Corner_index h) { return at(h).opposite; }
     [[nodiscard]] const Expiry& of_opposite(Corner_index h) const { return at(h).opposite; }
-    /// Of the certificate of facet f for the k-th of bicell_points(f).
+    /// Of the certificate of facet f for the k-th of bicell_sites(f).
     [[nodiscard]] Expiry& of_facet(Corner_index f, Corner_index twin, std::size_t k) {
         if (k < d - 1) return at(f).own[k];
         return k == d - 1 ? at(twin).own[0] : of_opposite(k == d ? twin : f);
@@ -54,12 +54,12 @@ class Certificate_expiries {
     [[nodiscard]] const Expiry& of_facet(Corner_index f, Corner_index twin, std::size_t k) const {
         return const_cast<Certificate_expiries&>(*this).of_facet(f, twin, k);
     }
-    /// The same for point v, without branches: which it is cannot be predicted. Never when it is none of them.
+    /// The same for vertex v, without branches: which it is cannot be predicted. Never when it is none of them.
     [[nodiscard]] Expiry of_facet(const Cell_table<d>& t, Corner_index f, Index v) const {
         const Corner_index twin = t.twin(f);
-        const Facet_points<d> point = bicell_points(t, f);
+        const Facet_sites<d> point = bicell_sites(t, f);
         Expiry e = Expiry::never();
-        for (std::size_t k = 0; k < point.size(); ++k) e = point[k] == v ? of_facet(f, twin, k) : e;
+        for (std::size_t k = 0; k < point.size(); ++k) e = point[k].vertex == v ? of_facet(f, twin, k) : e;
         return e;
     }
     /// The same for the vertex of corner h of the cell that f is a corner of: nothing has to be searched. f may be the greater

@@ -79,8 +79,9 @@ template <int d>
 void Checker<d>::describe(Pending_cell& s, Cell_index c) const {
     s.id = c;
     s.stale = true;
-    s.point = cell_points(table_, c);
-    const bool infinite_cell = std::find(s.point.begin(), s.point.end(), infinite) != s.point.end();
+    s.point = cell_sites(table_, c);
+    const bool infinite_cell =
+        std::any_of(s.point.begin(), s.point.end(), [](Site<d> p) { return p.vertex == infinite; });
     s.kind = infinite_cell ? Facet_kind::nothing : Facet_kind::empty_sphere;
 }
 

@@ -26,8 +26,8 @@ class Checker {
         bool stale = true;       ///< verdict not computed for its present points
         Verdict verdict;
     };
-    using Pending_facet = Pending<Corner_index, Facet_points<d>>;
-    using Pending_cell = Pending<Cell_index, Cell_points<d>>;
+    using Pending_facet = Pending<Corner_index, Facet_sites<d>>;
+    using Pending_cell = Pending<Cell_index, Cell_sites<d>>;
 
     explicit Checker(const Cell_table<d>& table) : table_(table) {}
     /// For evaluate(). Verdicts and counts do not depend on it.

@@ -46,7 +46,7 @@ class Held_back {
 
     /// Puts that of these vertices that is farthest from where it comes from half way, and the next time home. Returns
     /// it, or `none` when all are there.
-    [[nodiscard]] Index hold_back(const Cell_points<d>& cell);
+    [[nodiscard]] Index hold_back(const Cell_sites<d>& cell);
     /// A new round: every vertex that is not at its goal goes on towards it; moved(v) is called after each. Whether one
     /// got nearer to its goal in the last round.
     template <class Moved>
@@ -72,10 +72,10 @@ void Held_back<d>::begin(const Course<d>& course, std::size_t bound) {
 }
 
 template <int d>
-Index Held_back<d>::hold_back(const Cell_points<d>& cell) {
+Index Held_back<d>::hold_back(const Cell_sites<d>& cell) {
     Index farthest = none;
     double most = 0.0;
-    for (const Index v : cell) {
+    for (const auto& [v, label] : cell) {
         if (v == infinite) continue;
         const Index k = place_of_[at(v)];
         if (k == 0 && !first_round_) continue;  // where it is the others have been flipped for it

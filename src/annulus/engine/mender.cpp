@@ -39,7 +39,7 @@ bool Mender<d>::unfold_or_hold() {
         if (!table_.is_cell(c) || !signs_.is_inverted(c)) continue;
         if (!budget_->affordable()) return false;
         if (unfold(c)) continue;
-        const Index v = held_.hold_back(cell_points(table_, c));
+        const Index v = held_.hold_back(cell_sites(table_, c));
         if (v != none) moved(v);
         else left_.folded.push_back(c);
     }
@@ -77,7 +77,7 @@ template <int d>
 void Mender<d>::note_stuck(std::vector<Cell_index>& seeds) {
     const auto seed = [&](Cell_index c) {
         seeds.push_back(c);
-        for (const Index v : cell_points(table_, c))
+        for (const Index v : cell_vertices(table_, c))
             if (v != infinite) result_.reinserted.push_back(v);
     };
     auto& violated = signs_.violated();

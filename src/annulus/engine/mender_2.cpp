@@ -8,10 +8,10 @@ namespace annulus {
 namespace {
 
 /// The two triangles that the other diagonal makes of the bi-cell at h.
-std::array<Cell_points<2>, 2> flipped(const Cell_table<2>& t, Corner_index h) {
-    const Index q = t.vertex(h);
-    const Index p = t.vertex(t.twin(h));
-    return {{{q, t.vertex(t.ccw(h)), p}, {p, t.vertex(t.cw(h)), q}}};
+std::array<Cell_sites<2>, 2> flipped(const Cell_table<2>& t, Corner_index h) {
+    const Site<2> q = t.site(h);
+    const Site<2> p = t.opposite(h);
+    return {{{q, t.site(t.ccw(h)), p}, {p, t.site(t.cw(h)), q}}};
 }
 
 }  // namespace
@@ -19,12 +19,12 @@ std::array<Cell_points<2>, 2> flipped(const Cell_table<2>& t, Corner_index h) {
 template <>
 bool Mender<2>::flip(Corner_index h) {
     const std::array<Cell_index, 2> cells{table_.cell_of(h), table_.cell_of(table_.twin(h))};
-    if (table_.vertex(h) == table_.vertex(table_.twin(h))) return false;
+    if (table_.site(h) == table_.opposite(h)) return false;
     for (const Corner_index k : {table_.ccw(h), table_.cw(h), table_.ccw(table_.twin(h)), table_.cw(table_.twin(h))}) {
         const Cell_index beside = table_.cell_of(table_.twin(k));
         if (beside == cells[0] || beside == cells[1]) return false;  // it would be beside itself
     }
-    for (const Cell_points<2>& x : flipped(table_, h))
+    for (const Cell_sites<2>& x : flipped(table_, h))
         if (signs_.sign(x) <= 0) return false;
     table_.flip(h);
     made(cells);

@@ -12,9 +12,9 @@ namespace annulus {
 /// where it passes by one side. Where four of the points are coplanar, 4-4 if the two edges cross.
 template <>
 bool Mender<3>::flip(Corner_index h) {
-    const Cell_points<3> x = facet_and_vertex(table_, h);
-    const Index q = x[3];
-    const Index p = table_.vertex(table_.twin(h));
+    const Cell_sites<3> x = facet_and_vertex(table_, h);
+    const Site<3> q = x[3];
+    const Site<3> p = table_.opposite(h);
     if (p == q) return false;
     std::array<int, 3> passes{};  // the edge opposite to x[i], on its inner side
     int beside = 0;
@@ -41,8 +41,8 @@ bool Mender<3>::flip(Corner_index h) {
         return true;
     }
     const auto flip = flip_4_4(table_, h, table_.corner(c, table_.slot(c, x[odd])));
-    if (!flip || p == infinite || q == infinite) return false;
-    for (const Cell_points<3>& cell : flip->came)
+    if (!flip || p.vertex == infinite || q.vertex == infinite) return false;
+    for (const Cell_sites<3>& cell : flip->came)
         if (signs_.sign(cell) <= 0) return false;
     std::vector<Cell_index> cells;
     replace_cells<3>(table_, flip->gone, flip->came, cells);

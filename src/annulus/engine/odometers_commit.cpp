@@ -18,9 +18,10 @@ template <int d>
 template <bool fresh, class S, class Expiry_of>
 void Odometers<d>::commit_points(const S& s, Certificate_id id, Expiry_of expiry_of, Step<d>* step) {
     for (std::size_t k = 0; k < s.point.size(); ++k) {
-        if (s.point[k] == none) continue;
-        if constexpr (!fresh) anchor(s.point[k], *step);
-        List& list = list_[at(s.point[k])];
+        const Index v = s.point[k].vertex;
+        if (v == none) continue;
+        if constexpr (!fresh) anchor(v, *step);
+        List& list = list_[at(v)];
         const Expiry expiry = Expiry::lower(sum_lower(list.base, s.verdict.tolerance));
         expiry_of(k) = expiry;
         if constexpr (fresh) {
@@ -36,7 +37,7 @@ void Odometers<d>::commit_points(const S& s, Certificate_id id, Expiry_of expiry
 template <int d>
 template <class Points>
 void Odometers<d>::prefetch(const Points& points) const {
-    for (const Index v : points)
+    for (const auto& [v, label] : points)
         if (v != none) {
             __builtin_prefetch(&list_[at(v)], 1);
             __builtin_prefetch(&vertex_[at(v)], 1);
@@ -61,7 +62,7 @@ void Odometers<d>::commit_evaluated(const Checker<d>& checker, Step<d>* step) {
         }
         for (std::size_t k = 0; k < s.point.size(); ++k) expiry_of(k) = never;
         if (s.kind == Facet_kind::nothing) continue;
-        const Facet_points<d> around = bicell_points(table_, s.id);
+        const Facet_sites<d> around = bicell_sites(table_, s.id);
         const auto place_of = [&](std::size_t k) {
             return static_cast<std::size_t>(std::find(around.begin(), around.end(), s.point[k]) - around.begin());
         };
@@ -100,9 +101,9 @@ void Odometers<d>::rebase(Index v) {
         },
         [&](Corner_index h) {
             const Corner_index f = table_.facet(h);
-            const Facet_points<d> point = bicell_points(table_, f);
+            const Facet_sites<d> point = bicell_sites(table_, f);
             for (std::size_t k = 0; k < point.size(); ++k)
-                if (point[k] == v) shift(expiries_.of_facet(f, table_.twin(f), k), id_of_facet(f));
+                if (point[k].vertex == v) shift(expiries_.of_facet(f, table_.twin(f), k), id_of_facet(f));
         });
     ANNULUS_TRACED(rebased(*this, v));
 }

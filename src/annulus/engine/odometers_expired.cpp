@@ -15,7 +15,7 @@ void Odometers<d>::look_at(Certificate_id id, Index v, Checker<d>& checker) {
     if (is_of_cell(id)) {
         const Cell_index c = cell_of(id);
         if (!expiries_.has(c) || !table_.is_cell(c)) return;
-        const int slot = table_.slot(c, v);
+        const int slot = table_.slot(c, Site<d>(v));
         if (slot < 0) return;
         const Expiry expiry = expiries_.of_cell(table_.corner(c, slot));
         if (expiry.reached(list.base)) {

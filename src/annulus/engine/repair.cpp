@@ -18,7 +18,7 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 template <class Points>
 void append_vertices(const Points& points, std::vector<Index>& vertices) {
-    for (const Index v : points)
+    for (const auto& [v, label] : points)
         if (v != none) vertices.push_back(v);
 }
 

@@ -23,9 +23,9 @@ bool Repair<d>::signs_hold(Step<d>& step, double most) {
     std::erase_if(signs_.inverted(), [&](Cell_index c) { return affordable() && !signs_.is_inverted(c); });
     std::erase_if(signs_.violated(), [&](Corner_index f) { return affordable() && !signs_.is_violated(f); });
     for (const Cell_index c : signs_.inverted())
-        for (const Index v : cell_points(t, c)) step.disturbed.push_back(v);
+        for (const Index v : cell_vertices(t, c)) step.disturbed.push_back(v);
     for (const Corner_index f : signs_.violated())
-        for (const Index v : facet_certificate(t, f, false).point)
+        for (const auto& [v, label] : facet_certificate(t, f, false).point)
             if (v != none) step.disturbed.push_back(v);
     step.count(signs_.take_counts());
     if (!signs_.inverted().empty() || !signs_.violated().empty()) return false;

@@ -11,7 +11,7 @@ namespace {
 template <int d>
 void add_cell(Sample& sample, const Cell_table<d>& t, std::span<const Coordinates<d>> x, Cell_index c) {
     ++sample.cells;
-    const Cell_points<d> v = cell_points(t, c);
+    const Cell_sites<d> v = cell_sites(t, c);
     Verdict verdict;
     if (!orientation_filter(tuple<d, d + 1>(v, x), false, verdict)) {
         ++sample.unclear;
@@ -22,10 +22,10 @@ void add_cell(Sample& sample, const Cell_table<d>& t, std::span<const Coordinate
         return;
     }
     for (std::size_t i = 0; i < v.size(); ++i) {
-        const Index beyond = t.vertex(t.twin(t.corner(c, static_cast<int>(i))));
-        if (beyond == infinite) continue;
+        const Site<d> beyond = t.opposite(t.corner(c, static_cast<int>(i)));
+        if (beyond.vertex == infinite) continue;
         ++sample.facets;
-        const Facet_points<d> points = bicell_points(v, i, beyond);
+        const Facet_sites<d> points = bicell_sites(v, i, beyond);
         if (!empty_sphere_filter(tuple<d, d + 2>(points, x), false, verdict)) ++sample.unclear;
         else if (verdict.sign < 0) ++sample.violated;
     }

@@ -56,12 +56,12 @@ int Signs<d>::decided(Staged_sign s) {
 }
 
 template <int d>
-int Signs<d>::sign(const Cell_points<d>& x) {
+int Signs<d>::sign(const Cell_sites<d>& x) {
     bool at_infinity = false;
-    for (const Index v : x) at_infinity |= v == infinite;
+    for (const Site<d> s : x) at_infinity |= s.vertex == infinite;
     if (at_infinity && !middle_) find_middle();
     Tuple<d, d + 1> p{};
-    for (std::size_t k = 0; k < x.size(); ++k) p[k] = position(x[k]);
+    for (std::size_t k = 0; k < x.size(); ++k) p[k] = position(x[k].vertex);
     int sign = orientation_sign(p);
     if (!clearly(sign)) sign = decided(exact_orientation_sign(p));
     return at_infinity ? -sign : sign;
@@ -79,10 +79,10 @@ bool Signs<d>::clearly(int sign) {
 /// Of the bi-cell at half-facet h, by the filter stage: 0 where the next stage has to tell.
 template <int d>
 [[gnu::flatten]] int Signs<d>::sphere_sign(Corner_index h) {
-    const Cell_points<d> v = cell_points(table_, table_.cell_of(h));
-    const Coordinates<d>& p = x_[at(table_.vertex(table_.twin(h)))];
+    const Cell_sites<d> v = cell_sites(table_, table_.cell_of(h));
+    const Coordinates<d>& p = x_[at(table_.opposite(h).vertex)];
     return [&]<std::size_t... i>(std::index_sequence<i...>) {
-        const Circumsphere<d> sphere(x_[at(v[i])]...);
+        const Circumsphere<d> sphere(x_[at(v[i].vertex)]...);
         if (!sphere.positive()) return 0;
         return sphere.excludes(p) ? 1 : sphere.contains(p) ? -1 : 0;
     }
@@ -102,7 +102,7 @@ bool Signs<d>::is_violated(Corner_index f) {
     }
     const int clear = sphere_sign(f);
     if (clearly(clear)) return clear < 0;
-    const auto x = tuple<d, d + 2>(bicell_points(table_, f), x_);
+    const auto x = tuple<d, d + 2>(bicell_sites(table_, f), x_);
     const int s = decided(exact_empty_sphere_sign(x));
     if (s != 0) return s < 0;
     if (is_inverted(table_.cell_of(f)) || is_inverted(table_.cell_of(table_.twin(f)))) return false;  // they come first
@@ -114,9 +114,9 @@ bool Signs<d>::is_violated(Corner_index f) {
 template <int d>
 [[gnu::flatten]] void Signs<d>::look_at(Cell_index c, bool border, Found& found) const {
     const auto& t = table_;
-    const Cell_points<d> v = cell_points(t, c);
+    const Cell_sites<d> v = cell_sites(t, c);
     ++found.cells;
-    if (std::any_of(v.begin(), v.end(), [](Index w) { return w < 0; })) {
+    if (std::any_of(v.begin(), v.end(), [](Site<d> w) { return w.vertex < 0; })) {
         if (border) found.inverted.push_back(c);
         for (int i = 0; i <= d; ++i) {
             const Corner_index h = t.corner(c, i);
@@ -125,10 +125,10 @@ template <int d>
         return;
     }
     [&]<std::size_t... i>(std::index_sequence<i...>) {
-        const Circumsphere<d> sphere(x_[at(v[i])]...);
-        const std::array<Index, d + 1> opposite{t.vertex(t.twin(t.corner(c, static_cast<int>(i))))...};
+        const Circumsphere<d> sphere(x_[at(v[i].vertex)]...);
+        const Cell_sites<d> opposite{t.opposite(t.corner(c, static_cast<int>(i)))...};
         // At infinity a corner stands in, of which nothing can be said.
-        const auto beyond = [&](std::size_t k) -> const Coordinates<d>& { return x_[at(opposite[k] == infinite ? v[0] : opposite[k])]; };
+        const auto beyond = [&](std::size_t k) -> const Coordinates<d>& { return x_[at(opposite[k].vertex == infinite ? v[0].vertex : opposite[k].vertex)]; };
         if (sphere.excludes_all(beyond(i)...)) [[likely]] {
             found.clear_halves += d + 3;
             return;
@@ -138,7 +138,7 @@ template <int d>
         if (positive) found.clear_halves += 2;
         else found.inverted.push_back(c);
         for (std::size_t k = 0; k <= d; ++k) {
-            if (opposite[k] == infinite) continue;
+            if (opposite[k].vertex == infinite) continue;
             if (positive && outside[k]) ++found.clear_halves;
             else found.violated.push_back(t.facet(t.corner(c, static_cast<int>(k))));
         }
@@ -196,7 +196,7 @@ double Signs<d>::outlook() {
     };
     const auto folded = [this](Cell_index c) {
         budget_->charge(Prices<d>::filter);
-        return !table_.is_infinite(c) && orientation_sign(tuple<d, d + 1>(cell_points(table_, c), x_)) < 0;
+        return !table_.is_infinite(c) && orientation_sign(tuple<d, d + 1>(cell_sites(table_, c), x_)) < 0;
     };
     const auto crossed = [this](Corner_index f) {
         budget_->charge(Prices<d>::filter);

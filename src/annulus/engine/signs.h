@@ -45,11 +45,11 @@ class Signs {
 
     /// Exact. A cell with infinity is inverted when its facet faces away from the middle of the points: that is a hint, no
     /// certificate.
-    [[nodiscard]] bool is_inverted(Cell_index c) { return sign(cell_points(table_, c)) <= 0; }
+    [[nodiscard]] bool is_inverted(Cell_index c) { return sign(cell_sites(table_, c)) <= 0; }
     /// Exact; what is degenerate is decided by the perturbation, once its cells are positive.
     [[nodiscard]] bool is_violated(Corner_index f);
     /// Exact sign of a cell with these vertices; infinity allowed.
-    [[nodiscard]] int sign(const Cell_points<d>& x);
+    [[nodiscard]] int sign(const Cell_sites<d>& x);
 
     [[nodiscard]] std::vector<Cell_index>& inverted() { return found_.inverted; }    ///< cells
     [[nodiscard]] std::vector<Corner_index>& violated() { return found_.violated; }  ///< facets

@@ -60,7 +60,7 @@ double Tracking<d>::outlook(const Cell_table<d>& table, Checker<d>& checker, std
     for (const auto& s : checker.facets()) {
         if (s.kind != Facet_kind::empty_sphere) continue;
         double fastest = 0.0;
-        for (const Index v : s.point)
+        for (const auto& [v, label] : s.point)
             fastest = std::max(fastest, squared_distance<d>(displacement_[static_cast<std::size_t>(v)], Coordinates<d>{}));
         const double way = std::sqrt(fastest);
         const double room = s.verdict.tolerance;

@@ -35,7 +35,7 @@ class Builder {
     [[nodiscard]] bool build(std::span<const Coordinates<d>> x, std::span<const Index> vertices, int threads = 1);
     /// The vertices in the order of insertion.
     [[nodiscard]] std::span<const Index> order() const { return order_; }
-    /// Calls visit(vertices in positive order) for each cell that build() made, those at infinity too. The order is the
+    /// Calls visit(sites in positive order) for each cell that build() made, those at infinity too. The order is the
     /// same in each run with one thread.
     template <class Visit>
     void for_each_cell(Visit visit) const;
@@ -51,8 +51,8 @@ class Builder {
     static constexpr std::size_t corners = d + 1;
     using Simplex = std::array<Rank, corners>;
 
-    [[nodiscard]] Cell_points<d> named(const Simplex& ranks) const {
-        Cell_points<d> vertices;
+    [[nodiscard]] Cell_vertices<d> named(const Simplex& ranks) const {
+        Cell_vertices<d> vertices;
         for (std::size_t i = 0; i <= d; ++i)
             vertices[i] = ranks[i] == cells_.infinity ? infinite : order_[static_cast<std::size_t>(ranks[i])];
         return vertices;
@@ -86,7 +86,7 @@ template <int d>
 template <class Visit>
 void Builder<d>::for_each_cell(Visit visit) const {
     for (Cell c = 0; c < cells_.used; ++c)
-        if (cells_.is_cell(c)) visit(named(cells_.cells[c].vertex));
+        if (cells_.is_cell(c)) visit(sites_of<d>(named(cells_.cells[c].vertex)));
 }
 
 extern template class Builder<2>;

@@ -122,12 +122,12 @@ void Builder<d>::copy_to(Cell_table<d>& table, std::size_t bound, int threads) {
     const std::size_t count = cell_order_.group(cells_, threads);
     table.reserve(bound, count);
     table.start_over(bound, count);
-    const auto note = [&table](Cell_index c, const Cell_points<d>& vertices) {
+    const auto note = [&table](Cell_index c, const Cell_vertices<d>& vertices) {
         for (int i = 0; i <= d; ++i) table.set_corner(vertices[static_cast<std::size_t>(i)], table.corner(c, i));
     };
     cell_order_.number(cells_, threads, [&](std::size_t k, const Simplex& ranks, const auto& across) {
         const Cell_index c(static_cast<Index>(k));
-        const Cell_points<d> vertices = named(ranks);
+        const Cell_vertices<d> vertices = named(ranks);
         std::array<Corner_index, corners> twins;
         for (std::size_t i = 0; i <= d; ++i) twins[i] = Corner_index(static_cast<Index>(across[i]));
         table.set_cell(c, vertices, twins);
@@ -142,7 +142,7 @@ void Builder<d>::copy_to(Cell_table<d>& table, std::size_t bound, int threads) {
             }
     });
     if (threads == 1) return;
-    for (const Cell_index c : table.cells()) note(c, cell_points(table, c));
+    for (const Cell_index c : table.cells()) note(c, cell_vertices(table, c));
 }
 
 template class Builder<2>;

@@ -90,8 +90,8 @@ void Delaunay_mesh<d>::clear_cells() noexcept {
 template <int d>
 void Delaunay_mesh<d>::replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made) {
     if (!builder_->build(x, living())) throw std::logic_error("points that had cells are flat");
-    std::vector<Cell_points<d>> cells;
-    builder_->for_each_cell([&cells](const Cell_points<d>& v) { cells.push_back(v); });
+    std::vector<Cell_sites<d>> cells;
+    builder_->for_each_cell([&cells](const Cell_sites<d>& cell) { cells.push_back(cell); });
     std::vector<Cell_index> old;
     for (const Cell_index c : table_.cells()) old.push_back(c);
     replace_cells<d>(table_, old, cells, made);
@@ -127,7 +127,7 @@ Cell_index Delaunay_mesh<d>::locate(std::span<const Coordinates<d>> home, const 
     std::size_t steps = 0;
     const Corner_index start = near != none ? table_.corner_of(near) : table_.corner_of_infinity();
     const Cell_index c = walk_to<d>(Table_walker<d>(table_, home), p, table_.cell_of(start), steps);
-    landmarks_.note(Landmarks<d>::nearest(home, cell_points(table_, c), p, own), steps);
+    landmarks_.note(Landmarks<d>::nearest(home, cell_vertices(table_, c), p, own), steps);
     return c;
 }
 
@@ -145,9 +145,9 @@ bool Delaunay_mesh<d>::is_taken(std::span<const Coordinates<d>> home, const Coor
 template <int d>
 bool Delaunay_mesh<d>::is_at_corner(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Cell_index c,
                                     Index but) const {
-    const auto points = cell_points(table_, c);
+    const auto vertices = cell_vertices(table_, c);
     const auto is_there = [&](Index v) { return v != infinite && v != but && home[at(v)] == p; };
-    return std::any_of(points.begin(), points.end(), is_there);
+    return std::any_of(vertices.begin(), vertices.end(), is_there);
 }
 
 /// v goes to p, where there is no vertex, in the cell `place`.

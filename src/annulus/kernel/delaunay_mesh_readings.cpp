@@ -13,7 +13,7 @@ template <int d>
 void Delaunay_mesh<d>::list_cells(std::span<const Coordinates<d>> home, std::vector<Index>& vertices) const {
     if (dimension_ == d) {
         for (const Cell_index c : table_.finite_cells()) {
-            const auto v = cell_points(table_, c);
+            const auto v = cell_vertices(table_, c);
             vertices.insert(vertices.end(), v.begin(), v.end());
         }
         return;
@@ -29,7 +29,7 @@ template <int d>
 void Delaunay_mesh<d>::list_all_cells(std::span<const Coordinates<d>> home, std::vector<Index>& vertices) const {
     if (dimension_ != d) return list_cells(home, vertices);
     for (const Cell_index c : table_.cells()) {
-        const auto v = cell_points(table_, c);
+        const auto v = cell_vertices(table_, c);
         vertices.insert(vertices.end(), v.begin(), v.end());
     }
 }

@@ -56,9 +56,9 @@ void triangles(std::span<const Coordinates<3>> x, std::vector<Index> vertices, s
     By_cell<Index> number(table.cell_bound().offset(), none);
     Index count = 0;
     for (const Cell_index c : table.cells())
-        if (table.slot(c, top) >= 0) number[c] = count++;
+        if (table.slot(c, Site<3>(top)) >= 0) number[c] = count++;
     for (const Cell_index c : table.cells()) {
-        const int slot = table.slot(c, top);
+        const int slot = table.slot(c, Site<3>(top));
         if (slot < 0) continue;
         auto& corners = out.vertices.emplace_back();
         auto& beyond = out.neighbours.emplace_back();

@@ -37,14 +37,14 @@ Local_delaunay<d>::~Local_delaunay() = default;
 /// left of it or not.
 template <int d>
 template <class Cell>
-auto Local_delaunay<d>::side(const Points& x, int slot, Cell cell) -> Side<Cell> {
+auto Local_delaunay<d>::side(const Sites& x, int slot, Cell cell) -> Side<Cell> {
     Side<Cell> s{{}, false, cell, slot};
     bool odd = (d - slot) % 2 != 0;  // the swaps that bring the corner to the end
     for (int k = 0, n = 0; k <= d; ++k)
-        if (k != slot) s.vertices[static_cast<std::size_t>(n++)] = x[static_cast<std::size_t>(k)];
-    for (std::size_t i = 1; i < s.vertices.size(); ++i)
-        for (std::size_t j = i; j > 0 && s.vertices[j] < s.vertices[j - 1]; --j) {
-            std::swap(s.vertices[j], s.vertices[j - 1]);
+        if (k != slot) s.sites[static_cast<std::size_t>(n++)] = x[static_cast<std::size_t>(k)];
+    for (std::size_t i = 1; i < s.sites.size(); ++i)
+        for (std::size_t j = i; j > 0 && s.sites[j] < s.sites[j - 1]; --j) {
+            std::swap(s.sites[j], s.sites[j - 1]);
             odd = !odd;
         }
     s.left = !odd;
@@ -89,7 +89,7 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
         vertices_.clear();
         at_infinity_ = false;
         for (const Cell_index c : region)
-            for (const Index v : cell_points(table_, c))
+            for (const Index v : cell_vertices(table_, c))
                 if (v != infinite) vertices_.push_back(v);
                 else at_infinity_ = true;
         make_unique(vertices_);
@@ -136,7 +136,7 @@ bool Local_delaunay<d>::triangulate(std::span<const Coordinates<d>> x) {
         if (e.code() != Error_code::collision) throw;
         return false;
     }
-    builder_->for_each_cell([this](const Points& vertices) { cells_.push_back(vertices); });
+    builder_->for_each_cell([this](const Sites& cell) { cells_.push_back(cell); });
     return true;
 }
 
@@ -159,7 +159,7 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
         for (int i = 0; i <= d; ++i) {
             const Cell_index out = table_.cell_of(table_.twin(table_.corner(c, i)));
             if (mark_[out] == 2) continue;
-            border_.push_back(side(cell_points(table_, c), i, out));
+            border_.push_back(side(cell_sites(table_, c), i, out));
             const auto it = std::lower_bound(sides_.begin(), sides_.end(), border_.back(), precedes);
             if (it == sides_.end() || precedes(border_.back(), *it)) {
                 beyond.push_back(out);
@@ -181,7 +181,7 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
     if (!beyond.empty()) return false;
     filled_.clear();
     for (std::size_t k = 0; k < behind.size(); ++k) {
-        const Points& x = cells_[behind[k]];
+        const Sites& x = cells_[behind[k]];
         filled_.push_back(x);
         for (int i = 0; i <= d; ++i) {
             Side<Small_index> own = side(x, i, behind[k]);
@@ -205,8 +205,8 @@ template <int d>
 bool Local_delaunay<d>::has_every_vertex() const {
     std::vector<Index> found;
     bool at_infinity = false;
-    for (const Points& x : filled_)
-        for (const Index v : x)
+    for (const Sites& x : filled_)
+        for (const auto& [v, label] : x)
             if (v != infinite) found.push_back(v);
             else at_infinity = true;
     make_unique(found);

@@ -38,26 +38,26 @@ class Local_delaunay {
     [[nodiscard]] std::size_t points() const { return points_; }
 
   private:
-    using Points = Cell_points<d>;
+    using Sites = Cell_sites<d>;
     /// A cell of the Delaunay triangulation of the region's vertices.
     using Small_index = Typed_index<struct Small_tag>;
-    /// A facet of a cell, its vertices in a standard order, with the side that the cell is on.
+    /// A facet of a cell, its corners in a standard order, with the side that the cell is on.
     template <class Cell>
     struct Side {
-        std::array<Index, static_cast<std::size_t>(d)> vertices;
+        std::array<Site<d>, static_cast<std::size_t>(d)> sites;
         bool left;
         Cell cell;
         int slot;
         template <class Other>
         [[nodiscard]] bool precedes(const Side<Other>& o) const {
-            return vertices != o.vertices ? vertices < o.vertices : left < o.left;
+            return sites != o.sites ? sites < o.sites : left < o.left;
         }
-        [[nodiscard]] bool same_facet(const Side& o) const { return vertices == o.vertices; }
+        [[nodiscard]] bool same_facet(const Side& o) const { return sites == o.sites; }
     };
 
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     template <class Cell>
-    [[nodiscard]] static Side<Cell> side(const Points& x, int slot, Cell cell);
+    [[nodiscard]] static Side<Cell> side(const Sites& x, int slot, Cell cell);
     [[nodiscard]] bool rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region,
                                       std::size_t most, std::vector<Cell_index>& touched);
     [[nodiscard]] bool triangulate(std::span<const Coordinates<d>> x);
@@ -77,10 +77,10 @@ class Local_delaunay {
     std::vector<Index> vertices_;           // of the region
     bool at_infinity_ = false;              // and infinity
     Index goes_ = none;                     // one that is not to be in it any more
-    Indexed<Small_index, Points> cells_;    // Delaunay, of the vertices
+    Indexed<Small_index, Sites> cells_;     // Delaunay, of the vertices
     std::vector<Side<Small_index>> sides_;  // of these, sorted
     std::vector<Side<Cell_index>> border_;  // of the region, seen from inside, sorted; the cell is the one outside
-    std::vector<Points> filled_;
+    std::vector<Sites> filled_;
 };
 
 extern template class Local_delaunay<2>;

@@ -49,10 +49,10 @@ bool border_winds_once(const Cell_table<3>& t, std::span<const Coordinates<3>> p
     By_cell<char> faces(t.cell_bound().offset(), not_met);  // the facet of an infinite cell
     const auto enter = [&](Cell_index c) {
         if (faces[c] != not_met) return;
-        const Corner_index h = t.corner(c, t.slot(c, infinite));
+        const Corner_index h = t.corner(c, t.slot_of_infinity(c));
         const auto f = facet_and_vertex(t, h);  // seen from outside it turns left
         outer.push_back(h);
-        faces[c] = turn(x(f[0]), x(f[1]), x(f[2])) > 0 ? viewer : away;
+        faces[c] = turn(x(f[0].vertex), x(f[1].vertex), x(f[2].vertex)) > 0 ? viewer : away;
     };
     enter(t.cell_of(t.corner_of_infinity()));
     for (std::size_t k = 0; k < outer.size(); ++k)
@@ -67,7 +67,7 @@ bool border_winds_once(const Cell_table<3>& t, std::span<const Coordinates<3>> p
         for (std::size_t i = 0; i < 3; ++i) {
             const Cell_index beyond = t.cell_of(t.twin(t.corner(c, t.slot(c, f[i]))));
             if (faces[beyond] == viewer) continue;
-            if (!next.emplace(f[(i + 1) % 3], f[(i + 2) % 3]).second) return false;
+            if (!next.emplace(f[(i + 1) % 3].vertex, f[(i + 2) % 3].vertex).second) return false;
         }
     }
     int entries = 0;

@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/horizons.h>
 #include <annulus/mesh/index.h>
+#include <annulus/space/euclidean.h>
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,7 @@ namespace annulus {
 template <int d>
 class Cell_journal {
   public:
-    using Points = std::array<Index, static_cast<std::size_t>(d) + 1>;
+    using Sites = std::array<Site<d>, static_cast<std::size_t>(d) + 1>;
 
     /// Forgets what it knows.
     void begin() noexcept {
@@ -33,14 +34,15 @@ class Cell_journal {
         replaced_ = failed_ = false;
     }
 
-    /// The place of cell c is about to be written to; `corners` are its d + 1 vertices, the first of which is `none` where there
-    /// is no cell. Never throws, since tables are emptied where nothing may: see check().
-    void touch(Cell_index c, const Index* corners) noexcept {
+    /// The place of cell c of this table is about to be written to. Never throws, since tables are emptied where nothing
+    /// may: see check().
+    template <class Table>
+    void touch(Cell_index c, const Table& table) noexcept {
         if (replaced_ || failed_ || (marked_.has(c) && marked_[c] == call_)) return;
         try {
             if (!marked_.has(c)) marked_.resize(std::max(c.offset() + 1, 2 * marked_.size()), 0);
             places_.push_back(c);
-            if (*corners != none) std::copy_n(corners, d + 1, gone_.emplace_back().begin());
+            if (table.is_cell(c)) note_gone(c, table);
             marked_[c] = call_;
         } catch (const std::bad_alloc&) {
             failed_ = true;
@@ -54,8 +56,7 @@ class Cell_journal {
         try {
             for (const Cell_index c : table.cells()) {
                 if (marked_.has(c) && marked_[c] == call_) continue;
-                Points& points = gone_.emplace_back();
-                for (int i = 0; i <= d; ++i) points[static_cast<std::size_t>(i)] = table.vertex(table.corner(c, i));
+                note_gone(c, table);
             }
         } catch (const std::bad_alloc&) {
             failed_ = true;
@@ -69,14 +70,20 @@ class Cell_journal {
     /// Have all cells gone?
     [[nodiscard]] bool replaced() const noexcept { return replaced_; }
     /// The cells that went, and the places that were written to, each once.
-    [[nodiscard]] const std::vector<Points>& gone() const noexcept { return gone_; }
+    [[nodiscard]] const std::vector<Sites>& gone() const noexcept { return gone_; }
     [[nodiscard]] const std::vector<Cell_index>& places() const noexcept { return places_; }
 
   private:
+    template <class Table>
+    void note_gone(Cell_index c, const Table& table) {
+        Sites& sites = gone_.emplace_back();
+        for (int i = 0; i <= d; ++i) sites[static_cast<std::size_t>(i)] = table.site(table.corner(c, i));
+    }
+
     By_cell<std::uint32_t> marked_;  ///< the call in which the place was written to last
     std::uint32_t call_ = 0;
     std::vector<Cell_index> places_;
-    std::vector<Points> gone_;
+    std::vector<Sites> gone_;
     bool replaced_ = false;
     bool failed_ = false;
 };

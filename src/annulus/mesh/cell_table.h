@@ -9,6 +9,7 @@
 #include <annulus/mesh/grow.h>
 #include <annulus/mesh/index.h>
 #include <annulus/mesh/small_set.h>
+#include <annulus/space/euclidean.h>
 
 #include <algorithm>
 #include <array>
@@ -24,8 +25,8 @@ namespace annulus {
 /// The combinatorics of a triangulation of S and infinity in flat arrays: what the filter walks over.
 ///
 /// Cell c has d + 1 corners h = 4c + i. Corner h carries a vertex and stands for the facet opposite to it, seen from c
-/// (a half-facet). `twin(h)` is the same facet seen from the other side, so `vertex(h)` and `vertex(twin(h))` are the
-/// opposite vertices of the bi-cell. A facet has the index of the lesser of its two half-facets, which changes with its
+/// (a half-facet). `twin(h)` is the same facet seen from the other side, so `site(h)` and `opposite(h)` are the opposite
+/// corners of the bi-cell. A facet has the index of the lesser of its two half-facets, which changes with its
 /// cells; nothing is stored of it. Cells are positively oriented (certificate/ladder_3.h). All operations are O(1) unless they say otherwise.
 template <int d>
 class Cell_table {
@@ -58,6 +59,9 @@ class Cell_table {
 
     [[nodiscard]] Index vertex(Corner_index h) const { return vertex_[h]; }
     [[nodiscard]] Corner_index twin(Corner_index h) const { return twin_[h]; }
+    [[nodiscard]] Site<d> site(Corner_index h) const { return Site<d>(vertex(h)); }
+    /// The site of twin(h), as it is seen from the cell of h.
+    [[nodiscard]] Site<d> opposite(Corner_index h) const { return site(twin(h)); }
     /// The facet that h is a half of.
     [[nodiscard]] Corner_index facet(Corner_index h) const { return std::min(h, twin(h)); }
     /// A corner whose vertex is v; `no_corner` for a vertex that is not in the triangulation.
@@ -74,12 +78,13 @@ class Cell_table {
             if (vertex(corner(c, i)) == infinite) return true;
         return false;
     }
-    /// The slot of v in c, or -1.
-    [[nodiscard]] int slot(Cell_index c, Index v) const {
+    /// The slot of s in c, or -1.
+    [[nodiscard]] int slot(Cell_index c, Site<d> s) const {
         for (int i = 0; i <= d; ++i)
-            if (vertex(corner(c, i)) == v) return i;
+            if (site(corner(c, i)) == s) return i;
         return -1;
     }
+    [[nodiscard]] int slot_of_infinity(Cell_index c) const { return slot(c, Site<d>(infinite)); }
 
     /// Calls visit(h) for each corner h whose vertex is v, which may be `infinite`. O(degree); counter-clockwise in 2D, in
     /// no particular order in 3D. `visit` must not change the table.
@@ -143,10 +148,10 @@ class Cell_table {
     /// A new cell with no vertices or twins yet, hence not is_cell() before it has. Throws Error(too_large) when its corners would have no index.
     [[nodiscard]] Cell_index new_cell();
     void free_cell(Cell_index c);
-    void set_vertex(Corner_index h, Index v) {
+    void set_site(Corner_index h, Site<d> s) {
         touch(cell_of(h));
-        vertex_[h] = v;
-        note_corner(v, h);
+        vertex_[h] = s.vertex;
+        note_corner(s.vertex, h);
     }
     /// After start_over, for several threads that set different cells at once. set_corner of each vertex is to follow.
     void set_cell(Cell_index c, const std::array<Index, static_cast<std::size_t>(d + 1)>& vertices,
@@ -178,24 +183,13 @@ class Cell_table {
     /// corner for corner. Precondition: the opposite vertices are not adjacent.
     void flip(Corner_index h);
 
-    /// 3D: the next cell around an edge. h and k are the two corners of one cell whose vertices are not on the edge; on
-    /// return they are those of the cell across the facet opposite to k, and k is again the one to go on with.
-    void turn(Corner_index& h, Corner_index& k) const {
-        static_assert(d == 3);
-        const Corner_index t = twin(k);
-        const Cell_index c = cell_of(t);
-        const int i = slot(c, vertex(h));
-        h = t;
-        k = corner(c, i);
-    }
-
   private:
     static std::size_t at(Index v) { return static_cast<std::size_t>(v); }
     [[noreturn]] static void throw_too_large() {
         throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::cells) + " cells");
     }
     void touch(Cell_index c) noexcept {
-        if (journal_ != nullptr) [[unlikely]] journal_->touch(c, &vertex_[corner(c, 0)]);
+        if (journal_ != nullptr) [[unlikely]] journal_->touch(c, *this);
         if (log_ != nullptr) [[unlikely]] log_->touch(c, twin_.size() / 4);
     }
     void touch_everything() noexcept {

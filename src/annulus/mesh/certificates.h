@@ -17,11 +17,11 @@ enum class Facet_kind : std::uint8_t {
     slab,          ///< the paper's view of a border facet: its own parallel hyperplanes (kind `paper` only)
 };
 
-/// Points of a certificate as vertex indices; a ridge leaves the last entry `none`.
+/// Points of a certificate; a ridge leaves the last entry `none`.
 template <int d>
-using Facet_points = std::array<Index, static_cast<std::size_t>(d + 2)>;
+using Facet_sites = std::array<Site<d>, static_cast<std::size_t>(d + 2)>;
 template <int d>
-using Cell_points = std::array<Index, static_cast<std::size_t>(d + 1)>;
+using Cell_sites = std::array<Site<d>, static_cast<std::size_t>(d + 1)>;
 
 template <int d>
 [[nodiscard]] Facet_kind facet_kind(const Cell_table<d>& t, Corner_index h) {
@@ -29,60 +29,77 @@ template <int d>
     return t.is_infinite(t.cell_of(h)) ? Facet_kind::ridge : Facet_kind::empty_sphere;  // as the other cell
 }
 
-/// The points of a cell, in positive order when it is finite; infinity is `infinite`.
+/// The corners of a cell, in positive order when it is finite; infinity is `infinite`.
 template <int d>
-[[nodiscard]] Cell_points<d> cell_points(const Cell_table<d>& t, Cell_index c) {
-    Cell_points<d> x{};
-    for (int i = 0; i <= d; ++i) x[static_cast<std::size_t>(i)] = t.vertex(t.corner(c, i));
+[[nodiscard]] Cell_sites<d> cell_sites(const Cell_table<d>& t, Cell_index c) {
+    Cell_sites<d> x{};
+    for (int i = 0; i <= d; ++i) x[static_cast<std::size_t>(i)] = t.site(t.corner(c, i));
     return x;
 }
 
+/// Their vertices: what positions, reports and lists are of.
+template <int d>
+using Cell_vertices = std::array<Index, static_cast<std::size_t>(d + 1)>;
+/// Vertices that have one image each.
+template <int d>
+[[nodiscard]] Cell_sites<d> sites_of(const Cell_vertices<d>& v) {
+    Cell_sites<d> x{};
+    for (std::size_t i = 0; i <= d; ++i) x[i] = Site<d>(v[i]);
+    return x;
+}
+template <int d>
+[[nodiscard]] Cell_vertices<d> cell_vertices(const Cell_table<d>& t, Cell_index c) {
+    Cell_vertices<d> v{};
+    for (int i = 0; i <= d; ++i) v[static_cast<std::size_t>(i)] = t.vertex(t.corner(c, i));
+    return v;
+}
+
 /// The points of a ridge, ordered so that their orientation is positive where the hull is strictly convex: an infinite cell with
-/// infinity replaced by `beyond`, the vertex opposite to its facet `slot` in the other cell, and two points swapped (an infinite
+/// infinity replaced by `beyond`, the corner opposite to its facet `slot` in the other cell, and two points swapped (an infinite
 /// cell lies outside).
 template <int d>
-[[nodiscard]] Cell_points<d> ridge_points(Cell_points<d> cell, Index beyond) {
-    for (Index& v : cell)
-        if (v == infinite) v = beyond;
+[[nodiscard]] Cell_sites<d> ridge_sites(Cell_sites<d> cell, Site<d> beyond) {
+    for (Site<d>& s : cell)
+        if (s.vertex == infinite) s = beyond;
     std::swap(cell[0], cell[1]);
     return cell;
 }
 template <int d>
-[[nodiscard]] Cell_points<d> ridge_points(const Cell_table<d>& t, Corner_index h) {
-    return ridge_points<d>(cell_points(t, t.cell_of(h)), t.vertex(t.twin(h)));
+[[nodiscard]] Cell_sites<d> ridge_sites(const Cell_table<d>& t, Corner_index h) {
+    return ridge_sites<d>(cell_sites(t, t.cell_of(h)), t.opposite(h));
 }
 
 /// The points of a border facet for the paper's slab: its finite cell in positive order, the vertex off the facet last.
-[[nodiscard]] inline Cell_points<2> slab_points(const Cell_table<2>& t, Corner_index h) {
+[[nodiscard]] inline Cell_sites<2> slab_sites(const Cell_table<2>& t, Corner_index h) {
     if (t.is_infinite(t.cell_of(h))) h = t.twin(h);
-    return {t.vertex(t.ccw(h)), t.vertex(t.cw(h)), t.vertex(h)};
+    return {t.site(t.ccw(h)), t.site(t.cw(h)), t.site(h)};
 }
 
 /// The corners that face corner `slot` of a tetrahedron: with that corner last the four are in positive order.
 inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}}};
 
-/// The facet of half-facet h, its vertices turning left as seen from its own vertex vertex(h), which comes last.
-[[nodiscard]] inline Cell_points<3> facet_and_vertex(const Cell_table<3>& t, Corner_index h) {
-    Cell_points<3> x{};
+/// The facet of half-facet h, its vertices turning left as seen from its own corner, which comes last.
+[[nodiscard]] inline Cell_sites<3> facet_and_vertex(const Cell_table<3>& t, Corner_index h) {
+    Cell_sites<3> x{};
     for (std::size_t k = 0; k < 3; ++k)
-        x[k] = t.vertex(t.corner(t.cell_of(h), facing_corners[static_cast<std::size_t>(t.slot_of(h))][k]));
-    x[3] = t.vertex(h);
+        x[k] = t.site(t.corner(t.cell_of(h), facing_corners[static_cast<std::size_t>(t.slot_of(h))][k]));
+    x[3] = t.site(h);
     return x;
 }
-[[nodiscard]] inline Cell_points<3> slab_points(const Cell_table<3>& t, Corner_index h) {
+[[nodiscard]] inline Cell_sites<3> slab_sites(const Cell_table<3>& t, Corner_index h) {
     return facet_and_vertex(t, t.is_infinite(t.cell_of(h)) ? t.twin(h) : h);
 }
 
 /// Turns the points of a ridge, an edge of the hull in space and a vertex in the plane, so that in space the two vertices of the
-/// ridge come first and in the plane its one comes last. `own` is the vertex of the infinite cell opposite to the ridge, `beyond` that of the other.
-[[nodiscard]] inline Cell_points<2> ridge_in_order(Cell_points<2> x, Index own, Index beyond) {
+/// ridge come first and in the plane its one comes last. `own` is the corner of the infinite cell opposite to the ridge, `beyond` that of the other.
+[[nodiscard]] inline Cell_sites<2> ridge_in_order(Cell_sites<2> x, Site<2> own, Site<2> beyond) {
     while (x[2] == own || x[2] == beyond) x = {x[1], x[2], x[0]};
     return x;
 }
-[[nodiscard]] inline Cell_points<3> ridge_in_order(Cell_points<3> x, Index own, Index beyond) {
+[[nodiscard]] inline Cell_sites<3> ridge_in_order(Cell_sites<3> x, Site<3> own, Site<3> beyond) {
     // Three places turned at a time: an even permutation.
-    const auto bring = [&x](Index v, std::size_t to) {
-        const auto from = static_cast<std::size_t>(std::find(x.begin(), x.end(), v) - x.begin());
+    const auto bring = [&x](Site<3> s, std::size_t to) {
+        const auto from = static_cast<std::size_t>(std::find(x.begin(), x.end(), s) - x.begin());
         if (from == to) return;
         const std::size_t third = from == 0 || to == 0 ? (from == 1 || to == 1 ? 2U : 1U) : 0U;
         std::swap(x[from], x[to]);
@@ -93,26 +110,26 @@ inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0
     return x;
 }
 template <int d>
-[[nodiscard]] Cell_points<d> ridge_vertex_last(const Cell_table<d>& t, Corner_index h, const Cell_points<d>& x) {
-    return ridge_in_order(x, t.vertex(h), t.vertex(t.twin(h)));
+[[nodiscard]] Cell_sites<d> ridge_vertex_last(const Cell_table<d>& t, Corner_index h, const Cell_sites<d>& x) {
+    return ridge_in_order(x, t.site(h), t.opposite(h));
 }
 
-/// The points {a, b, p, q} of the bi-cell at half-facet h: q = vertex(h) is left of ab, p right of it.
-[[nodiscard]] inline Facet_points<2> bicell_points(const Cell_table<2>& t, Corner_index h) {
-    return {t.vertex(t.ccw(h)), t.vertex(t.cw(h)), t.vertex(t.twin(h)), t.vertex(h)};
+/// The points {a, b, p, q} of the bi-cell at half-facet h: q = site(h) is left of ab, p right of it.
+[[nodiscard]] inline Facet_sites<2> bicell_sites(const Cell_table<2>& t, Corner_index h) {
+    return {t.site(t.ccw(h)), t.site(t.cw(h)), t.opposite(h), t.site(h)};
 }
 
-/// The points {a, b, c, p, q} of the bi-cell at half-facet h, as the ladder takes them: q = vertex(h).
-[[nodiscard]] inline Facet_points<3> bicell_points(const Cell_table<3>& t, Corner_index h) {
-    const Cell_points<3> x = facet_and_vertex(t, h);
-    return {x[0], x[1], x[2], t.vertex(t.twin(h)), x[3]};
+/// The points {a, b, c, p, q} of the bi-cell at half-facet h, as the ladder takes them: q = site(h).
+[[nodiscard]] inline Facet_sites<3> bicell_sites(const Cell_table<3>& t, Corner_index h) {
+    const Cell_sites<3> x = facet_and_vertex(t, h);
+    return {x[0], x[1], x[2], t.opposite(h), x[3]};
 }
 
 /// The certificate that a facet owns; `point` is padded with `none`, and empty of a border.
 template <int d>
 struct Facet_certificate {
     Facet_kind kind;
-    Facet_points<d> point;
+    Facet_sites<d> point;
 };
 
 /// The certificate of half-facet h. A border owns a slab if there are `slabs`, which are the paper's.
@@ -120,39 +137,39 @@ template <int d>
 [[nodiscard]] Facet_certificate<d> facet_certificate(const Cell_table<d>& t, Corner_index h, bool slabs) {
     Facet_certificate<d> f{facet_kind(t, h), {}};
     if (f.kind == Facet_kind::empty_sphere) {
-        f.point = bicell_points(t, h);
+        f.point = bicell_sites(t, h);
         return f;
     }
-    f.point.fill(none);
+    f.point.fill(Site<d>(none));
     if (f.kind == Facet_kind::nothing && slabs) f.kind = Facet_kind::slab;
     if (f.kind == Facet_kind::nothing) return f;
-    const Cell_points<d> x =
-        f.kind == Facet_kind::ridge ? ridge_vertex_last(t, h, ridge_points(t, h)) : slab_points(t, h);
+    const Cell_sites<d> x =
+        f.kind == Facet_kind::ridge ? ridge_vertex_last(t, h, ridge_sites(t, h)) : slab_sites(t, h);
     std::copy(x.begin(), x.end(), f.point.begin());
     return f;
 }
 
-/// The certificate of the facet opposite to corner `slot` of a cell with these vertices, `beyond` being the vertex of the other cell.
-[[nodiscard]] inline Facet_points<2> bicell_points(const Cell_points<2>& cell, std::size_t slot, Index beyond) {
+/// The certificate of the facet opposite to corner `slot` of a cell with these corners, `beyond` being that of the other cell.
+[[nodiscard]] inline Facet_sites<2> bicell_sites(const Cell_sites<2>& cell, std::size_t slot, Site<2> beyond) {
     return {cell[(slot + 1) % 3], cell[(slot + 2) % 3], beyond, cell[slot]};
 }
-[[nodiscard]] inline Facet_points<3> bicell_points(const Cell_points<3>& cell, std::size_t slot, Index beyond) {
+[[nodiscard]] inline Facet_sites<3> bicell_sites(const Cell_sites<3>& cell, std::size_t slot, Site<3> beyond) {
     const auto& facing = facing_corners[slot];
     return {cell[static_cast<std::size_t>(facing[0])], cell[static_cast<std::size_t>(facing[1])],
             cell[static_cast<std::size_t>(facing[2])], beyond, cell[slot]};
 }
 template <int d>
-[[nodiscard]] Facet_certificate<d> facet_certificate(const Cell_points<d>& cell, std::size_t slot, Index beyond) {
-    if (cell[slot] == infinite || beyond == infinite) {
+[[nodiscard]] Facet_certificate<d> facet_certificate(const Cell_sites<d>& cell, std::size_t slot, Site<d> beyond) {
+    if (cell[slot].vertex == infinite || beyond.vertex == infinite) {
         Facet_certificate<d> f{Facet_kind::nothing, {}};
-        f.point.fill(none);
+        f.point.fill(Site<d>(none));
         return f;
     }
-    if (std::find(cell.begin(), cell.end(), infinite) == cell.end())
-        return {Facet_kind::empty_sphere, bicell_points(cell, slot, beyond)};
+    if (std::none_of(cell.begin(), cell.end(), [](Site<d> s) { return s.vertex == infinite; }))
+        return {Facet_kind::empty_sphere, bicell_sites(cell, slot, beyond)};
     Facet_certificate<d> f{Facet_kind::ridge, {}};
-    f.point.fill(none);
-    const Cell_points<d> x = ridge_in_order(ridge_points<d>(cell, beyond), cell[slot], beyond);
+    f.point.fill(Site<d>(none));
+    const Cell_sites<d> x = ridge_in_order(ridge_sites<d>(cell, beyond), cell[slot], beyond);
     std::copy(x.begin(), x.end(), f.point.begin());
     return f;
 }
@@ -160,9 +177,9 @@ template <int d>
 /// The first k of `point`, where they are in x.
 template <int d, std::size_t k, std::size_t n>
 requires(k <= n)
-[[nodiscard]] Tuple<d, static_cast<int>(k)> tuple(const std::array<Index, n>& point, std::span<const Coordinates<d>> x) {
+[[nodiscard]] Tuple<d, static_cast<int>(k)> tuple(const std::array<Site<d>, n>& point, std::span<const Coordinates<d>> x) {
     Tuple<d, static_cast<int>(k)> t{};
-    for (std::size_t i = 0; i < k; ++i) t[i] = &x[static_cast<std::size_t>(point[i])];
+    for (std::size_t i = 0; i < k; ++i) t[i] = &x[static_cast<std::size_t>(point[i].vertex)];
     return t;
 }
 

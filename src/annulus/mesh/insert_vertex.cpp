@@ -24,9 +24,9 @@ class Conflicts {
     /// The sphere of a cell holds p. That of a cell with infinity is the half-space beyond its facet and, in the plane
     /// of the facet, the circle that its finite neighbour cuts there.
     [[nodiscard]] bool operator()(Cell_index c) const {
-        const int i = t_.slot(c, infinite);
+        const int i = t_.slot_of_infinity(c);
         if (i < 0) return sphere_holds(c);
-        Cell_points<d> v = cell_points(t_, c);
+        Cell_sites<d> v = cell_sites(t_, c);
         v[static_cast<std::size_t>(i)] = v[i == 0 ? 1U : 0U];  // somebody's place, for the tuple to be one
         Tuple<d, d + 1> x = tuple<d, d + 1>(v, x_);
         x[static_cast<std::size_t>(i)] = &p_;
@@ -36,7 +36,7 @@ class Conflicts {
 
   private:
     [[nodiscard]] bool sphere_holds(Cell_index c) const {
-        const Tuple<d, d + 1> cell = tuple<d, d + 1>(cell_points(t_, c), x_);
+        const Tuple<d, d + 1> cell = tuple<d, d + 1>(cell_sites(t_, c), x_);
         const auto sphere = sphere_of(cell);
         if (sphere.positive()) {
             if (sphere.excludes(p_)) return false;
@@ -57,7 +57,7 @@ void insert_vertex(Cell_table<d>& t, std::span<const Coordinates<d>> x, Cell_ind
                    std::vector<Cell_index>& changed) {
     const Conflicts<d> conflicts(t, x, v);
     std::vector<Cell_index> region{first};
-    std::vector<Cell_points<d>> fresh;
+    std::vector<Cell_sites<d>> fresh;
     Small_set<Cell_index, Index_hash> inside(no_cell);
     Small_set<Cell_index, Index_hash> outside(no_cell);
     inside.insert(first);
@@ -71,8 +71,8 @@ void insert_vertex(Cell_table<d>& t, std::span<const Coordinates<d>> x, Cell_ind
                 continue;
             }
             outside.insert(n);
-            Cell_points<d>& cell = fresh.emplace_back(cell_points(t, region[k]));
-            cell[static_cast<std::size_t>(i)] = v;
+            Cell_sites<d>& cell = fresh.emplace_back(cell_sites(t, region[k]));
+            cell[static_cast<std::size_t>(i)] = Site<d>(v);
         }
     replace_cells<d>(t, region, fresh, changed);
 }

@@ -15,7 +15,7 @@ Mesh_cells<d> mesh_cells(const Cell_table<d>& t) {
     By_cell<Index> number(t.cell_bound().offset(), out.outside);
     for (const Cell_index c : t.finite_cells()) {
         number[c] = static_cast<Index>(out.vertices.size());
-        out.vertices.push_back(cell_points(t, c));
+        out.vertices.push_back(cell_vertices(t, c));
     }
     out.neighbours.reserve(out.vertices.size());
     for (const Cell_index c : t.finite_cells()) {

@@ -12,12 +12,12 @@ namespace annulus {
 /// the numbers of the new ones. Precondition: both have the same border, no facet of which is there twice.
 /// O(k log k) for k cells.
 template <int d>
-void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_points<d>> fresh,
+void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_sites<d>> fresh,
                    std::vector<Cell_index>& made);
 
-extern template void replace_cells<2>(Cell_table<2>&, std::span<const Cell_index>, std::span<const Cell_points<2>>,
+extern template void replace_cells<2>(Cell_table<2>&, std::span<const Cell_index>, std::span<const Cell_sites<2>>,
                                       std::vector<Cell_index>&);
-extern template void replace_cells<3>(Cell_table<3>&, std::span<const Cell_index>, std::span<const Cell_points<3>>,
+extern template void replace_cells<3>(Cell_table<3>&, std::span<const Cell_index>, std::span<const Cell_sites<3>>,
                                       std::vector<Cell_index>&);
 
 }  // namespace annulus

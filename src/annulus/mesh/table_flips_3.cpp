@@ -9,19 +9,19 @@ namespace annulus {
 
 namespace {
 
-/// The half-facet beyond a cell that goes, opposite to its vertex v.
-Corner_index beyond(const Cell_table<3>& t, Cell_index c, Index v) { return t.twin(t.corner(c, t.slot(c, v))); }
+/// The half-facet beyond a cell that goes, opposite to its corner v.
+Corner_index beyond(const Cell_table<3>& t, Cell_index c, Site<3> v) { return t.twin(t.corner(c, t.slot(c, v))); }
 
-void fill(Cell_table<3>& t, Cell_index c, const Cell_points<3>& x) {
-    for (int i = 0; i <= 3; ++i) t.set_vertex(t.corner(c, i), x[static_cast<std::size_t>(i)]);
+void fill(Cell_table<3>& t, Cell_index c, const Cell_sites<3>& x) {
+    for (int i = 0; i <= 3; ++i) t.set_site(t.corner(c, i), x[static_cast<std::size_t>(i)]);
 }
 
 }  // namespace
 
 bool flip_facet(Cell_table<3>& t, Corner_index h, std::array<Cell_index, 3>& made) {
-    const Cell_points<3> x = facet_and_vertex(t, h);
-    const Index q = x[3];
-    const Index p = t.vertex(t.twin(h));
+    const Cell_sites<3> x = facet_and_vertex(t, h);
+    const Site<3> q = x[3];
+    const Site<3> p = t.opposite(h);
     const Cell_index cell_q = t.cell_of(h);
     const Cell_index cell_p = t.cell_of(t.twin(h));
     if (p == q) return false;
@@ -45,15 +45,15 @@ bool flip_facet(Cell_table<3>& t, Corner_index h, std::array<Cell_index, 3>& mad
 }
 
 bool flip_edge(Cell_table<3>& t, Corner_index h, Corner_index k, std::array<Cell_index, 3>& made) {
-    Cell_points<3> x = facet_and_vertex(t, h);
-    while (x[2] != t.vertex(k)) x = {x[1], x[2], x[0], x[3]};
+    Cell_sites<3> x = facet_and_vertex(t, h);
+    while (x[2] != t.site(k)) x = {x[1], x[2], x[0], x[3]};
     const auto [a, b, c, q] = x;
-    const Index p = t.vertex(t.twin(h));
+    const Site<3> p = t.opposite(h);
     const Cell_index one = t.cell_of(h);
     const Cell_index other = t.cell_of(t.twin(h));
     const Corner_index over_one = beyond(t, one, c);
     const Cell_index third = t.cell_of(over_one);
-    if (p == q || third == one || third == other || t.vertex(over_one) != p) return false;
+    if (p == q || third == one || third == other || t.site(over_one) != p) return false;
     if (t.cell_of(beyond(t, other, c)) != third || beyond(t, third, q) != t.corner(other, t.slot(other, c)))
         return false;
     const std::array<Corner_index, 3> at_a{beyond(t, one, a), beyond(t, third, a), beyond(t, other, a)};
@@ -78,25 +78,25 @@ bool flip_edge(Cell_table<3>& t, Corner_index h, Corner_index k, std::array<Cell
 }
 
 std::optional<Flip_4_4> flip_4_4(const Cell_table<3>& t, Corner_index h, Corner_index k) {
-    Cell_points<3> x = facet_and_vertex(t, h);
-    while (x[2] != t.vertex(k)) x = {x[1], x[2], x[0], x[3]};
+    Cell_sites<3> x = facet_and_vertex(t, h);
+    while (x[2] != t.site(k)) x = {x[1], x[2], x[0], x[3]};
     const auto [u, w, c, q] = x;
-    const Index p = t.vertex(t.twin(h));
+    const Site<3> p = t.opposite(h);
     const Cell_index cell_q = t.cell_of(h);
     const Cell_index cell_p = t.cell_of(t.twin(h));
     const Corner_index over_q = beyond(t, cell_q, c);
     const Corner_index over_p = beyond(t, cell_p, c);
-    const Index r = t.vertex(over_q);
+    const Site<3> r = t.site(over_q);
     const Cell_index one = t.cell_of(over_q);
     const Cell_index other = t.cell_of(over_p);
-    if (r != t.vertex(over_p) || one == cell_p || one == other || other == cell_q || r == c || p == q) return std::nullopt;
+    if (r != t.site(over_p) || one == cell_p || one == other || other == cell_q || r == c || p == q) return std::nullopt;
     if (t.cell_of(beyond(t, one, q)) != other) return std::nullopt;
     const std::array<Cell_index, 4> gone{cell_q, cell_p, one, other};
     for (const Cell_index cell : gone)
-        for (const Index v : {u, w})
+        for (const Site<3> v : {u, w})
             if (std::find(gone.begin(), gone.end(), t.cell_of(beyond(t, cell, v))) != gone.end()) return std::nullopt;
     return Flip_4_4{gone,
-                    {Cell_points<3>{w, c, p, q}, Cell_points<3>{c, u, p, q}, Cell_points<3>{r, w, p, q}, Cell_points<3>{u, r, p, q}}};
+                    {Cell_sites<3>{w, c, p, q}, Cell_sites<3>{c, u, p, q}, Cell_sites<3>{r, w, p, q}, Cell_sites<3>{u, r, p, q}}};
 }
 
 }  // namespace annulus

@@ -23,7 +23,7 @@ namespace annulus {
 /// The cells around an edge that four cells share, and the two edges that could be there instead of it.
 struct Flip_4_4 {
     std::array<Cell_index, 4> gone;
-    std::array<std::array<Index, 4>, 4> came;  ///< vertices, in positive order if the cell is positive
+    std::array<std::array<Site<3>, 4>, 4> came;  ///< corners, in positive order if the cell is positive
 };
 /// 4-4: an edge that four cells share gives way to the edge of the opposite vertices of the facet at half-facet h. The edge is the one
 /// of that facet that lies opposite to the vertex of corner k, a corner of the same cell. Nothing where not four cells share it.

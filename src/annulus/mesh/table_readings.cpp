@@ -15,10 +15,10 @@ constexpr double right_angle = 1.5707963267948966;
 
 /// The positions of points; where there is none it does not matter.
 template <int d, std::size_t k>
-std::array<Coordinates<d>, k> places(std::span<const Coordinates<d>> x, const std::array<Index, k>& point) {
+std::array<Coordinates<d>, k> places(std::span<const Coordinates<d>> x, const std::array<Site<d>, k>& point) {
     std::array<Coordinates<d>, k> y{};
     for (std::size_t i = 0; i < k; ++i)
-        if (point[i] != none) y[i] = x[at(point[i])];
+        if (point[i].vertex != none) y[i] = x[at(point[i].vertex)];
     return y;
 }
 
@@ -30,7 +30,7 @@ void for_each_verdict(const Cell_table<d>& t, std::span<const Coordinates<d>> x,
         t, v,
         [&](Corner_index h) {
             if (on && !t.is_infinite(t.cell_of(h)))
-                on = visit(cell_verdict(places<d>(x, cell_points(t, t.cell_of(h)))));
+                on = visit(cell_verdict(places<d>(x, cell_sites(t, t.cell_of(h)))));
         },
         [&](Corner_index h) {
             if (!on) return;
@@ -75,11 +75,11 @@ Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
     Measures m;
     m.tolerance.assign(x.size(), std::numeric_limits<double>::infinity());
     const auto lower = [&](const auto& points, double tolerance) {
-        for (const Index v : points)
+        for (const auto& [v, label] : points)
             if (v != none) m.tolerance[at(v)] = std::min(m.tolerance[at(v)], tolerance);
     };
     for (const Cell_index c : t.finite_cells())
-        lower(cell_points(t, c), cell_verdict(places<d>(x, cell_points(t, c))).tolerance);
+        lower(cell_sites(t, c), cell_verdict(places<d>(x, cell_sites(t, c))).tolerance);
     for (const Corner_index h : t.facets()) {
         const Facet_certificate<d> f = facet_certificate(t, h, false);
         if (f.kind == Facet_kind::nothing) continue;

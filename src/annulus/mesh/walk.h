@@ -57,8 +57,8 @@ class Table_walker {
     Table_walker(const Cell_table<d>& t, std::span<const Coordinates<d>> x) : t_(t), x_(x) {}
     [[nodiscard]] bool is_infinite(Cell_index c) const { return t_.is_infinite(c); }
     [[nodiscard]] Cell_index beyond(Cell_index c, int i) const { return t_.cell_of(t_.twin(t_.corner(c, i))); }
-    [[nodiscard]] Cell_index inner(Cell_index c) const { return beyond(c, t_.slot(c, infinite)); }
-    [[nodiscard]] Tuple<d, d + 1> corners(Cell_index c) const { return tuple<d, d + 1>(cell_points(t_, c), x_); }
+    [[nodiscard]] Cell_index inner(Cell_index c) const { return beyond(c, t_.slot_of_infinity(c)); }
+    [[nodiscard]] Tuple<d, d + 1> corners(Cell_index c) const { return tuple<d, d + 1>(cell_sites(t_, c), x_); }
 
   private:
     const Cell_table<d>& t_;

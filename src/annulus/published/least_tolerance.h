@@ -14,10 +14,10 @@ class Least_tolerance {
   public:
     void resize(std::size_t vertices) { least_.resize(vertices, unlimited); }
 
-    /// A certificate with this tolerance; points may end in `none`.
-    template <class Points>
-    void note(const Points& points, double tolerance) {
-        for (const Index v : points) {
+    /// A certificate with this tolerance; its sites may end in `none`.
+    template <class Sites>
+    void note(const Sites& sites, double tolerance) {
+        for (const auto& [v, label] : sites) {
             if (v == none) continue;
             double& least = least_[static_cast<std::size_t>(v)];
             if (least == unlimited) touched_.push_back(v);

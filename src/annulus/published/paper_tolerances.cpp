@@ -24,10 +24,10 @@ void Paper_tolerances<d>::clear() {
 template <int d>
 void Paper_tolerances<d>::add_cell(Cell_index c, std::span<const Coordinates<d>> x) {
     if (kind_ == Tolerance_kind::paper || table_.is_infinite(c)) return;
-    const Cell_points<d> point = cell_points(table_, c);
+    const Cell_sites<d> point = cell_sites(table_, c);
     Facet_certificate<d>& s = orientations_.certificate.emplace_back();
     s.kind = Facet_kind::nothing;
-    s.point.fill(none);
+    s.point.fill(Site<d>(none));
     std::copy(point.begin(), point.end(), s.point.begin());
     orientations_.tuple.push_back(tuple<d, d + 1>(point, x));
 }

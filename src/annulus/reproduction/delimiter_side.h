@@ -14,8 +14,10 @@ namespace annulus {
 /// positions x. Plain double.
 [[nodiscard]] inline bool keeps_its_side(const Facet_certificate<2>& f, std::span<const Coordinates<2>> x, Index v,
                                          const Coordinates<2>& p) {
-    const auto place = [&](std::size_t k) -> const Coordinates<2>& { return x[static_cast<std::size_t>(f.point[k])]; };
-    const auto slot = static_cast<std::size_t>(std::find(f.point.begin(), f.point.end(), v) - f.point.begin());
+    const auto place = [&](std::size_t k) -> const Coordinates<2>& {
+        return x[static_cast<std::size_t>(f.point[k].vertex)];
+    };
+    const auto slot = static_cast<std::size_t>(std::find(f.point.begin(), f.point.end(), Site<2>(v)) - f.point.begin());
     const Coordinates<2>& a = place(0);
     const double bx = place(1)[0] - a[0], by = place(1)[1] - a[1], ax = p[0] - a[0], ay = p[1] - a[1];
     if (f.kind != Facet_kind::empty_sphere) {

@@ -90,7 +90,7 @@ class Printed_filter<d>::Work {
     [[nodiscard]] Audit_input<d> audit_input() const {
         Audit_input<d> in{moving_, {}};
         Pieces::for_each_cell(tr_, [&](Cell c) {
-            if (!tr_.is_infinite(c)) in.cells.push_back(corners(c));
+            if (!tr_.is_infinite(c)) in.cells.push_back(vertices(c));
         });
         return in;
     }
@@ -103,22 +103,23 @@ class Printed_filter<d>::Work {
         const double e = epsilon_[at(v)];
         return squared_distance<d>(moving_[at(v)], fixed_[at(v)]) < e * e;
     }
-    [[nodiscard]] static Cell_points<d> corners(Cell c) {
-        Cell_points<d> x{};
-        for (int i = 0; i <= d; ++i) x[at(i)] = c->vertex(i)->index();
-        return x;
+    [[nodiscard]] static Cell_vertices<d> vertices(Cell c) {
+        Cell_vertices<d> v{};
+        for (int i = 0; i <= d; ++i) v[at(i)] = c->vertex(i)->index();
+        return v;
     }
+    [[nodiscard]] static Cell_sites<d> corners(Cell c) { return sites_of<d>(vertices(c)); }
     /// Of the facet opposite to vertex i of c. A border's slab is that of its finite cell.
     [[nodiscard]] Facet_certificate<d> certificate(Cell c, int i) const {
         Cell n = c->neighbor(i);
         int j = tr_.mirror_index(c, i);
-        Facet_certificate<d> f = facet_certificate<d>(corners(c), at(i), n->vertex(j)->index());
+        Facet_certificate<d> f = facet_certificate<d>(corners(c), at(i), Site<d>(n->vertex(j)->index()));
         if (f.kind == Facet_kind::nothing) {
             if (c->vertex(i)->index() == infinite) {
                 std::swap(c, n);
                 std::swap(i, j);
             }
-            const Cell_points<d> x = Pieces::slab(corners(c), at(i));
+            const Cell_sites<d> x = Pieces::slab(corners(c), at(i));
             f.kind = Facet_kind::slab;
             std::copy(x.begin(), x.end(), f.point.begin());
         }
@@ -146,7 +147,7 @@ class Printed_filter<d>::Work {
             const Facet_certificate<d> f = certificate(c, i);
             const double e = paper_half_width<d>(f, fixed_);
             ++report_.evaluated;
-            for (const Index w : f.point) {
+            for (const auto& [w, label] : f.point) {
                 if (w == none) continue;
                 const bool lowered = e < epsilon_[at(w)];
                 if (lowered) epsilon_[at(w)] = e;

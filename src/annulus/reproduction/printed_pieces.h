@@ -63,7 +63,7 @@ struct Printed_pieces<2> {
     static void for_each_cell(const Triangulation& tr, Visit visit) {
         for (auto c = tr.all_faces_begin(); c != tr.all_faces_end(); ++c) visit(Cell(c));
     }
-    static Cell_points<2> slab(const Cell_points<2>& cell, std::size_t slot) {
+    static Cell_sites<2> slab(const Cell_sites<2>& cell, std::size_t slot) {
         return {cell[(slot + 1) % 3], cell[(slot + 2) % 3], cell[slot]};
     }
 };
@@ -94,7 +94,7 @@ struct Printed_pieces<3> {
     static void for_each_cell(const Triangulation& tr, Visit visit) {
         for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c) visit(Cell(c));
     }
-    static Cell_points<3> slab(const Cell_points<3>& cell, std::size_t slot) {
+    static Cell_sites<3> slab(const Cell_sites<3>& cell, std::size_t slot) {
         const auto& facing = facing_corners[slot];
         return {cell[static_cast<std::size_t>(facing[0])], cell[static_cast<std::size_t>(facing[1])],
                 cell[static_cast<std::size_t>(facing[2])], cell[slot]};

@@ -15,12 +15,12 @@ namespace annulus {
 namespace {
 
 template <int d>
-double standard_width(const Facet_points<d>& point, std::span<const Coordinates<d>> x) {
+double standard_width(const Facet_sites<d>& point, std::span<const Coordinates<d>> x) {
     if constexpr (d == 3) {
         return 2 * paper_annulus(tuple<3, 5>(point, x));
     } else {
         std::array<Coordinates<2>, 4> p;
-        for (std::size_t k = 0; k < 4; ++k) p[k] = x[static_cast<std::size_t>(point[k])];
+        for (std::size_t k = 0; k < 4; ++k) p[k] = x[static_cast<std::size_t>(point[k].vertex)];
         return annulus_width_lower(p);
     }
 }
@@ -61,7 +61,7 @@ Survey_record survey(const Moving_of<d>& dt, std::span<const Coordinates<d>> nex
     std::uint64_t bicells = 0;
     for (const Corner_index h : table.facets()) {
         const Facet_certificate<d> f = facet_certificate(table, h, true);
-        for (const Index v : f.point) points += v != none ? 1 : 0;
+        for (const auto& [v, label] : f.point) points += v != none ? 1 : 0;
         if (f.kind != Facet_kind::empty_sphere) continue;
         const double w = standard_width<d>(f.point, x) / spacing;
         sum += w;

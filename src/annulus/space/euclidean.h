@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/standard.h>
+#include <annulus/space/site.h>
 
 #include <array>
 #include <functional>
@@ -13,6 +13,8 @@ namespace annulus {
 template <int d>
 struct Euclidean {
     static_assert(d == 2 || d == 3);
+    using Site = Site_of<No_label>;
+    static_assert(sizeof(Site) == sizeof(Index));
 
     /// p - q, and the only place where places are subtracted. They are whatever gives a coordinate for [c], of any type
     /// that `minus` takes: doubles, lanes of them, integers.
@@ -23,5 +25,7 @@ struct Euclidean {
         else return std::array<T, 3>{minus(p[0], q[0]), minus(p[1], q[1]), minus(p[2], q[2])};
     }
 };
+template <int d>
+using Site = typename Euclidean<d>::Site;
 
 }  // namespace annulus

@@ -43,8 +43,9 @@ struct Below {
 /// Some certificates of one kind, and what is found of each by itself. T is the tuple of their points.
 template <int d, class Id, class T>
 struct Certificate_batch {
+    using Vertices = std::array<Index, static_cast<std::size_t>(d) + 2>;
     std::vector<Id> id{};
-    std::vector<Facet_points<d>> point{};  ///< the last one none where there are only d + 1
+    std::vector<Vertices> point{};  ///< the last one none where there are only d + 1
     std::vector<T> tuple{};
     // Found:
     std::vector<Verdict> verdict{};  ///< the ladder's, as a run has it
@@ -53,13 +54,13 @@ struct Certificate_batch {
     std::vector<Below> below{};      ///< it
 
     template <std::size_t k>
-    void append(Id named, const std::array<Index, k>& v, std::span<const Coordinates<d>> x) {
+    void append(Id named, const std::array<Site<d>, k>& v, std::span<const Coordinates<d>> x) {
         T t{};
-        Facet_points<d> p;
+        Vertices p;
         p.fill(none);
         for (std::size_t i = 0; i < k; ++i) {
-            t[i] = &x[static_cast<std::size_t>(v[i])];
-            p[i] = v[i];
+            t[i] = &x[static_cast<std::size_t>(v[i].vertex)];
+            p[i] = v[i].vertex;
         }
         id.push_back(named);
         point.push_back(p);

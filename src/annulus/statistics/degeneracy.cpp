@@ -100,14 +100,14 @@ class Survey {
         if (!ridges_.id.empty()) return give(Kind::ridges, ridges_, slot.facets);
         if (!border_.id.empty()) return give(Kind::border, border_, slot.facets);
         for (; next_cell_ != t_.cell_bound() && cells_.id.size() < batch; ++next_cell_)
-            if (t_.is_cell(next_cell_) && !t_.is_infinite(next_cell_)) cells_.append(next_cell_, cell_points(t_, next_cell_), x_);
+            if (t_.is_cell(next_cell_) && !t_.is_infinite(next_cell_)) cells_.append(next_cell_, cell_sites(t_, next_cell_), x_);
         return !cells_.id.empty() && give(Kind::cells, cells_, slot.cells);
     }
     void append(Corner_index h) {
         switch (facet_kind(t_, h)) {
-            case Facet_kind::empty_sphere: bicells_.append(h, bicell_points(t_, h), x_); break;
-            case Facet_kind::ridge: ridges_.append(h, ridge_vertex_last(t_, h, ridge_points(t_, h)), x_); break;
-            default: border_.append(h, slab_points(t_, h), x_); break;
+            case Facet_kind::empty_sphere: bicells_.append(h, bicell_sites(t_, h), x_); break;
+            case Facet_kind::ridge: ridges_.append(h, ridge_vertex_last(t_, h, ridge_sites(t_, h)), x_); break;
+            default: border_.append(h, slab_sites(t_, h), x_); break;
         }
     }
 

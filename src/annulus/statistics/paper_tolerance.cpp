@@ -61,7 +61,7 @@ void Paper_tolerance<d>::take_least() {
     least_.assign(vertices_, {infinity, infinity, Stage::interval});
     for_each_facet([&](std::size_t, Corner_index f) {
         const Half_width& h = paper_[f];
-        for (const Index v : certificate_of(t_, f).point) {
+        for (const auto& [v, label] : certificate_of(t_, f).point) {
             if (v == none) continue;
             lower(least_[at(v)].lower, h.lower);
             lower(least_[at(v)].upper, h.upper);
@@ -78,19 +78,19 @@ void Paper_tolerance<d>::for_each_certificate(const Visit& visit) {
         if (own_[f] != 0) return;
         const Facet_certificate<d> p = certificate_of(t_, f);
         if (p.kind == Facet_kind::empty_sphere) {
-            visit(run, facet_[f], std::span<const Index>(p.point), [&](std::span<const Coordinates<d>> x) {
+            visit(run, facet_[f], std::span<const Site<d>>(p.point), [&](std::span<const Coordinates<d>> x) {
                 return enclose_exactly(tuple<d, d + 2>(p.point, x)).least;
             });
         } else if (p.kind == Facet_kind::ridge) {
-            visit(run, facet_[f], std::span<const Index>(p.point).first(d + 1), [&](std::span<const Coordinates<d>> x) {
+            visit(run, facet_[f], std::span<const Site<d>>(p.point).first(d + 1), [&](std::span<const Coordinates<d>> x) {
                 return enclose_exactly(tuple<d, d + 1>(p.point, x), Width::least);
             });
         }
     });
     const std::size_t behind = runs_of(static_cast<std::size_t>(t_.facet_bound().value()));
     for_each_finite_cell([&](std::size_t run, Cell_index c) {
-        const Cell_points<d> p = cell_points(t_, c);
-        visit(behind + run, cell_[c], std::span<const Index>(p),
+        const Cell_sites<d> p = cell_sites(t_, c);
+        visit(behind + run, cell_[c], std::span<const Site<d>>(p),
               [&](std::span<const Coordinates<d>> x) { return enclose_exactly(tuple<d, d + 1>(p, x), Width::least); });
     });
 }
@@ -104,9 +104,9 @@ template <int d>
 void Paper_tolerance<d>::refine(std::span<const Coordinates<d>> x) {
     std::vector<char> open(vertices_, 0);
     char any = 0;
-    for_each_certificate([&](std::size_t, Half_width& h, std::span<const Index> points, const auto& exactly) {
+    for_each_certificate([&](std::size_t, Half_width& h, std::span<const Site<d>> points, const auto& exactly) {
         bool mine = false;
-        for (const Index v : points) {
+        for (const auto& [v, label] : points) {
             const Half_width& l = least_[at(v)];
             if (h.is_below(l.lower) || h.is_not_below(l.upper)) continue;
             mark(open[at(v)]);
@@ -119,7 +119,8 @@ void Paper_tolerance<d>::refine(std::span<const Coordinates<d>> x) {
     for_each_facet([&](std::size_t, Corner_index f) {
         if (paper_[f].stage == Stage::exact) return;
         const Facet_certificate<d> p = certificate_of(t_, f);
-        if (std::none_of(p.point.begin(), p.point.end(), [&](Index v) {
+        if (std::none_of(p.point.begin(), p.point.end(), [&](Site<d> p_k) {
+                const Index v = p_k.vertex;
                 return v != none && open[at(v)] != 0 && paper_[f].lower <= least_[at(v)].upper;
             }))
             return;
@@ -137,11 +138,11 @@ std::vector<double> Paper_tolerance<d>::least_of_all() const {
     for_each_facet([&](std::size_t, Corner_index f) {
         const Facet_certificate<d> p = certificate_of(t_, f);
         if (p.kind != Facet_kind::empty_sphere && p.kind != Facet_kind::ridge) return;
-        for (const Index v : p.point)
+        for (const auto& [v, label] : p.point)
             if (v != none) lower(least[at(v)], facet_[f].lower);
     });
     for_each_finite_cell([&](std::size_t, Cell_index c) {
-        for (const Index v : cell_points(t_, c)) lower(least[at(v)], cell_[c].lower);
+        for (const Index v : cell_vertices(t_, c)) lower(least[at(v)], cell_[c].lower);
     });
     return least;
 }
@@ -153,15 +154,18 @@ Paper_verdict Paper_tolerance<d>::verdict(std::span<const Coordinates<d>> x) {
     std::vector<char> above(vertices_, 0);
     std::vector<char> unsound(vertices_, 0);
     std::vector<std::vector<std::vector<Index>>> points_of_run(runs());
-    for_each_certificate([&](std::size_t run, const Half_width& h, std::span<const Index> points, const auto&) {
+    for_each_certificate([&](std::size_t run, const Half_width& h, std::span<const Site<d>> points, const auto&) {
         bool all = true;
-        for (const Index v : points) {
+        for (const auto& [v, label] : points) {
             if (h.is_below(least_[at(v)].lower)) mark(above[at(v)]);
             else all = false;
         }
         if (!all) return;
-        points_of_run[run].emplace_back(points.begin(), points.end());
-        for (const Index v : points) mark(unsound[at(v)]);
+        std::vector<Index>& vertices = points_of_run[run].emplace_back();
+        for (const auto& [v, label] : points) {
+            vertices.push_back(v);
+            mark(unsound[at(v)]);
+        }
     });
     Paper_verdict out;
     for (std::vector<std::vector<Index>>& points : points_of_run) std::move(points.begin(), points.end(), std::back_inserter(out.points));

@@ -26,7 +26,7 @@ double spacing_of(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
     const int exponent = std::ilogb(extent);
     double content = 0;
     for (const Cell_index c : t.finite_cells()) {
-        const Cell_points<d> v = cell_points(t, c);
+        const Cell_vertices<d> v = cell_vertices(t, c);
         const auto at = [&](Index i) -> const Coordinates<d>& { return x[static_cast<std::size_t>(i)]; };
         const auto edge = [&](std::size_t i) {
             Coordinates<d> u{};

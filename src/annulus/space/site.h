@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+
+#include <compare>
+
+namespace annulus {
+
+/// A corner of a cell as geometry sees it: a vertex, and which of its images it is. Corners are told from one another by
+/// their sites. A vertex does not become a site unless it is said, since that names no image.
+template <class Label>
+struct Site_of {
+    Index vertex;
+    [[no_unique_address]] Label label;
+
+    Site_of() = default;
+    explicit constexpr Site_of(Index v, Label l = Label{}) : vertex(v), label(l) {}
+    friend constexpr auto operator<=>(const Site_of&, const Site_of&) = default;
+};
+
+/// Where a vertex has one image.
+struct No_label {
+    friend constexpr auto operator<=>(No_label, No_label) = default;
+};
+
+}  // namespace annulus
