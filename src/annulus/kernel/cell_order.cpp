@@ -25,9 +25,10 @@ std::uint8_t Cell_order<d>::turn_of(const std::array<Rank, corners>& v, Rank inf
     if constexpr (d == 2) {
         return static_cast<std::uint8_t>(top);
     } else {
-        constexpr auto others = facing<d>();
+        static constexpr auto others = facing<d>();
         const Rank a = v[others[top][0]], b = v[others[top][1]], c = v[others[top][2]];
-        const std::size_t least = a < b ? (a < c ? 0 : 2) : (b < c ? 1 : 2);
+        const std::size_t second = b < a ? 1 : 0;
+        const std::size_t least = c < std::min(a, b) ? 2 : second;
         return static_cast<std::uint8_t>(3 * top + least);
     }
 }

@@ -84,7 +84,7 @@ auto Inserter<d>::start_near(Rank v) -> Cell {
 template <int d>
 template <bool shared>
 auto Inserter<d>::locate(const Coordinates<d>& q, Cell start) -> Cell {
-    constexpr auto others = facing<d>();
+    static constexpr auto others = facing<d>();
     const Cells& g = *cells_;
     Cell c = start;
     blocker_ = g.infinity;

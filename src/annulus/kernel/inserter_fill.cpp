@@ -9,22 +9,26 @@
 
 namespace annulus {
 
+namespace {
+constexpr auto others_3 = facing<3>();
+}
+
 /// Before its cells are written over.
 template <>
 void Inserter<3>::read_border() {
     constexpr int d = 3;
-    constexpr auto others = facing<d>();
     Cavity& cavity = cavity_;
     if (cavity.facets.size() < cavity.border_size) cavity.facets.resize(2 * cavity.border_size);
-    ridges_.begin_border();
-    for (std::size_t f = 0; f < cavity.border_size; ++f) {
-        const Half_facet h = cavity.border[f];
-        const auto& cell = cells_->cells[h >> 2];
-        Facet& facet = cavity.facets[f];
-        for (std::size_t k = 0; k < d; ++k) facet.vertex[k] = cell.vertex[others[h & 3U][k]];
-        facet.beyond = cell.across[h & 3U];
-        for (std::size_t k = 0; k < d; ++k) facet.number[k] = ridges_.number(facet.vertex[k]);
-    }
+    ridges_.with_numbers([&](auto number) {
+        for (std::size_t f = 0; f < cavity.border_size; ++f) {
+            const Half_facet h = cavity.border[f];
+            const auto& cell = cells_->cells[h >> 2];
+            Facet& facet = cavity.facets[f];
+            for (std::size_t k = 0; k < d; ++k) facet.vertex[k] = cell.vertex[others_3[h & 3U][k]];
+            facet.beyond = cell.across[h & 3U];
+            for (std::size_t k = 0; k < d; ++k) facet.number[k] = number(facet.vertex[k]);
+        }
+    });
 }
 
 template <>

@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/certificate/bounds.h>
+#include <annulus/space/euclidean.h>
 
 #include <algorithm>
 #include <array>
@@ -52,8 +53,8 @@ struct Kept_sphere {
     };
     /// `from` is q - p, `constant` the bound of the cell.
     [[nodiscard]] Value at(const std::array<double, static_cast<std::size_t>(d)>& from, float constant) const {
-        double square = 0, along = 0;
-        for (std::size_t c = 0; c < d; ++c) {
+        double square = from[0] * from[0], along = from[0] * normal[0];
+        for (std::size_t c = 1; c < d; ++c) {
             square += from[c] * from[c];
             along += from[c] * normal[c];
         }
@@ -68,11 +69,8 @@ struct Lifted {
     double square = -1;
 
     Lifted() = default;
-    Lifted(const Coordinates<d>& b, const Coordinates<d>& p) : square(0) {
-        for (std::size_t c = 0; c < d; ++c) {
-            from[c] = b[c] - p[c];
-            square += from[c] * from[c];
-        }
+    Lifted(const Coordinates<d>& b, const Coordinates<d>& p) : from(Euclidean<d>::difference(b, p)), square(0) {
+        for (const double x : from) square += x * x;
     }
     [[nodiscard]] double magnitude() const {
         double m = 0;

@@ -29,7 +29,7 @@ void one_by_one(Cells& g, std::span<const std::uint32_t> made) {
 
 #define ANNULUS_AVX2 __attribute__((target("avx2"), always_inline)) inline
 
-/// A corner of four cells relative to p: Lifted of each.
+/// A corner of four cells relative to p: Lifted of each, bit for bit.
 struct Four {
     __m256d x, y, z, square;
 };
@@ -61,6 +61,32 @@ ANNULUS_AVX2 __m256d magnitude(const Four& f) {
                          _mm256_andnot_pd(sign, f.z));
 }
 
+/// 1 / t of power_above() for four cells, whose bounds are written down.
+ANNULUS_AVX2 __m256d inverse_powers(__m256d m, Cells& g, const std::array<std::uint32_t, 4>& cell) {
+    const __m256d in_range = _mm256_and_pd(_mm256_cmp_pd(m, _mm256_set1_pd(0x1p-200), _CMP_GE_OQ),
+                                           _mm256_cmp_pd(m, _mm256_set1_pd(0x1p60), _CMP_LE_OQ));
+    alignas(32) std::array<double, 4> each;
+    if (_mm256_movemask_pd(in_range) != 15) [[unlikely]] {
+        _mm256_store_pd(each.data(), m);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const detail::Power t = detail::power_above<3>(each[i]);
+            each[i] = t.inverse;
+            g.bounds[cell[i]] = t.bound;
+        }
+        return _mm256_load_pd(each.data());
+    }
+    const __m256i exponent = _mm256_and_si256(_mm256_castpd_si256(m), _mm256_set1_epi64x(0x7ff0000000000000LL));
+    const __m256i power = _mm256_add_epi64(exponent, _mm256_set1_epi64x(0x0010000000000000LL));
+    const __m256d t = _mm256_castsi256_pd(power);
+    const __m128 bound =
+        _mm_max_ps(_mm256_cvtpd_ps(_mm256_mul_pd(_mm256_set1_pd(Kept_sphere<3>::unit), _mm256_mul_pd(t, t))),
+                   _mm_set1_ps(Kept_sphere<3>::least_bound));
+    alignas(16) std::array<float, 4> bounds;
+    _mm_store_ps(bounds.data(), bound);
+    for (std::size_t i = 0; i < 4; ++i) g.bounds[cell[i]] = bounds[i];
+    return _mm256_castsi256_pd(_mm256_sub_epi64(_mm256_set1_epi64x(2046LL << 52), power));
+}
+
 /// All of them have one vertex in slot 0.
 __attribute__((target("avx2"))) void four_at_a_time(Cells& g, std::span<const std::uint32_t> made) {
     const Coordinates<3>& at = g.at(g.cells[made[0]].vertex[0]);
@@ -69,14 +95,9 @@ __attribute__((target("avx2"))) void four_at_a_time(Cells& g, std::span<const st
         std::array<std::uint32_t, 4> cell;  // the last one again where there are fewer
         for (std::size_t i = 0; i < 4; ++i) cell[i] = made[std::min(k + i, made.size() - 1)];
         const Four a = four(g, cell, 1, p), b = four(g, cell, 2, p), c = four(g, cell, 3, p);
-        alignas(32) std::array<double, 4> m, inverse;
-        _mm256_store_pd(m.data(), _mm256_max_pd(magnitude(a), _mm256_max_pd(magnitude(b), magnitude(c))));
-        for (std::size_t i = 0; i < 4; ++i) {
-            const detail::Power t = detail::power_above<3>(m[i]);
-            inverse[i] = t.inverse;
-            g.bounds[cell[i]] = t.bound;
-        }
-        const __m256d t = _mm256_load_pd(inverse.data()), scale = _mm256_mul_pd(_mm256_mul_pd(t, t), t);
+        const __m256d t =
+            inverse_powers(_mm256_max_pd(magnitude(a), _mm256_max_pd(magnitude(b), magnitude(c))), g, cell);
+        const __m256d scale = _mm256_mul_pd(_mm256_mul_pd(t, t), t);
         const __m256d bcx = minor(b.y, b.z, c.y, c.z), bcy = minor(b.z, b.x, c.z, c.x), bcz = minor(b.x, b.y, c.x, c.y);
         const __m256d cax = minor(c.y, c.z, a.y, a.z), cay = minor(c.z, c.x, a.z, a.x), caz = minor(c.x, c.y, a.x, a.y);
         const __m256d abx = minor(a.y, a.z, b.y, b.z), aby = minor(a.z, a.x, b.z, b.x), abz = minor(a.x, a.y, b.x, b.y);

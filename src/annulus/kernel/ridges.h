@@ -26,18 +26,23 @@ class Ridges {
         }
         if (few_.empty()) few_.resize(few * few);
     }
-    void begin_border() {
+    /// Calls work(number) for a new border, number(v) being the number of v, from 0 in the order in which vertices are
+    /// met. One in five of those asked is new, which no processor predicts: no branch, nor `?:`, of which compilers
+    /// make one.
+    template <class Work>
+    void with_numbers(Work work) {
         ++round_;
-        met_ = 0;
-    }
-    /// The number of v, from 0 in the order in which vertices are met.
-    [[nodiscard]] std::uint32_t number(std::int32_t v) {
-        std::uint64_t& last = number_[static_cast<std::size_t>(v)];
-        const bool fresh = static_cast<std::uint32_t>(last >> 32) != round_;
-        const std::uint32_t number = fresh ? met_ : static_cast<std::uint32_t>(last);
-        last = std::uint64_t{round_} << 32 | number;
-        met_ += fresh ? 1U : 0U;
-        return number;
+        std::uint32_t met = 0;  // in a register
+        work([last = number_.data(), round = round_, &met](std::int32_t v) {
+            std::uint64_t& mine = last[static_cast<std::size_t>(v)];
+            const auto before = static_cast<std::uint32_t>(mine);
+            const auto fresh = static_cast<std::uint32_t>(static_cast<std::uint32_t>(mine >> 32) != round);
+            const std::uint32_t number = before ^ ((before ^ met) & (0U - fresh));
+            mine = std::uint64_t{round} << 32 | number;
+            met += fresh;
+            return number;
+        });
+        met_ = met;
     }
     [[nodiscard]] bool has_met(std::int32_t v) const {
         return static_cast<std::uint32_t>(number_[static_cast<std::size_t>(v)] >> 32) == round_;
