@@ -12,6 +12,11 @@
 
 namespace annulus {
 
+/// a - b as a number, which the difference of two mpz_class is not: that is an expression, which refers to them.
+struct Exact_minus {
+    mpz_class operator()(const mpz_class& a, const mpz_class& b) const { return a - b; }
+};
+
 /// Doubles as integers times one power of two: x_i = integer[i] * 2^exponent, exactly.
 struct Scaled_integers {
     std::vector<mpz_class> integer;

@@ -7,6 +7,16 @@ namespace annulus {
 
 namespace {
 
+// Of what gives point i minus point j.
+template <class Vectors>
+auto triangle_terms(const Vectors& vector) {
+    return orientation_terms(vector(1, 0), vector(2, 0), vector(2, 1));
+}
+template <class Vectors>
+auto bicell_terms(const Vectors& vector) {
+    return annulus_terms(vector(1, 0), vector(2, 0), vector(3, 0), vector(3, 2));
+}
+
 /// Terms of a half width as an answer of the interval stage.
 bool accept(const Width_terms<Interval>& t, const detail::Scale& s, Verdict& out) {
     if (!detail::interval_sign(t.determinant, out)) return false;
@@ -30,29 +40,25 @@ Verdict verdict(const Width_terms<mpz_class>& t, long exponent) {
 }  // namespace
 
 bool orientation_interval(const Tuple<2, 3>& x, Verdict& out) {
-    return detail::with_scale(x, [&](const auto& difference, const detail::Scale& s) {
-        const auto vector = [&](std::size_t i, std::size_t j) { return detail::difference(x, i, j, difference); };
-        return accept(orientation_terms(vector(1, 0), vector(2, 0), vector(2, 1)), s, out);
+    return detail::with_scale(x, [&](const auto& minus, const detail::Scale& s) {
+        return accept(triangle_terms(detail::vectors(x, minus)), s, out);
     });
 }
 
 bool empty_sphere_interval(const Tuple<2, 4>& x, Verdict& out) {
-    return detail::with_scale(x, [&](const auto& difference, const detail::Scale& s) {
-        const auto vector = [&](std::size_t i, std::size_t j) { return detail::difference(x, i, j, difference); };
-        return accept(annulus_terms(vector(1, 0), vector(2, 0), vector(3, 0), vector(3, 2)), s, out);
+    return detail::with_scale(x, [&](const auto& minus, const detail::Scale& s) {
+        return accept(bicell_terms(detail::vectors(x, minus)), s, out);
     });
 }
 
 Verdict orientation_exact(const Tuple<2, 3>& x) {
     const Scaled_integers z(coordinates(x));
-    const auto vector = [&](std::size_t i, std::size_t j) { return detail::difference<2>(z, i, j); };
-    return verdict(orientation_terms(vector(1, 0), vector(2, 0), vector(2, 1)), z.exponent);
+    return verdict(triangle_terms(detail::vectors<2>(z)), z.exponent);
 }
 
 Verdict empty_sphere_exact(const Tuple<2, 4>& x) {
     const Scaled_integers z(coordinates(x));
-    const auto vector = [&](std::size_t i, std::size_t j) { return detail::difference<2>(z, i, j); };
-    return verdict(annulus_terms(vector(1, 0), vector(2, 0), vector(3, 0), vector(3, 2)), z.exponent);
+    return verdict(bicell_terms(detail::vectors<2>(z)), z.exponent);
 }
 
 }  // namespace annulus

@@ -8,6 +8,16 @@ namespace annulus {
 
 namespace {
 
+// Of what gives point i minus point j.
+template <class Vectors>
+auto tetrahedron_terms(const Vectors& vector) {
+    return orientation_terms(vector(1, 0), vector(2, 0), vector(3, 0));
+}
+template <class Vectors>
+auto bicell_terms(const Vectors& vector) {
+    return annulus_terms(vector(1, 0), vector(2, 0), vector(3, 0), vector(4, 0));
+}
+
 // ---- Interval stage ---------------------------------------------------------------------------------------------
 
 /// Half the width of a tetrahedron, scaled: false where it is not certainly positive or not tight.
@@ -30,8 +40,7 @@ struct Exact_bicell {
 
     explicit Exact_bicell(const Tuple<3, 5>& x) {
         const Scaled_integers z(coordinates(x));
-        const auto vector = [&](std::size_t i) { return detail::difference<3>(z, i, 0); };
-        terms = annulus_terms(vector(1), vector(2), vector(3), vector(4));
+        terms = bicell_terms(detail::vectors<3>(z));
         exponent = z.exponent;
     }
     [[nodiscard]] double half_width_of(std::size_t k) const {
@@ -42,9 +51,8 @@ struct Exact_bicell {
 }  // namespace
 
 bool orientation_interval(const Tuple<3, 4>& x, Verdict& out) {
-    return detail::with_scale(x, [&](const auto& difference, const detail::Scale& s) {
-        const auto vector = [&](std::size_t i) { return detail::difference(x, i, 0, difference); };
-        const auto t = orientation_terms(vector(1), vector(2), vector(3));
+    return detail::with_scale(x, [&](const auto& minus, const detail::Scale& s) {
+        const auto t = tetrahedron_terms(detail::vectors(x, minus));
         if (!detail::interval_sign(t.determinant, out)) return false;
         if (out.sign < 0) return true;
         double lower = 0.0;
@@ -55,9 +63,8 @@ bool orientation_interval(const Tuple<3, 4>& x, Verdict& out) {
 }
 
 bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cell_widths cells) {
-    return detail::with_scale(x, [&](const auto& difference, const detail::Scale& s) {
-        const auto vector = [&](std::size_t i) { return detail::difference(x, i, 0, difference); };
-        const auto t = annulus_terms(vector(1), vector(2), vector(3), vector(4));
+    return detail::with_scale(x, [&](const auto& minus, const detail::Scale& s) {
+        const auto t = bicell_terms(detail::vectors(x, minus));
         out.backward = 0;
         bool certainly = false;  // one of them is backward
         for (std::size_t k = 1; k < partitions_3; ++k) {
@@ -88,8 +95,7 @@ bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cell_widths cells
 
 Verdict orientation_exact(const Tuple<3, 4>& x) {
     const Scaled_integers z(coordinates(x));
-    const auto vector = [&](std::size_t i) { return detail::difference<3>(z, i, 0); };
-    const auto t = orientation_terms(vector(1), vector(2), vector(3));
+    const auto t = tetrahedron_terms(detail::vectors<3>(z));
     Verdict out;
     out.stage = Stage::exact;
     out.sign = static_cast<std::int8_t>(sgn(t.determinant));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
+#include <annulus/space/euclidean.h>
 
 #include <algorithm>
 #include <array>
@@ -16,10 +17,8 @@ namespace annulus {
 /// taken from sine and cosine together, of vectors scaled by powers of two. 0 when a = b or p = q.
 [[nodiscard]] inline double theta(const Coordinates<2>& a, const Coordinates<2>& b, const Coordinates<2>& p,
                                   const Coordinates<2>& q) {
-    double bx = b[0] - a[0];
-    double by = b[1] - a[1];
-    double ex = q[0] - p[0];
-    double ey = q[1] - p[1];
+    auto [bx, by] = Euclidean<2>::difference(b, a);
+    auto [ex, ey] = Euclidean<2>::difference(q, p);
     const auto normalise = [](double& x, double& y) {
         const double m = std::max(std::fabs(x), std::fabs(y));
         if (!(m > 0.0)) return;
@@ -32,9 +31,9 @@ namespace annulus {
     return std::atan2(std::fabs(bx * ey - by * ex), std::fabs(bx * ex + by * ey));
 }
 
-/// The same in space: the angle between the axis of the facet a b c and the bisector of p, q. Accurate to a few units in the last
-/// place over the sine of the facet's least angle, because the normal of a thin facet is no better known than that; anywhere in the
-/// coordinate domain. 0 when p = q or a, b, c are collinear.
+/// The same in space: the angle between the axis of the facet a b c and the bisector of p, q. Accurate to a few units in
+/// the last place over the sine of the facet's least angle, because the normal of a thin facet is no better known than
+/// that; anywhere in the coordinate domain. 0 when p = q or a, b, c are collinear.
 [[nodiscard]] inline double theta(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c,
                                   const Coordinates<3>& p, const Coordinates<3>& q) {
     using Vector = std::array<double, 3>;
@@ -45,14 +44,12 @@ namespace annulus {
         for (double& x : v) x = std::scalbn(x, k);
         return v;
     };
-    const auto from = [](const Coordinates<3>& x, const Coordinates<3>& y) {
-        return Vector{y[0] - x[0], y[1] - x[1], y[2] - x[2]};
-    };
     const auto cross = [](const Vector& u, const Vector& v) {
         return Vector{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     };
-    const Vector e = normalised(from(p, q));
-    const Vector n = normalised(cross(normalised(from(a, b)), normalised(from(a, c))));
+    const Vector e = normalised(Euclidean<3>::difference(q, p));
+    const Vector n = normalised(
+        cross(normalised(Euclidean<3>::difference(b, a)), normalised(Euclidean<3>::difference(c, a))));
     const Vector sine = cross(e, n);
     const double along = std::fabs(e[0] * n[0] + e[1] * n[1] + e[2] * n[2]);
     return std::atan2(along, std::hypot(sine[0], sine[1], sine[2]));

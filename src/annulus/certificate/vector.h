@@ -55,8 +55,17 @@ template <std::size_t d, std::size_t k, class Minus = std::minus<>>
 /// Exact, of `coordinates` of a certificate in R^d.
 template <int d>
 [[nodiscard]] auto difference(const Scaled_integers& z, std::size_t i, std::size_t j) {
-    const auto minus = [](const mpz_class& a, const mpz_class& b) { return mpz_class(a - b); };
-    return as_vector(Euclidean<d>::difference(&z.integer[d * i], &z.integer[d * j], minus));
+    return as_vector(Euclidean<d>::difference(&z.integer[d * i], &z.integer[d * j], Exact_minus()));
+}
+
+/// What gives point i minus point j for (i, j): of a certificate's points, by `minus`, and exact.
+template <std::size_t d, std::size_t k, class Minus>
+[[nodiscard]] auto vectors(const std::array<const std::array<double, d>*, k>& x, const Minus& minus) {
+    return [&x, &minus](std::size_t i, std::size_t j) { return difference(x, i, j, minus); };
+}
+template <int d>
+[[nodiscard]] auto vectors(const Scaled_integers& z) {
+    return [&z](std::size_t i, std::size_t j) { return difference<d>(z, i, j); };
 }
 
 }  // namespace detail

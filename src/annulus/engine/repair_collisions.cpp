@@ -11,15 +11,20 @@ namespace {
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // They do not underflow.
-double distance(const Coordinates<2>& a, const Coordinates<2>& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+double distance(const Coordinates<2>& a, const Coordinates<2>& b) {
+    const auto [x, y] = Euclidean<2>::difference(a, b);
+    return std::hypot(x, y);
+}
 double distance(const Coordinates<3>& a, const Coordinates<3>& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    const auto [x, y, z] = Euclidean<3>::difference(a, b);
+    return std::hypot(x, y, z);
 }
 
 }  // namespace
 
-/// Whether another vertex is where the mover goes, its cells still being those of where it was. From neighbour to neighbour, always nearer: in a
-/// Delaunay triangulation that ends at the nearest vertex. What rounding misses is found by the rebuild that follows when nothing else helps.
+/// Whether another vertex is where the mover goes, its cells still being those of where it was. From neighbour to
+/// neighbour, always nearer: in a Delaunay triangulation that ends at the nearest vertex. What rounding misses is found
+/// by the rebuild that follows when nothing else helps.
 template <int d>
 bool Repair<d>::collides(Step<d>& step) {
     const Index v = step.mover;

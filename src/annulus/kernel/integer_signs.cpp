@@ -2,6 +2,7 @@
 #include <annulus/kernel/integer_signs.h>
 
 #include <annulus/arithmetic/wide_integer.h>
+#include <annulus/space/euclidean.h>
 
 #include <algorithm>
 #include <bit>
@@ -29,13 +30,16 @@ struct Differences {
             for (const double c : *q.x) largest = std::max(largest, std::fabs(c));
         }
         if (!(least > 0) || !(largest * scale < 0x1p60)) return;
+        const auto on_grid = [scale](const Coordinates<d>& x) {
+            Vector<d> n;
+            for (std::size_t c = 0; c < d; ++c) n[c] = static_cast<std::int64_t>(x[c] * scale);
+            return n;
+        };
+        const Vector<d> last = on_grid(*p[k].x);
         std::uint64_t magnitude = 0;
-        for (std::size_t c = 0; c < d; ++c) {
-            const auto last = static_cast<std::int64_t>((*p[k].x)[c] * scale);
-            for (std::size_t i = 0; i < k; ++i) {
-                v[i][c] = static_cast<std::int64_t>((*p[i].x)[c] * scale) - last;
-                magnitude |= static_cast<std::uint64_t>(std::abs(v[i][c]));
-            }
+        for (std::size_t i = 0; i < k; ++i) {
+            v[i] = Euclidean<d>::difference(on_grid(*p[i].x), last);
+            for (const std::int64_t c : v[i]) magnitude |= static_cast<std::uint64_t>(std::abs(c));
         }
         bits = static_cast<int>(std::bit_width(magnitude));
     }

@@ -19,13 +19,15 @@ namespace annulus {
     };
     const auto slot = static_cast<std::size_t>(std::find(f.point.begin(), f.point.end(), Site<2>(v)) - f.point.begin());
     const Coordinates<2>& a = place(0);
-    const double bx = place(1)[0] - a[0], by = place(1)[1] - a[1], ax = p[0] - a[0], ay = p[1] - a[1];
+    const auto [bx, by] = Euclidean<2>::difference(place(1), a);
+    const auto [px, py] = Euclidean<2>::difference(place(2), a);
+    const auto [ax, ay] = Euclidean<2>::difference(p, a);
     if (f.kind != Facet_kind::empty_sphere) {
-        const double altitude = bx * (place(2)[1] - a[1]) - by * (place(2)[0] - a[0]);  // times |b - a|
+        const double altitude = bx * py - by * px;  // times |b - a|
         const double mine = bx * ay - by * ax;
         return slot == 2 ? mine > 0.5 * altitude : mine < 0.5 * altitude;
     }
-    const double px = place(2)[0] - a[0], py = place(2)[1] - a[1], qx = place(3)[0] - a[0], qy = place(3)[1] - a[1];
+    const auto [qx, qy] = Euclidean<2>::difference(place(3), a);
     // The centre, from a: b . c = |b|^2 / 2 and (q - p) . c = (|q|^2 - |p|^2) / 2.
     const double ex = qx - px, ey = qy - py, k0 = 0.5 * (bx * bx + by * by),
                  k1 = 0.5 * ((qx * qx + qy * qy) - (px * px + py * py)), det = bx * ey - by * ex;

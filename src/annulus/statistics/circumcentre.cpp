@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/exact.h>
+#include <annulus/space/euclidean.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,7 @@ template <int d>
     const Scaled_integers exactly(numbers);
     std::array<std::array<mpz_class, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d)> v;
     for (std::size_t i = 0; i < d; ++i)
-        for (std::size_t k = 0; k < d; ++k) v[i][k] = exactly.integer[(i + 1) * d + k] - exactly.integer[k];
+        v[i] = Euclidean<d>::difference(&exactly.integer[(i + 1) * d], &exactly.integer[0], Exact_minus());
     const auto t = terms(v);
     if (sgn(t.denominator) <= 0)
         throw Error(Error_code::bad_input, "a cell is not positively oriented: its Voronoi vertex is nowhere");
@@ -112,7 +113,7 @@ Circumcentre<d> circumcentre(const Corners<d>& x, double scale) {
     std::array<Coordinates<d>, static_cast<std::size_t>(d)> v;
     double shortest = HUGE_VAL;
     for (std::size_t i = 0; i < d; ++i) {
-        for (std::size_t k = 0; k < d; ++k) v[i][k] = (x[i + 1][k] - x[0][k]) * scale;
+        v[i] = Euclidean<d>::difference(x[i + 1], x[0], [scale](double a, double b) { return (a - b) * scale; });
         shortest = std::min(shortest, absolute_sum(v[i]));
         for (std::size_t j = 0; j < i; ++j) {
             double length = 0;

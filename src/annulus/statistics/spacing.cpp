@@ -28,11 +28,8 @@ double spacing_of(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
     for (const Cell_index c : t.finite_cells()) {
         const Cell_vertices<d> v = cell_vertices(t, c);
         const auto at = [&](Index i) -> const Coordinates<d>& { return x[static_cast<std::size_t>(i)]; };
-        const auto edge = [&](std::size_t i) {
-            Coordinates<d> u{};
-            for (std::size_t k = 0; k < d; ++k) u[k] = std::scalbn(at(v[i])[k] - at(v[0])[k], -exponent);
-            return u;
-        };
+        const auto scaled_minus = [exponent](double a, double b) { return std::scalbn(a - b, -exponent); };
+        const auto edge = [&](std::size_t i) { return Euclidean<d>::difference(at(v[i]), at(v[0]), scaled_minus); };
         if constexpr (d == 2) content += determinant(edge(1), edge(2)) / 2;
         else content += determinant(edge(1), edge(2), edge(3)) / 6;
     }

@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/exact.h>
+#include <annulus/space/euclidean.h>
 #include <annulus/statistics/circumcentre.h>
 
 #include <algorithm>
@@ -38,8 +39,7 @@ class Exact_star {
             for (auto& corner : corner_[k])
                 for (mpz_class& x : corner) x = std::move(*next++);
             const Integers<d> origin = corner_[k][own_[k]];
-            for (auto& corner : corner_[k])
-                for (std::size_t i = 0; i < d; ++i) corner[i] -= origin[i];
+            for (auto& corner : corner_[k]) corner = Euclidean<d>::difference(corner, origin, Exact_minus());
             note_circumcentre(k);
         }
     }
@@ -107,9 +107,7 @@ class Exact_star {
     }
 
     Integers<d> edge(std::size_t k, std::size_t p, std::size_t q) const {
-        Integers<d> n;
-        for (std::size_t i = 0; i < d; ++i) n[i] = corner_[k][q][i] - corner_[k][p][i];
-        return n;
+        return Euclidean<d>::difference(corner_[k][q], corner_[k][p], Exact_minus());
     }
 
     static mpz_class size(const Integers<d>& x) {

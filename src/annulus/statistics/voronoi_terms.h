@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/certificate/bounds.h>
+#include <annulus/space/euclidean.h>
 #include <annulus/statistics/circumcentre.h>
 #include <annulus/statistics/voronoi_exact.h>
 #include <annulus/statistics/voronoi_volumes.h>
@@ -133,9 +134,7 @@ class Voronoi_terms {
     }
     /// (b - a) in the unit, each coordinate within u of it, relatively.
     [[nodiscard]] Coordinates<d> difference(Index a, Index b) const {
-        Coordinates<d> out;
-        for (std::size_t k = 0; k < d; ++k) out[k] = (x_[at(b)][k] - x_[at(a)][k]) * scale_;
-        return out;
+        return Euclidean<d>::difference(x_[at(b)], x_[at(a)], [this](double p, double q) { return (p - q) * scale_; });
     }
     /// That of cell n, whose first corner is `base`, from vertex a.
     [[nodiscard]] Seen seen_from(Index a, Index n, Index base) const {
