@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nanoseconds per half width: each stage, each family of bi-cells, single calls and batches, and plain double of the same formula.
+// Nanoseconds per half width: each stage, each family of bi-cells, single calls and batches, and plain double of the
+// same formula.
 #include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/certificate/ladder.h>
 

@@ -1,26 +1,29 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Flags under which double arithmetic is not IEEE arithmetic, and compilers whose flags are not known. The proofs say nothing about a build
-# with one of them, so the configuration stops. What a compiler sets without a flag here is found by <annulus/arithmetic/environment.h>: macros, and a test at run time.
+# Flags under which double arithmetic is not IEEE arithmetic, and compilers whose flags are not known. The proofs say
+# nothing about a build with one of them, so the configuration stops. What a compiler sets without a flag here is
+# found by <annulus/arithmetic/environment.h>: macros, and a test at run time.
 #
-# Flags that the library sets itself, behind whatever comes from outside, are not in the list: -ffp-contract, -frounding-math.
+# Flags that the library sets itself, behind whatever comes from outside, are not in the list: -ffp-contract,
+# -frounding-math.
 
 # Stops where `flags`, a string or a list, has one of them. `origin` names the variable or property.
 function(annulus_refuse_flags flags origin)
     string(REPLACE ";" " " words "${flags}")
     set(refused
-        "-ffast-math" "-Ofast" "-funsafe-math-optimizations" "-menable-unsafe-fp-math" "-ffinite-math-only" "-fno-honor-nans"
-        "-fno-honor-infinities" "-fassociative-math" "-freciprocal-math" "-fno-signed-zeros" "-fsingle-precision-constant"
-        "-fapprox-func" "-mrecip[^ ]*" "-mfpmath=[^ ]*387[^ ]*" "-mpc(32|64)" "-mdaz-ftz" "-fdenormal-fp-math[^ ]*"
-        "-ffp-model=(fast|aggressive)" "-ffp-eval-method=(double|extended)" "-fexcess-precision=fast" "-fp-model[ =]fast[^ ]*"
-        "/fp:fast")
+        "-ffast-math" "-Ofast" "-funsafe-math-optimizations" "-menable-unsafe-fp-math" "-ffinite-math-only"
+        "-fno-honor-nans" "-fno-honor-infinities" "-fassociative-math" "-freciprocal-math" "-fno-signed-zeros"
+        "-fsingle-precision-constant" "-fapprox-func" "-mrecip[^ ]*" "-mfpmath=[^ ]*387[^ ]*" "-mpc(32|64)" "-mdaz-ftz"
+        "-fdenormal-fp-math[^ ]*" "-ffp-model=(fast|aggressive)" "-ffp-eval-method=(double|extended)"
+        "-fexcess-precision=fast" "-fp-model[ =]fast[^ ]*" "/fp:fast")
     list(JOIN refused "|" any)
     if(" ${words} " MATCHES "[ >:,](${any})[ >]")
-        message(FATAL_ERROR "annulus proves its answers under IEEE arithmetic: build it without ${CMAKE_MATCH_1} (in ${origin})")
+        message(FATAL_ERROR "annulus proves its answers under IEEE arithmetic: build it without ${CMAKE_MATCH_1} "
+                            "(in ${origin})")
     endif()
 endfunction()
 
-# Every place from which a flag reaches our files: the variables for C++, those of each build type, also of types that are not CMake's
-# own, and what add_compile_options of this and of a parent project has set.
+# Every place from which a flag reaches our files: the variables for C++, those of each build type, also of types that
+# are not CMake's own, and what add_compile_options of this and of a parent project has set.
 function(annulus_refuse_all_flags)
     annulus_refuse_flags("${CMAKE_CXX_FLAGS}" CMAKE_CXX_FLAGS)
     string(TOUPPER "DEBUG;RELEASE;RELWITHDEBINFO;MINSIZEREL;${CMAKE_BUILD_TYPE};${CMAKE_CONFIGURATION_TYPES}" types)
@@ -32,11 +35,12 @@ function(annulus_refuse_all_flags)
     annulus_refuse_flags("${options}" add_compile_options)
 endfunction()
 
-# Stops where `id`, as CMAKE_CXX_COMPILER_ID has it, is a compiler of which the flags that keep IEEE arithmetic are not known here: it
-# would get none of them, and nothing would say so.
+# Stops where `id`, as CMAKE_CXX_COMPILER_ID has it, is a compiler of which the flags that keep IEEE arithmetic are
+# not known here: it would get none of them, and nothing would say so.
 function(annulus_refuse_compiler id)
     if(NOT id MATCHES "^(GNU|Clang|AppleClang)$")
-        message(FATAL_ERROR "annulus proves its answers under IEEE arithmetic, and has the flags for it of GCC and Clang only: "
-                            "build it with one of these (CMAKE_CXX_COMPILER is ${CMAKE_CXX_COMPILER}, which CMake calls '${id}')")
+        message(FATAL_ERROR "annulus proves its answers under IEEE arithmetic, and has the flags for it of GCC and "
+                            "Clang only: build it with one of these (CMAKE_CXX_COMPILER is ${CMAKE_CXX_COMPILER}, "
+                            "which CMake calls '${id}')")
     endif()
 endfunction()

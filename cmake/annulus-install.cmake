@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the library, its headers, the C interface and the tool, so that find_package(annulus) works from the installed tree. The
-# components are those of the packages: development, runtime, tool; python/ has the fourth, python.
+# Installs the library, its headers, the C interface and the tool, so that find_package(annulus) works from the
+# installed tree. The components are those of the packages: development, runtime, tool; python/ has the fourth,
+# python.
 include(CMakePackageConfigHelpers)
 
 set(annulus_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/annulus")
@@ -55,7 +56,7 @@ if(TARGET annulus-programs)
             VERBATIM)
         add_custom_target(annulus-description ALL DEPENDS "${annulus_share}/man/man1/annulus.1.gz")
         install(DIRECTORY "${annulus_share}/man/" DESTINATION "${CMAKE_INSTALL_MANDIR}" COMPONENT tool)
-        install(DIRECTORY "${annulus_share}/bash-completion" "${annulus_share}/zsh" DESTINATION "${CMAKE_INSTALL_DATADIR}"
-                COMPONENT tool)
+        install(DIRECTORY "${annulus_share}/bash-completion" "${annulus_share}/zsh"
+                DESTINATION "${CMAKE_INSTALL_DATADIR}" COMPONENT tool)
     endif()
 endif()

@@ -6,7 +6,8 @@
 #   tool         annulus            the tool, its man pages and completion
 #   python       python3-annulus    the Python package
 #
-# What a package needs at run time is read off its shared libraries (dpkg-shlibdeps); what headers need stands here, as in tools/setup.
+# What a package needs at run time is read off its shared libraries (dpkg-shlibdeps); what headers need stands here,
+# as in tools/setup.
 if(NOT PROJECT_IS_TOP_LEVEL)
     return()
 endif()
@@ -45,7 +46,9 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 
-set(about "annulus keeps the Delaunay triangulation of moving points right after every\nmove, in the plane and in space, with exact arithmetic where doubles do not\ndo, at a small part of the price of computing it anew.\n.\n")
+set(about "annulus keeps the Delaunay triangulation of moving points right after every\n\
+move, in the plane and in space, with exact arithmetic where doubles do not\n\
+do, at a small part of the price of computing it anew.\n.\n")
 function(annulus_package component name section summary description depends)
     string(TOUPPER "${component}" upper)
     set(CPACK_DEBIAN_${upper}_PACKAGE_NAME "${name}" PARENT_SCOPE)
@@ -56,7 +59,8 @@ function(annulus_package component name section summary description depends)
     # Debian's own files, in packages and nowhere else.
     install(CODE "
         if(CMAKE_INSTALL_PREFIX MATCHES \"/usr$\")
-            file(INSTALL \"${CMAKE_CURRENT_BINARY_DIR}/packages/copyright\" \"${CMAKE_CURRENT_BINARY_DIR}/packages/changelog.gz\"
+            file(INSTALL \"${CMAKE_CURRENT_BINARY_DIR}/packages/copyright\"
+                          \"${CMAKE_CURRENT_BINARY_DIR}/packages/changelog.gz\"
                  DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/doc/${name}\")
         endif()" COMPONENT ${component} EXCLUDE_FROM_ALL)
 endfunction()
@@ -69,10 +73,13 @@ file(CONFIGURE OUTPUT packages/triggers CONTENT "activate-noawait ldconfig\n")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
     "${CMAKE_CURRENT_BINARY_DIR}/packages/shlibs;${CMAKE_CURRENT_BINARY_DIR}/packages/triggers")
 annulus_package(development libannulus-dev libdevel "Delaunay triangulations of moving points, development files"
-    "This package has the headers and libraries for programs in C++ and C, and what\nCMake and pkg-config need to find them."
-    "libcgal-dev (>= 5.5), libgmp-dev, libmpfr-dev, libboost-dev, libtbb-dev, zlib1g-dev, libpng-dev, nlohmann-json3-dev (>= 3.11)")
+    "This package has the headers and libraries for programs in C++ and C, and what\n\
+CMake and pkg-config need to find them."
+    "libcgal-dev (>= 5.5), libgmp-dev, libmpfr-dev, libboost-dev, libtbb-dev, zlib1g-dev, libpng-dev, \
+nlohmann-json3-dev (>= 3.11)")
 annulus_package(tool annulus science "Delaunay triangulations of moving points, command-line tool"
-    "This package has the tool: Lloyd iterations, optimisation of tetrahedral\nmeshes, recorded motions, statistics of degeneracy, exact audits." "")
+    "This package has the tool: Lloyd iterations, optimisation of tetrahedral\n\
+meshes, recorded motions, statistics of degeneracy, exact audits." "")
 if(TARGET annulus-c)
     string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libannulus-c0 (= ${PROJECT_VERSION})")
 endif()

@@ -54,8 +54,8 @@ foreach(target IN LISTS annulus_header_targets)
     endif()
 endforeach()
 
-# A target of tests, or of fuzzing. HEADERS: annulus-headers, or annulus-headers-cgal where most of its files include CGAL,
-# themselves or through our headers, or annulus-headers-fuzz. LIBRARY: annulus::annulus or annulus::toolkit.
+# A target of tests, or of fuzzing. HEADERS: annulus-headers, or annulus-headers-cgal where most of its files include
+# CGAL, themselves or through our headers, or annulus-headers-fuzz. LIBRARY: annulus::annulus or annulus::toolkit.
 function(annulus_test_target target headers library)
     if(NOT headers STREQUAL "annulus-headers-fuzz")
         target_compile_options(${target} PRIVATE ${annulus_test_flags})

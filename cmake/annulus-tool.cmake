@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Four programs. `annulus` starts the three others for `annulus nodt`, `annulus sweep` and `annulus reproduce`: what reads specifications,
-# MPI, and the study of the paper are theirs alone, and CGAL's Mesh_3, which takes a minute to compile, is annulus-nodt's and
-# annulus-reproduce's. So the other subcommands are there in half the time.
+# Four programs. `annulus` starts the three others for `annulus nodt`, `annulus sweep` and `annulus reproduce`: what
+# reads specifications, MPI, and the study of the paper are theirs alone, and CGAL's Mesh_3, which takes a minute to
+# compile, is annulus-nodt's and annulus-reproduce's. So the other subcommands are there in half the time.
 find_package(CLI11 2.1 REQUIRED)
 
 # ---- The rooms experiment, of annulus-sweep, and reproduction, of annulus-reproduce ---------------
@@ -45,9 +45,10 @@ function(annulus_program target)
     annulus_unite(${target} ${target} "/cli/[a-z_0-9]*[.]cpp$")
 endfunction()
 
-# The library without what only natural ODT needs and without CGAL's view, which the tool has no use for: the same objects, in archives
-# that are there as soon as these are.
-add_library(annulus-tool-core STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:annulus-core-objects> $<TARGET_OBJECTS:annulus-arithmetic>)
+# The library without what only natural ODT needs and without CGAL's view, which the tool has no use for: the same
+# objects, in archives that are there as soon as these are.
+add_library(annulus-tool-core STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:annulus-core-objects>
+            $<TARGET_OBJECTS:annulus-arithmetic>)
 add_library(annulus-tool-toolkit STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:annulus-toolkit-objects>)
 set_target_properties(annulus-tool-core annulus-tool-toolkit PROPERTIES LINKER_LANGUAGE CXX)
 annulus_describe(annulus-tool-core PUBLIC)
@@ -72,7 +73,8 @@ set(annulus_solid_scene_sources src/annulus/cli/guided_nodt.cpp src/annulus/cli/
 set(annulus_scene_sources ${annulus_cli_sources})
 list(FILTER annulus_scene_sources INCLUDE REGEX "/(arguments|interruption|process|progress|result_files|tool)[.]cpp$|\
 /(compare|files|frame_files|guided_motion|input|lloyd_scene|mesh_3|nodt_arguments|replay_scene|tracker)[.]cpp$")
-list(FILTER annulus_cli_sources EXCLUDE REGEX "/(nodt|sweep|reproduce|nodt_main|sweep_main|reproduce_main|reproduction_scenes|guided_nodt|nodt_scene)[.]cpp$")
+list(FILTER annulus_cli_sources EXCLUDE REGEX "/(nodt|sweep|reproduce|nodt_main|sweep_main|reproduce_main|\
+reproduction_scenes|guided_nodt|nodt_scene)[.]cpp$")
 list(REMOVE_ITEM annulus_cli_sources ${annulus_scene_sources})
 
 add_library(annulus-scenes STATIC EXCLUDE_FROM_ALL ${annulus_scene_sources})
@@ -84,7 +86,8 @@ set_target_properties(annulus-cli PROPERTIES OUTPUT_NAME annulus)
 # Where installed companions lie, seen from the directory above that of `annulus`.
 target_compile_definitions(annulus-cli PRIVATE ANNULUS_LIBEXEC="${CMAKE_INSTALL_LIBEXECDIR}/annulus")
 
-add_library(annulus-solid-scenes STATIC EXCLUDE_FROM_ALL ${annulus_solid_scene_sources} $<TARGET_OBJECTS:annulus-solids>)
+add_library(annulus-solid-scenes STATIC EXCLUDE_FROM_ALL ${annulus_solid_scene_sources}
+            $<TARGET_OBJECTS:annulus-solids>)
 annulus_program(annulus-solid-scenes annulus-scenes)
 add_executable(annulus-nodt ${annulus_nodt_sources})
 annulus_program(annulus-nodt annulus-solid-scenes)

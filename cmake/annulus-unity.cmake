@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# ANNULUS_UNITY: which files are compiled together. Parsing the headers of the standard library, of CGAL, CLI11 and JSON
-# costs most files more than what is in them. The names in unnamed namespaces of a group differ; a file with names of its own
-# stays alone, as do files with flags of their own (CMake keeps those apart).
+# ANNULUS_UNITY: which files are compiled together. Parsing the headers of the standard library, of CGAL, CLI11 and
+# JSON costs most files more than what is in them. The names in unnamed namespaces of a group differ; a file with
+# names of its own stays alone, as do files with flags of their own (CMake keeps those apart).
 
 # The sources of `target` that match PATTERN become one piece, GROUP.
 function(annulus_unite target group pattern)
@@ -12,8 +12,8 @@ function(annulus_unite target group pattern)
     list(FILTER sources INCLUDE REGEX "${pattern}")
     set_source_files_properties(${sources} PROPERTIES UNITY_GROUP ${group})
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-    # g++ takes an unnamed namespace of an included file for one that several files see; g++ 12 has false warnings about the copying of
-    # strings where much is inlined.
+    # g++ takes an unnamed namespace of an included file for one that several files see; g++ 12 has false warnings
+    # about the copying of strings where much is inlined.
     target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage;-Wno-restrict>")
 endfunction()
 
@@ -33,8 +33,9 @@ if(ANNULUS_BUILD_TOOLKIT AND NOT ANNULUS_CORE_ONLY)
     endforeach()
 endif()
 
-# ANNULUS_UNITE_CORE: the rooms mesh, kernel and engine in so many pieces, for builds whose speed is measured by nothing. It halves what
-# compiling them takes. A class that several files define is instantiated in each, so that these are of different pieces.
+# ANNULUS_UNITE_CORE: the rooms mesh, kernel and engine in so many pieces, for builds whose speed is measured by
+# nothing. It halves what compiling them takes. A class that several files define is instantiated in each, so that
+# these are of different pieces.
 function(annulus_unite_core target)
     if(NOT ANNULUS_UNITE_CORE)
         return()
@@ -79,23 +80,25 @@ function(annulus_unite_core target)
 endfunction()
 annulus_unite_core(annulus-core-objects)
 
-# ANNULUS_PRECOMPILE: what files of the core parse of the standard library and of Boost, two fifths of what compiling them
-# takes, is parsed once. What g++ believes about code of others it does not say where it is a system header's, but does once
-# it comes precompiled.
+# ANNULUS_PRECOMPILE: what files of the core parse of the standard library and of Boost, two fifths of what compiling
+# them takes, is parsed once. What g++ believes about code of others it does not say where it is a system header's,
+# but does once it comes precompiled.
 set(annulus_quiet_about_precompiled
-    "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-maybe-uninitialized>")
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;\
+-Wno-maybe-uninitialized>")
 if(ANNULUS_PRECOMPILE)
     foreach(target IN ITEMS annulus-core-objects annulus-arithmetic)
         target_compile_options(${target} PRIVATE ${annulus_quiet_about_precompiled}
                                "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")  # for ccache
         target_precompile_headers(${target} PRIVATE
-            <algorithm> <array> <atomic> <bit> <cmath> <functional> <limits> <memory> <optional> <random> <span> <string>
-            <thread> <unordered_map> <vector> <boost/container/small_vector.hpp> <boost/container/static_vector.hpp>
-            <boost/numeric/interval.hpp> <gmpxx.h> <oneapi/tbb/parallel_for.h> <oneapi/tbb/parallel_pipeline.h>
-            <oneapi/tbb/task_arena.h>)
+            <algorithm> <array> <atomic> <bit> <cmath> <functional> <limits> <memory> <optional> <random> <span>
+            <string> <thread> <unordered_map> <vector> <boost/container/small_vector.hpp>
+            <boost/container/static_vector.hpp> <boost/numeric/interval.hpp> <gmpxx.h>
+            <oneapi/tbb/parallel_for.h> <oneapi/tbb/parallel_pipeline.h> <oneapi/tbb/task_arena.h>)
     endforeach()
     # Flags of their own
-    set_source_files_properties(${annulus_cool_sources} src/annulus/engine/signs.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+    set_source_files_properties(${annulus_cool_sources} src/annulus/engine/signs.cpp
+                                PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 endif()
 
 # Tests: the files of LIST become pieces of at most SIZE files of one folder, for a build that compiles all of them

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [c.md] A gas of particles in C99, each with a time step of its own: fast ones move in every substep, slow ones rest until it is their turn. */
+/* [c.md] A gas of particles in C99, each with a time step of its own: fast ones move in every substep, slow ones rest
+   until it is their turn. */
 #include <annulus/annulus.h>
 
 #include <math.h>

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of bi-cells in space that are far from degenerate and still leave the filter: what it is that the filter cannot tell. Each is asked for its
-// sign alone, for the tolerance of its four annuli alone, and for all that it needs, which may take the signs of the sums of lambda.
+// Of bi-cells in space that are far from degenerate and still leave the filter: what it is that the filter cannot
+// tell. Each is asked for its sign alone, for the tolerance of its four annuli alone, and for all that it needs,
+// which may take the signs of the sums of lambda.
 //
 // usage: example-wide_bicells [KIND POINTS SEED [DIGITS]]
 //
-// KIND, POINTS and SEED are those of `annulus generate`; DIGITS behind the point, to which coordinates are rounded. Without arguments a small
-// set of clusters. Wide: a width of 1e7 units in the last place of the largest coordinate, or more. docs/degeneracy.md quotes what it prints.
-#include <annulus/kernel/delaunay_mesh.h>
+// KIND, POINTS and SEED are those of `annulus generate`; DIGITS behind the point, to which coordinates are rounded.
+// Without arguments a small set of clusters. Wide: a width of 1e7 units in the last place of the largest coordinate,
+// or more. docs/degeneracy.md quotes what it prints.
 #include <annulus/certificate/ladder_3.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/motion/generated_motion.h>
 #include <annulus/statistics/degeneracy.h>
 
@@ -47,19 +49,19 @@ double stretch(const Tuple<3, 5>& t) {
 
 /// What decides of one, in words.
 std::string ways(const Tuple<3, 5>& t) {
-    const Stage sign = empty_sphere_verdict(t, false, Cell_widths::never).stage, annuli = empty_sphere_verdict(t, true, Cell_widths::never).stage,
-                all = empty_sphere_verdict(t).stage;
+    const Stage sign = empty_sphere_verdict(t, false, Cell_widths::never).stage,
+                annuli = empty_sphere_verdict(t, true, Cell_widths::never).stage, all = empty_sphere_verdict(t).stage;
     const auto side = annuli_exact(t).side;
     const bool zero = std::any_of(side.begin() + 1, side.end(), [](int s) { return s == 0; });
-    return std::string(name_of(all)) + "; annuli alone: " + std::string(name_of(annuli)) + "; sign alone: " + std::string(name_of(sign)) +
-           (zero ? "; a sum is exactly 0" : "");
+    return std::string(name_of(all)) + "; annuli alone: " + std::string(name_of(annuli)) +
+           "; sign alone: " + std::string(name_of(sign)) + (zero ? "; a sum is exactly 0" : "");
 }
 
 int run(int argc, char** argv) {
     const auto family = family_named(point_families, argc > 3 ? argv[1] : "clusters");
     if (!family) return 2;
-    std::vector<Coordinates<3>> x =
-        generate<3>(*family, argc > 3 ? std::strtoul(argv[2], nullptr, 10) : 1000, argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
+    std::vector<Coordinates<3>> x = generate<3>(*family, argc > 3 ? std::strtoul(argv[2], nullptr, 10) : 1000,
+                                                argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
     if (argc > 4)
         for (auto& p : x)
             for (double& c : p) c = rounded(c, argv[4]);
@@ -83,7 +85,8 @@ int run(int argc, char** argv) {
     (void)degeneracy(mesh.table(), x, options);
     for (auto& [how, stretches] : found) {
         std::sort(stretches.begin(), stretches.end());
-        std::printf("%8zu %s; longest over shortest distance: median %.3g\n", stretches.size(), how.c_str(), stretches[stretches.size() / 2]);
+        std::printf("%8zu %s; longest over shortest distance: median %.3g\n", stretches.size(), how.c_str(),
+                    stretches[stretches.size() / 2]);
     }
     return 0;
 }

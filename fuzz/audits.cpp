@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> up to eight points of the plane or of space and a Delaunay triangulation of them, spoilt by dropping, doubling, turning
-// over, flipping and renaming -> the audit and brute force (common/brute_force.h), which must agree. A find is printed as code for
-// tests/mesh/brute_force_test.cpp.
+// Bytes -> up to eight points of the plane or of space and a Delaunay triangulation of them, spoilt by dropping,
+// doubling, turning over, flipping and renaming -> the audit and brute force (common/brute_force.h), which must
+// agree. A find is printed as code for tests/mesh/brute_force_test.cpp.
 #include "common/audit_case.h"
 
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> four points of the plane -> every stage of the ladder against rational arithmetic: signs, and on which side of the half
-// width a tolerance is; and what stands beside the ladder: enclosures, circles asked many times, the perturbation. A find
-// is printed as the four points.
+// Bytes -> four points of the plane -> every stage of the ladder against rational arithmetic: signs, and on which
+// side of the half width a tolerance is; and what stands beside the ladder: enclosures, circles asked many times, the
+// perturbation. A find is printed as the four points.
 #include "common/decode.h"
 #include "common/rational_2.h"
 #include "common/verdict_fault.h"

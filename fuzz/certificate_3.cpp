@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> five points of space -> every stage of the ladder against rational arithmetic: signs, and on which side of the half
-// width a tolerance is. A find is printed as the five points.
+// Bytes -> five points of space -> every stage of the ladder against rational arithmetic: signs, and on which side of
+// the half width a tolerance is. A find is printed as the five points.
 #include "common/decode.h"
 #include "common/rational_3.h"
 #include "common/verdict_fault.h"

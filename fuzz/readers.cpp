@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> a file -> a reader. The first byte says which: A to T of the table below, a to t the same packed by gzip. What a reader
-// returns keeps what its header promises; what it throws is an Input_error in one line; memory is decided by bytes that are there.
+// Bytes -> a file -> a reader. The first byte says which: A to T of the table below, a to t the same packed by gzip.
+// What a reader returns keeps what its header promises; what it throws is an Input_error in one line; memory is
+// decided by bytes that are there.
 #include <annulus/formats/frame_points.h>
 #include <annulus/formats/read_gray_image.h>
 #include <annulus/formats/read_image.h>
@@ -173,7 +174,9 @@ void check_tetrahedra(const Tetrahedra_file& m) {
     require(m.cell_lines.size() == m.cells.size() && from_1(m.cell_lines), "a line for each cell");
     std::set<Index> used;
     for (const auto& cell : m.cells) used.insert(cell.begin(), cell.end());
-    require(used.size() == m.points.size() && *used.begin() == 0 && *used.rbegin() + 1 == static_cast<Index>(m.points.size()), "every point is used");
+    require(used.size() == m.points.size() && *used.begin() == 0 &&
+                *used.rbegin() + 1 == static_cast<Index>(m.points.size()),
+            "every point is used");
     require(m.boundary.triangles.size() == m.boundary.cells.size(), "a cell behind each facet");
     check_closed(m.surface());
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs files, or all files in directories, through a fuzz target, without libFuzzer: corpora are replayed with any compiler.
+// Runs files, or all files in directories, through a fuzz target, without libFuzzer: corpora are replayed with any
+// compiler.
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hot loops, once each on fixed inputs, between marks that Callgrind knows (bench/instructions runs it). By parts of the engine, since the
-// engine itself refuses to work where directed rounding has no effect, as under Valgrind. Intervals are a little too narrow there, which here nobody
-// relies on, and which is no other number of instructions but for some certificates in a million.
+// The hot loops, once each on fixed inputs, between marks that Callgrind knows (bench/instructions runs it). By parts
+// of the engine, since the engine itself refuses to work where directed rounding has no effect, as under Valgrind.
+// Intervals are a little too narrow there, which here nobody relies on, and which is no other number of instructions
+// but for some certificates in a million.
 #include "workbench.h"
 
 #include <annulus/engine/signs.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the prices of engine/prices.h are on this machine, in cells looked at. One measurement of each in every repetition, with another seed, and all divided by what
-// looking at a cell took in the same repetition (bench/calibrate makes a table of it).
+// What the prices of engine/prices.h are on this machine, in cells looked at. One measurement of each in every
+// repetition, with another seed, and all divided by what looking at a cell took in the same repetition
+// (bench/calibrate makes a table of it).
 #include "timing.h"
 #include "workbench.h"
 
@@ -29,7 +30,8 @@ using nlohmann::ordered_json;
 template <int d>
 class Repetition {
   public:
-    Repetition(std::size_t n, std::uint64_t seed) : n_(n), all_(static_cast<double>(n)), seed_(seed), w_("uniform", n, seed) {}
+    Repetition(std::size_t n, std::uint64_t seed)
+        : n_(n), all_(static_cast<double>(n)), seed_(seed), w_("uniform", n, seed) {}
 
     ordered_json measure() {
         counts();
@@ -50,7 +52,8 @@ class Repetition {
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    /// What looking at a cell takes, of all of them, in the order that they have: anew before each part, since a machine is not always as fast.
+    /// What looking at a cell takes, of all of them, in the order that they have: anew before each part, since a
+    /// machine is not always as fast.
     void find_unit() {
         const auto& table = w_.mesh().table();
         Signs<d> signs(table);
@@ -120,8 +123,8 @@ class Repetition {
         pass_ = least(5, [&] { (void)w_.step(); });
     }
 
-    /// Steps in which some tolerances fail and others do not. Failed vertices and evaluated certificates come together in every motion, so that no fit
-    /// tells their prices apart: they keep their ratio.
+    /// Steps in which some tolerances fail and others do not. Failed vertices and evaluated certificates come
+    /// together in every motion, so that no fit tells their prices apart: they keep their ratio.
     void steps_of_tolerances() {
         Factor factor;
         Factor expected;
@@ -139,10 +142,14 @@ class Repetition {
                     const double expiring = share == 1 && k >= 3 ? certificates * expiring_share(before) : 0.0;
                     Move_report report;
                     const double t = seconds([&] { report = w_.step(); });
-                    if (report.tolerance_steps != 1 || report.settlings != 0 || report.moves.rebuilt != 0 || !w_.filter().tracks()) break;
+                    if (report.tolerance_steps != 1 || report.settlings != 0 || report.moves.rebuilt != 0 ||
+                        !w_.filter().tracks())
+                        break;
                     if (k < 3) continue;  // just after settling nothing fails
                     const auto failed = static_cast<double>(report.moves.asked - report.moves.within_tolerance);
-                    factor.add(Prices<d>::failure * failed + Prices<d>::evaluation * static_cast<double>(report.evaluated), (t - pass_) / unit_);
+                    factor.add(
+                        Prices<d>::failure * failed + Prices<d>::evaluation * static_cast<double>(report.evaluated),
+                        (t - pass_) / unit_);
                     sum += t / unit_;
                     expiries += expiring;
                     ++counted;
@@ -179,7 +186,8 @@ class Repetition {
         return sum / static_cast<double>(std::max<std::size_t>(sampled, 1));
     }
 
-    /// Without tolerances: when all holds, and by what a sample of all cells says before. Violated facets and inverted cells come together, too.
+    /// Without tolerances: when all holds, and by what a sample of all cells says before. Violated facets and
+    /// inverted cells come together, too.
     void steps_of_signs() {
         w_.stop_tracking();
         double hold = 1e9;
@@ -194,13 +202,16 @@ class Repetition {
         for (int k = 0; k < 8; ++k)
             for (const double s : {0.003, 0.01, 0.02, 0.03, 0.05}) {
                 w_.walk(d == 2 ? 2.0 * s : s);
-                const Sample sample = annulus::sample_cells<d>(w_.mesh().table(), w_.points(), static_cast<std::size_t>(10.0 * all_));
+                const Sample sample =
+                    annulus::sample_cells<d>(w_.mesh().table(), w_.points(), static_cast<std::size_t>(10.0 * all_));
                 Move_report report;
                 const double t = seconds([&] { report = w_.step(); });
                 if (report.sign_steps != 1 || report.settlings != 0 || report.moves.rebuilt != 0) continue;
-                const double scale = out_["cells"].get<double>() * all_ / static_cast<double>(std::max<std::size_t>(sample.cells, 1));
+                const double scale =
+                    out_["cells"].get<double>() * all_ / static_cast<double>(std::max<std::size_t>(sample.cells, 1));
                 factor.add(scale * (Prices<d>::violated * 0.5 * static_cast<double>(sample.violated) +
-                                    Prices<d>::inverted * static_cast<double>(sample.inverted)), (t - hold) / unit_);
+                                    Prices<d>::inverted * static_cast<double>(sample.inverted)),
+                           (t - hold) / unit_);
             }
         out_["violated"] = factor.value() * Prices<d>::violated;
         out_["inverted"] = factor.value() * Prices<d>::inverted;
@@ -225,17 +236,21 @@ class Repetition {
             for (const Corner_index f : facets) broken += signs.is_violated(f) ? 1U : 0U;
         });
         if (sample.cells == 0 || sample.unclear == 0) return;
-        const double unclear = static_cast<double>(sample.unclear) * static_cast<double>(cells) / static_cast<double>(sample.cells);
+        const double unclear =
+            static_cast<double>(sample.unclear) * static_cast<double>(cells) / static_cast<double>(sample.cells);
         out_["unclear"] = (s / unit_ - static_cast<double>(cells)) / unclear;
     }
 
-    /// Tolerances of bi-cells near a sphere, beside those that the filter stage gives: of points so far off that intervals tell most, and so near that none does.
+    /// Tolerances of bi-cells near a sphere, beside those that the filter stage gives: of points so far off that
+    /// intervals tell most, and so near that none does.
     void later_stages() {
         const auto filter = bicells(1e-3);
         const auto middle = bicells(d == 2 ? 1e-12 : 1e-10);
         const auto near = bicells(1e-17);
         // Two equations.
-        const auto above = [&](const auto& b) { return b.seconds / unit_ - filter.seconds / unit_ * b.count / filter.count; };
+        const auto above = [&](const auto& b) {
+            return b.seconds / unit_ - filter.seconds / unit_ * b.count / filter.count;
+        };
         const double determinant = middle.interval * near.exact - near.interval * middle.exact;
         out_["interval_evaluation_price"] = (above(middle) * near.exact - above(near) * middle.exact) / determinant;
         out_["exact_evaluation_price"] = (middle.interval * above(near) - near.interval * above(middle)) / determinant;

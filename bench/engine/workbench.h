@@ -21,7 +21,9 @@ class Workbench {
 
     /// In the unit of a uniform family in the unit cube, whatever the family.
     Workbench(std::string_view family, std::size_t n, std::uint64_t seed = 1)
-        : random_(seed + 1000), x_(Scene<d>(family, "walk", n, 0.0, seed).points()), spacing_(std::pow(static_cast<double>(n), -1.0 / d)) {
+        : random_(seed + 1000),
+          x_(Scene<d>(family, "walk", n, 0.0, seed).points()),
+          spacing_(std::pow(static_cast<double>(n), -1.0 / d)) {
         mesh_ = std::make_unique<Mesh>();
         mesh_->build(x_);
         filter_ = std::make_unique<annulus::Filter<d>>(*mesh_);

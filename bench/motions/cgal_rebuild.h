@@ -16,8 +16,8 @@
 
 namespace bench {
 
-/// What CGAL's own rebuild takes: its insertion of a range, with nothing but the input order at its vertices. That the pairs are made
-/// beforehand, and the object is destroyed afterwards, is not counted.
+/// What CGAL's own rebuild takes: its insertion of a range, with nothing but the input order at its vertices. That
+/// the pairs are made beforehand, and the object is destroyed afterwards, is not counted.
 template <int d>
 double cgal_rebuild(const Points<d>& x, Stopwatch watch) {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -31,7 +31,8 @@ double cgal_rebuild(const Points<d>& x, Stopwatch watch) {
     if constexpr (d == 2) {
         using Vb = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
         const double begin = watch.seconds();
-        CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vb>> tr(points.begin(), points.end());
+        CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vb>> tr(points.begin(),
+                                                                                            points.end());
         return watch.seconds() - begin;
     } else {
         using Vb = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What does not depend on a motion: construction, by several threads too, memory, a step in which all pass, the move of one vertex; Voronoi volumes.
-// A JSON object a line.
+// What does not depend on a motion: construction, by several threads too, memory, a step in which all pass, the move
+// of one vertex; Voronoi volumes. A JSON object a line.
 #include "families.h"
 #include "stopwatch.h"
 
@@ -57,7 +57,8 @@ auto cgal(const bench::Points<d>& x) {
     }
     if constexpr (d == 2) {
         using Vb = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
-        return std::make_unique<CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vb>>>(points.begin(), points.end());
+        return std::make_unique<CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vb>>>(
+            points.begin(), points.end());
     } else {
         using Vb = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
         using Tds = CGAL::Triangulation_data_structure_3<Vb, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
@@ -145,7 +146,9 @@ void construction(const char* name, std::size_t n, int threads, const std::strin
     const auto build = [&](int with) {
         options.threads = with;
         std::unique_ptr<Moving> dt;
-        return nanoseconds([&] { dt = std::make_unique<Moving>(std::span<const Coordinates<d>>(scene.points()), options); }) / static_cast<double>(n);
+        return nanoseconds(
+                   [&] { dt = std::make_unique<Moving>(std::span<const Coordinates<d>>(scene.points()), options); }) /
+               static_cast<double>(n);
     };
     std::vector<double> one;
     std::vector<double> some;
@@ -155,12 +158,19 @@ void construction(const char* name, std::size_t n, int threads, const std::strin
         some.push_back(build(threads));
         ratio.push_back(one.back() / some.back());
     }
-    say({{"what", name}, {"dimension", d}, {"points", n}, {"threads", threads}, {"one_ns", median(one)}, {"ns", median(some)},
-         {"ratio", median(ratio)}}, file);
+    say({{"what", name},
+         {"dimension", d},
+         {"points", n},
+         {"threads", threads},
+         {"one_ns", median(one)},
+         {"ns", median(some)},
+         {"ratio", median(ratio)}},
+        file);
 }
 
-/// Voronoi volumes after steps in which `movers` vertices go a hundredth of a spacing: those that a mesh keeps, and voronoi_volumes of its cells, which are
-/// listed beforehand. Medians, also of the ratios of two in turn; whether all had the same bits.
+/// Voronoi volumes after steps in which `movers` vertices go a hundredth of a spacing: those that a mesh keeps, and
+/// voronoi_volumes of its cells, which are listed beforehand. Medians, also of the ratios of two in turn; whether all
+/// had the same bits.
 template <int d>
 void volumes(std::size_t n, std::size_t movers, const std::string& file) {
     const bench::Scene<d> scene("uniform", "walk", n, 0.0, 1);
@@ -188,8 +198,14 @@ void volumes(std::size_t n, std::size_t movers, const std::string& file) {
         ratio.push_back(fresh.back() / kept.back());
         same = same && a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
     }
-    say({{"dimension", d}, {"points", n}, {"movers", movers}, {"kept_ns", median(kept)}, {"fresh_ns", median(fresh)}, {"ratio", median(ratio)},
-         {"same", same}}, file);
+    say({{"dimension", d},
+         {"points", n},
+         {"movers", movers},
+         {"kept_ns", median(kept)},
+         {"fresh_ns", median(fresh)},
+         {"ratio", median(ratio)},
+         {"same", same}},
+        file);
 }
 
 }  // namespace
@@ -202,7 +218,8 @@ int main(int argc, char** argv) {
     CLI::App app{"What does not depend on a motion, of both classes in both dimensions."};
     app.add_option("POINTS", n)->check(CLI::Range(1000, 100000000));
     app.add_option("--json", json, "file that a line is appended to for each");
-    app.add_option("--threads", threads, "more than one: construction by so many, and nothing else")->check(CLI::Range(1, 1024));
+    app.add_option("--threads", threads, "more than one: construction by so many, and nothing else")
+        ->check(CLI::Range(1, 1024));
     app.add_flag("--volumes", of_volumes, "Voronoi volumes after small steps, and nothing else");
     CLI11_PARSE(app, argc, argv);
     if (of_volumes) {

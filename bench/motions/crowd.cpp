@@ -7,26 +7,28 @@ namespace bench {
 
 namespace {
 
-constexpr double width = 20.0;         // metres, seconds from here on
-constexpr double people = 0.5;         // on a square metre
+constexpr double width = 20.0;  // metres, seconds from here on
+constexpr double people = 0.5;  // on a square metre
 constexpr double time_step = 0.02;
-constexpr double relaxation = 0.5;     // to the speed that is wished for
-constexpr double repulsion = 2.1;      // V / mass, and its range
+constexpr double relaxation = 0.5;  // to the speed that is wished for
+constexpr double repulsion = 2.1;   // V / mass, and its range
 constexpr double range = 0.3;
-constexpr double stride_time = 2.0;    // the room that the other's next steps take
+constexpr double stride_time = 2.0;  // the room that the other's next steps take
 constexpr double wall_repulsion = 10.0;
 constexpr double wall_range = 0.2;
-constexpr double out_of_sight = 0.5;   // of forces from those who are not within 100 degrees of where one goes
+constexpr double out_of_sight = 0.5;  // of forces from those who are not within 100 degrees of where one goes
 constexpr double cosine_of_sight = -0.17364817766693;
-constexpr double most_speed = 1.3;     // of the wished one
-constexpr double sight = 4.0;          // forces from farther away are as good as none
-constexpr double column = 0.6;         // radius
+constexpr double most_speed = 1.3;  // of the wished one
+constexpr double sight = 4.0;       // forces from farther away are as good as none
+constexpr double column = 0.6;      // radius
 constexpr double columns_apart = 12.0;
 
 double norm(const annulus::Coordinates<2>& v) { return std::hypot(v[0], v[1]); }
 
-/// What the other at -off pushes with, who walks at speed `pace` in direction `heading`: the gradient of V exp(-b / range), b the half axis of the ellipse.
-annulus::Coordinates<2> push(const annulus::Coordinates<2>& off, double pace, const annulus::Coordinates<2>& direction) {
+/// What the other at -off pushes with, who walks at speed `pace` in direction `heading`: the gradient of V
+/// exp(-b / range), b the half axis of the ellipse.
+annulus::Coordinates<2> push(const annulus::Coordinates<2>& off, double pace,
+                             const annulus::Coordinates<2>& direction) {
     const double ahead = pace * stride_time;
     const annulus::Coordinates<2> rest{off[0] - ahead * direction[0], off[1] - ahead * direction[1]};
     const double a = std::max(norm(off), 1e-6);
@@ -74,7 +76,8 @@ bool Crowd::is_free(const Point& p) const {
 
 bool Crowd::advance() {
     for (int k = 0; k < every_; ++k) integrate();
-    // Those who have gone out of the corridor leave, and as many come in at the other end. Somebody new gets the number vacated last.
+    // Those who have gone out of the corridor leave, and as many come in at the other end. Somebody new gets the
+    // number vacated last.
     std::vector<std::pair<double, int>> newcomers;
     for (std::size_t i = 0; i < x_.size(); ++i) {
         if (x_[i][0] >= 0.0 && x_[i][0] <= length_) continue;
@@ -122,7 +125,8 @@ void Crowd::add_repulsions(Points<2>& force) const {
         if (off[0] * off[0] + off[1] * off[1] > sight * sight) return;
         const auto feels = [&](std::size_t who, std::size_t other, double sign) {
             const double pace = norm(velocity_[other]);
-            const Point direction = pace > 1e-9 ? Point{velocity_[other][0] / pace, velocity_[other][1] / pace} : Point{1.0, 0.0};
+            const Point direction =
+                pace > 1e-9 ? Point{velocity_[other][0] / pace, velocity_[other][1] / pace} : Point{1.0, 0.0};
             const Point f = push({sign * off[0], sign * off[1]}, pace, direction);
             // The other is seen in the direction from which the force comes.
             const double seen = -f[0] * heading_[who] >= norm(f) * cosine_of_sight ? 1.0 : out_of_sight;
@@ -136,7 +140,8 @@ void Crowd::add_repulsions(Points<2>& force) const {
 void Crowd::add_walls(Points<2>& force) const {
     for (std::size_t i = 0; i < x_.size(); ++i) {
         const Point& p = x_[i];
-        force[i][1] += wall_repulsion / wall_range * (std::exp(-p[1] / wall_range) - std::exp((p[1] - width) / wall_range));
+        force[i][1] +=
+            wall_repulsion / wall_range * (std::exp(-p[1] / wall_range) - std::exp((p[1] - width) / wall_range));
         for (const Point& c : columns_) {
             const Point off{p[0] - c[0], p[1] - c[1]};
             const double r = std::max(norm(off), 1e-6);

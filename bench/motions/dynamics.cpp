@@ -16,7 +16,8 @@ constexpr double wall = 50.0;  // what the spring pulls with, a diameter outside
 
 double square(const annulus::Coordinates<3>& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
-/// The n sites of a face-centred cubic crystal that are nearest to a point beside the origin (so that no two are equally near), in its order.
+/// The n sites of a face-centred cubic crystal that are nearest to a point beside the origin (so that no two are
+/// equally near), in its order.
 Points<3> crystal(std::size_t n) {
     const double edge = std::cbrt(4.0 / density);
     const int half = static_cast<int>(std::cbrt(static_cast<double>(n))) / 2 + 3;
@@ -24,7 +25,8 @@ Points<3> crystal(std::size_t n) {
     for (int i = -half; i < half; ++i)
         for (int j = -half; j < half; ++j)
             for (int k = -half; k < half; ++k)
-                for (const auto& [a, b, c] : {annulus::Coordinates<3>{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}})
+                for (const auto& [a, b, c] :
+                     {annulus::Coordinates<3>{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}})
                     sites.push_back({edge * (i + a - 0.0321), edge * (j + b - 0.0123), edge * (k + c - 0.0213)});
     std::vector<double> distance;
     for (const auto& p : sites) distance.push_back(square(p));

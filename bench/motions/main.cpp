@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Strategies and CGAL's rebuild on one motion, timed step by step in turn: nanoseconds a vertex and step, ratios of the same step.
+// Strategies and CGAL's rebuild on one motion, timed step by step in turn: nanoseconds a vertex and step, ratios of
+// the same step.
 #include "crowd.h"
 #include "dynamics.h"
 #include "families.h"
@@ -47,7 +48,9 @@ int run(const Choice& c, const std::string& file) {
     else out["spacings"] = c.spacings;
     char name[120];
     if (simulated) std::snprintf(name, sizeof name, "%dD %s n=%zu every %d", d, c.motion.c_str(), c.points, c.every);
-    else std::snprintf(name, sizeof name, "%dD %-8s %-6s n=%zu s=%g", d, c.family.c_str(), c.motion.c_str(), c.points, c.spacings);
+    else
+        std::snprintf(name, sizeof name, "%dD %-8s %-6s n=%zu s=%g", d, c.family.c_str(), c.motion.c_str(), c.points,
+                      c.spacings);
     const int failed = bench::race<d>(*motion, c.race, name, out);
     bench::append(file, out);
     return failed == 0 ? 0 : 1;
@@ -62,15 +65,19 @@ int main(int argc, char** argv) {
     app.add_option("-d,--dimension", choice.dimension)->check(CLI::Range(2, 3));
     app.add_option("-f,--family", choice.family, "uniform, sphere, slab, clusters, faces, lattice, ball");
     app.add_option("-m,--motion", choice.motion,
-                   "walk, drift, shear, few, burst; dynamics (in space) and crowd (in the plane), which have neither family nor spacings");
+                   "walk, drift, shear, few, burst; dynamics (in space) and crowd (in the plane), which have neither "
+                   "family nor spacings");
     app.add_option("-n,--points", choice.points)->check(CLI::Range(10, 100000000));
     app.add_option("-s,--spacings", choice.spacings, "root mean square displacement a step, in spacings");
-    app.add_option("--every", choice.every, "dynamics, crowd: steps of integration between timestamps")->check(CLI::Range(1, 100000));
+    app.add_option("--every", choice.every, "dynamics, crowd: steps of integration between timestamps")
+        ->check(CLI::Range(1, 100000));
     app.add_option("-k,--steps", choice.race.steps);
     app.add_option("-w,--warm", choice.race.warm, "steps before those that count");
     app.add_option("-t,--threads", choice.race.threads);
     app.add_option("--seed", choice.seed);
-    app.add_option("--strategies", choice.race.strategies, "of Moving_delaunay; STRATEGY:view asks for its triangulation() at each step; STRATEGY:mesh: Moving_mesh")
+    app.add_option(
+           "--strategies", choice.race.strategies,
+           "of Moving_delaunay; STRATEGY:view asks for its triangulation() at each step; STRATEGY:mesh: Moving_mesh")
         ->delimiter(',');
     app.add_flag("!--no-audit", choice.race.audit);
     app.add_flag("--audit-all", choice.race.audit_all, "after every step, not only the last");

@@ -17,8 +17,9 @@ using annulus::Index;
 template <int d>
 using Points = std::vector<annulus::Coordinates<d>>;
 
-/// Points from timestamp to timestamp. Their numbers are those that Moving_delaunay gives them: the first ones 0, 1, 2 ..; who leaves makes
-/// a number vacant, and who arrives gets the one vacated last. A timestamp is removals, one move_all to `points`, insertions.
+/// Points from timestamp to timestamp. Their numbers are those that Moving_delaunay gives them: the first ones 0, 1,
+/// 2 ..; who leaves makes a number vacant, and who arrives gets the one vacated last. A timestamp is removals, one
+/// move_all to `points`, insertions.
 template <int d>
 class Motion {
   public:

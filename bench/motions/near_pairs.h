@@ -10,8 +10,9 @@
 
 namespace bench {
 
-/// Calls f(i, j) once for every pair of points at most about `reach` apart (others up to twice as far may be among them), in an order
-/// that depends on the positions alone. O(n) where density is bounded; one grid of cells over the points' box.
+/// Calls f(i, j) once for every pair of points at most about `reach` apart (others up to twice as far may be among
+/// them), in an order that depends on the positions alone. O(n) where density is bounded; one grid of cells over the
+/// points' box.
 template <int d, class F>
 void for_each_near_pair(const Points<d>& x, double reach, F f) {
     if (x.empty()) return;
@@ -48,7 +49,8 @@ void for_each_near_pair(const Points<d>& x, double reach, F f) {
     for (std::size_t code = all / 2 + 1; code < all; ++code) {
         std::ptrdiff_t off = 0;
         std::size_t rest = code;
-        for (std::size_t k = 0; k < d; ++k, rest /= 3) off += static_cast<std::ptrdiff_t>(stride[k]) * (static_cast<std::ptrdiff_t>(rest % 3) - 1);
+        for (std::size_t k = 0; k < d; ++k, rest /= 3)
+            off += static_cast<std::ptrdiff_t>(stride[k]) * (static_cast<std::ptrdiff_t>(rest % 3) - 1);
         ahead.push_back(static_cast<std::size_t>(off));
     }
     const auto begin = [&](std::size_t c) { return first[c + 1]; };

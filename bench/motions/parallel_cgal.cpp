@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL's parallel insertion in space, the peer of a strategy with threads. A program by itself, since what includes CGAL with and without TBB does not mix.
+// CGAL's parallel insertion in space, the peer of a strategy with threads. A program by itself, since what includes
+// CGAL with and without TBB does not mix.
 #include "families.h"
 #include "result_line.h"
 #include "stopwatch.h"
@@ -9,8 +10,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
-#include <CLI/CLI.hpp>
 #include <tbb/global_control.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -20,7 +21,8 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vb = CGAL::Triangulation_vertex_base_with_info_3<annulus::Index, Kernel>;
-using Tds = CGAL::Triangulation_data_structure_3<Vb, CGAL::Delaunay_triangulation_cell_base_3<Kernel>, CGAL::Parallel_tag>;
+using Tds =
+    CGAL::Triangulation_data_structure_3<Vb, CGAL::Delaunay_triangulation_cell_base_3<Kernel>, CGAL::Parallel_tag>;
 using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Tds>;
 
 double rebuild(const std::vector<std::pair<Kernel::Point_3, annulus::Index>>& points) {

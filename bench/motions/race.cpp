@@ -80,7 +80,8 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
     out["displacement"] = quantile(displacement, 0.5);
     out["came_and_went"] = moves;
     out["cgal_ns"] = quantile(nanoseconds, 0.5);
-    std::printf("%s: %.3g spacings a step, cgal %.0f ns", name.c_str(), quantile(displacement, 0.5), quantile(nanoseconds, 0.5));
+    std::printf("%s: %.3g spacings a step, cgal %.0f ns", name.c_str(), quantile(displacement, 0.5),
+                quantile(nanoseconds, 0.5));
     int failed = 0;
     for (Runner<d>& r : runners) {
         std::vector<double> ratio;
@@ -96,16 +97,23 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
         const double asked = static_cast<double>(std::max<std::uint64_t>(r.report.moves.asked, 1));
         const auto share = [&](std::uint64_t k) { return static_cast<double>(k) / asked; };
         const double whole = r.seconds.empty() ? 0.0 : sum(cgal) / sum(r.seconds);
-        std::printf(" | %s %.0f ns, ratio %.2f, of sums %.2f, dearest %.2f%s", r.name.c_str(), quantile(ns, 0.5), quantile(ratio, 0.5), whole,
-                    quantile(price, 1.0), r.failed_audits != 0 ? " AUDIT FAILED" : "");
+        std::printf(" | %s %.0f ns, ratio %.2f, of sums %.2f, dearest %.2f%s", r.name.c_str(), quantile(ns, 0.5),
+                    quantile(ratio, 0.5), whole, quantile(price, 1.0), r.failed_audits != 0 ? " AUDIT FAILED" : "");
         if (share(r.report.moves.rebuilt) > 0.0) std::printf(", rebuilt %.2f", share(r.report.moves.rebuilt));
         std::printf(", flips %.3f, again %.4f", share(r.report.flips), share(r.report.moves.reinserted));
-        out[r.name] = {{"ns", quantile(ns, 0.5)}, {"ratio", quantile(ratio, 0.5)}, {"whole", whole},
-                       {"ratio_low", quantile(ratio, 0.1)}, {"ratio_high", quantile(ratio, 0.9)},
-                       {"dearest", quantile(price, 1.0)}, {"construction_ns", 1e9 * r.construction / quantile(count, 0.5)},
-                       {"rebuilt", share(r.report.moves.rebuilt)}, {"within_tolerance", share(r.report.moves.within_tolerance)},
-                       {"flips", share(r.report.flips)}, {"evaluated", share(r.report.evaluated)},
-                       {"exact", share(r.report.arithmetic.exact)}, {"reinserted", share(r.report.moves.reinserted)},
+        out[r.name] = {{"ns", quantile(ns, 0.5)},
+                       {"ratio", quantile(ratio, 0.5)},
+                       {"whole", whole},
+                       {"ratio_low", quantile(ratio, 0.1)},
+                       {"ratio_high", quantile(ratio, 0.9)},
+                       {"dearest", quantile(price, 1.0)},
+                       {"construction_ns", 1e9 * r.construction / quantile(count, 0.5)},
+                       {"rebuilt", share(r.report.moves.rebuilt)},
+                       {"within_tolerance", share(r.report.moves.within_tolerance)},
+                       {"flips", share(r.report.flips)},
+                       {"evaluated", share(r.report.evaluated)},
+                       {"exact", share(r.report.arithmetic.exact)},
+                       {"reinserted", share(r.report.moves.reinserted)},
                        {"audit", r.failed_audits == 0}};
     }
     std::printf("\n");

@@ -26,7 +26,8 @@ int dimension_of(const annulus::Recorded_motion& motion) {
 }
 
 template <int d>
-int run(const annulus::Recorded_motion& recorded, const bench::Race& race, const std::string& name, const std::string& json) {
+int run(const annulus::Recorded_motion& recorded, const bench::Race& race, const std::string& name,
+        const std::string& json) {
     // Of more frames than are wanted those around the fullest one: people come into the picture one by one.
     const std::size_t all = recorded.frames.size();
     const auto wanted = std::min(all, static_cast<std::size_t>(race.warm + race.steps) + 1);
@@ -58,9 +59,11 @@ int main(int argc, char** argv) {
     int failed = 0;
     for (const std::string& file : files) {
         try {
-            const annulus::Recorded_motion recorded = annulus::read_motion(file, {.absent = annulus::Absent_frames::skip, .box = {.ignored = true}});
+            const annulus::Recorded_motion recorded =
+                annulus::read_motion(file, {.absent = annulus::Absent_frames::skip, .box = {.ignored = true}});
             const std::string name = std::filesystem::path(file).filename().string();
-            failed += dimension_of(recorded) == 2 ? run<2>(recorded, race, name, json) : run<3>(recorded, race, name, json);
+            failed +=
+                dimension_of(recorded) == 2 ? run<2>(recorded, race, name, json) : run<3>(recorded, race, name, json);
         } catch (const std::exception& e) {
             std::fprintf(stderr, "annulus-recordings: %s\n", e.what());
             return 3;

@@ -13,8 +13,8 @@
 
 namespace bench {
 
-/// The tool's Lloyd iterations, beside a triangulation of their own, so that what follows them has no say in where they go. Unlike the tool's
-/// Guided_lloyd it tells the motion's own seconds from those of that triangulation.
+/// The tool's Lloyd iterations, beside a triangulation of their own, so that what follows them has no say in where
+/// they go. Unlike the tool's Guided_lloyd it tells the motion's own seconds from those of that triangulation.
 class Lloyd {
   public:
     static constexpr int dimension = 2;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Strategies, CGAL's rebuild and the motion itself on Lloyd iterations and natural ODT, as the tool makes them. Blocks of timestamps are computed
-// first, and each strategy follows them by itself, so that neither the others nor the motion use up its caches, and yet all are timed within the same seconds.
+// Strategies, CGAL's rebuild and the motion itself on Lloyd iterations and natural ODT, as the tool makes them.
+// Blocks of timestamps are computed first, and each strategy follows them by itself, so that neither the others nor
+// the motion use up its caches, and yet all are timed within the same seconds.
 #include "cgal_rebuild.h"
 #include "relaxation.h"
 #include "result_line.h"
@@ -26,7 +27,8 @@ struct Choice {
     std::string json;
 };
 
-/// NAME[:KIND][@K]: KIND is a kind of tolerance; with K it follows each Kth timestamp only, and its seconds count K times.
+/// NAME[:KIND][@K]: KIND is a kind of tolerance; with K it follows each Kth timestamp only, and its seconds count K
+/// times.
 struct Word {
     std::string name;  // without @K
     bool cgal = false;
@@ -75,14 +77,17 @@ int run(Motion& motion, std::uint64_t iterations, const Choice& choice, ordered_
     for (const std::string& word : choice.strategies) {
         followers.push_back({Word(word), nullptr, 0.0, 0, {}});
         auto& f = followers.back();
-        if (iterations % f.word.every != 0) throw std::invalid_argument(word + ": the last of " + std::to_string(iterations) + " would be left out");
-        if (!f.word.cgal) f.dt = std::make_unique<Moving>(std::span<const Coordinates<d>>(motion.points()), f.word.options);
+        if (iterations % f.word.every != 0)
+            throw std::invalid_argument(word + ": the last of " + std::to_string(iterations) + " would be left out");
+        if (!f.word.cgal)
+            f.dt = std::make_unique<Moving>(std::span<const Coordinates<d>>(motion.points()), f.word.options);
     }
     double motion_seconds = 0.0;
     double displacement = 0.0;
     std::vector<bench::Points<d>> block;
     for (std::uint64_t first = 0; first < iterations; first += block.size()) {
-        block.assign(static_cast<std::size_t>(std::min<std::uint64_t>(block_size, iterations - first)), bench::Points<d>(motion.points().size()));
+        block.assign(static_cast<std::size_t>(std::min<std::uint64_t>(block_size, iterations - first)),
+                     bench::Points<d>(motion.points().size()));
         for (auto& x : block) {
             const auto [taken, way] = motion.next(x);
             motion_seconds += taken;
@@ -106,9 +111,13 @@ int run(Motion& motion, std::uint64_t iterations, const Choice& choice, ordered_
     }
     const double steps = static_cast<double>(iterations);
     const double n = static_cast<double>(motion.points().size());
-    out.update({{"dimension", d}, {"points", motion.points().size()}, {"iterations", iterations}, {"displacement", displacement / steps},
+    out.update({{"dimension", d},
+                {"points", motion.points().size()},
+                {"iterations", iterations},
+                {"displacement", displacement / steps},
                 {"motion", motion_seconds}});
-    std::printf("%zu points, %.3g spacings a step, motion %.2f s", motion.points().size(), displacement / steps, motion_seconds);
+    std::printf("%zu points, %.3g spacings a step, motion %.2f s", motion.points().size(), displacement / steps,
+                motion_seconds);
     int failed = 0;
     const Follower<Moving>* reference = nullptr;
     decltype(canonical(*followers[0].dt)) cells;
@@ -148,7 +157,9 @@ int main(int argc, char** argv) {
     cli::Lloyd_arguments lloyd;
     cli::Nodt_arguments nodt;
     CLI::App app{"Strategies, CGAL's rebuild and the motion itself on the tool's motions: seconds in all."};
-    app.add_option("--strategies", choice.strategies, "NAME[:KIND][@K] or cgal[@K]; with @K each Kth timestamp only, which counts K times")->delimiter(',');
+    app.add_option("--strategies", choice.strategies,
+                   "NAME[:KIND][@K] or cgal[@K]; with @K each Kth timestamp only, which counts K times")
+        ->delimiter(',');
     app.add_option("--seed", choice.seed);
     app.add_option("--json", choice.json, "file that a line is appended to");
     auto* plane = app.add_subcommand("lloyd", "with the options of `annulus lloyd` that say which");
@@ -164,7 +175,10 @@ int main(int argc, char** argv) {
         }
         const cli::Nodt_scene scene = cli::make_scene(nodt, choice.seed);
         bench::Nodt motion(scene, nodt);
-        return run(motion, nodt.iterations, choice, {{"scene", nodt.sphere ? "sphere" : nodt.mesh.empty() ? nodt.surface : nodt.mesh}});
+        return run(motion, nodt.iterations, choice,
+                   {{"scene", nodt.sphere         ? "sphere"
+                              : nodt.mesh.empty() ? nodt.surface
+                                                  : nodt.mesh}});
     } catch (const std::exception& e) {
         std::fprintf(stderr, "annulus-relaxations: %s\n", e.what());
         return 3;

@@ -5,8 +5,8 @@
 
 namespace bench {
 
-/// Seconds of this thread's processor, which does not count while others have it: steadier than a clock on a machine that is shared. Where several
-/// threads work there is but the clock.
+/// Seconds of this thread's processor, which does not count while others have it: steadier than a clock on a machine
+/// that is shared. Where several threads work there is but the clock.
 class Stopwatch {
   public:
     explicit Stopwatch(int threads = 1) : clock_(threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC) {}

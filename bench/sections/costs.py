@@ -10,11 +10,13 @@ def costs(bench):
     """Of both classes in both dimensions, with tolerances (steps of 1e-5 spacings) and without (1e-3)."""
     points = 20000 if bench.quick else 100000
     yield from [f"## Costs, {points} points", "",
-                "Nanoseconds and bytes (malloc's own count) a vertex; the move of one vertex by 0.01 spacings in nanoseconds, a median of 1,000. \"Above CGAL's\" is of `Moving_delaunay`, whose",
-                "triangulation is CGAL's; of a mesh all there is counts. In space must and aim are 1.5 and 1.1 for construction, 800 and 500 bytes (900 and 500 of a",
+                "Nanoseconds and bytes (malloc's own count) a vertex; the move of one vertex by 0.01 spacings in "
+                "nanoseconds, a median of 1,000. \"Above CGAL's\" is of `Moving_delaunay`, whose",
+                "triangulation is CGAL's; of a mesh all there is counts. In space must and aim are 1.5 and 1.1 for "
+                "construction, 800 and 500 bytes (900 and 500 of a",
                 "mesh), 10 and 3 microseconds for a move; in both 2 and 1.3 for a step in which all pass.", "",
-                "| | tolerances | construction / CGAL's | reached | bytes | reached | a step in which all pass / reading the arrays | reached | one move | reached |",
-                "|---|---|---|---|---|---|---|---|---|---|"]
+                "| | tolerances | construction / CGAL's | reached | bytes | reached | a step in which all pass / "
+                "reading the arrays | reached | one move | reached |", "|---|---|---|---|---|---|---|---|---|---|"]
     for r in bench.call("annulus-costs", points):
         mesh = r["what"].startswith("Moving_mesh")
         space = r["dimension"] == 3
@@ -22,9 +24,12 @@ def costs(bench):
         text = f"{size:.0f}" if mesh else f"{size:.0f} above CGAL's {r['cgal_bytes']:.0f}"
         build = r["construction_ns"] / r["cgal_construction_ns"]
         passing = r["pass_ns"] / r["arrays_ns"]
-        yield (f"| `{r['what']}` | {'kept' if r['spacings'] < 1e-4 else 'not kept'} | {build:.2f} | {reached(build, 1.5 if space else None, False)} | {text} "
-               f"| {reached(size, MUST.get(r['what']), False)} | {r['pass_ns']:.1f} / {r['arrays_ns']:.1f} = {passing:.1f} | {reached(passing, 2, False)} "
-               f"| {r['one_move_ns']:.0f} | {reached(r['one_move_ns'], 10000 if space else None, False)} |{'' if r['audit'] else ' **WRONG**'}")
+        yield (f"| `{r['what']}` | {'kept' if r['spacings'] < 1e-4 else 'not kept'} | {build:.2f} | "
+               f"{reached(build, 1.5 if space else None, False)} | {text} "
+               f"| {reached(size, MUST.get(r['what']), False)} | {r['pass_ns']:.1f} / {r['arrays_ns']:.1f} = "
+               f"{passing:.1f} | {reached(passing, 2, False)} "
+               f"| {r['one_move_ns']:.0f} | {reached(r['one_move_ns'], 10000 if space else None, False)} "
+               f"|{'' if r['audit'] else ' **WRONG**'}")
     yield ""
 
 
@@ -32,8 +37,10 @@ def volumes(bench):
     """Voronoi volumes that a mesh keeps, after steps of one vertex, some, and all."""
     points = 20000 if bench.quick else 100000
     yield from [f"## Voronoi volumes after small steps, {points} points", "",
-                "Vertices move a hundredth of a spacing. `Moving_mesh::voronoi_volumes`, which computes what that concerns, and `voronoi_volumes` of all cells, which are listed beforehand, in turn:",
-                "nanoseconds a vertex of the mesh, medians of nine steps, and the median of the ratios of the same step.", "",
+                "Vertices move a hundredth of a spacing. `Moving_mesh::voronoi_volumes`, which computes what that "
+                "concerns, and `voronoi_volumes` of all cells, which are listed beforehand, in turn:",
+                "nanoseconds a vertex of the mesh, medians of nine steps, and the median of the ratios of the same "
+                "step.", "",
                 "| vertices that move | kept, ns | fresh, ns | fresh / kept | same bits |", "|---|---|---|---|---|"]
     for r in bench.call("annulus-costs", points, volumes=True):
         yield (f"| {r['movers']}, {r['dimension']}D | {r['kept_ns']:.1f} | {r['fresh_ns']:.0f} | {r['ratio']:.1f} "

@@ -25,7 +25,8 @@ class Bench:
         """One run of a program that appends lines of JSON to a file: these."""
         program = self.program(name)
         if program is None:
-            sys.exit(f"bench/run: {name} is not in {self.build}; build the target with -DANNULUS_BUILD_BENCH=ON (bench/README.md)")
+            sys.exit(f"bench/run: {name} is not in {self.build}; build the target with -DANNULUS_BUILD_BENCH=ON "
+                     "(bench/README.md)")
         with tempfile.TemporaryDirectory() as place:
             file = Path(place) / "run.json"
             command = [program, "--json", file]
@@ -70,7 +71,8 @@ def audits(runs, names=("auto", "auto:view", "auto:mesh")):
     return "right" if all(r[name]["audit"] for r in runs for name in names if name in r) else "**WRONG**"
 
 
-HEAD = ["| | rebuild / auto | of runs | `Moving_mesh` | view asked | must | reached | aim | auto, ns | rebuild, ns | dearest step, in rebuilds | rebuilt | audit |",
+HEAD = ["| | rebuild / auto | of runs | `Moving_mesh` | view asked | must | reached | aim | auto, ns | rebuild, ns | "
+        "dearest step, in rebuilds | rebuilt | audit |",
         "|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
 
 
@@ -79,6 +81,8 @@ def row(name, must, aim, runs):
     one = middle(runs)
     auto = one["auto"]
     spread = f"{runs[0]['auto']['ratio']:.2f} to {runs[-1]['auto']['ratio']:.2f}"
-    return (f"| {name} | {auto['ratio']:.2f} | {spread} | {one['auto:mesh']['ratio']:.2f} | {one['auto:view']['ratio']:.2f} "
+    return (f"| {name} | {auto['ratio']:.2f} | {spread} | {one['auto:mesh']['ratio']:.2f} | "
+            f"{one['auto:view']['ratio']:.2f} "
             f"| {number(must)} | {reached(auto['ratio'], must)} | {number(aim)} | {auto['ns']:.0f} "
-            f"| {one['cgal_ns']:.0f} | {max(r['auto']['dearest'] for r in runs):.2f} | {100 * auto['rebuilt']:.0f} % | {audits(runs)} |")
+            f"| {one['cgal_ns']:.0f} | {max(r['auto']['dearest'] for r in runs):.2f} | {100 * auto['rebuilt']:.0f} % | "
+            f"{audits(runs)} |")

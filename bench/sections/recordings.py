@@ -5,8 +5,10 @@ from pathlib import Path
 
 from .measure import audits, in_order, middle, number, reached
 
-HEAD = ["| | n | spacings a step | came or went a step | rebuild / auto | of runs | `Moving_mesh` | view asked | must | reached | aim | median of steps | auto, ns | rebuild, ns "
-        "| dearest step, in rebuilds | rebuilt | audit |", "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
+HEAD = ["| | n | spacings a step | came or went a step | rebuild / auto | of runs | `Moving_mesh` | view asked | must "
+        "| reached | aim | median of steps | auto, ns | rebuild, ns "
+        "| dearest step, in rebuilds | rebuilt | audit |",
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
 MUST, AIM = 0.95, 1.1
 
 
@@ -15,18 +17,23 @@ def row(name, runs):
     runs = in_order(runs, "whole")
     one = middle(runs)
     auto = one["auto"]
-    return (f"| {name} | {one['points']} | {one['displacement']:.3g} | {one['came_and_went'] / max(one['steps'], 1):.1f} | {auto['whole']:.2f} "
+    return (f"| {name} | {one['points']} | {one['displacement']:.3g} | "
+            f"{one['came_and_went'] / max(one['steps'], 1):.1f} | {auto['whole']:.2f} "
             f"| {runs[0]['auto']['whole']:.2f} to {runs[-1]['auto']['whole']:.2f} "
-            f"| {one['auto:mesh']['whole']:.2f} | {one['auto:view']['whole']:.2f} | {number(MUST)} | {reached(auto['whole'], MUST)} | {number(AIM)} "
-            f"| {auto['ratio']:.2f} | {auto['ns']:.0f} | {one['cgal_ns']:.0f} | {max(r['auto']['dearest'] for r in runs):.2f} "
+            f"| {one['auto:mesh']['whole']:.2f} | {one['auto:view']['whole']:.2f} | {number(MUST)} | "
+            f"{reached(auto['whole'], MUST)} | {number(AIM)} "
+            f"| {auto['ratio']:.2f} | {auto['ns']:.0f} | {one['cgal_ns']:.0f} | "
+            f"{max(r['auto']['dearest'] for r in runs):.2f} "
             f"| {100 * auto['rebuilt']:.0f} % | {audits(runs)} |")
 
 
 def simulations(bench):
     steps = 8 if bench.quick else 48
     yield from ["## Simulated motions", "",
-                "A Lennard-Jones liquid in a container (one step of integration is 0.005 of its units of time), and two streams of people in a corridor (one step",
-                "is 0.02 s), who leave at its ends while others arrive: `bench/motions/dynamics.h`, `crowd.h`. Timestamps are so many steps of integration apart. Ratios are of sums.", "", *HEAD]
+                "A Lennard-Jones liquid in a container (one step of integration is 0.005 of its units of time), and "
+                "two streams of people in a corridor (one step",
+                "is 0.02 s), who leave at its ends while others arrive: `bench/motions/dynamics.h`, `crowd.h`. "
+                "Timestamps are so many steps of integration apart. Ratios are of sums.", "", *HEAD]
     for every in (1, 10, 100):
         yield row(f"molecular dynamics, each {every}", bench_runs(bench, "dynamics", 3, 2000, every, steps))
     for every in (1, 5, 20):
@@ -43,12 +50,15 @@ def recorded(bench, names):
     yield from ["## Recorded motions", ""]
     files = []
     for name in map(Path, names):
-        files += sorted(f for f in name.iterdir() if f.name.endswith((".xyz", ".csv", ".xyz.gz", ".csv.gz"))) if name.is_dir() else [name]
+        files += (sorted(f for f in name.iterdir() if f.name.endswith((".xyz", ".csv", ".xyz.gz", ".csv.gz")))
+                  if name.is_dir() else [name])
     if not files:
-        yield from ["None was given: `--recordings FILE_OR_DIRECTORY ...`, or their names in `ANNULUS_RECORDINGS` (none is kept here: they have other licences).", ""]
+        yield from ["None was given: `--recordings FILE_OR_DIRECTORY ...`, or their names in `ANNULUS_RECORDINGS` "
+                    "(none is kept here: they have other licences).", ""]
         return
     steps = 40 if bench.quick else 400
-    yield from [f"At most {steps} timestamps of each, around its fullest frame. A spacing is that of this frame in its box. Ratios are of sums.", "", *HEAD]
+    yield from [f"At most {steps} timestamps of each, around its fullest frame. A spacing is that of this frame in its "
+                "box. Ratios are of sums.", "", *HEAD]
     for file in files:
         yield row(file.name, [bench.call("annulus-recordings", file, steps=steps)[0] for _ in range(bench.repeat)])
     yield ""

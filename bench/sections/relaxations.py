@@ -7,11 +7,16 @@ from .measure import ROOT, reached
 
 # Scene, what the tool calls it, vertices, what rebuild / auto must be and what it should be.
 MESHES = (("sphere", ["--sphere"], 13000, 40, 50), ("bunny", ["--surface", "bunny00.off"], 13000, 12, 25),
-          ("man", ["--surface", "man.off", "--allow-crossing"], 8000, 12, 25), ("liver", ["--surface", "liver.inr.gz"], 10000, 12, 25))
-HEAD = ["| | vertices | spacings a step | CGAL's / auto | must | reached | aim | `rebuild` / auto | CGAL's, s | auto, s | motion, s | motion / CGAL's | must | reached | aim "
-        "| certified / plain double | must | reached | audits |", "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
-WHAT = ["Seconds are of all iterations. \"CGAL's\" is its insertion of a range, timed at each 20th timestamp; `rebuild` is the strategy, which inserts in the order of its last sort.",
-        "\"Motion\" is the time to compute where vertices go; \"certified / plain double\" is strategy `paper` over `paper:floating`."]
+          ("man", ["--surface", "man.off", "--allow-crossing"], 8000, 12, 25),
+          ("liver", ["--surface", "liver.inr.gz"], 10000, 12, 25))
+HEAD = ["| | vertices | spacings a step | CGAL's / auto | must | reached | aim | `rebuild` / auto | CGAL's, s | auto, "
+        "s | motion, s | motion / CGAL's | must | reached | aim "
+        "| certified / plain double | must | reached | audits |",
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
+WHAT = ["Seconds are of all iterations. \"CGAL's\" is its insertion of a range, timed at each 20th timestamp; "
+        "`rebuild` is the strategy, which inserts in the order of its last sort.",
+        "\"Motion\" is the time to compute where vertices go; \"certified / plain double\" is strategy `paper` over "
+        "`paper:floating`."]
 
 
 def row(name, run, must, aim, motion_must, motion_aim):
@@ -21,8 +26,10 @@ def row(name, run, must, aim, motion_must, motion_aim):
     motion = run["motion"] / seconds["cgal"]
     certified = round(seconds["paper"] / seconds["paper:floating"], 2)
     right = run["agree"] and all(run[who]["audit"] for who in seconds if who != "cgal")
-    return (f"| {name} | {run['points']} | {run['displacement']:.2g} | {ratio:.1f} | {must} | {reached(ratio, must)} | {aim} | {seconds['rebuild'] / seconds['auto']:.1f} "
-            f"| {seconds['cgal']:.2f} | {seconds['auto']:.3f} | {run['motion']:.2f} | {motion:.2f} | {motion_must} | {reached(motion, motion_must, False)} | {motion_aim} "
+    return (f"| {name} | {run['points']} | {run['displacement']:.2g} | {ratio:.1f} | {must} | {reached(ratio, must)} | "
+            f"{aim} | {seconds['rebuild'] / seconds['auto']:.1f} "
+            f"| {seconds['cgal']:.2f} | {seconds['auto']:.3f} | {run['motion']:.2f} | {motion:.2f} | {motion_must} | "
+            f"{reached(motion, motion_must, False)} | {motion_aim} "
             f"| {certified:.2f} | 1 | {reached(certified, 1.0, False)} | {'right' if right else '**WRONG**'} |")
 
 
@@ -30,8 +37,8 @@ def lloyd(bench):
     iterations = 100 if bench.quick else 1000
     yield from [f"## Lloyd, 10,000 points, {iterations} iterations", "", *WHAT, "", *HEAD]
     for density in ("one", "x2+y2", "x2", "sin2"):
-        run = bench.call("annulus-relaxations", "lloyd", "--points", 10000, "--density", density, "--iterations", iterations,
-                         strategies="cgal@20,rebuild,auto,filter,paper,paper:floating")[0]
+        run = bench.call("annulus-relaxations", "lloyd", "--points", 10000, "--density", density, "--iterations",
+                         iterations, strategies="cgal@20,rebuild,auto,filter,paper,paper:floating")[0]
         yield row(density, run, 25, 50, 0.3, 0.15)
     yield ""
 
@@ -45,15 +52,19 @@ def nodt(bench):
     single = []
     for name, words, vertices, must, aim in MESHES[:2] if bench.quick else MESHES:
         words = [meshes / w if "." in w else w for w in words]
-        run = bench.call("annulus-relaxations", "nodt", *words, "--vertices", 1500 if bench.quick else vertices, "--iterations", iterations,
+        run = bench.call("annulus-relaxations", "nodt", *words, "--vertices", 1500 if bench.quick else vertices,
+                         "--iterations", iterations,
                          strategies="cgal@20,rebuild@4,auto,filter,paper,paper:floating,filter-each,relocate@20")[0]
         yield row(name, run, must, aim, 0.5, 0.2)
         each = run["filter-each"]["seconds"]
         ratios = [run[who]["seconds"] / each for who in ("cgal", "rebuild", "relocate")]
-        single.append(f"| {name} | {ratios[0]:.1f} | 6 | {reached(ratios[0], 6)} | 10 | {ratios[1]:.1f} | {ratios[2]:.0f} | 40 | {reached(ratios[2], 40)} | 80 "
-                      f"| {run['filter-each']['ns']:.0f} | {run['relocate']['ns']:.0f} | {'right' if run['filter-each']['audit'] else '**WRONG**'} |")
+        single.append(f"| {name} | {ratios[0]:.1f} | 6 | {reached(ratios[0], 6)} | 10 | {ratios[1]:.1f} | "
+                      f"{ratios[2]:.0f} | 40 | {reached(ratios[2], 40)} | 80 "
+                      f"| {run['filter-each']['ns']:.0f} | {run['relocate']['ns']:.0f} | "
+                      f"{'right' if run['filter-each']['audit'] else '**WRONG**'} |")
     yield from ["", "### One vertex at a time", "",
-                "The same motion. `relocate` takes so long that it follows each 20th timestamp only: its vertices go twenty times as far at once, which costs it little.",
-                "Nanoseconds are a vertex and step.", "",
-                "| | CGAL's / filter-each | must | reached | aim | `rebuild` / filter-each | relocate / filter-each | must | reached | aim | filter-each, ns | relocate, ns | audit |",
+                "The same motion. `relocate` takes so long that it follows each 20th timestamp only: its vertices go "
+                "twenty times as far at once, which costs it little.", "Nanoseconds are a vertex and step.", "",
+                "| | CGAL's / filter-each | must | reached | aim | `rebuild` / filter-each | relocate / filter-each | "
+                "must | reached | aim | filter-each, ns | relocate, ns | audit |",
                 "|---|---|---|---|---|---|---|---|---|---|---|---|---|", *single, ""]

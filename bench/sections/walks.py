@@ -3,8 +3,10 @@
 
 from .measure import HEAD, number, reached, row
 
-MUST = {3: {0.001: 15, 0.01: 10, 0.03: 5, 0.1: 2.8, 0.3: 2.8, 1: 2.8}, 2: {0.001: 20, 0.01: 8, 0.03: 6, 0.1: 4, 0.3: 4, 1: 4}}
-AIM = {3: {0.001: 25, 0.01: 16, 0.03: 7, 0.1: 4, 0.3: 4, 1: 4}, 2: {0.001: 30, 0.01: 14, 0.03: 8, 0.1: 5.5, 0.3: 5.5, 1: 5.5}}
+MUST = {3: {0.001: 15, 0.01: 10, 0.03: 5, 0.1: 2.8, 0.3: 2.8, 1: 2.8},
+        2: {0.001: 20, 0.01: 8, 0.03: 6, 0.1: 4, 0.3: 4, 1: 4}}
+AIM = {3: {0.001: 25, 0.01: 16, 0.03: 7, 0.1: 4, 0.3: 4, 1: 4},
+       2: {0.001: 30, 0.01: 14, 0.03: 8, 0.1: 5.5, 0.3: 5.5, 1: 5.5}}
 FAMILIES_MUST = {3: {"sphere": 4, "slab": 3, "clusters": 3, "faces": 2.5, "lattice": 3.3, "ball": 3},
                  2: {"sphere": 1.8, "slab": 4, "clusters": 4, "lattice": 2.5, "ball": 4}}
 FAMILIES_AIM = {3: {"sphere": 6, "slab": 4.5, "clusters": 3.8, "faces": 3.5, "lattice": 4.5, "ball": 4.5},
@@ -31,7 +33,8 @@ def families(bench):
             for s in (1e-3, 0.01):
                 few = (family, d) == ("sphere", 3)
                 yield row(f"{family}, s = {s:g}", FAMILIES_MUST[d].get(family, 0.9), FAMILIES_AIM[d].get(family, 1.0),
-                          bench.motion(dimension=d, family=family, points=1000 if few else n, spacings=s, steps=steps(bench), warm=8))
+                          bench.motion(dimension=d, family=family, points=1000 if few else n, spacings=s,
+                                       steps=steps(bench), warm=8))
         yield ""
 
 
@@ -54,23 +57,32 @@ def sizes(bench):
         ns[n] = min(r["auto"]["ns"] for r in runs)
         yield row(f"{n} points", 3 if n == 512000 else None, 5 if n == 512000 else None, runs)
     grows = ns[512000] / ns[8000]
-    yield from ["", f"A vertex and step of 512,000 points costs {grows:.2f} times what one of 8,000 does: must 1.5 at most, reached: "
+    yield from ["",
+                f"A vertex and step of 512,000 points costs {grows:.2f} times what one of 8,000 does: must 1.5 at "
+                "most, reached: "
                 f"{reached(grows, 1.5, False)}, aim 1.2.", ""]
 
 
 def threads(bench):
     n = 20000 if bench.quick else 1000000
     cgal = {t: bench.call("annulus-parallel-cgal", points=n, threads=t)[0]["ns"] for t in (1, 2)}
-    yield from ["## Two threads", "", "By the clock. CGAL's parallel insertion is the least of three; it is made for many points.", "",
+    yield from ["## Two threads", "",
+                "By the clock. CGAL's parallel insertion is the least of three; it is made for many points.", "",
                 "| | one, ns | two, ns | one / two | must | reached | aim |", "|---|---|---|---|---|---|---|"]
     for d, s, must, aim in ((3, 1e-3, 1.5, 1.8), (2, 3e-3, None, None)):
-        one, two = (min(r["auto"]["ns"] for r in bench.motion(repeat=1, dimension=d, points=n, spacings=s, steps=8, warm=4, threads=t))
-                    for t in (1, 2))
+        one, two = (
+            min(r["auto"]["ns"] for r in bench.motion(repeat=1, dimension=d, points=n, spacings=s, steps=8, warm=4,
+                                                      threads=t))
+            for t in (1, 2))
         yield (f"| walk, {d}D, s = {s:g}, {n} points | {one:.0f} | {two:.0f} | {one / two:.2f} | {number(must)} "
                f"| {reached(one / two, must)} | {number(aim)} |")
         if d == 3:
             ours = {1: one, 2: two}
     for r in bench.call("annulus-costs", n, threads=2):
-        yield f"| construction, `{r['what']}`, {n} points | {r['one_ns']:.0f} | {r['ns']:.0f} | {r['ratio']:.2f} | | | |"
-    yield f"| CGAL's parallel insertion, 3D, {n} points | {cgal[1]:.0f} | {cgal[2]:.0f} | {cgal[1] / cgal[2]:.2f} | | | |"
-    yield from ["", f"In space CGAL's parallel insertion takes {cgal[2] / ours[2]:.1f} times as long as the step, both with two threads, and {cgal[1] / ours[1]:.1f} times with one.", ""]
+        yield (f"| construction, `{r['what']}`, {n} points | {r['one_ns']:.0f} | {r['ns']:.0f} | {r['ratio']:.2f} | | "
+               "| |")
+    yield (f"| CGAL's parallel insertion, 3D, {n} points | {cgal[1]:.0f} | {cgal[2]:.0f} | {cgal[1] / cgal[2]:.2f} | | "
+           "| |")
+    yield from ["",
+                f"In space CGAL's parallel insertion takes {cgal[2] / ours[2]:.1f} times as long as the step, both "
+                f"with two threads, and {cgal[1] / ours[1]:.1f} times with one.", ""]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the figures of docs/degeneracy.md are made of: tables, plots with their numbers beside them, histograms of a sweep, means and exponents."""
+"""What the figures of docs/degeneracy.md are made of: tables, plots with their numbers beside them, histograms of a
+sweep, means and exponents."""
 
 import csv
 import math
@@ -20,10 +21,13 @@ def figure(name, title, x, y, series):
     """series: (name, xs, ys), or (name, xs, ys, errors of ys); the same numbers go to a CSV file."""
     series = [(one[0], *(list(map(float, part)) for part in one[1:])) for one in series if len(one[1])]
     bars = any(len(one) > 3 for one in series)
-    table(name, [{"curve": one[0], x["label"]: a, y["label"]: b, **({"error": one[3][i] if len(one) > 3 else ""} if bars else {})}
-                 for one in series for i, (a, b) in enumerate(zip(one[1], one[2]))])
+    table(name,
+          [{"curve": one[0], x["label"]: a, y["label"]: b,
+            **({"error": one[3][i] if len(one) > 3 else ""} if bars else {})}
+           for one in series for i, (a, b) in enumerate(zip(one[1], one[2]))])
     figures.append({"file": name + ".svg", "title": title, "x": x, "y": y,
-                    "series": [{"name": one[0], "x": one[1], "y": one[2], "error": one[3] if len(one) > 3 else []} for one in series]})
+                    "series": [{"name": one[0], "x": one[1], "y": one[2], "error": one[3] if len(one) > 3 else []}
+                               for one in series]})
 
 
 def axis(label, log=False, **more):

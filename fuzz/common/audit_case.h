@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Bytes to a few points and a list of cells, a Delaunay triangulation of them that may have been spoilt; and what the audit and brute
-// force say of it. Shared by the fuzz target and a property test.
+// Bytes to a few points and a list of cells, a Delaunay triangulation of them that may have been spoilt; and what the
+// audit and brute force say of it. Shared by the fuzz target and a property test.
 
 #include "brute_force.h"
 
@@ -50,7 +50,8 @@ struct Audit_case {
     }
 };
 
-/// Replaces two cells that share a facet by d others, or in space three around an edge by two. No matter what comes of it.
+/// Replaces two cells that share a facet by d others, or in space three around an edge by two. No matter what comes
+/// of it.
 template <int d>
 void flip(std::vector<Cell_of<d>>& cells, std::size_t one, std::size_t other) {
     Cell_of<d>& c = cells[one];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Whether cells are a Delaunay triangulation of a few points, by the definition: every cell is asked about every point and every
-// other cell. Coordinates are integers below 2^12 in magnitude, so that everything fits 128 bits. Nothing here calls the library, and
-// nothing is derived: no hull is walked, no theorem says that less would do.
+// Whether cells are a Delaunay triangulation of a few points, by the definition: every cell is asked about every
+// point and every other cell. Coordinates are integers below 2^12 in magnitude, so that everything fits 128 bits.
+// Nothing here calls the library, and nothing is derived: no hull is walked, no theorem says that less would do.
 
 #include <annulus/arithmetic/coordinates.h>
 
@@ -59,7 +59,8 @@ struct Lifted {
         for (std::size_t i = 0; i < k; ++i) rows[i] = from(c[0], c[i + 1]);
         return determinant(rows);
     }
-    /// Positive when v is above the hyperplane of the lifted points of c, which is positive: for squared lengths, outside its sphere.
+    /// Positive when v is above the hyperplane of the lifted points of c, which is positive: for squared lengths,
+    /// outside its sphere.
     [[nodiscard]] int above(const std::array<Index, k + 1>& c, Index v) const {
         Wide sum = (lift[at(v)] - lift[at(c[0])]) * volume(c);
         for (std::size_t i = 1; i <= k; ++i) {
@@ -218,8 +219,8 @@ template <std::size_t k>
 
 }  // namespace brute
 
-/// What brute force says of cells: d + 1 indices each, positively oriented; of points that span k < d dimensions k + 1, then `none`,
-/// and triangles in space all turned the same way.
+/// What brute force says of cells: d + 1 indices each, positively oriented; of points that span k < d dimensions
+/// k + 1, then `none`, and triangles in space all turned the same way.
 struct Brute_verdict {
     std::string fault;             ///< empty: a Delaunay triangulation
     std::uint64_t degenerate = 0;  ///< then: pairs of neighbours on one sphere
@@ -289,8 +290,9 @@ class Brute_force {
         return out;
     }
 
-    /// A Delaunay triangulation: the lower hull of the lifted points, each raised by a little. Where no two of the hyperplanes that matter
-    /// agree in all heights, which may be had with other numbers, it is one. Heights are below 2^32.
+    /// A Delaunay triangulation: the lower hull of the lifted points, each raised by a little. Where no two of the
+    /// hyperplanes that matter agree in all heights, which may be had with other numbers, it is one. Heights are
+    /// below 2^32.
     [[nodiscard]] std::vector<Cell_of<d>> triangulated(const std::vector<std::uint64_t>& height) const {
         std::vector<Cell_of<d>> out;
         if (span_ == 3) {

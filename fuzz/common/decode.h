@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Bytes to programs and to points. A program's first byte is the setting (low four bits) and the kind of coordinates (high four);
-// then the number of points, the points, and operations until the bytes run out. fuzz/make-seeds writes such bytes.
+// Bytes to programs and to points. A program's first byte is the setting (low four bits) and the kind of coordinates
+// (high four); then the number of points, the points, and operations until the bytes run out. fuzz/make-seeds writes
+// such bytes.
 
 #include "operation.h"
 
@@ -100,7 +101,8 @@ class Decoder {
             case 4:
             case 5:
             case 6:
-            case 7: {  // the motion in the high bits and one more, pace and times in a byte, what is arbitrary in another
+            case 7: {
+                // The motion in the high bits and one more, pace and times in a byte, what is arbitrary in another.
                 const std::size_t m = static_cast<std::size_t>(code >> 4) % all_motions.size();
                 const std::uint8_t how = byte();
                 const Motion motion = all_motions[m];

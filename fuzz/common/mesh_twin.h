@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The same program on a Moving_mesh: it has to accept and refuse the same calls, and to have the same cells afterwards. Timestamps
-// alternate between move_all and a move of those who go anywhere.
+// The same program on a Moving_mesh: it has to accept and refuse the same calls, and to have the same cells
+// afterwards. Timestamps alternate between move_all and a move of those who go anywhere.
 
 #include "operation.h"
 
@@ -39,15 +39,19 @@ class Mesh_twin {
                 case Kind::move: (void)mesh_->move(o.vertex, o.points[0]); break;
                 case Kind::stay: (void)mesh_->move_all(mesh_->points()); break;
                 case Kind::insert: (void)mesh_->insert(o.points[0]); break;
-                case Kind::move_all: calls_ % 2 == 0 && o.points.size() == mesh_->index_bound() ? move_some(o.points) : (void)mesh_->move_all(o.points);
+                case Kind::move_all:
+                    calls_ % 2 == 0 && o.points.size() == mesh_->index_bound() ? move_some(o.points)
+                                                                               : (void)mesh_->move_all(o.points);
             }
         });
         return fault_;
     }
 
-    /// Empty, or in what it is not the triangulation of these sites, whose finite cells are `expected` (vertices in any order).
+    /// Empty, or in what it is not the triangulation of these sites, whose finite cells are `expected` (vertices in
+    /// any order).
     template <class Cells>
-    [[nodiscard]] std::string fault(const std::vector<std::optional<Coordinates<d>>>& sites, const Cells& expected) const {
+    [[nodiscard]] std::string fault(const std::vector<std::optional<Coordinates<d>>>& sites,
+                                    const Cells& expected) const {
         if (lost_ || !promises_ || !fault_.empty()) return fault_;
         if (mesh_->index_bound() != sites.size()) return "mesh: index_bound()";
         for (std::size_t i = 0; i < sites.size(); ++i) {
@@ -77,7 +81,8 @@ class Mesh_twin {
                 lost_ = true;
                 return;
             }
-        if (promises_ && code != refused) fault_ = code ? "mesh: refused what the other took" : "mesh: took what the other refused";
+        if (promises_ && code != refused)
+            fault_ = code ? "mesh: refused what the other took" : "mesh: took what the other refused";
     }
 
     void move_some(const std::vector<Coordinates<d>>& x) {
@@ -89,7 +94,8 @@ class Mesh_twin {
             where.push_back(x[i]);
         }
         const Move_counts m = mesh_->move(who, where).moves;
-        if (m.asked != who.size() || m.asked != m.within_tolerance + m.kept_in_place + m.flipped + m.reinserted + m.rebuilt)
+        if (m.asked != who.size() ||
+            m.asked != m.within_tolerance + m.kept_in_place + m.flipped + m.reinserted + m.rebuilt)
             fault_ = "mesh: the counts of a report do not add up";
     }
 

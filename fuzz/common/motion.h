@@ -19,14 +19,15 @@ struct Leeway {
     double tolerance = 0.0;
 };
 
-/// Positions after step k = 0, 1 .. of the motion, which began at `home`; all different, in the domain, and for vacant indices anything.
+/// Positions after step k = 0, 1 .. of the motion, which began at `home`; all different, in the domain, and for
+/// vacant indices anything.
 template <int d>
 [[nodiscard]] std::vector<Coordinates<d>> next_positions(const Operation_of<d>& o, int k, const Sites_of<d>& home,
                                                          const Sites_of<d>& now,
                                                          const std::function<Leeway<d>(std::size_t)>& leeway);
 
-/// Makes x the positions of a legal timestamp: vertices that would leave the domain or meet stay where they are. At vacant indices
-/// there may be anything; what there is follows from the seed.
+/// Makes x the positions of a legal timestamp: vertices that would leave the domain or meet stay where they are. At
+/// vacant indices there may be anything; what there is follows from the seed.
 template <int d>
 void make_fit(std::vector<Coordinates<d>>& x, const Sites_of<d>& now, std::uint64_t seed);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a caller does to a moving triangulation, as data: settings, operations, programs, and programs as code. No CGAL here: what
-// runs them is in program.h, and compiled once.
+// What a caller does to a moving triangulation, as data: settings, operations, programs, and programs as code. No
+// CGAL here: what runs them is in program.h, and compiled once.
 //
-// An operation may hold what is meant rather than what is passed ("the third vertex that lives", "everybody a little along the x
-// axis"): the session resolves it when its turn comes, so a program stays legal whatever became of the calls before it, and what is
-// left of it when it is shrunk is legal too.
+// An operation may hold what is meant rather than what is passed ("the third vertex that lives", "everybody a little
+// along the x axis"): the session resolves it when its turn comes, so a program stays legal whatever became of the
+// calls before it, and what is left of it when it is shrunk is legal too.
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/engine/move_report.h>
@@ -213,7 +213,7 @@ struct Coverage {
     std::uint64_t calls = 0;                  ///< of the library
     std::array<std::uint64_t, 32> refused{};  ///< by error code
     Move_report report;                       ///< of all calls that were accepted
-    std::uint64_t switches = 0;  ///< of paper-hybrid to paper
+    std::uint64_t switches = 0;               ///< of paper-hybrid to paper
 
     Coverage& operator+=(const Coverage& o);
     [[nodiscard]] double legal_share() const;
@@ -222,8 +222,8 @@ struct Coverage {
     [[nodiscard]] std::string words(std::string_view prefix = "") const;
 };
 
-/// Runs a program, checking everything after every call, and settled tolerances against rational numbers the first `rational` times,
-/// which is slow in space. Empty, or what went wrong and where.
+/// Runs a program, checking everything after every call, and settled tolerances against rational numbers the first
+/// `rational` times, which is slow in space. Empty, or what went wrong and where.
 [[nodiscard]] std::string run(const Program& program, int rational = 64, Coverage* coverage = nullptr);
 [[nodiscard]] std::string run(const Program_3& program, int rational = 2, Coverage* coverage = nullptr);
 

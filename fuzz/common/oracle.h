@@ -19,8 +19,8 @@ namespace annulus::oracle {
 template <int d>
 struct Space;
 
-/// Sorted. In the plane each is turned so that its least vertex comes first; edges are (a < b, none). In space each is sorted,
-/// padded with `none` in front where points are flat.
+/// Sorted. In the plane each is turned so that its least vertex comes first; edges are (a < b, none). In space each
+/// is sorted, padded with `none` in front where points are flat.
 template <int d>
 using Cells_of = std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>>;
 

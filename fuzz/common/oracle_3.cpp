@@ -26,8 +26,7 @@ std::string view_fault(const Moving_delaunay_3& dt) {
     std::set<Corner_index> facets;
     for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c) {
         const Cell_index k(c->cell());
-        if (!t.is_cell(k))
-            return "a cell is none of the mesh";
+        if (!t.is_cell(k)) return "a cell is none of the mesh";
         for (int i = 0; i <= 3; ++i) {
             const Corner_index h = t.corner(k, i);
             const Index v = tr.is_infinite(c->vertex(i)) ? infinite : c->vertex(i)->index();

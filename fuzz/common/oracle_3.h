@@ -18,7 +18,8 @@ struct Space<3> {
     static Coordinates<3> coordinates(const Moving::Point& p) { return {p.x(), p.y(), p.z()}; }
 };
 
-/// The finite cells of any triangulation of space whose vertices have an `index()`; triangles and edges where there are no cells.
+/// The finite cells of any triangulation of space whose vertices have an `index()`; triangles and edges where there
+/// are no cells.
 template <class Triangulation>
 [[nodiscard]] Cells_of<3> cells_of(const Triangulation& tr) requires requires {
     tr.finite_cells_begin();
@@ -49,8 +50,9 @@ template <class Triangulation>
 /// Empty, or in what the mesh is not CGAL's object corner for corner.
 [[nodiscard]] std::string view_fault(const Moving_delaunay_3& dt);
 
-/// Empty, or what is wrong with settled tolerances: each is at most the half width of every certificate that contains the vertex, and
-/// not far below the least of these and of the cells of its bi-cells. Nothing is said where the points are flat.
+/// Empty, or what is wrong with settled tolerances: each is at most the half width of every certificate that contains
+/// the vertex, and not far below the least of these and of the cells of its bi-cells. Nothing is said where the
+/// points are flat.
 [[nodiscard]] std::string tolerance_fault(const Moving_delaunay_3& dt);
 
 }  // namespace annulus::oracle

@@ -28,7 +28,8 @@ State_of<Moving::dimension_of_space> state_of(const Moving& dt) {
     return s;
 }
 
-/// Empty, or what a call that failed has changed. If it `renews` tolerances, they and the references may be others, and as right.
+/// Empty, or what a call that failed has changed. If it `renews` tolerances, they and the references may be others,
+/// and as right.
 template <int d>
 std::string difference(const State_of<d>& before, const State_of<d>& after, bool renews) {
     std::string s;
@@ -61,7 +62,8 @@ std::optional<Error_code> verdict(const std::vector<Coordinates<d>>& points) {
     return distinct.size() == points.size() ? std::nullopt : std::optional(Error_code::collision);
 }
 
-/// A call that had to be refused for no fault of the caller's: there is no room, where room is made scarce for the test.
+/// A call that had to be refused for no fault of the caller's: there is no room, where room is made scarce for the
+/// test.
 bool is_out_of_room(Error_code code) {
     if constexpr (Horizons::tiny) return code == Error_code::too_large;
     return false;
@@ -147,7 +149,8 @@ void Session_of<d>::make(const Operation_of<d>& o) {
         const std::string changed = difference(before, state_of(*dt_), renews_tolerances(o.kind, e.code()));
         if (!changed.empty()) throw Fault{"a failed call changed:" + changed};
         if (const std::string words = twin_->apply(o, e.code()); !words.empty()) throw Fault{words};
-        if (const std::string words = twin_->fault(sites_, before.cells); !words.empty()) throw Fault{words + ", after a refused call"};
+        if (const std::string words = twin_->fault(sites_, before.cells); !words.empty())
+            throw Fault{words + ", after a refused call"};
         return;
     }
     refused_ = false;
@@ -162,9 +165,9 @@ void Session_of<d>::make(const Operation_of<d>& o) {
 
 // ---- The model ----------------------------------------------------------------------------------------------------
 
-/// Whether a call that fails may leave other tolerances. A move that finds its place taken may have flipped by then: the cells are
-/// built anew and evaluated (Filter::renew_renumbered). A timestamp of single moves may have gone half way: everything is
-/// evaluated where it was.
+/// Whether a call that fails may leave other tolerances. A move that finds its place taken may have flipped by then:
+/// the cells are built anew and evaluated (Filter::renew_renumbered). A timestamp of single moves may have gone half
+/// way: everything is evaluated where it was.
 template <int d>
 bool Session_of<d>::renews_tolerances(Kind kind, Error_code code) const {
     if (is_out_of_room(code)) return true;

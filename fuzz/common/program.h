@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A program of moves, insertions and removals in the plane or in space, run against the library with a model beside it that
-// knows what every call has to do. Shared by the fuzz targets (which decode bytes into programs) and the property tests.
-// Whoever only runs programs needs no more than operation.h, and is spared CGAL.
+// A program of moves, insertions and removals in the plane or in space, run against the library with a model beside
+// it that knows what every call has to do. Shared by the fuzz targets (which decode bytes into programs) and the
+// property tests. Whoever only runs programs needs no more than operation.h, and is spared CGAL.
 
 #include "mesh_twin.h"
 #include "motion.h"
@@ -15,10 +15,12 @@
 
 namespace annulus::oracle {
 
-/// The strategies that do not compute a tolerance from cells and points whenever they are asked, which is slow in space.
+/// The strategies that do not compute a tolerance from cells and points whenever they are asked, which is slow in
+/// space.
 template <class Moving>
 [[nodiscard]] bool keeps_tolerances(const Moving& dt) {
-    return dt.strategy() == Strategy::filter || dt.strategy() == Strategy::filter_each || dt.strategy() == Strategy::paper;
+    return dt.strategy() == Strategy::filter || dt.strategy() == Strategy::filter_each ||
+           dt.strategy() == Strategy::paper;
 }
 
 /// All a caller can see of an object.
@@ -53,7 +55,8 @@ class Session_of {
     [[nodiscard]] const Move_report& last() const { return last_; }  ///< of the last call
     [[nodiscard]] const Coverage& coverage() const { return coverage_; }
 
-    /// Makes the call and compares it with the model; a steady motion is many calls, checked after some of them. Throws Fault.
+    /// Makes the call and compares it with the model; a steady motion is many calls, checked after some of them.
+    /// Throws Fault.
     void apply(const Operation_of<d>& o);
     /// Everything that must be true between calls. Throws Fault.
     void check() const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Half widths in the plane from their definitions, in rational numbers: altitudes, and the centre where two bisectors meet. Nothing
-// here calls the library.
+// Half widths in the plane from their definitions, in rational numbers: altitudes, and the centre where two bisectors
+// meet. Nothing here calls the library.
 
 #include "rational_3.h"
 
@@ -32,11 +32,12 @@ namespace annulus::oracle {
     return h;
 }
 
-/// The annulus of x = {a, b, p, q}, through a and b and through p and q; both triangles are positive. Positive when the circle of a, b, q
-/// leaves p outside.
+/// The annulus of x = {a, b, p, q}, through a and b and through p and q; both triangles are positive. Positive when
+/// the circle of a, b, q leaves p outside.
 [[nodiscard]] inline Half_width_3 annulus_2(const Tuple<2, 4>& x) {
     const Vector_q b = between(*x[0], *x[1]), p = between(*x[0], *x[2]), q = between(*x[0], *x[3]);
-    // c . b = |b|^2 / 2 and c . (q - p) = (|q|^2 - |p|^2) / 2, relative to a. As p and q are on different sides of b, det > 0.
+    // c . b = |b|^2 / 2 and c . (q - p) = (|q|^2 - |p|^2) / 2, relative to a. As p and q are on different sides of b,
+    // det > 0.
     const Vector_q e = between(*x[2], *x[3]);
     const mpq_class det = b[0] * e[1] - b[1] * e[0];
     const mpq_class r = dot(b, b) / 2, s = (dot(q, q) - dot(p, p)) / 2;

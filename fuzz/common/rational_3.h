@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Half widths in space from their definitions, in rational numbers: slabs from normals, annuli from centres that solve a linear
-// system. Nothing here calls the library.
+// Half widths in space from their definitions, in rational numbers: slabs from normals, annuli from centres that
+// solve a linear system. Nothing here calls the library.
 
 #include <annulus/certificate/verdict.h>
 
@@ -101,7 +101,8 @@ class Half_width_3 {
     return sgn(mpq_class(dot(q, q) - centre_q));
 }
 
-/// The annulus with one group on one sphere and the other on a concentric one; parallel planes where the centre is at infinity.
+/// The annulus with one group on one sphere and the other on a concentric one; parallel planes where the centre is at
+/// infinity.
 inline void add_annulus(Half_width_3& h, const std::vector<const Coordinates<3>*>& one,
                         const std::vector<const Coordinates<3>*>& other) {
     const Coordinates<3>& origin = *one[0];

@@ -43,7 +43,8 @@ Operation_of<d> Session_of<d>::resolved(const Operation_of<d>& o) const {
     return call;
 }
 
-/// A call that is refused for this reason, or, where there are too few points for that, because of a point that is none.
+/// A call that is refused for this reason, or, where there are too few points for that, because of a point that is
+/// none.
 template <int d>
 Operation_of<d> Session_of<d>::refusal_of(Refusal why, std::size_t who) const {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -24,8 +24,7 @@ template <int d>
 void Session_of<d>::check() const {
     const auto& tr = dt_->triangulation();
     if (!certified()) {
-        if (!cgal_agrees(tr))
-            throw Fault{"CGAL's object is not valid at the fixed positions"};
+        if (!cgal_agrees(tr)) throw Fault{"CGAL's object is not valid at the fixed positions"};
         return;
     }
     if (dt_->index_bound() != sites_.size()) throw Fault{"index_bound()"};

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Makes a program that fails small: fewer operations, then fewer points, then simpler ones. Greedy: whatever still fails is kept.
-// Operations that hold what is meant stay legal when others go (operation.h), so most attempts are worth their run.
+// Makes a program that fails small: fewer operations, then fewer points, then simpler ones. Greedy: whatever still
+// fails is kept. Operations that hold what is meant stay legal when others go (operation.h), so most attempts are
+// worth their run.
 
 #include "operation.h"
 
@@ -11,7 +12,8 @@
 
 namespace annulus::oracle {
 
-/// How much there is to say about a number: nothing about 0, little about small integers, least bits of a double at the end.
+/// How much there is to say about a number: nothing about 0, little about small integers, least bits of a double at
+/// the end.
 [[nodiscard]] inline int complexity(double x) {
     if (x == 0.0) return std::signbit(x) ? 2 : 0;
     if (!std::isfinite(x)) return 1;

@@ -10,8 +10,8 @@
 
 namespace annulus::oracle {
 
-/// Runs the program that the bytes are. A find is made small and printed as code, and ends the process. At exit libFuzzer's
-/// statistics are followed by what the programs reached.
+/// Runs the program that the bytes are. A find is made small and printed as code, and ends the process. At exit
+/// libFuzzer's statistics are followed by what the programs reached.
 template <int d>
 void run_bytes(std::span<const std::uint8_t> bytes) {
     static Coverage& coverage = []() -> Coverage& {

@@ -2,9 +2,9 @@
 # Forward errors of the filter stage in space (src/annulus/certificate/bounds.h), for the order of operations of
 # src/annulus/certificate/width_terms_3.h. Line by line the same names; the model is that of certificates_2.g.
 #
-# All that is assumed of the coordinates x, y and z is symmetric in them, and cross, combination and minus_twice go round
-# cyclically. So a bound of the x coordinate of a vector is one of every coordinate; what only leads to y and z is left out.
-# One constant serves all four partitions; the largest error of its kind is the marked one.
+# All that is assumed of the coordinates x, y and z is symmetric in them, and cross, combination and minus_twice go
+# round cyclically. So a bound of the x coordinate of a vector is one of every coordinate; what only leads to y and z
+# is left out. One constant serves all four partitions; the largest error of its kind is the marked one.
 #
 # A capital E marks what is exact. The differences themselves are rounded: |b~ - b| <= u |b~|.
 @mul = mul_rel<53>;

@@ -5,11 +5,11 @@
 # P: computed determinant, e: its error bound, n: what the two norms together may be short by. The claim is
 #     computed <= (P - e) / (|M~| + |N~| + n)
 # for one partition; the code divides by the largest of four such sums, which only makes the result smaller. For a
-# tetrahedron both norms are the largest of the seven slabs; the code takes the largest of seven computed squares.
-# The ranges hold inside filter_range_3 (m between 2^-100 and 2^100) wherever the filter answers: P >= 2^10 e >= 2^10 2^-53 m^5 (or m^3),
-# roots >= 2^10 n >= 2^10 2^-53 m^4 (or m^2), and all vectors are below 2^7 m^4. A square below 2^-980 has a root below 2^-490 beside a
-# sum of roots above 2^-443; a partial square below 2^-1060 is less than 2^-80 of one above 2^-980. What is between the tail accepted
-# here and the one used covers both.
+# tetrahedron both norms are the largest of the seven slabs; the code takes the largest of seven computed squares. The
+# ranges hold inside filter_range_3 (m between 2^-100 and 2^100) wherever the filter answers: P >= 2^10 e >= 2^10
+# 2^-53 m^5 (or m^3), roots >= 2^10 n >= 2^10 2^-53 m^4 (or m^2), and all vectors are below 2^7 m^4. A square below
+# 2^-980 has a root below 2^-490 beside a sum of roots above 2^-443; a partial square below 2^-1060 is less than 2^-80
+# of one above 2^-980. What is between the tail accepted here and the one used covers both.
 @rnd = float<ieee_64, ne>;
 
 P = rnd(P_); e = rnd(e_); n = rnd(n_);

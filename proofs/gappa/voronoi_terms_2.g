@@ -4,8 +4,8 @@
 @mul = mul_rel<53>;
 @sub = sub_rel<53>;
 
-# e: the edge; d: from one circumcentre to the other, rounded differences both. What the circumcentres are off themselves is not in here:
-# voronoi_terms.h adds it.
+# e: the edge; d: from one circumcentre to the other, rounded differences both. What the circumcentres are off
+# themselves is not in here: voronoi_terms.h adds it.
 term = sub(mul(dx, ey), mul(dy, ex));
 Eterm = Edx * Eey - Edy * Eex;
 

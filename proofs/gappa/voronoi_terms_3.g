@@ -5,8 +5,8 @@
 @add = add_rel<53>;
 @sub = sub_rel<53>;
 
-# e, f: two edges of the facet; d: from one circumcentre to the other, rounded differences all of them; x: the first circumcentre. What x is off
-# itself, and the two that d is of, is not in here: voronoi_terms.h adds it.
+# e, f: two edges of the facet; d: from one circumcentre to the other, rounded differences all of them; x: the first
+# circumcentre. What x is off itself, and the two that d is of, is not in here: voronoi_terms.h adds it.
 wx = sub(mul(xy, dz), mul(xz, dy));
 wy = sub(mul(xz, dx), mul(xx, dz));
 wz = sub(mul(xx, dy), mul(xy, dx));

@@ -11,8 +11,8 @@
 
 namespace annulus::link {
 
-/// Numbers from a counter (SplitMix64); the same everywhere, other than the distributions of <random>. Draws are never two
-/// arguments of one call: their order would be the compiler's.
+/// Numbers from a counter (SplitMix64); the same everywhere, other than the distributions of <random>. Draws are
+/// never two arguments of one call: their order would be the compiler's.
 class Source {
   public:
     explicit Source(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u) {}

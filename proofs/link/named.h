@@ -32,7 +32,8 @@ struct Named_3 {
     std::array<Coordinates<3>, 5> x;
 };
 
-/// The first is the five points of docs/theory.md 3 with delta = 0.01, as the bi-cell of a facet at the edge of the poles.
+/// The first is the five points of docs/theory.md 3 with delta = 0.01, as the bi-cell of a facet at the edge of the
+/// poles.
 inline constexpr double pole = 0x1.fae147ae147aep-1;
 inline constexpr double half_root_3 = 0x1.bb67ae8584caap-1;
 inline constexpr std::array<Named_3, 3> named_3{{

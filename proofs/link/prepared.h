@@ -11,7 +11,8 @@
 
 namespace annulus::link {
 
-/// What a prepared circle or sphere keeps to itself, for the replay: an explicit instantiation may name private members.
+/// What a prepared circle or sphere keeps to itself, for the replay: an explicit instantiation may name private
+/// members.
 template <class Tag, typename Tag::Member member>
 struct Opened {
     friend typename Tag::Member open(Tag) { return member; }
@@ -39,7 +40,8 @@ template struct Opened<Volume_3, &Circumsphere_3::determinant_>;
 template struct Opened<Extent_3, &Circumsphere_3::magnitude_>;
 template struct Opened<Outside_3, &Circumsphere_3::outside_of>;
 
-/// One row: the corners and two points, what is prepared, the determinants with their m, and the answers for the first point and for both.
+/// One row: the corners and two points, what is prepared, the determinants with their m, and the answers for the
+/// first point and for both.
 template <class Outside, class Extent, class Sphere, class Point>
 void asked(Row& row, const Sphere& k, const Point& p, const Point& r) {
     for (const Point& x : {p, r}) {

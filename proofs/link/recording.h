@@ -9,8 +9,8 @@
 
 namespace annulus::link {
 
-/// A number type that records how it was computed. A template of src/annulus/certificate instantiated with it prints its own
-/// straight-line program, which Coq compares with its model: the order of operations, for all inputs at once.
+/// A number type that records how it was computed. A template of src/annulus/certificate instantiated with it prints
+/// its own straight-line program, which Coq compares with its model: the order of operations, for all inputs at once.
 class Recorded {
   public:
     Recorded() = default;

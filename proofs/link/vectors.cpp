@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints, as Coq, what the compiled certificates compute; proofs/link/check replays it. Usage: vectors KIND COUNT. The inputs
-// are the same on every machine: nothing random but a counter.
+// Prints, as Coq, what the compiled certificates compute; proofs/link/check replays it. Usage: vectors KIND COUNT.
+// The inputs are the same on every machine: nothing random but a counter.
 #include "certificates_2.h"
 #include "certificates_3.h"
 #include "named.h"

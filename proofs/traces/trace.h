@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What `filter` decided, as a sequence of words below 2^63 that proofs/traces/replay.v reads: src/annulus/engine/trace.h says where this
-// comes in. An event is its number (the enumeration below) and what the comment beside it says; a position is d numbers, a list of
-// things is how many there are and these. A number is its bits, after `minus` when it is negative.
+// What `filter` decided, as a sequence of words below 2^63 that proofs/traces/replay.v reads:
+// src/annulus/engine/trace.h says where this comes in. An event is its number (the enumeration below) and what the
+// comment beside it says; a position is d numbers, a list of things is how many there are and these. A number is its
+// bits, after `minus` when it is negative.
 #include <annulus/engine/odometers.h>
 
 #include <algorithm>
@@ -18,24 +19,24 @@ namespace annulus {
 
 struct Trace {
     enum Event : std::uint64_t {
-        history = 1,   ///< dimension: another triangulation
-        places,        ///< vertices with their positions: where they are going, or are
-        gone,          ///< vertices that are none any more
-        begin,         ///< everything is evaluated anew; `places` names all vertices
-        settle,        ///< the vertices with threshold and list: it has been
-        test,          ///< 0 for all vertices or the mover + 1; the vertices that failed
-        stamp,         ///< a step begins, with this stamp
-        anchor,        ///< the vertices that failed with their bases
-        examine,       ///< vertex; 0 or 1: whether there was a tour; what it went round; suspects; list
-        undo,          ///< the step is taken back
-        mend,          ///< certificates that are gone or have other points now; what follows is written down
-        write,         ///< id, tolerance; its points with base and expiry
-        finish,        ///< vertex; 0 or 1: whether it was rebased; what that went round; base, threshold, list
-        over,          ///< how many certificates there are: the step is over
-        place,         ///< vertex, position: it is new
-        untracked,     ///< a step without tolerances
-        failed,        ///< a call ended in an error (traces.cpp)
-        asked,         ///< a call succeeded that was to bring these vertices to these positions (traces.cpp)
+        history = 1,  ///< dimension: another triangulation
+        places,       ///< vertices with their positions: where they are going, or are
+        gone,         ///< vertices that are none any more
+        begin,        ///< everything is evaluated anew; `places` names all vertices
+        settle,       ///< the vertices with threshold and list: it has been
+        test,         ///< 0 for all vertices or the mover + 1; the vertices that failed
+        stamp,        ///< a step begins, with this stamp
+        anchor,       ///< the vertices that failed with their bases
+        examine,      ///< vertex; 0 or 1: whether there was a tour; what it went round; suspects; list
+        undo,         ///< the step is taken back
+        mend,         ///< certificates that are gone or have other points now; what follows is written down
+        write,        ///< id, tolerance; its points with base and expiry
+        finish,       ///< vertex; 0 or 1: whether it was rebased; what that went round; base, threshold, list
+        over,         ///< how many certificates there are: the step is over
+        place,        ///< vertex, position: it is new
+        untracked,    ///< a step without tolerances
+        failed,       ///< a call ended in an error (traces.cpp)
+        asked,        ///< a call succeeded that was to bring these vertices to these positions (traces.cpp)
     };
     static constexpr std::uint64_t minus = (std::uint64_t{1} << 63) - 1;
 
@@ -297,7 +298,8 @@ struct Trace {
             static_cast<void>(c);
             ++certificates;
         }
-        for (const Corner_index f : o.table_.facets()) certificates += facet_kind(o.table_, f) != Facet_kind::nothing ? 1 : 0;
+        for (const Corner_index f : o.table_.facets())
+            certificates += facet_kind(o.table_, f) != Facet_kind::nothing ? 1 : 0;
         word(over);
         word(certificates);
     }

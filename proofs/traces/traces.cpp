@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // usage: traces SEED WORDS
 //
-// Histories of triangulations that move, in the plane and in space, under `filter` and `filter-each`: steps of
-// all vertices, of some, of one, insertions, removals, settlings, calls that fail. Compiled with ANNULUS_TRACE the engine tells what it
-// decided (trace.h); a line is what it told of one history, as hexadecimal words, after two for the dimension and the bounds in use.
-// Lines that begin with `table` are triangulations of the plane as they are after a call (audits.v). Ends when so many words
-// have been written; on stderr how often what occurred.
+// Histories of triangulations that move, in the plane and in space, under `filter` and `filter-each`: steps of all
+// vertices, of some, of one, insertions, removals, settlings, calls that fail. Compiled with ANNULUS_TRACE the engine
+// tells what it decided (trace.h); a line is what it told of one history, as hexadecimal words, after two for the
+// dimension and the bounds in use. Lines that begin with `table` are triangulations of the plane as they are after a
+// call (audits.v). Ends when so many words have been written; on stderr how often what occurred.
 #ifndef ANNULUS_TRACE
 #error "the engine and this are to be compiled with ANNULUS_TRACE"
 #endif
@@ -26,7 +26,7 @@ namespace {
 using namespace annulus;
 
 std::vector<std::vector<std::uint64_t>> tables;  // of the history that is lived
-std::mt19937_64 generator;  // NOLINT(cert-msc32-c,cert-msc51-cpp): seeded in main
+std::mt19937_64 generator;                       // NOLINT(cert-msc32-c,cert-msc51-cpp): seeded in main
 std::uint64_t below(std::uint64_t n) { return generator() % n; }
 /// In [-1, 1), with all its bits.
 double unit() { return std::ldexp(static_cast<double>(static_cast<std::int64_t>(generator())), -63); }
@@ -96,7 +96,8 @@ struct History {
     static void tell_asked(Mesh& mesh, std::span<const Index> who, std::span<const Point> where) {
         std::map<Index, Point> asked;
         for (std::size_t k = 0; k < who.size(); ++k)
-            if (mesh.vertex(static_cast<std::size_t>(who[k])) != typename Mesh::Vertex_handle()) asked[who[k]] = where[k];
+            if (mesh.vertex(static_cast<std::size_t>(who[k])) != typename Mesh::Vertex_handle())
+                asked[who[k]] = where[k];
         Trace::word(Trace::asked);
         Trace::word(asked.size());
         for (const auto& [v, p] : asked) {
@@ -156,13 +157,19 @@ struct History {
                 move(mesh, someone(), somewhere());
                 return;
             }
-            case 6: case 7: case 8: case 9: case 10: case 11: {
+            case 6:
+            case 7:
+            case 8:
+            case 9:
+            case 10:
+            case 11: {
                 const Index v = someone();
                 wander(x[static_cast<std::size_t>(v)], pace * std::ldexp(1.0, static_cast<int>(below(6)) - 2));
                 move(mesh, v, x[static_cast<std::size_t>(v)]);
                 return;
             }
-            case 12: case 13: {
+            case 12:
+            case 13: {
                 std::vector<Index> who{someone(), someone()};
                 std::vector<Point> where{x[static_cast<std::size_t>(who[0])], x[static_cast<std::size_t>(who[1])]};
                 for (Point& p : where) wander(p, pace);

@@ -19,7 +19,7 @@ from ._functions import LloydResult, NodtResult, counterexample, degeneracy, llo
 from ._moving_delaunay import MovingDelaunay
 from ._readings import AuditResult
 
-__all__ = ["AuditResult", "Error", "LloydResult", "MoveReport", "MovingDelaunay", "NodtResult", "OpenBoundariesWarning", "__version__",
-           "counterexample", "degeneracy", "lloyd", "nodt"]
+__all__ = ["AuditResult", "Error", "LloydResult", "MoveReport", "MovingDelaunay", "NodtResult", "OpenBoundariesWarning",
+           "__version__", "counterexample", "degeneracy", "lloyd", "nodt"]
 
 MoveReport.__module__ = "annulus"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What arguments must be, and what is said of those that are something else: a sentence with the name of the argument, what was given, in short, and what is expected."""
+"""What arguments must be, and what is said of those that are something else: a sentence with the name of the
+argument, what was given, in short, and what is expected."""
 
 from __future__ import annotations
 
@@ -13,7 +14,8 @@ import numpy as np
 
 from ._error import Error, OpenBoundariesWarning
 
-STRATEGIES = ("auto", "filter", "filter-each", "in-place", "rebuild", "relocate", "relocate-flips", "paper", "paper-hybrid")
+STRATEGIES = ("auto", "filter", "filter-each", "in-place", "rebuild", "relocate", "relocate-flips", "paper",
+              "paper-hybrid")
 TOLERANCES = ("certified", "paper", "floating")
 DENSITIES = ("one", "x2+y2", "x2", "sin2")
 DOMAINS = ("disc", "square")
@@ -99,8 +101,10 @@ def function(name: str, value: object) -> typing.Any:
 def options(strategy: object, tolerance: object, merge_duplicates: object, threads: object, report_changes: object,
             seed: object) -> dict[str, typing.Any]:
     """The options of a triangulation, as they are pickled."""
-    return {"strategy": choice("strategy", strategy, STRATEGIES), "tolerance": choice("tolerance", tolerance, TOLERANCES),
-            "merge_duplicates": truth("merge_duplicates", merge_duplicates), "threads": whole("threads", threads, 1, 2**31 - 1),
+    return {"strategy": choice("strategy", strategy, STRATEGIES),
+            "tolerance": choice("tolerance", tolerance, TOLERANCES),
+            "merge_duplicates": truth("merge_duplicates", merge_duplicates),
+            "threads": whole("threads", threads, 1, 2**31 - 1),
             "report_changes": truth("report_changes", report_changes), "seed": seed_of(seed)}
 
 
@@ -129,7 +133,8 @@ def array_of(value: object, name: str) -> np.ndarray[typing.Any, typing.Any]:
     has_array = hasattr(value, "__array__")
     positions = value if has_array or isinstance(value, (list, tuple)) else _positions(value)
     if not isinstance(value, (list, tuple)) and has_box(value):
-        warnings.warn(f"{name}: the periodic box of this {described(value).rpartition(' ')[2]} is ignored; boundaries are open, and what "
+        warnings.warn(f"{name}: the periodic box of this {described(value).rpartition(' ')[2]} is ignored; boundaries "
+                      "are open, and what "
                       "is computed near them is not what it is in the box", OpenBoundariesWarning, stacklevel=3)
     try:
         array = np.asarray(positions)
@@ -144,11 +149,12 @@ def array_of(value: object, name: str) -> np.ndarray[typing.Any, typing.Any]:
     if array.ndim == 0 and name != "indices" and not has_array:
         raise TypeError(f"{name} must be an array, not {described(value)}")
     if name == "indices" and isinstance(value, tuple) and array.ndim == 2 and len(value) == 1:
-        raise Error(f"indices must have shape (k,), not {array.shape}: of a tuple such as numpy.where gives take the element [0]", "wrong_size")
+        raise Error(f"indices must have shape (k,), not {array.shape}: of a tuple such as numpy.where gives take the "
+                    "element [0]", "wrong_size")
     return array
 
 
-# ---- Objects of other packages ---------------------------------------------------------------------------------------------------
+# ---- Objects of other packages -------------------------------------------------------------------------------------
 
 # Where they have their positions: ASE, MDAnalysis (an AtomGroup, a Timestep; a Universe), OVITO, GSD, pymatgen.
 _PLACES = ("positions", "atoms.positions", "particles.positions", "particles.position", "cart_coords")

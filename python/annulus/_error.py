@@ -57,4 +57,5 @@ class Error(ValueError):
 
 
 class OpenBoundariesWarning(UserWarning):
-    """The object that points were taken from carries a periodic box, and there are no such boxes here: boundaries are open."""
+    """The object that points were taken from carries a periodic box, and there are no such boxes here: boundaries are
+    open."""

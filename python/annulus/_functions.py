@@ -69,9 +69,10 @@ def counterexample(delta: float = 0.01) -> dict[str, typing.Any]:
     return _core.counterexample(_arguments.number("delta", delta))
 
 
-def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one", domain: str | ArrayLike | None = None,
-          radius: float | None = None, strategy: str = "auto", tolerance: str = "certified", merge_duplicates: bool = False,
-          threads: int = 1, seed: int = 0, callback: Callable[[int, float, float], object] | None = None) -> LloydResult:
+def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one",
+          domain: str | ArrayLike | None = None, radius: float | None = None, strategy: str = "auto",
+          tolerance: str = "certified", merge_duplicates: bool = False, threads: int = 1, seed: int = 0,
+          callback: Callable[[int, float, float], object] | None = None) -> LloydResult:
     """Lloyd's iterations in the plane: every point goes to the centroid of its Voronoi cell, again and again.
 
     Parameters
@@ -86,7 +87,8 @@ def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one
     domain : str or array_like, shape (m, 2), optional
         To which cells are cut: ``disc``, ``square`` or the corners of a convex polygon, in order, either way
         round. The first may be repeated at the end, others too, and corners may lie on edges: the result is
-        the same, bit for bit. Without it the disc for points that are sampled, the convex hull for those that are given.
+        the same, bit for bit. Without it the disc for points that are sampled, the convex hull for those that
+        are given.
     radius : float, optional
         Of the disc, or half the side of the square: 1, or 2 pi for ``sin2``.
     strategy, tolerance, merge_duplicates, threads, seed
@@ -114,15 +116,18 @@ def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one
     options = _arguments.options(strategy, tolerance, merge_duplicates, threads, False, seed)
     how_many = not isinstance(points, (np.ndarray, list, tuple)) and hasattr(type(points), "__index__")
     return LloydResult(*_core.lloyd(
-        _arguments.whole("points", points, 3, 100_000_000) if how_many else points, _arguments.choice("density", density, _arguments.DENSITIES),
+        _arguments.whole("points", points, 3, 100_000_000) if how_many else points,
+        _arguments.choice("density", density, _arguments.DENSITIES),
         _arguments.choice("domain", domain, _arguments.DOMAINS) if isinstance(domain, str) else domain,
-        None if radius is None else _arguments.length("radius", radius), _arguments.iterations_of(iterations), options_of(options),
+        None if radius is None else _arguments.length("radius", radius), _arguments.iterations_of(iterations),
+        options_of(options),
         options["seed"], _arguments.function("callback", callback)))
 
 
-def nodt(surface: str | os.PathLike[str] | tuple[ArrayLike, ArrayLike], vertices: int, iterations: int = 100, *, gradation: float = 0.0,
-         lock: float | None = None, allow_crossing: bool = False, strategy: str = "auto", tolerance: str = "certified", threads: int = 1,
-         seed: int = 0, callback: Callable[[int, float, float], object] | None = None) -> NodtResult:
+def nodt(surface: str | os.PathLike[str] | tuple[ArrayLike, ArrayLike], vertices: int, iterations: int = 100, *,
+         gradation: float = 0.0, lock: float | None = None, allow_crossing: bool = False, strategy: str = "auto",
+         tolerance: str = "certified", threads: int = 1, seed: int = 0,
+         callback: Callable[[int, float, float], object] | None = None) -> NodtResult:
     """Natural-ODT optimisation of a tetrahedral mesh of what a closed surface encloses.
 
     Parameters
@@ -163,9 +168,10 @@ def nodt(surface: str | os.PathLike[str] | tuple[ArrayLike, ArrayLike], vertices
     """
     options = _arguments.options(strategy, tolerance, False, threads, False, seed)
     return NodtResult(*_core.nodt(
-        _surface_of(surface), _arguments.whole("vertices", vertices, 4, 10_000_000), _arguments.number("gradation", gradation),
-        None if lock is None else _arguments.number("lock", lock), _arguments.truth("allow_crossing", allow_crossing),
-        _arguments.iterations_of(iterations), options_of(options), options["seed"], _arguments.function("callback", callback)))
+        _surface_of(surface), _arguments.whole("vertices", vertices, 4, 10_000_000),
+        _arguments.number("gradation", gradation), None if lock is None else _arguments.number("lock", lock),
+        _arguments.truth("allow_crossing", allow_crossing), _arguments.iterations_of(iterations), options_of(options),
+        options["seed"], _arguments.function("callback", callback)))
 
 
 def _surface_of(surface: object) -> object:
@@ -175,5 +181,6 @@ def _surface_of(surface: object) -> object:
     if isinstance(surface, (str, os.PathLike)):
         return _arguments.file_of("surface", surface)
     if not isinstance(surface, (tuple, list)):
-        raise TypeError(f"surface must be 'sphere', a file or a pair, points and triangles; not {_arguments.described(surface)}")
+        raise TypeError("surface must be 'sphere', a file or a pair, points and triangles; not "
+                        f"{_arguments.described(surface)}")
     return tuple(surface)

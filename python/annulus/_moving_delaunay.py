@@ -24,9 +24,10 @@ class MovingDelaunay(Readings):
     ----------
     points : array_like, shape (n, 2) or (n, 3)
         Positions, in any unit of length. Boundaries are open: there are no periodic boxes, and of an object
-        that carries one its positions are taken, with an `OpenBoundariesWarning`. float32 and integers are taken exactly; what would have to be rounded
-        to float64 (long doubles, integers that are none) is a `TypeError`. There may be any number of points,
-        also fewer than d + 1, and they may lie on a line or in a plane.
+        that carries one its positions are taken, with an `OpenBoundariesWarning`. float32 and integers are
+        taken exactly; what would have to be rounded to float64 (long doubles, integers that are none) is a
+        `TypeError`. There may be any number of points, also fewer than d + 1, and they may lie on a line or in
+        a plane.
     strategy : str, optional
         How the triangulation is kept right: ``auto`` (the cheapest of tolerances, signs with flips, and
         rebuilding, as counts tell), ``filter``, ``filter-each``, ``in-place``, ``rebuild``, ``relocate``,
@@ -85,13 +86,15 @@ class MovingDelaunay(Readings):
 
     _options: dict[str, typing.Any]
 
-    def __init__(self, points: ArrayLike, strategy: str = "auto", tolerance: str = "certified", merge_duplicates: bool = False,
-                 threads: int = 1, *, report_changes: bool = True, seed: int = 0) -> None:
+    def __init__(self, points: ArrayLike, strategy: str = "auto", tolerance: str = "certified",
+                 merge_duplicates: bool = False, threads: int = 1, *, report_changes: bool = True,
+                 seed: int = 0) -> None:
         options = _arguments.options(strategy, tolerance, merge_duplicates, threads, report_changes, seed)
         array = points if type(points) is np.ndarray else _arguments.array_of(points, "points")
         shape = array.shape
         if len(shape) != 2 or shape[1] not in (2, 3):
-            raise Error(f"points must have shape (n, 2) or (n, 3), not {shape if len(shape) <= 8 else '(..)'}", "wrong_size")
+            raise Error(f"points must have shape (n, 2) or (n, 3), not {shape if len(shape) <= 8 else '(..)'}",
+                        "wrong_size")
         mesh = (_core.Mesh2 if shape[1] == 2 else _core.Mesh3).build(array, options_of(options))
         self._options = options
         self._mesh = mesh
@@ -144,12 +147,12 @@ class MovingDelaunay(Readings):
         Notes
         -----
         A vertex is found near the place in O(log n), and a walk goes from there: on average 6 to 8 triangles for
-        10,000 to a million random points, 9 to 12 tetrahedra for 10,000 to 200,000. Ten to twenty microseconds
-        each in the plane, some forty in space. What else it costs: the first insertion after a
-        construction copies arrays, O(n); while all points are in a plane or on a line each one builds
-        everything anew, O(n log n); where a vertex has k neighbours it may take O(k). More than one at once are
-        first compared with all positions, which takes O(n). When memory runs out half way, those that were inserted are taken out again, and there may be
-        more vacant indices than before.
+        10,000 to a million random points, 9 to 12 tetrahedra for 10,000 to 200,000. Ten to twenty microseconds each in
+        the plane, some forty in space. What else it costs: the first insertion after a construction copies arrays,
+        O(n); while all points are in a plane or on a line each one builds everything anew, O(n log n); where a vertex
+        has k neighbours it may take O(k). More than one at once are first compared with all positions, which takes
+        O(n). When memory runs out half way, those that were inserted are taken out again, and there may be more vacant
+        indices than before.
         """
         return self._mesh.insert(points)
 
@@ -175,7 +178,8 @@ class MovingDelaunay(Readings):
         if not hasattr(self, "_mesh"):
             return f"<{type(self).__name__}: not initialised>"
         n, strategy = self._mesh.summary()
-        return (f"<{type(self).__name__}: {n} {'vertex' if n == 1 else 'vertices'} in {'the plane' if self.ndim == 2 else 'space'}, "
+        return (f"<{type(self).__name__}: {n} {'vertex' if n == 1 else 'vertices'} in "
+                f"{'the plane' if self.ndim == 2 else 'space'}, "
                 f"strategy {strategy!r}, tolerance {self._options['tolerance']!r}>")
 
     # ---- Pickling and copying ----------------------------------------------------------------
@@ -187,9 +191,11 @@ class MovingDelaunay(Readings):
 
     def __setstate__(self, state: dict[str, typing.Any]) -> None:
         if not isinstance(state, dict) or not {"format", "points", "vacant", "more"} <= state.keys():
-            raise Error(f"state must be that of a pickled MovingDelaunay, not {_arguments.described(state)}", "bad_input")
+            raise Error(f"state must be that of a pickled MovingDelaunay, not {_arguments.described(state)}",
+                        "bad_input")
         if state["format"] != 1:
-            raise Error(f"state was pickled by another version of annulus: format {_arguments.described(state['format'])}", "bad_input")
+            raise Error("state was pickled by another version of annulus: format "
+                        f"{_arguments.described(state['format'])}", "bad_input")
         points, more = state["points"], state["more"]
         kind = _core.Mesh2 if points.shape[1] == 2 else _core.Mesh3
         self._mesh = kind.build_again(points, state["vacant"], options_of(more["_options"]))
@@ -199,4 +205,5 @@ class MovingDelaunay(Readings):
 
 def options_of(o: dict[str, typing.Any]) -> _core.Options:
     """What the compiled module takes, of options that `_arguments.options` has looked at."""
-    return _core.options(o["strategy"], o["tolerance"], o["threads"], o["merge_duplicates"], o["report_changes"], o["seed"])
+    return _core.options(o["strategy"], o["tolerance"], o["threads"], o["merge_duplicates"], o["report_changes"],
+                         o["seed"])

@@ -42,7 +42,8 @@ class Readings:
 
     @property
     def points(self) -> Floats:
-        """ndarray of float64, shape (npoints, d): positions by vertex index, NaN at vacant indices. Read-only, as of now."""
+        """ndarray of float64, shape (npoints, d): positions by vertex index, NaN at vacant indices. Read-only, as of
+        now."""
         return self._mesh.points
 
     @property
@@ -57,12 +58,14 @@ class Readings:
 
     @property
     def neighbors(self) -> Indices:
-        """ndarray of int32, shape (nsimplex, d + 1): the simplex beyond the facet opposite to each vertex; -1 outside."""
+        """ndarray of int32, shape (nsimplex, d + 1): the simplex beyond the facet opposite to each vertex; -1
+        outside."""
         return self._mesh.neighbors
 
     @property
     def flat_simplices(self) -> Indices:
-        """ndarray of int32, shape (m, k + 1): where the points span only k < d dimensions, their triangles or edges; else (0, d + 1)."""
+        """ndarray of int32, shape (m, k + 1): where the points span only k < d dimensions, their triangles or edges;
+        else (0, d + 1)."""
         return self._mesh.flat_simplices
 
     @property
@@ -75,17 +78,20 @@ class Readings:
 
     @property
     def vertex_neighbor_vertices(self) -> tuple[Indices, Indices]:
-        """Two ndarrays of int32, (indptr, indices): the neighbours of vertex v are ``indices[indptr[v]:indptr[v + 1]]``, ascending."""
+        """Two ndarrays of int32, (indptr, indices): the neighbours of vertex v are
+        ``indices[indptr[v]:indptr[v + 1]]``, ascending."""
         return self._mesh.vertex_neighbor_vertices
 
     @property
     def vertex_to_simplex(self) -> Indices:
-        """ndarray of int32, shape (npoints,): a simplex of each vertex; -1 at vacant indices and where there are no simplices."""
+        """ndarray of int32, shape (npoints,): a simplex of each vertex; -1 at vacant indices and where there are no
+        simplices."""
         return self._mesh.vertex_to_simplex
 
     @property
     def tolerances(self) -> Floats:
-        """ndarray of float64, shape (npoints,): how far each vertex may be from where its tolerance is measured, in the unit of the points.
+        """ndarray of float64, shape (npoints,): how far each vertex may be from where its tolerance is measured, in
+        the unit of the points.
 
         While every vertex is within its own, the triangulation is Delaunay; with ``tolerance="certified"``
         these are proved lower bounds. While no tolerances are kept (``auto`` decides when), the least
@@ -96,7 +102,8 @@ class Readings:
 
     @property
     def theta(self) -> Floats:
-        """ndarray of float64, shape (npoints,): the least theta of the bi-cells of each vertex, in radians; pi/2 without one, NaN if vacant.
+        """ndarray of float64, shape (npoints,): the least theta of the bi-cells of each vertex, in radians; pi/2
+        without one, NaN if vacant.
 
         It is small where two neighbouring simplices have nearly the same circumscribed circle or sphere.
         """
@@ -104,7 +111,8 @@ class Readings:
 
     @property
     def displacements(self) -> Floats:
-        """ndarray of float64, shape (npoints,): an upper bound of how far each vertex is from where its tolerance is measured; NaN if vacant."""
+        """ndarray of float64, shape (npoints,): an upper bound of how far each vertex is from where its tolerance is
+        measured; NaN if vacant."""
         return self._mesh.displacements
 
     def voronoi_volumes(self) -> Floats:
@@ -142,7 +150,8 @@ class Readings:
         return self._mesh.find_simplex(xi)
 
     def audit(self) -> AuditResult:
-        """Looks at all of it with integer arithmetic, which shares no code with what it audits. O(n), microseconds a simplex.
+        """Looks at all of it with integer arithmetic, which shares no code with what it audits. O(n), microseconds a
+        simplex.
 
         Returns
         -------
@@ -188,10 +197,12 @@ class Readings:
 
     @property
     def index_of_input(self) -> Indices:
-        """ndarray of int32, shape (n,): the vertex that each point became in the beginning; not 0, 1, 2 .. only where some were merged."""
+        """ndarray of int32, shape (n,): the vertex that each point became in the beginning; not 0, 1, 2 .. only where
+        some were merged."""
         return self._index_of_input
 
     @property
     def strategy(self) -> str:
-        """str: the strategy in force: that of the options, but that ``paper-hybrid`` becomes ``paper`` when it switches."""
+        """str: the strategy in force: that of the options, but that ``paper-hybrid`` becomes ``paper`` when it
+        switches."""
         return self._mesh.strategy

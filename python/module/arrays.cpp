@@ -53,7 +53,8 @@ py::array_t<T, c_array> copied(const py::array_t<T, c_array>& a) {
     return copy;
 }
 
-/// int64 and uint64 are more than doubles have digits for. What was compared is what is taken, whatever is written meanwhile.
+/// int64 and uint64 are more than doubles have digits for. What was compared is what is taken, whatever is written
+/// meanwhile.
 template <class T>
 Numbers exact(const py::array& a, const char* name) {
     auto numbers = converted<T>(a);
@@ -73,8 +74,8 @@ Numbers exact(const py::array& a, const char* name) {
 /// Whether another thread of Python could write in an array while nobody here holds the GIL.
 bool other_threads() { return PyThreadState_Next(PyInterpreterState_ThreadHead(PyInterpreterState_Get())) != nullptr; }
 
-/// Whether the memory is NumPy's own, of this process alone: that of an array, or part of it, which NumPy has allocated. What comes
-/// from a file, from shared memory or from another package is not.
+/// Whether the memory is NumPy's own, of this process alone: that of an array, or part of it, which NumPy has
+/// allocated. What comes from a file, from shared memory or from another package is not.
 bool is_private(const py::array& a) {
     py::handle owner = a;
     for (int depth = 0; depth < 32 && owner && Py_TYPE(owner.ptr()) == py::detail::npy_api::get().PyArray_Type_;
@@ -97,7 +98,8 @@ Numbers numbers_of(const py::object& object, const char* name) {
     if (given.itemsize() == 8 && kind == 'i') return exact<std::int64_t>(given, name);
     if (given.itemsize() == 8 && kind == 'u') return exact<std::uint64_t>(given, name);
     const Numbers numbers = converted<double>(given);
-    // What is read more than once must not change in between, or what was proved of one position is believed of another.
+    // What is read more than once must not change in between, or what was proved of one position is believed of
+    // another.
     const bool fresh = numbers.owndata() && !numbers.is(given);
     return fresh || (!other_threads() && is_private(numbers)) ? numbers : copied(numbers);
 }

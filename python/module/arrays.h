@@ -30,12 +30,14 @@ using Numbers = py::array_t<double, c_array>;
 
 [[nodiscard]] std::string shape_of(const py::array& a);
 
-/// What numpy.asarray makes of it as doubles in C order: itself if it is that and its memory is NumPy's own, of this process, with no
-/// other thread of Python there to write in it; else a copy. Throws TypeError where that could round: of long doubles, complex numbers,
-/// objects, whole numbers that are no doubles; and for masked arrays, whose masks would be lost.
+/// What numpy.asarray makes of it as doubles in C order: itself if it is that and its memory is NumPy's own, of this
+/// process, with no other thread of Python there to write in it; else a copy. Throws TypeError where that could
+/// round: of long doubles, complex numbers, objects, whole numbers that are no doubles; and for masked arrays, whose
+/// masks would be lost.
 [[nodiscard]] Numbers numbers_of(const py::object& object, const char* name);
 
-/// An array of points, (n, d), as the library takes them, for as long as this lives. Its memory is NumPy's where that can be.
+/// An array of points, (n, d), as the library takes them, for as long as this lives. Its memory is NumPy's where that
+/// can be.
 template <int d>
 class Points_in {
   public:
@@ -57,8 +59,8 @@ class Points_in {
     Numbers numbers_;
 };
 
-/// Vertex indices, (k,) or one number. Throws TypeError for what are no whole numbers (masks are none), Error(wrong_size) for another
-/// shape, Error(unknown_vertex) for those that no vertex can have.
+/// Vertex indices, (k,) or one number. Throws TypeError for what are no whole numbers (masks are none),
+/// Error(wrong_size) for another shape, Error(unknown_vertex) for those that no vertex can have.
 [[nodiscard]] std::vector<Index> indices_of(const py::object& object);
 
 /// Rows of three indices of so many points. Throws TypeError, Error(wrong_size), Error(unknown_vertex).

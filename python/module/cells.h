@@ -20,20 +20,21 @@ struct Cells {
     std::vector<Index> simplex_of;  ///< by vertex index, one of those around it; -1 without one
 };
 
-/// The facets with nothing beyond, d vertices each: in the plane with the triangulation to their left, in space counter-clockwise as
-/// seen from outside.
+/// The facets with nothing beyond, d vertices each: in the plane with the triangulation to their left, in space
+/// counter-clockwise as seen from outside.
 template <int d>
 [[nodiscard]] std::vector<std::array<Index, static_cast<std::size_t>(d)>> hull_of(const Cells<d>& cells);
 
-/// Who is joined to whom by an edge: the neighbours of vertex v are index[begin[v]] to index[begin[v + 1] - 1], in ascending order.
+/// Who is joined to whom by an edge: the neighbours of vertex v are index[begin[v]] to index[begin[v + 1] - 1], in
+/// ascending order.
 struct Adjacency {
     std::vector<Index> begin, index;
 };
 template <int d>
 [[nodiscard]] Adjacency adjacency_of(const Cells<d>& cells);
 
-/// The simplex that holds each of some points, itself or its border; -1 outside the convex hull, and for NaN. Exact: decided by signs
-/// of determinants as the library computes them.
+/// The simplex that holds each of some points, itself or its border; -1 outside the convex hull, and for NaN. Exact:
+/// decided by signs of determinants as the library computes them.
 template <int d>
 void find_simplices(const Cells<d>& cells, std::span<const Coordinates<d>> vertices,
                     std::span<const Coordinates<d>> points, std::span<Index> out);

@@ -26,7 +26,9 @@ template <int d>
 std::vector<Coordinates<d>> distinct(std::span<const Coordinates<d>> points, bool merge_duplicates) {
     std::vector<Coordinates<d>> out;
     Point_set<d> seen{std::span<const Coordinates<d>>{}};
-    const auto first_at = [&](std::size_t i) { return std::find(points.begin(), points.end(), points[i]) - points.begin(); };
+    const auto first_at = [&](std::size_t i) {
+        return std::find(points.begin(), points.end(), points[i]) - points.begin();
+    };
     for (std::size_t i = 0; i < points.size(); ++i) {
         require_in_domain(points[i], "point", static_cast<std::int64_t>(i));
         if (seen.add(points[i])) out.push_back(points[i]);

@@ -15,7 +15,8 @@ namespace annulus::python {
 /// From now on an annulus::Error that leaves the module is an annulus.Error; bad_alloc is a MemoryError by itself.
 void translate_errors();
 
-/// For long work, between two parts of it, without the GIL: what a signal's handler throws, KeyboardInterrupt above all, is thrown here.
+/// For long work, between two parts of it, without the GIL: what a signal's handler throws, KeyboardInterrupt above
+/// all, is thrown here.
 void look_for_signals();
 
 }  // namespace annulus::python

@@ -5,10 +5,10 @@
 
 #include <cxxabi.h>
 
-// Threads and the end of the interpreter. Once Python ends it gives the GIL to no other thread: a daemon thread that asks for it is
-// ended where it stands (pthread_exit, which unwinds its stack) or, from Python 3.14 on, sleeps for ever. A stack of C++ must not be
-// unwound so, since destructors do not throw: such a thread sleeps here, too. And before the process goes, which destroys what is
-// static, the end waits for threads that compute.
+// Threads and the end of the interpreter. Once Python ends it gives the GIL to no other thread: a daemon thread that
+// asks for it is ended where it stands (pthread_exit, which unwinds its stack) or, from Python 3.14 on, sleeps for
+// ever. A stack of C++ must not be unwound so, since destructors do not throw: such a thread sleeps here, too. And
+// before the process goes, which destroys what is static, the end waits for threads that compute.
 namespace annulus::python {
 
 /// Sleeps until the process ends.
@@ -40,8 +40,8 @@ class Without_gil {
     PyThreadState* state_;
 };
 
-/// The GIL for as long as this lives, between two parts of a computation that does without. What computes holds no lock then that the
-/// end of Python may need.
+/// The GIL for as long as this lives, between two parts of a computation that does without. What computes holds no
+/// lock then that the end of Python may need.
 class With_gil {
   public:
     With_gil();
@@ -53,7 +53,8 @@ class With_gil {
     PyGILState_STATE state_;
 };
 
-/// Whether Python is ending, or has ended, in another thread than this: then none of what is computed here can be handed over.
+/// Whether Python is ending, or has ended, in another thread than this: then none of what is computed here can be
+/// handed over.
 [[nodiscard]] bool python_ends_elsewhere() noexcept;
 
 /// When the module is made: from now on the end of Python waits for threads that compute.

@@ -52,8 +52,8 @@ Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vect
 template <int d>
 [[noreturn]] void throw_equal(std::span<const Coordinates<d>> points) {
     const auto pair = coinciding<d>(points, [](Index) { return true; });
-    throw Error(Error_code::collision, "points " + std::to_string(pair->first) + " and " + std::to_string(pair->second) +
-                                           " to be inserted have the same position");
+    throw Error(Error_code::collision, "points " + std::to_string(pair->first) + " and " +
+                                           std::to_string(pair->second) + " to be inserted have the same position");
 }
 
 }  // namespace
@@ -68,7 +68,8 @@ Mesh<d>::Mesh(const Points_in<d>& points, std::vector<Index> vacant, const Optio
     remove(vacant);
 }
 
-/// Makes a call that may change something. Whatever it throws, positions are as they were, but other cells may be as right.
+/// Makes a call that may change something. Whatever it throws, positions are as they were, but other cells may be as
+/// right.
 template <int d>
 template <class Call>
 Move_report Mesh<d>::changing(Call call) {
@@ -118,14 +119,14 @@ void Mesh<d>::require_free(std::span<const Point> points) const {
     for (std::size_t k = 0; k < points.size(); ++k) require_in_domain(points[k], "point", static_cast<std::int64_t>(k));
     if (points.size() < 2) return;  // the mesh finds out itself, at less
     const Point_set<d> fresh(points);
-    if (fresh.size() < points.size())
-        throw_equal<d>(points);
+    if (fresh.size() < points.size()) throw_equal<d>(points);
     const auto x = mesh_.points();
     for (std::size_t i = 0; i < x.size(); ++i)
         if (mesh_.is_vertex(static_cast<Index>(i)) && fresh.has(x[i]))
             throw Error(Error_code::collision,
                         "vertex " + std::to_string(i) + " has the position of point " +
-                            std::to_string(std::find(points.begin(), points.end(), x[i]) - points.begin()) + " to be inserted",
+                            std::to_string(std::find(points.begin(), points.end(), x[i]) - points.begin()) +
+                            " to be inserted",
                         {static_cast<std::int64_t>(i)});
 }
 

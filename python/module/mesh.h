@@ -16,17 +16,19 @@
 
 namespace annulus::python {
 
-/// A Moving_mesh that threads of Python may share: who computes holds its lock, and not the GIL. What arrays look into are copies of
-/// positions and cells, made when they are asked for and again only after they have changed.
+/// A Moving_mesh that threads of Python may share: who computes holds its lock, and not the GIL. What arrays look
+/// into are copies of positions and cells, made when they are asked for and again only after they have changed.
 ///
-/// Every member that takes or makes Python's objects is called with the GIL; while the lock is held nobody waits for it.
+/// Every member that takes or makes Python's objects is called with the GIL; while the lock is held nobody waits for
+/// it.
 template <int d>
 class Mesh {
   public:
     using Point = Coordinates<d>;
 
     Mesh(const Points_in<d>& points, const Options& options);
-    /// As it was pickled: `points` has rows for vacant indices too, `vacant` says which these are, the one that was vacated last at the end.
+    /// As it was pickled: `points` has rows for vacant indices too, `vacant` says which these are, the one that was
+    /// vacated last at the end.
     Mesh(const Points_in<d>& points, std::vector<Index> vacant, const Options& options);
 
     Move_report move(const Points_in<d>& points);
@@ -39,7 +41,8 @@ class Mesh {
 
     [[nodiscard]] py::array points();
     [[nodiscard]] py::array is_vertex() const;
-    /// What it can be made again from, all of one moment: `points` as above, and which indices are vacant, the last one at the end.
+    /// What it can be made again from, all of one moment: `points` as above, and which indices are vacant, the last
+    /// one at the end.
     [[nodiscard]] std::pair<py::array, std::vector<Index>> state();
     [[nodiscard]] std::vector<Index> index_of_input() const;
     [[nodiscard]] std::shared_ptr<const Cells<d>> cells();

@@ -6,7 +6,8 @@
 
 namespace annulus::python {
 
-/// Makes a call with the lock and without the GIL. Taken in that order, so that who waits for the lock keeps nobody from Python.
+/// Makes a call with the lock and without the GIL. Taken in that order, so that who waits for the lock keeps nobody
+/// from Python.
 template <int d>
 template <class Call>
 auto Mesh<d>::locked(Call call) const {

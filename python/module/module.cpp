@@ -4,8 +4,8 @@
 #include <module/finalizing.h>
 #include <module/parts.h>
 
-// What pybind11 defines is called by what is asked for, below: in a subinterpreter pybind11 waits for ever, before anything of ours is
-// called.
+// What pybind11 defines is called by what is asked for, below: in a subinterpreter pybind11 waits for ever, before
+// anything of ours is called.
 namespace {
 bool in_main_interpreter() { return PyInterpreterState_Get() == PyInterpreterState_Main(); }
 }  // namespace

@@ -90,8 +90,8 @@ Mesh_of_domain iterate(const Domain_3& domain, std::size_t vertices, double grad
 }
 
 py::tuple run_nodt(const py::object& surface, std::int64_t vertices, double gradation, std::optional<double> lock,
-              bool allow_crossing, std::int64_t iterations, const Options& options, std::uint64_t seed,
-              const py::object& callback) {
+                   bool allow_crossing, std::int64_t iterations, const Options& options, std::uint64_t seed,
+                   const py::object& callback) {
     require_iterations(iterations);
     if (vertices < 4 || vertices > 10'000'000)
         throw Error(Error_code::usage, "vertices must be from 4 to 10000000, not " + std::to_string(vertices));

@@ -19,7 +19,8 @@ void add_counterexample(py::module_& m);
 void add_lloyd(py::module_& m);
 void add_nodt(py::module_& m);
 
-/// Of classes whose objects come from C++ alone: pybind11 would hand out one that `__new__` made as if it had been initialised.
+/// Of classes whose objects come from C++ alone: pybind11 would hand out one that `__new__` made as if it had been
+/// initialised.
 [[nodiscard]] inline py::custom_type_setup not_by_new() {
     return py::custom_type_setup([](PyHeapTypeObject* heap_type) {
 #ifdef Py_TPFLAGS_DISALLOW_INSTANTIATION
@@ -30,7 +31,8 @@ void add_nodt(py::module_& m);
     });
 }
 
-/// Options from their names. Throws Error(usage) for a name that there is not, with those that there are, and for no thread.
+/// Options from their names. Throws Error(usage) for a name that there is not, with those that there are, and for no
+/// thread.
 [[nodiscard]] Options options_of(const std::string& strategy, const std::string& tolerance, int threads,
                                  bool merge_duplicates, bool report_changes, std::uint64_t seed);
 

@@ -142,12 +142,14 @@ Counts, and the simplices that came and went. `repr` shows the counts that are n
             "float: what it cost, in simplices looked at, by prices that were measured.")
         .def_property_readonly(
             "changed_simplices", &Report::changed_simplices,
-            R"(ndarray of int32, shape (m, d + 1): simplices that there were not before, as rows of vertex indices, positively oriented; read-only.
+            R"(ndarray of int32, shape (m, d + 1): simplices that there were not before, as rows of vertex )"
+            R"(indices, positively oriented; read-only.
 
 None with ``report_changes=False``. Points that span no space have no simplices.)")
         .def_property_readonly(
             "removed_simplices", &Report::removed_simplices,
-            R"(ndarray of int32, shape (m, d + 1): simplices that there are no longer, likewise. None is in `changed_simplices` too, but for one that was turned over: its vertices are in both, in another order.)")
+            "ndarray of int32, shape (m, d + 1): simplices that there are no longer, likewise. None is in "
+            "`changed_simplices` too, but for one that was turned over: its vertices are in both, in another order.")
         .def("as_dict", &Report::as_dict, "dict: all counts by name.")
         .def("__repr__", &Report::repr)
         .def("__reduce__", [](const Report& r) {

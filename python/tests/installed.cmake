@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The test `python-installed`: installs the package of the build BUILD, and nothing else, into a scratch prefix and uses it.
+# The test `python-installed`: installs the package of the build BUILD, and nothing else, into a scratch prefix and
+# uses it.
 file(REMOVE_RECURSE "${SCRATCH}")
-execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --config "${CONFIG}" --component python --prefix "${SCRATCH}"
+execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --config "${CONFIG}" --component python
+                        --prefix "${SCRATCH}"
                 COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB_RECURSE package "${SCRATCH}/__init__.py")  # wherever below it
 cmake_path(GET package PARENT_PATH package)

@@ -9,21 +9,25 @@ import numpy as np
 from hypothesis import HealthCheck, seed, settings
 
 # What is drawn is drawn from this, the same every time; ANNULUS_TEST_SEED for other draws (tools/explore).
-SEED = int(os.environ.get("ANNULUS_TEST_SEED") or (Path(__file__).resolve().parents[2] / "tests/seed").read_text(encoding="ascii"))
+SEED = int(os.environ.get("ANNULUS_TEST_SEED")
+           or (Path(__file__).resolve().parents[2] / "tests/seed").read_text(encoding="ascii"))
 HANGING = 1800  # seconds: no call takes a hundredth of it, and a machine may be very busy
 MULTIPLIER = float(os.environ.get("ANNULUS_TEST_MULTIPLIER", "1"))
-STRATEGIES = ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "paper", "paper-hybrid"]
+STRATEGIES = ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "paper",
+              "paper-hybrid"]
 
 
 def repeats(n):
-    """A property that is tried n times, or as many times more as ANNULUS_TEST_MULTIPLIER says, with the cases of SEED."""
+    """A property that is tried n times, or as many times more as ANNULUS_TEST_MULTIPLIER says, with the cases of
+    SEED."""
     chosen = settings(max_examples=max(1, round(n * MULTIPLIER)), deadline=None, database=None, print_blob=True,
                       suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
     return lambda test: seed(SEED)(chosen(test))
 
 
 def points_of(kind, n, d, seed):
-    """Points that differ, of a family: random ones, and such as have d + 2 nearly or exactly on one circle or sphere."""
+    """Points that differ, of a family: random ones, and such as have d + 2 nearly or exactly on one circle or
+    sphere."""
     rng = np.random.default_rng(seed)
     if kind == "uniform":
         x = rng.random((n, d))

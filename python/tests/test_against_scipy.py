@@ -17,7 +17,8 @@ SURE = 1e-5
 
 
 def sure(dt):
-    """Whether d + 2 points are nowhere near to cospherical, and the hull nowhere flat, so that there is one triangulation and Qhull finds it."""
+    """Whether d + 2 points are nowhere near to cospherical, and the hull nowhere flat, so that there is one
+    triangulation and Qhull finds it."""
     vertices = dt.is_vertex
     if dt.affine_dimension < dt.ndim or not (dt.theta[vertices] > SURE).all():
         return False
@@ -95,9 +96,11 @@ def test_a_long_way(d):
 
 
 def contains(corners, p):
-    """Whether p is in a positive simplex or on its border, exactly: put in the place of a corner it turns none of them over."""
+    """Whether p is in a positive simplex or on its border, exactly: put in the place of a corner it turns none of
+    them over."""
     def det(m):
-        return m[0][0] if len(m) == 1 else sum((-1) ** k * m[0][k] * det([[*row[:k], *row[k + 1:]] for row in m[1:]]) for k in range(len(m)))
+        return (m[0][0] if len(m) == 1 else sum((-1) ** k * m[0][k] * det([[*row[:k], *row[k + 1:]] for row in m[1:]])
+                                                for k in range(len(m))))
 
     points = [[Fraction(c) for c in corner] for corner in corners.tolist()]
     query = [Fraction(c) for c in p.tolist()]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arguments of a wrong type or size: every argument of every public function gets one sentence that names it, and never the binding's list of signatures."""
+"""Arguments of a wrong type or size: every argument of every public function gets one sentence that names it, and
+never the binding's list of signatures."""
 
 import decimal
 import fractions
@@ -20,16 +21,19 @@ class Odd:
 Odd.__name__ = "O" * 500
 
 WRONG = {
-    "None": None, "str": "abc", "long str": "x" * 1000, "surrogates": "\udc80", "null character": "a\0b", "bytes": b"bytes", "object": object(),
-    "long name": Odd(), "list of str": ["a", "b"], "list of None": [None, 1], "ragged": [[1, 2], [3]], "dict": {1: 2}, "empty dict": {}, "set": {1, 2},
-    "-1": -1, "2.5": 2.5, "nan": float("nan"), "inf": float("inf"), "2**100": 2**100, "-2**100": -(2**100), "10**5000": 10**5000, "1j": 1j,
-    "True": True, "numpy's True": np.bool_(True), "2.0": 2.0, "numpy's 2.0": np.float64(2), "Decimal": decimal.Decimal(2),
-    "Fraction": fractions.Fraction(1, 2), "function": lambda *a: False, "type": int, "generator": (i for i in range(3)), "datetime": np.datetime64("2020"),
-    "cube": np.zeros((2, 2, 2)), "(3, 5)": np.arange(15.0).reshape(3, 5), "(0,)": np.zeros(0), "()": np.array(2.5), "np.str_": np.str_("abc"),
-    "array of str": np.array(["a", "b"]), "complex": X.astype(complex), "objects": X.astype(object), "structured": np.zeros(3, dtype=[("a" * 30, float)] * 1),
-    "many fields": np.zeros(3, dtype=[(f"field {k}", float) for k in range(99)]), "datetimes": np.zeros((3, 2), dtype="M8[s]"), "masked": np.ma.masked_less(X, 0.5),
-    "truths": X > 0.5, "where": np.where(X[:, 0] > 0.5), "30 dimensions": np.zeros((1,) * 30), "long doubles": X.astype(np.longdouble), "module": np,
-    "array": X, "pair": (X, np.arange(30).reshape(10, 3)), "pair of str": ("a", "b"), "one": (X,),
+    "None": None, "str": "abc", "long str": "x" * 1000, "surrogates": "\udc80", "null character": "a\0b",
+    "bytes": b"bytes", "object": object(), "long name": Odd(), "list of str": ["a", "b"], "list of None": [None, 1],
+    "ragged": [[1, 2], [3]], "dict": {1: 2}, "empty dict": {}, "set": {1, 2}, "-1": -1, "2.5": 2.5, "nan": float("nan"),
+    "inf": float("inf"), "2**100": 2**100, "-2**100": -(2**100), "10**5000": 10**5000, "1j": 1j, "True": True,
+    "numpy's True": np.bool_(True), "2.0": 2.0, "numpy's 2.0": np.float64(2), "Decimal": decimal.Decimal(2),
+    "Fraction": fractions.Fraction(1, 2), "function": lambda *a: False, "type": int, "generator": (i for i in range(3)),
+    "datetime": np.datetime64("2020"), "cube": np.zeros((2, 2, 2)), "(3, 5)": np.arange(15.0).reshape(3, 5),
+    "(0,)": np.zeros(0), "()": np.array(2.5), "np.str_": np.str_("abc"), "array of str": np.array(["a", "b"]),
+    "complex": X.astype(complex), "objects": X.astype(object), "structured": np.zeros(3, dtype=[("a" * 30, float)] * 1),
+    "many fields": np.zeros(3, dtype=[(f"field {k}", float) for k in range(99)]),
+    "datetimes": np.zeros((3, 2), dtype="M8[s]"), "masked": np.ma.masked_less(X, 0.5), "truths": X > 0.5,
+    "where": np.where(X[:, 0] > 0.5), "30 dimensions": np.zeros((1,) * 30), "long doubles": X.astype(np.longdouble),
+    "module": np, "array": X, "pair": (X, np.arange(30).reshape(10, 3)), "pair of str": ("a", "b"), "one": (X,),
 }
 
 # A call of each public function that is right, and quick.
@@ -53,8 +57,10 @@ RIGHT = {
 PLAIN = {"AuditResult", "LloydResult", "NodtResult", "MoveReport", "Error", "OpenBoundariesWarning"}
 
 
-# What is right where it stands, and so may be refused for another reason: no indices are all; a class can be called; a name of a file is said in full.
-NO_FAULT = {("move some", "indices"): {"None"}, ("lloyd", "callback"): {"type"}, ("lloyd of points", "callback"): {"type"}, ("nodt", "callback"): {"type"},
+# What is right where it stands, and so may be refused for another reason: no indices are all; a class can be called;
+# a name of a file is said in full.
+NO_FAULT = {("move some", "indices"): {"None"}, ("lloyd", "callback"): {"type"},
+            ("lloyd of points", "callback"): {"type"}, ("nodt", "callback"): {"type"},
             ("nodt", "surface"): {"long str"}}
 # Other names for what an argument is.
 ALSO = {"domain": "polygon"}
@@ -102,13 +108,16 @@ def test_every_wrong_value_gets_a_sentence(case, parameter):
         if words is None or name in NO_FAULT.get((case, parameter), ()):
             continue
         refused += 1
-        assert parameter in words or parameter.removesuffix("s") in words or ALSO.get(parameter, parameter) in words, (name, words)
-        assert "incompatible" not in words and "Invoked" not in words and "\n" not in words and len(words) < 300, (name, words)
+        assert (parameter in words or parameter.removesuffix("s") in words
+                or ALSO.get(parameter, parameter) in words), (name, words)
+        assert ("incompatible" not in words and "Invoked" not in words and "\n" not in words
+                and len(words) < 300), (name, words)
     assert refused > len(WRONG) / 2
 
 
 @pytest.mark.parametrize(("case", "arguments", "words"), [
-    ("lloyd", {"density": X}, "density must be a str, one of one, x2+y2, x2 or sin2; not an array of float64, of shape (30, 2)"),
+    ("lloyd", {"density": X},
+     "density must be a str, one of one, x2+y2, x2 or sin2; not an array of float64, of shape (30, 2)"),
     ("lloyd", {"iterations": 2.0}, "iterations must be a whole number, not 2.0 (float)"),
     ("lloyd", {"points": 2.5}, "points must be an array, not 2.5 (float)"),
     ("MovingDelaunay", {"threads": None}, "threads must be a whole number, not None"),
@@ -116,12 +125,17 @@ def test_every_wrong_value_gets_a_sentence(case, parameter):
     ("MovingDelaunay", {"threads": 0}, "threads must be 1 or more, not 0 (int)"),
     ("MovingDelaunay", {"threads": -3}, "threads must be 1 or more, not -3 (int)"),
     ("MovingDelaunay", {"threads": 2**31}, "threads must be at most 2147483647, not 2147483648 (int)"),
-    ("MovingDelaunay", {"strategy": None}, "strategy must be a str, one of auto, filter, filter-each, in-place, rebuild, relocate, relocate-flips, paper or paper-hybrid; not None"),
-    ("MovingDelaunay", {"strategy": "best"}, "strategy must be one of auto, filter, filter-each, in-place, rebuild, relocate, relocate-flips, paper or paper-hybrid; not 'best'"),
+    ("MovingDelaunay", {"strategy": None},
+     "strategy must be a str, one of auto, filter, filter-each, in-place, rebuild, relocate, relocate-flips, paper or "
+     "paper-hybrid; not None"),
+    ("MovingDelaunay", {"strategy": "best"},
+     "strategy must be one of auto, filter, filter-each, in-place, rebuild, relocate, relocate-flips, paper or "
+     "paper-hybrid; not 'best'"),
     ("MovingDelaunay", {"seed": -1}, "seed must be 0 or more, not -1 (int)"),
     ("MovingDelaunay", {"merge_duplicates": "no"}, "merge_duplicates must be True or False, not 'no'"),
     ("MovingDelaunay", {"points": None}, "points must be an array of numbers, not None"),
-    ("remove", {"indices": np.where(X[:, 0] > 2)}, "indices must have shape (k,), not (1, 0): of a tuple such as numpy.where gives take the element [0]"),
+    ("remove", {"indices": np.where(X[:, 0] > 2)},
+     "indices must have shape (k,), not (1, 0): of a tuple such as numpy.where gives take the element [0]"),
     ("remove", {"indices": 2.5}, "indices must be whole numbers, not an array of float64"),
     ("nodt", {"surface": None}, "surface must be 'sphere', a file or a pair, points and triangles; not None"),
     ("counterexample", {"delta": "0.01"}, "delta must be a real number, not '0.01'"),
@@ -137,7 +151,8 @@ def test_numbers_of_numpy_go_on_working():
         assert annulus.lloyd(kind(20), kind(1), seed=kind(1)).points.shape == (20, 2)
     assert annulus.lloyd(20, 1, radius=np.float32(2), density=np.str_("x2")).points.shape == (20, 2)
     assert annulus.lloyd(20, 1, radius=2).points.shape == (20, 2)
-    assert annulus.nodt("sphere", np.int16(30), np.uint8(0), gradation=np.float64(0.5), lock=np.int64(20), allow_crossing=np.bool_(False)).points.shape[1] == 3
+    assert annulus.nodt("sphere", np.int16(30), np.uint8(0), gradation=np.float64(0.5), lock=np.int64(20),
+                        allow_crossing=np.bool_(False)).points.shape[1] == 3
     assert annulus.counterexample(np.float32(0.015625))["delta"] == 0.015625
     assert annulus.MovingDelaunay(np.concatenate([X, X]), merge_duplicates=np.bool_(True)).nvertices == 30
     assert annulus.MovingDelaunay(X, report_changes=0).move(X).changed_simplices is None
@@ -158,4 +173,5 @@ def test_hints_can_be_read():
             own = getattr(member, "fget", member)
             if inspect.isfunction(own) and own.__module__.startswith("annulus"):
                 of = typing.get_type_hints(own)
-                assert set(inspect.signature(own).parameters) - {"self", "cls"} | {"return"} == set(of), (name, attribute)
+                assert set(inspect.signature(own).parameters) - {"self", "cls"} | {"return"} == set(of), \
+                    (name, attribute)

@@ -16,8 +16,8 @@ import pytest
 from support import as_set, check
 
 X = np.random.default_rng(0).random((40, 2))
-ARRAYS = ["points", "simplices", "neighbors", "vertex_to_simplex", "is_vertex", "flat_simplices", "convex_hull", "tolerances", "theta", "displacements",
-          "index_of_input"]
+ARRAYS = ["points", "simplices", "neighbors", "vertex_to_simplex", "is_vertex", "flat_simplices", "convex_hull",
+          "tolerances", "theta", "displacements", "index_of_input"]
 
 
 class Likeness:
@@ -105,8 +105,10 @@ def test_points_from_one():
     assert dt.npoints == 1 and dt.index_of_input.tolist() == [0] * 5
 
 
-@pytest.mark.parametrize("x", [X.astype(complex), X.astype(object), X.astype("U10"), X.astype(np.longdouble), X.astype("datetime64[s]"), X.astype("S9"), X.view([("x", float), ("y", float)]), X.astype("m8[s]"), [["1", "2"]],
-                               np.ma.masked_less(X, 0.1), None, "abc", 3, {1: 2}, [[1, 2], [3]]], ids=lambda x: str(getattr(x, "dtype", x)))
+@pytest.mark.parametrize("x", [X.astype(complex), X.astype(object), X.astype("U10"), X.astype(np.longdouble),
+                               X.astype("datetime64[s]"), X.astype("S9"), X.view([("x", float), ("y", float)]),
+                               X.astype("m8[s]"), [["1", "2"]], np.ma.masked_less(X, 0.1), None, "abc", 3, {1: 2},
+                               [[1, 2], [3]]], ids=lambda x: str(getattr(x, "dtype", x)))
 def test_what_is_no_point(x):
     with pytest.raises((TypeError, ValueError)):
         annulus.MovingDelaunay(x)
@@ -136,8 +138,9 @@ def test_other_shapes(shape):
         assert e.value.code == "wrong_size"
 
 
-@pytest.mark.parametrize("indices", [[True, False], np.ones(40, dtype=bool), [1.0], ["1"], [None], [[0], [1]], [0, -1], [40], [2**31], [2**62], [2**63], [2**64], np.array([2**64 - 1], dtype=np.uint64), [1 + 0j], np.ma.masked_array([1, 2], [0, 1])],
-                         ids=str)
+@pytest.mark.parametrize("indices", [[True, False], np.ones(40, dtype=bool), [1.0], ["1"], [None], [[0], [1]], [0, -1],
+                                     [40], [2**31], [2**62], [2**63], [2**64], np.array([2**64 - 1], dtype=np.uint64),
+                                     [1 + 0j], np.ma.masked_array([1, 2], [0, 1])], ids=str)
 def test_what_is_no_index(indices):
     dt = annulus.MovingDelaunay(X)
     for call in (dt.remove, lambda i: dt.move(np.random.default_rng(1).random((len(i), 2)), i)):
@@ -172,7 +175,8 @@ def test_nothing_is_copied_that_need_not_be():
 
 
 def test_only_private_memory_is_read_where_it_is(tmp_path):
-    """What another process, a file, or another package may write in is copied before it is looked at: nothing is read twice."""
+    """What another process, a file, or another package may write in is copied before it is looked at: nothing is read
+    twice."""
     shared = mmap.mmap(-1, X.nbytes)
     from_map = np.frombuffer(shared).reshape(X.shape)
     from_map[:] = X
@@ -181,8 +185,10 @@ def test_only_private_memory_is_read_where_it_is(tmp_path):
     numbers = annulus._core.numbers
     for x in (X, np.concatenate([X, X])[:40], np.stack([X, X])[1], X[:7].copy()):
         assert np.shares_memory(numbers(x), x), "NumPy's own, and no other thread"
-    for x in (from_map, from_map[3:], np.load(tmp_path / "x.npy", mmap_mode="r"), np.load(tmp_path / "x.npy", mmap_mode="r+"), np.frombuffer(buffer).reshape(X.shape),
-              np.ctypeslib.as_array((ctypes.c_double * 6)(*range(6))).reshape(3, 2), X.astype(np.int64), X.astype(np.float32), X[:, ::-1], X[::2]):
+    for x in (from_map, from_map[3:], np.load(tmp_path / "x.npy", mmap_mode="r"),
+              np.load(tmp_path / "x.npy", mmap_mode="r+"), np.frombuffer(buffer).reshape(X.shape),
+              np.ctypeslib.as_array((ctypes.c_double * 6)(*range(6))).reshape(3, 2), X.astype(np.int64),
+              X.astype(np.float32), X[:, ::-1], X[::2]):
         read = numbers(x)
         assert not np.shares_memory(read, x) and np.array_equal(read, x) and read.flags.c_contiguous
         assert read.dtype == np.float64
@@ -256,7 +262,8 @@ def test_an_array_outlives_everything(name):
 
 def test_what_is_shared_is_read_only():
     dt = annulus.MovingDelaunay(X)
-    for array in (dt.points, dt.simplices, dt.neighbors, dt.vertex_to_simplex, *dt.vertex_neighbor_vertices, dt.index_of_input):
+    for array in (dt.points, dt.simplices, dt.neighbors, dt.vertex_to_simplex, *dt.vertex_neighbor_vertices,
+                  dt.index_of_input):
         with pytest.raises(ValueError):
             array[0] = 0
         with pytest.raises(ValueError):

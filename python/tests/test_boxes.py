@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects of other packages that have positions, and those that carry a periodic box: it is ignored with a warning, never silently."""
+"""Objects of other packages that have positions, and those that carry a periodic box: it is ignored with a warning,
+never silently."""
 
 import warnings
 from types import SimpleNamespace as Thing
@@ -52,8 +53,9 @@ OBJECTS = {
 @pytest.mark.parametrize("name", OBJECTS)
 def test_positions_are_taken_and_the_box_is_not(name):
     thing, carries = OBJECTS[name]
-    calls = {"MovingDelaunay": annulus.MovingDelaunay, "move": annulus.MovingDelaunay(X + 1).move, "degeneracy": annulus.degeneracy,
-             "insert": annulus.MovingDelaunay(X + 5).insert, "find_simplex": annulus.MovingDelaunay(X).find_simplex}
+    calls = {"MovingDelaunay": annulus.MovingDelaunay, "move": annulus.MovingDelaunay(X + 1).move,
+             "degeneracy": annulus.degeneracy, "insert": annulus.MovingDelaunay(X + 5).insert,
+             "find_simplex": annulus.MovingDelaunay(X).find_simplex}
     for call, function in calls.items():
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")

@@ -25,7 +25,8 @@ def test_reports_add_up(strategy, d):
         now = as_oriented_set(dt.simplices)
         assert as_oriented_set(r.changed_simplices) == now - before
         assert as_oriented_set(r.removed_simplices) == before - now
-        assert len(r.changed_simplices) == len(now - before) and len(r.removed_simplices) == len(before - now), "each once"
+        assert (len(r.changed_simplices) == len(now - before)
+                and len(r.removed_simplices) == len(before - now)), "each once"
         assert r.changed_simplices.shape[1] == d + 1 and not r.changed_simplices.flags.writeable
         assert r.as_dict()["asked"] == 120 and r.as_dict().keys() >= {"flips", "price", "exact"}
         assert "asked 120" in repr(r)
@@ -74,7 +75,8 @@ def test_vacant_indices():
     x[4] = x[5]
     dt.move(x)  # ignored
     check(dt)
-    assert dt.insert([[0.5, 0.51], [0.2, 0.3], [0.9, 0.1]]).tolist() == [9, 4, 20], "the one vacated last first, then new ones"
+    assert dt.insert([[0.5, 0.51], [0.2, 0.3], [0.9, 0.1]]).tolist() == [9, 4, 20], (
+        "the one vacated last first, then new ones")
     check(dt)
     with pytest.raises(annulus.Error) as e:
         dt.remove([3, 3])
@@ -107,7 +109,8 @@ def test_all_or_nothing():
     dt = annulus.MovingDelaunay(x)
     before = dt.points
     new = np.random.default_rng(5).random((4, 3))
-    for wrong, code in [(x[7], "collision"), (new[1], "collision"), ([np.nan] * 3, "not_finite"), ([1e200, 0, 0], "out_of_domain")]:
+    for wrong, code in [(x[7], "collision"), (new[1], "collision"), ([np.nan] * 3, "not_finite"),
+                        ([1e200, 0, 0], "out_of_domain")]:
         for at in range(4):
             with pytest.raises(annulus.Error) as e:
                 dt.insert(np.insert(new, at, wrong, axis=0))
@@ -144,7 +147,8 @@ def test_merged_points():
 def test_few_and_flat_points(n, d, k, seed):
     """No points, one, fewer than d + 1, and such as span k dimensions only; they move, and come to span more."""
     rng = np.random.default_rng(seed)
-    x = np.unique(rng.integers(0, 9, (n, k)) @ rng.integers(-3, 4, (k, d)) + rng.integers(0, 9, d), axis=0).astype(float)
+    x = np.unique(rng.integers(0, 9, (n, k)) @ rng.integers(-3, 4, (k, d)) + rng.integers(0, 9, d),
+                  axis=0).astype(float)
     dt = annulus.MovingDelaunay(x)
     check(dt)
     assert dt.affine_dimension <= k
@@ -167,7 +171,8 @@ def test_tolerances_hold():
     way = rng.standard_normal((200, 2))
     way *= (0.99 * dt.tolerances / np.linalg.norm(way, axis=1))[:, None]
     assert dt.move(dt.points + way).within_tolerance == 200
-    assert as_set(dt.simplices) == simplices and (dt.displacements <= dt.tolerances).all() and dt.displacements.max() > 0
+    assert (as_set(dt.simplices) == simplices and (dt.displacements <= dt.tolerances).all()
+            and dt.displacements.max() > 0)
     dt.settle()
     assert dt.displacements.max() == 0
     check(dt)

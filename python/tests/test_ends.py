@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How a process ends that computes: daemon threads, children of forks, subinterpreters. Nothing here depends on how far a thread has come."""
+"""How a process ends that computes: daemon threads, children of forks, subinterpreters. Nothing here depends on how
+far a thread has come."""
 
 import subprocess
 import sys
 
 import pytest
 
-# Three daemon threads that call without end; the program ends once each has begun. Whatever they are doing then, the process ends well.
+# Three daemon threads that call without end; the program ends once each has begun. Whatever they are doing then, the
+# process ends well.
 PROGRAM = """
 import annulus, atexit, numpy as np, os, sys, threading, time
 x = np.random.default_rng(0).random((3000, 3))
@@ -31,7 +33,8 @@ CALLS = {
     "move of one object": "shared.move(x[::-1].copy()); shared.move(x)",
     "move of some": "own.move(x[:5] + 0.01, indices=range(5)); own.move(x[:5].tolist(), indices=range(5))",
     "insert and remove": "own.remove(own.insert(x[700:720]))",
-    "readings": "own.move(own.points + 0.1); own.simplices; own.tolerances; own.convex_hull; own.voronoi_volumes(); own.find_simplex(x)",
+    "readings": "own.move(own.points + 0.1); own.simplices; own.tolerances; own.convex_hull; own.voronoi_volumes(); "
+    "own.find_simplex(x)",
     "audit": "shared.audit()",
     "degeneracy": "annulus.degeneracy(x)",
     "lloyd": "annulus.lloyd(500, 10**6)",
@@ -44,7 +47,8 @@ CALLS = {
 
 
 def ends_well(program, words=""):
-    done = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=300, check=False)
+    done = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=300,
+                          check=False)
     assert (done.returncode, done.stdout, done.stderr) == (0, words, ""), done
 
 

@@ -25,7 +25,8 @@ def code(call, *arguments, **named):
 def test_codes():
     dt = annulus.MovingDelaunay(X)
     bad = X.copy()
-    for value, expected in [(np.nan, "not_finite"), (np.inf, "not_finite"), (-np.inf, "not_finite"), (1e200, "out_of_domain")]:
+    for value, expected in [(np.nan, "not_finite"), (np.inf, "not_finite"), (-np.inf, "not_finite"),
+                            (1e200, "out_of_domain")]:
         bad[3, 1] = value
         assert code(annulus.MovingDelaunay, bad) == expected
         assert code(dt.move, bad) == expected
@@ -59,24 +60,30 @@ def at(x, i, j):
     return bad(x, i, x[j])
 
 
-@pytest.mark.parametrize("strategy", ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "paper", "paper-hybrid"])
+@pytest.mark.parametrize("strategy", ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter",
+                                      "filter-each", "paper", "paper-hybrid"])
 @pytest.mark.parametrize("d", [2, 3])
 def test_errors_name_the_vertices_concerned(d, strategy):
     x = np.random.default_rng(d).random((40, d))
     dt = annulus.MovingDelaunay(x, strategy)
     both, there = "vertices {} and {} would have the same position", "vertex {} has the position of "
     for call, expected, vertices, words in [
-            (lambda: annulus.MovingDelaunay(at(x, 9, 4), strategy), "collision", (4, 9), "points 4 and 9 have the same position"),
-            (lambda: annulus.MovingDelaunay(at(x, 3, 15), strategy), "collision", (3, 15), "points 3 and 15 have the same position"),
+            (lambda: annulus.MovingDelaunay(at(x, 9, 4), strategy), "collision", (4, 9),
+             "points 4 and 9 have the same position"),
+            (lambda: annulus.MovingDelaunay(at(x, 3, 15), strategy), "collision", (3, 15),
+             "points 3 and 15 have the same position"),
             (lambda: dt.move(at(x, 9, 4)), "collision", (4, 9), both.format(4, 9)),
             (lambda: dt.move(x[[11]], [2]), "collision", (2, 11), both.format(2, 11)),
             (lambda: dt.move(x[[2]], [11]), "collision", (2, 11), both.format(2, 11)),
             (lambda: dt.move(x[[8, 10, 1]], [1, 6, 8]), "collision", (6, 10), both.format(6, 10)),
             (lambda: dt.move(x[[8, 8]] + 0.001, [1, 6]), "collision", (1, 6), None),
             (lambda: dt.insert(x[[7]]), "collision", (7,), there.format(7) + "the point to be inserted"),
-            (lambda: dt.insert([x[7] + 1, x[7] + 2, x[7]]), "collision", (7,), there.format(7) + "point 2 to be inserted"),
-            (lambda: dt.insert([x[7] + 1, x[7] + 2, x[7] + 1]), "collision", (), "points 0 and 2 to be inserted have the same position"),
-            (lambda: annulus.MovingDelaunay(bad(x, 5, np.nan), strategy), "not_finite", (5,), "point 5 is not a finite number"),
+            (lambda: dt.insert([x[7] + 1, x[7] + 2, x[7]]), "collision", (7,),
+             there.format(7) + "point 2 to be inserted"),
+            (lambda: dt.insert([x[7] + 1, x[7] + 2, x[7] + 1]), "collision", (),
+             "points 0 and 2 to be inserted have the same position"),
+            (lambda: annulus.MovingDelaunay(bad(x, 5, np.nan), strategy), "not_finite", (5,),
+             "point 5 is not a finite number"),
             (lambda: dt.move(bad(x, 5, np.inf)), "not_finite", (5,), "vertex 5 is not a finite number"),
             (lambda: dt.move(bad(x, 5, 1e200)), "out_of_domain", (5,), "vertex 5 is larger"),
             (lambda: dt.move(bad(x, 5, 1e200)[[5]], [8]), "out_of_domain", (8,), "vertex 8 is larger"),
@@ -98,7 +105,8 @@ def test_errors_name_the_vertices_concerned(d, strategy):
 def test_an_error_can_be_sent_elsewhere():
     for error in (annulus.Error("words", "usage"), annulus.Error("words", "collision", (3, 15))):
         there = pickle.loads(pickle.dumps(error))
-        assert isinstance(there, annulus.Error) and (str(there), there.code, there.vertices) == ("words", error.code, error.vertices)
+        assert (isinstance(there, annulus.Error) and (str(there), there.code, there.vertices)
+                == ("words", error.code, error.vertices))
 
 
 def test_what_was_not_initialised():
@@ -146,7 +154,8 @@ dt.move(x)
 assert dt.audit(), dt.audit()
 print("right")
 """
-    done = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=HANGING, check=False)
+    done = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=HANGING,
+                          check=False)
     assert done.stdout == "right\n", done
 
 
@@ -166,7 +175,8 @@ try:
 except KeyboardInterrupt:
     print("interrupted")
 """
-    done = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=HANGING, check=False)
+    done = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=HANGING,
+                          check=False)
     assert done.stdout == "interrupted\n", done
 
 
@@ -191,7 +201,8 @@ except KeyboardInterrupt:
     assert dt.audit() and (numpy.array_equal(dt.points, x) or numpy.array_equal(dt.points, x + 1))
     print("interrupted")
 """
-    done = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=HANGING, check=False)
+    done = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=HANGING,
+                          check=False)
     assert done.stdout == "interrupted\n", done
 
 

@@ -15,11 +15,13 @@ TOOL = os.environ.get("ANNULUS_TOOL", "")
 with_tool = pytest.mark.skipif(not TOOL, reason="the tool was not built")
 GRID = np.indices((6, 6)).reshape(2, -1).T
 # The tetrahedron with corners at the origin and the unit vectors, seen from outside.
-TETRAHEDRON = (np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]), np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]))
+TETRAHEDRON = (np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]),
+               np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]))
 
 
 def tool(directory, *words):
-    subprocess.run([TOOL, *map(str, words)], cwd=directory, check=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+    subprocess.run([TOOL, *map(str, words)], cwd=directory, check=True, stdin=subprocess.DEVNULL,
+                   stdout=subprocess.DEVNULL)
 
 
 def write_xyz(path, points):
@@ -40,8 +42,8 @@ def test_degeneracy_of_a_grid():
 def test_degeneracy_of_little():
     line = annulus.degeneracy([[0, 0], [1, 1], [2, 2]])
     assert line["affine_dimension"] == 1 and line["simplices"] == 2 and line["bicells"] is None
-    for x, code in [(np.zeros((0, 2)), "too_few"), ([[1, 2]], "too_few"), ([[1, 2], [1, 2]], "collision"), ([[1, np.nan], [1, 2]], "not_finite"),
-                    (np.zeros((3, 4)), "wrong_size"), ([1, 2, 3], "wrong_size")]:
+    for x, code in [(np.zeros((0, 2)), "too_few"), ([[1, 2]], "too_few"), ([[1, 2], [1, 2]], "collision"),
+                    ([[1, np.nan], [1, 2]], "not_finite"), (np.zeros((3, 4)), "wrong_size"), ([1, 2, 3], "wrong_size")]:
         with pytest.raises(annulus.Error) as e:
             annulus.degeneracy(x)
         assert e.value.code == code
@@ -113,7 +115,8 @@ def test_a_step_of_lloyd_goes_to_centroids():
 
 
 def clipped_centroids(points, corners):
-    """Exact centroids, by fractions, of the Voronoi cells of points, cut to a polygon that turns left at each of its corners."""
+    """Exact centroids, by fractions, of the Voronoi cells of points, cut to a polygon that turns left at each of its
+    corners."""
     x = [tuple(map(fractions.Fraction, p)) for p in points.tolist()]
     for i, p in enumerate(x):
         cell = [tuple(map(fractions.Fraction, c)) for c in corners]
@@ -138,15 +141,18 @@ def clipped_centroids(points, corners):
         yield float(sx / (3 * area)), float(sy / (3 * area))
 
 
-@pytest.mark.parametrize("corners", [[(0, 0), (1, 0), (1, 1), (0, 1)], [(-0.5, 0), (1.5, -0.25), (1.25, 1.5), (0.5, 2), (-0.5, 1)], [(0, 0), (1, 0), (0, 1)]])
+@pytest.mark.parametrize("corners", [[(0, 0), (1, 0), (1, 1), (0, 1)],
+                                     [(-0.5, 0), (1.5, -0.25), (1.25, 1.5), (0.5, 2), (-0.5, 1)],
+                                     [(0, 0), (1, 0), (0, 1)]])
 def test_a_closed_ring_is_the_open_one(corners):
     rng = np.random.default_rng(5)
     x = rng.random((12, 2)) / 2
     exact = np.array(list(clipped_centroids(x, corners)))
     middle = [tuple((np.array(corners[0]) + corners[1]) / 2)]
     first = None
-    for ring in (corners, corners + corners[:1], corners[:1] + corners + 3 * corners[:1], (corners + corners[:1])[::-1], corners[1:] + corners[:2],
-                 middle + corners[1:] + corners[:1] + middle, [c for c in corners for _ in range(3)]):
+    for ring in (corners, corners + corners[:1], corners[:1] + corners + 3 * corners[:1], (corners + corners[:1])[::-1],
+                 corners[1:] + corners[:2], middle + corners[1:] + corners[:1] + middle,
+                 [c for c in corners for _ in range(3)]):
         moved = annulus.lloyd(x, 1, domain=ring).points
         first = moved if first is None else first
         assert np.array_equal(first, moved), ring
@@ -156,9 +162,12 @@ def test_a_closed_ring_is_the_open_one(corners):
 
 
 def test_what_is_wrong_with_a_domain_is_said_by_corner():
-    for corners, words in (([(0, 0), (0, 0), (1, 0), (2, 0), (1, 0.5), (2, 2), (0, 0)], "counter-clockwise and turns right at corner 4"),
-                           ([(2, 2), (1, 0.5), (2, 0), (0, 0)], "clockwise and turns left at corner 1"), ([(0, 0)] * 4, "at one place"),
-                           ([(0, 0), (2, 0), (1, 0), (1, 1)], "go back on itself, as it does at corner 1"), ([(0, 0), (1, 1), (2, 2), (0, 0)], "on one line")):
+    for corners, words in (([(0, 0), (0, 0), (1, 0), (2, 0), (1, 0.5), (2, 2), (0, 0)],
+                            "counter-clockwise and turns right at corner 4"),
+                           ([(2, 2), (1, 0.5), (2, 0), (0, 0)], "clockwise and turns left at corner 1"),
+                           ([(0, 0)] * 4, "at one place"),
+                           ([(0, 0), (2, 0), (1, 0), (1, 1)], "go back on itself, as it does at corner 1"),
+                           ([(0, 0), (1, 1), (2, 2), (0, 0)], "on one line")):
         with pytest.raises(annulus.Error, match=words) as e:
             annulus.lloyd(20, 1, domain=corners)
         assert e.value.code == "bad_input"
@@ -166,11 +175,17 @@ def test_what_is_wrong_with_a_domain_is_said_by_corner():
 
 def test_what_lloyd_refuses():
     x = np.random.default_rng(0).random((30, 2))
-    for arguments, named, code in [((2,), {}, "usage"), ((x,), {"domain": "ball"}, "usage"), ((x,), {"density": "2"}, "usage"), ((x, -1), {}, "usage"),
-                                   ((x + 3,), {"domain": "disc"}, "out_of_domain"), ((x[:2],), {}, "too_few"), ((9,), {"radius": -1.0}, "bad_input"),
-                                   ((9,), {"domain": [[0, 0], [1, 1]]}, "bad_input"), ((9,), {"radius": 1e5, "density": "sin2"}, "usage"),
-                                   ((np.repeat(x, 2, axis=0),), {}, "collision"), ((np.full((4, 2), np.nan),), {}, "not_finite"),
-                                   ((x,), {"strategy": "none"}, "usage"), (([[0, 0], [1, 1], [2, 2]],), {}, "bad_input"), ((np.zeros((4, 3)),), {}, "wrong_size")]:
+    for arguments, named, code in [((2,), {}, "usage"), ((x,), {"domain": "ball"}, "usage"),
+                                   ((x,), {"density": "2"}, "usage"), ((x, -1), {}, "usage"),
+                                   ((x + 3,), {"domain": "disc"}, "out_of_domain"), ((x[:2],), {}, "too_few"),
+                                   ((9,), {"radius": -1.0}, "bad_input"),
+                                   ((9,), {"domain": [[0, 0], [1, 1]]}, "bad_input"),
+                                   ((9,), {"radius": 1e5, "density": "sin2"}, "usage"),
+                                   ((np.repeat(x, 2, axis=0),), {}, "collision"),
+                                   ((np.full((4, 2), np.nan),), {}, "not_finite"),
+                                   ((x,), {"strategy": "none"}, "usage"),
+                                   (([[0, 0], [1, 1], [2, 2]],), {}, "bad_input"),
+                                   ((np.zeros((4, 3)),), {}, "wrong_size")]:
         with pytest.raises(annulus.Error) as e:
             annulus.lloyd(*arguments, **named)
         assert e.value.code == code, (arguments, named, str(e.value))
@@ -180,7 +195,8 @@ def test_what_lloyd_refuses():
 
 @with_tool
 def test_lloyd_is_the_tools(tmp_path):
-    tool(tmp_path, "lloyd", "--points", 100, "--iterations", 20, "--density", "x2", "--seed", 5, "--output", "out", "--quiet")
+    tool(tmp_path, "lloyd", "--points", 100, "--iterations", 20, "--density", "x2", "--seed", 5, "--output", "out",
+         "--quiet")
     words = (tmp_path / "out" / "final.mesh").read_text(encoding="utf-8").split()
     at = words.index("Vertices") + 2
     theirs = np.array(words[at:at + 300], dtype=float).reshape(100, 3)[:, :2]
@@ -205,7 +221,8 @@ def test_nodt_of_a_surface(tmp_path):
     r = annulus.nodt((points, triangles), 100, 3)
     assert np.array_equal(r.points, annulus.nodt((points, triangles[:, ::-1]), 100, 3).points), "either way round"
     file = tmp_path / "tetrahedron.off"
-    file.write_text("OFF\n4 4 0\n" + "".join("%d %d %d\n" % tuple(p) for p in points) + "".join("3 %d %d %d\n" % tuple(t) for t in triangles),
+    file.write_text("OFF\n4 4 0\n" + "".join("%d %d %d\n" % tuple(p) for p in points)
+                    + "".join("3 %d %d %d\n" % tuple(t) for t in triangles),
                     encoding="utf-8")
     assert np.array_equal(annulus.nodt(file, 100, 3).points, r.points)
     assert np.array_equal(annulus.nodt(str(file), 100, 3).points, r.points)
@@ -213,10 +230,14 @@ def test_nodt_of_a_surface(tmp_path):
 
 def test_what_nodt_refuses(tmp_path):
     points, triangles = TETRAHEDRON
-    for surface, vertices, named, code in [("sphere", 3, {}, "usage"), ("sphere", 100, {"gradation": -1.0}, "usage"), ("sphere", 100, {"lock": 80.0}, "usage"),
-                                           ((points, triangles[:3]), 100, {}, "bad_input"), ((points, triangles + 1), 100, {}, "unknown_vertex"),
-                                           ((points[:, :2], triangles), 100, {}, "wrong_size"), ((points,), 100, {}, "wrong_size"),
-                                           (tmp_path / "none.off", 100, {}, "bad_input"), ("sphere", 100, {"iterations": -1}, "usage")]:
+    for surface, vertices, named, code in [("sphere", 3, {}, "usage"), ("sphere", 100, {"gradation": -1.0}, "usage"),
+                                           ("sphere", 100, {"lock": 80.0}, "usage"),
+                                           ((points, triangles[:3]), 100, {}, "bad_input"),
+                                           ((points, triangles + 1), 100, {}, "unknown_vertex"),
+                                           ((points[:, :2], triangles), 100, {}, "wrong_size"),
+                                           ((points,), 100, {}, "wrong_size"),
+                                           (tmp_path / "none.off", 100, {}, "bad_input"),
+                                           ("sphere", 100, {"iterations": -1}, "usage")]:
         with pytest.raises(annulus.Error) as e:
             annulus.nodt(surface, vertices, **named)
         assert e.value.code == code, str(e.value)

@@ -13,24 +13,26 @@ import pytest
 class Mallinfo(ctypes.Structure):
     """What mallinfo2 of the GNU C library returns."""
 
-    _fields_ = [(name, ctypes.c_size_t) for name in ("arena", "ordblks", "smblks", "hblks", "hblkhd", "usmblks", "fsmblks", "uordblks", "fordblks", "keepcost")]
+    _fields_ = [(name, ctypes.c_size_t) for name in ("arena", "ordblks", "smblks", "hblks", "hblkhd", "usmblks",
+                                                     "fsmblks", "uordblks", "fordblks", "keepcost")]
 
 
 def held():
-    """Bytes that malloc has given and not been given back, and blocks of Python's own: counted, and not what the system says is resident, which
-    depends on what else it does."""
+    """Bytes that malloc has given and not been given back, and blocks of Python's own: counted, and not what the
+    system says is resident, which depends on what else it does."""
     ask = ctypes.CDLL(None).mallinfo2
     ask.restype = Mallinfo
     info = ask()
     return info.uordblks + info.hblkhd, sys.getallocatedblocks()
 
 
-counts = pytest.mark.skipif(not hasattr(ctypes.CDLL(None), "mallinfo2"), reason="asks the GNU C library, 2.33 or later, what it has given")
+counts = pytest.mark.skipif(not hasattr(ctypes.CDLL(None), "mallinfo2"),
+                            reason="asks the GNU C library, 2.33 or later, what it has given")
 
 
 def assert_none_is_lost(sizes, steps):
-    """What is lost at each step is missing in every interval of so many steps, malloc's least block being 32 bytes; tables that grow, of
-    Python or of ours, grow in some. What is noted is three blocks itself."""
+    """What is lost at each step is missing in every interval of so many steps, malloc's least block being 32 bytes;
+    tables that grow, of Python or of ours, grow in some. What is noted is three blocks itself."""
     print(sizes)
     assert sizes[-1][0] - sizes[0][0] < 100_000, sizes  # nor what is lost now and then
     for taken, least in zip(zip(*sizes), (30 * steps, 3 + steps // 2)):
@@ -41,7 +43,8 @@ def everything(dt, x, rng):
     """A call of all there is."""
     report = dt.move(x)
     _ = report.changed_simplices, report.removed_simplices, report.as_dict(), repr(report), repr(dt)
-    _ = dt.points, dt.simplices, dt.neighbors, dt.convex_hull, dt.vertex_neighbor_vertices, dt.vertex_to_simplex, dt.is_vertex
+    _ = (dt.points, dt.simplices, dt.neighbors, dt.convex_hull, dt.vertex_neighbor_vertices, dt.vertex_to_simplex,
+         dt.is_vertex)
     _ = dt.tolerances, dt.theta, dt.displacements, dt.find_simplex(x[:5]), dt.flat_simplices, dt.voronoi_volumes()
     _ = dt.move(x[:3].astype(np.float32), indices=[0, 1, 2])
     dt.remove([4])

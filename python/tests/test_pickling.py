@@ -15,7 +15,8 @@ import pytest
 
 from support import HANGING, KINDS, as_set, check, points_of
 
-COPIES = [lambda dt: pickle.loads(pickle.dumps(dt)), lambda dt: pickle.loads(pickle.dumps(dt, protocol=2)), copy.copy, copy.deepcopy]
+COPIES = [lambda dt: pickle.loads(pickle.dumps(dt)), lambda dt: pickle.loads(pickle.dumps(dt, protocol=2)), copy.copy,
+          copy.deepcopy]
 
 
 def same(a, b):
@@ -82,8 +83,9 @@ def test_a_state_is_of_one_moment():
     dt.remove([4, 2])
     state = dt.__getstate__()
     assert np.flatnonzero(np.isnan(state["points"][:, 0])).tolist() == [2, 4] and state["vacant"].tolist() == [4, 2]
-    for call in (lambda: dt.__getstate__(), lambda: repr(dt), lambda: dt.audit(), lambda: dt.voronoi_volumes(), lambda: dt.vertex_neighbor_vertices,
-                 lambda: dt.convex_hull, lambda: dt.find_simplex([[0.5, 0.5]]), lambda: dt.nsimplex, lambda: dt.tolerances, lambda: dt.is_vertex):
+    for call in (lambda: dt.__getstate__(), lambda: repr(dt), lambda: dt.audit(), lambda: dt.voronoi_volumes(),
+                 lambda: dt.vertex_neighbor_vertices, lambda: dt.convex_hull, lambda: dt.find_simplex([[0.5, 0.5]]),
+                 lambda: dt.nsimplex, lambda: dt.tolerances, lambda: dt.is_vertex):
         real = dt._mesh
         dt._mesh = Counting(real)
         call()

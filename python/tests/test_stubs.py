@@ -38,7 +38,8 @@ def test_the_stub_is_the_module():
 
 def test_everything_is_explained():
     things = [getattr(annulus, name) for name in annulus.__all__ if name != "__version__"]
-    things += [getattr(annulus.MovingDelaunay, name) for name in dir(annulus.MovingDelaunay) if not name.startswith("_")]
+    things += [getattr(annulus.MovingDelaunay, name) for name in dir(annulus.MovingDelaunay)
+               if not name.startswith("_")]
     things += [getattr(annulus.MoveReport, name) for name in public(annulus.MoveReport)]
     for thing in things:
         assert inspect.getdoc(thing), thing
@@ -54,7 +55,8 @@ def test_docstrings_have_sections():
     for file in PACKAGE.glob("*.py"):
         lines = [line.strip() for line in file.read_text(encoding="utf-8").splitlines()]
         for k, line in enumerate(lines):
-            assert not line.startswith("---") or set(line) == {"-"} and line == "-" * len(lines[k - 1]) and lines[k - 1] in HEADINGS, (file, k + 1)
+            assert (not line.startswith("---") or set(line) == {"-"} and line == "-" * len(lines[k - 1])
+                    and lines[k - 1] in HEADINGS), (file, k + 1)
             assert line not in HEADINGS or lines[k + 1] == "-" * len(line), (file, k + 1)
 
 
@@ -68,7 +70,8 @@ STUBTEST = shutil.which("stubtest") or "/usr/bin/stubtest"
 @pytest.mark.skipif(not Path(STUBTEST).exists(), reason="mypy's stubtest is not installed")
 def test_stubtest():
     """Names, signatures and properties of the stub are those of the module, as mypy's own comparison sees them."""
-    done = subprocess.run([STUBTEST, "--concise", "annulus._core"], cwd=PACKAGE.parent, capture_output=True, text=True, check=False)
+    done = subprocess.run([STUBTEST, "--concise", "annulus._core"], cwd=PACKAGE.parent, capture_output=True, text=True,
+                          check=False)
     # What pybind11 makes has a metaclass of pybind11's, and an `__init__(*args)` that only throws.
     known = ("metaclass differs", "__init__ is inconsistent")
     wrong = [line for line in done.stdout.splitlines() if not any(words in line for words in known)]
@@ -91,12 +94,13 @@ s = annulus.nodt("sphere", 100).simplices
 new = dt.insert([[0.0, 0.0, 0.0]])
 dt.remove(new)
 """, encoding="utf-8")
-    mypy = [sys.executable, "-m", "mypy"] if subprocess.run([sys.executable, "-m", "mypy", "--version"], capture_output=True,
-                                                            check=False).returncode == 0 else ["/usr/bin/mypy"]
+    mypy = ([sys.executable, "-m", "mypy"] if subprocess.run([sys.executable, "-m", "mypy", "--version"],
+                                                             capture_output=True, check=False).returncode == 0
+            else ["/usr/bin/mypy"])
     # NumPy's own stubs use words that Debian's mypy does not know.
-    done = subprocess.run([*mypy, "--cache-dir", str(tmp_path / "cache"), "--follow-imports=silent", "--strict", "-p", "annulus"],
-                          cwd=PACKAGE.parent, capture_output=True, text=True, check=False)
+    done = subprocess.run([*mypy, "--cache-dir", str(tmp_path / "cache"), "--follow-imports=silent", "--strict", "-p",
+                           "annulus"], cwd=PACKAGE.parent, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
-    done = subprocess.run([*mypy, "--cache-dir", str(tmp_path / "cache"), "--follow-imports=silent", str(program)], cwd=PACKAGE.parent,
-                          capture_output=True, text=True, check=False)
+    done = subprocess.run([*mypy, "--cache-dir", str(tmp_path / "cache"), "--follow-imports=silent", str(program)],
+                          cwd=PACKAGE.parent, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -83,8 +83,8 @@ def test_objects_of_their_own():
 
 
 def test_others_go_on_meanwhile():
-    """The GIL is released: another thread counts on in the middle of a call. Of a busy machine it may have nothing for as long as a
-    call takes; so there are many calls, and one in which it counts is enough."""
+    """The GIL is released: another thread counts on in the middle of a call. Of a busy machine it may have nothing for
+    as long as a call takes; so there are many calls, and one in which it counts is enough."""
     x = np.random.default_rng(2).random((100_000, 3))
     call = 0  # odd in the middle of one
     counted = threading.Event()
@@ -130,8 +130,8 @@ def processor_seconds(thread):
     lambda x: annulus.lloyd(20_000, 30),
 ], ids=["construction", "degeneracy", "lloyd"])
 def test_two_threads_compute_at_once(call):
-    """Both have had a processor, and neither is done. If a call kept the GIL, it would be done before the other begins. A busy machine may
-    let one of them wait until the other is done: then it is tried again."""
+    """Both have had a processor, and neither is done. If a call kept the GIL, it would be done before the other
+    begins. A busy machine may let one of them wait until the other is done: then it is tried again."""
     x = np.random.default_rng(3).random((150_000, 3))
     for _ in range(20):
         threads = [threading.Thread(target=call, args=(x,)) for _ in range(2)]
@@ -152,7 +152,8 @@ def test_two_threads_compute_at_once(call):
 @pytest.mark.parametrize("d", [2, 3])
 @pytest.mark.parametrize("strategy", ["auto", "filter", "rebuild"])
 def test_an_array_that_is_written_meanwhile(d, strategy):
-    """What is proved is proved of positions as they were at one moment, whatever is written later: also what nothing could be proved of."""
+    """What is proved is proved of positions as they were at one moment, whatever is written later: also what nothing
+    could be proved of."""
     rng = np.random.default_rng(4)
     home = rng.random((500, d))
     x = home.copy()

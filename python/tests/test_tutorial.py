@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""README.md and docs/: their Python is run, block after block, as one program for each section; and it prints what it says."""
+"""README.md and docs/: their Python is run, block after block, as one program for each section; and it prints what it
+says."""
 
 import contextlib
 import importlib.util

@@ -3,8 +3,8 @@
 
     PYTHONPATH=build/release/python /usr/bin/python3 -m pytest python/tests/test_voronoi_volumes.py --frames 1000 -s
 
-Ours are good to 2**-33. Qhull computes in doubles: far corners and those of slivers are less good there. So where the two differ by more than 1e-9,
-rational numbers tell who is right.
+Ours are good to 2**-33. Qhull computes in doubles: far corners and those of slivers are less good there. So where the
+two differ by more than 1e-9, rational numbers tell who is right.
 """
 
 import pickle
@@ -33,19 +33,22 @@ def dot(a, b):
 
 
 def circumcentre(points):
-    """Of the origin and k points in d dimensions, in the space that they span: sum of l_i p_i with 2 p_j . sum = |p_j|^2, by Cramer's rule."""
+    """Of the origin and k points in d dimensions, in the space that they span: sum of l_i p_i with 2 p_j .
+    sum = |p_j|^2, by Cramer's rule."""
     gram = [[2 * dot(p, q) for q in points] for p in points]
     squares = [dot(p, p) for p in points]
     if len(points) == 1:
         weights = [Fraction(1, 2)]
     else:
         whole = determinant(gram)
-        weights = [determinant([row[:k] + [s] + row[k + 1:] for row, s in zip(gram, squares)]) / whole for k in range(len(points))]
+        weights = [determinant([row[:k] + [s] + row[k + 1:] for row, s in zip(gram, squares)]) / whole
+                   for k in range(len(points))]
     return [sum(w * p[k] for w, p in zip(weights, points)) for k in range(len(points[0]))]
 
 
 def exact_volume(x, simplices, v):
-    """The Voronoi cell of v as a sum, with signs, of what lies between it and the centres of an edge, a triangle on it, and a tetrahedron on that."""
+    """The Voronoi cell of v as a sum, with signs, of what lies between it and the centres of an edge, a triangle on
+    it, and a tetrahedron on that."""
     d = x.shape[1]
     total = Fraction(0)
     for simplex in simplices[(simplices == v).any(axis=1)]:
@@ -65,7 +68,8 @@ def motion(frames, d, seed):
     rng = np.random.default_rng(seed)
     spacing = POINTS ** (-1 / d)
     for frame in range(frames):
-        x = rng.random((POINTS, d)) if frame % 7 == 0 else x + 10.0 ** rng.uniform(-4, -0.5) * spacing * rng.standard_normal((POINTS, d))
+        x = (rng.random((POINTS, d)) if frame % 7 == 0
+             else x + 10.0 ** rng.uniform(-4, -0.5) * spacing * rng.standard_normal((POINTS, d)))
         yield x
 
 
@@ -98,9 +102,11 @@ def test_frames(d, request):
             far.append((float(abs(Fraction(theirs) - exact) / exact), float(abs(Fraction(ours[v]) - exact) / exact)))
             assert far[-1][1] <= OURS, (v, x)
     assert cells > 20 * frames and len(far) < cells / 100
-    print(f"\n{d}D: {frames} frames of {POINTS} points, {cells} bounded cells. Within 1e-9 of SciPy's: {cells - len(far)}, at most {near:.1e} from them. "
+    print(f"\n{d}D: {frames} frames of {POINTS} points, {cells} bounded cells. Within 1e-9 of SciPy's: "
+          f"{cells - len(far)}, at most {near:.1e} from them. "
           f"Others: {len(far)}" + (f"; exact volumes say that ours are within {max(o for _, o in far):.1e} "
-                                   f"and SciPy's off by {min(t for t, _ in far):.1e} to {max(t for t, _ in far):.1e}" if far else ""))
+                                   f"and SciPy's off by {min(t for t, _ in far):.1e} to {max(t for t, _ in far):.1e}"
+                                   if far else ""))
 
 
 @pytest.mark.parametrize("d", [2, 3])
@@ -110,7 +116,8 @@ def test_exact_volumes_are_volumes(d):
     middle = (3**d - 1) // 2
     exact = exact_volume(grid, scipy.spatial.Delaunay(grid).simplices, middle)
     voronoi = scipy.spatial.Voronoi(grid)
-    assert float(exact) == pytest.approx(scipy.spatial.ConvexHull(voronoi.vertices[voronoi.regions[voronoi.point_region[middle]]]).volume, rel=1e-9)
+    assert float(exact) == pytest.approx(scipy.spatial.ConvexHull(
+        voronoi.vertices[voronoi.regions[voronoi.point_region[middle]]]).volume, rel=1e-9)
     assert float(exact) == pytest.approx(1, rel=1e-2)
 
 
@@ -151,8 +158,9 @@ def change(dt, rng):
 @pytest.mark.parametrize("strategy", ["auto", "filter", "filter-each", "relocate", "rebuild"])
 @pytest.mark.parametrize("d", [2, 3])
 def test_kept_volumes_are_computed_anew(d, strategy):
-    """Volumes that were asked for after each call, beside those of an object that had the same calls and is asked for the first time: bit for bit. Those of an
-    object that is made of the points, whose simplices have another order, differ in their last bits at most."""
+    """Volumes that were asked for after each call, beside those of an object that had the same calls and is asked for
+    the first time: bit for bit. Those of an object that is made of the points, whose simplices have another order,
+    differ in their last bits at most."""
     x = np.random.default_rng(d).random((POINTS, d))
     dt, rng, done = annulus.MovingDelaunay(x, strategy), np.random.default_rng(10 + d), set()
     dt.voronoi_volumes()

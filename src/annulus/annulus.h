@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// annulus for C, and for whatever calls C: Fortran, Julia, Rust. A Delaunay triangulation of the plane or of space that is kept
-// right while its vertices move: Moving_mesh of the C++ library behind a handle, arrays in and arrays out. docs/c.md is the guide.
+// annulus for C, and for whatever calls C: Fortran, Julia, Rust. A Delaunay triangulation of the plane or of space
+// that is kept right while its vertices move: Moving_mesh of the C++ library behind a handle, arrays in and arrays
+// out. docs/c.md is the guide.
 //
-// Arrays belong to the caller. Coordinates are interleaved doubles, 2 or 3 a point, in the caller's unit of length; indices are int32_t;
-// counts are of points, vertices or cells, never of numbers. A pointer that is NULL is refused, unless it is said to be optional or the
-// count of what it points to is 0. Buffers that are too small are refused, with the count that is needed; nothing is written then.
+// Arrays belong to the caller. Coordinates are interleaved doubles, 2 or 3 a point, in the caller's unit of length;
+// indices are int32_t; counts are of points, vertices or cells, never of numbers. A pointer that is NULL is refused,
+// unless it is said to be optional or the count of what it points to is 0. Buffers that are too small are refused,
+// with the count that is needed; nothing is written then.
 //
-// Every function that can fail returns ANNULUS_OK or another annulus_status, and what went wrong in words is in annulus_message.
-// The mesh is then as it was before the call, and can be used, unless the function says what else holds.
+// Every function that can fail returns ANNULUS_OK or another annulus_status, and what went wrong in words is in
+// annulus_message. The mesh is then as it was before the call, and can be used, unless the function says what else
+// holds.
 //
-// Threads: functions that take a `const annulus_mesh *` may run at once on one mesh, while no other does; meshes are independent
-// of one another. No callback, no signal, no global state but a message a thread. Do not cancel a thread within a call.
+// Threads: functions that take a `const annulus_mesh *` may run at once on one mesh, while no other does; meshes are
+// independent of one another. No callback, no signal, no global state but a message a thread. Do not cancel a thread
+// within a call.
 //
-// Floating-point environment: rounding to nearest, subnormals not flushed, else ANNULUS_ENVIRONMENT. Exceptions may trap in the
-// program (-ffpe-trap): during a call they do not, in the calling thread, and the flags are afterwards as they were before.
+// Floating-point environment: rounding to nearest, subnormals not flushed, else ANNULUS_ENVIRONMENT. Exceptions may
+// trap in the program (-ffpe-trap): during a call they do not, in the calling thread, and the flags are afterwards as
+// they were before.
 #pragma once
 
 #include <stddef.h>
@@ -52,13 +57,15 @@ typedef enum annulus_status {
 // A triangulation. Its size is nobody's business.
 typedef struct annulus_mesh annulus_mesh;
 
-// How a mesh is kept right. Make all of it 0, which stands for the default everywhere, and `size` sizeof(annulus_options):
+// How a mesh is kept right. Make all of it 0, which stands for the default everywhere, and `size`
+// sizeof(annulus_options):
 //     annulus_options options = {0}; options.size = sizeof options;
-// Later versions may append members; what a caller's `size` does not reach has its default. Strings are read in annulus_create and
-// not kept.
+// Later versions may append members; what a caller's `size` does not reach has its default. Strings are read in
+// annulus_create and not kept.
 typedef struct annulus_options {
     size_t size;
-    // "auto" (default), "filter", "filter-each", "in-place", "paper", "paper-hybrid", "relocate", "relocate-flips", "rebuild"
+    // "auto" (default), "filter", "filter-each", "in-place", "paper", "paper-hybrid", "relocate", "relocate-flips",
+    // "rebuild"
     const char* strategy;
     const char* tolerance;     // "certified" (default); with "paper" and "paper-hybrid" also "paper", "floating"
     const char* second_look;   // NULL or "off": there are none any longer
@@ -69,8 +76,8 @@ typedef struct annulus_options {
     uint64_t seed;             // of the sample that "paper-hybrid" draws
 } annulus_options;
 
-// What a call did, all counts: of vertices, certificates, flips, timestamps. Set `size` to sizeof(annulus_report) before; what it does not
-// reach is not written.
+// What a call did, all counts: of vertices, certificates, flips, timestamps. Set `size` to sizeof(annulus_report)
+// before; what it does not reach is not written.
 typedef struct annulus_report {
     size_t size;
     uint64_t asked;             // vertices that were asked to move; the next five add up to it
@@ -94,36 +101,42 @@ typedef struct annulus_report {
 // The verdict of an audit; `size` as above.
 typedef struct annulus_audit_result {
     size_t size;
-    int32_t
-        delaunay;  // 1: shown exactly that the cells are a Delaunay triangulation of the vertices where they are now. 0: not
+    // 1: shown exactly that the cells are a Delaunay triangulation of the vertices where they are now. 0: not
+    int32_t delaunay;
     int32_t reserved;
     uint64_t inverted_cells;
     uint64_t violated_facets;
     uint64_t concave_ridges;
     uint64_t topological_faults;
     uint64_t degenerate_facets;  // no fault: d + 2 cospherical points
-    char first_fault[232];       // in words, vertices by their index; cut where they do not fit; empty when there is none
+    // In words, vertices by their index; cut where they do not fit; empty when there is none.
+    char first_fault[232];
 } annulus_audit_result;
 
 // ---- A mesh, and what went wrong ----------------------------------------------------------------
 
-// Triangulates `points` points (0 is fine: coordinates may be NULL then) of the plane (dimension 2) or of space (3). options: optional. *mesh is a new handle, or
-// NULL after an error. Vertex i is point i unless duplicates are merged (annulus_index_of_input). O(n log n).
-// Errors: USAGE, NOT_FINITE, OUT_OF_DOMAIN, COLLISION, TOO_LARGE, ENVIRONMENT, NO_MEMORY; here and everywhere NULL_POINTER.
+// Triangulates `points` points (0 is fine: coordinates may be NULL then) of the plane (dimension 2) or of space (3).
+// options: optional. *mesh is a new handle, or NULL after an error. Vertex i is point i unless duplicates are merged
+// (annulus_index_of_input). O(n log n).
+// Errors: USAGE, NOT_FINITE, OUT_OF_DOMAIN, COLLISION, TOO_LARGE, ENVIRONMENT, NO_MEMORY; here and everywhere
+// NULL_POINTER.
 ANNULUS_API int annulus_create(annulus_mesh** mesh, int dimension, size_t points, const double* coordinates,
                                const annulus_options* options);
 
-// Frees a mesh and makes *mesh NULL, so that doing it twice does no harm. NULL, and a pointer to NULL, are fine. Copies of the handle dangle.
+// Frees a mesh and makes *mesh NULL, so that doing it twice does no harm. NULL, and a pointer to NULL, are fine.
+// Copies of the handle dangle.
 ANNULUS_API void annulus_destroy(annulus_mesh** mesh);
 
-// Writes the message of the last call on this mesh that failed, whichever thread made it; for NULL of the last call of this thread that
-// failed without a mesh, annulus_create above all. Cut to `capacity` bytes, the last one 0; buffer may be NULL when capacity is 0. Returns the length
-// of the whole message, 0 when there has been no error. No error itself.
+// Writes the message of the last call on this mesh that failed, whichever thread made it; for NULL of the last call
+// of this thread that failed without a mesh, annulus_create above all. Cut to `capacity` bytes, the last one 0;
+// buffer may be NULL when capacity is 0. Returns the length of the whole message, 0 when there has been no error. No
+// error itself.
 ANNULUS_API size_t annulus_message(const annulus_mesh* mesh, char* buffer, size_t capacity);
 
-// Writes the indices of the vertices that the same message is about and returns how many they are, 0 to 2. After COLLISION both, the smaller one first:
-// of annulus_create numbers of points, of annulus_insert the one vertex that is there already. After UNKNOWN_VERTEX, NOT_FINITE and
-// OUT_OF_DOMAIN the vertex or point that is refused. No error itself.
+// Writes the indices of the vertices that the same message is about and returns how many they are, 0 to 2. After
+// COLLISION both, the smaller one first: of annulus_create numbers of points, of annulus_insert the one vertex that
+// is there already. After UNKNOWN_VERTEX, NOT_FINITE and OUT_OF_DOMAIN the vertex or point that is refused. No error
+// itself.
 ANNULUS_API size_t annulus_message_vertices(const annulus_mesh* mesh, int32_t vertices[2]);
 
 // "collision" for ANNULUS_COLLISION, and so on; "unknown status" for what is none. Never NULL.
@@ -140,21 +153,24 @@ ANNULUS_API int annulus_interface(void);
 // Errors: WRONG_SIZE, NOT_FINITE, OUT_OF_DOMAIN, COLLISION, TOO_LARGE, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_move_all(annulus_mesh* mesh, size_t points, const double* coordinates, annulus_report* report);
 
-// Moves some vertices, all at once: indices[k] to point k; the last holds for an index that is named twice. While they are fewer than
-// one in 64, under the filters, it costs as much as their single moves, whatever the size of the mesh. The same errors and UNKNOWN_VERTEX.
+// Moves some vertices, all at once: indices[k] to point k; the last holds for an index that is named twice. While
+// they are fewer than one in 64, under the filters, it costs as much as their single moves, whatever the size of the
+// mesh. The same errors and UNKNOWN_VERTEX.
 ANNULUS_API int annulus_move(annulus_mesh* mesh, size_t count, const int32_t* indices, const double* coordinates,
                              annulus_report* report);
 
-// Inserts vertices one after another and writes their indices: those vacated last, then new ones. Coordinates are looked at first. When a
-// later point is refused (COLLISION, TOO_LARGE, NO_MEMORY), those before it stay: *inserted, optional, says how many they are, 0 when
-// nothing was done. Ten to twenty microseconds each in the plane (up to a million vertices), some forty in space (up to 100,000);
-// the first after a construction copies arrays, O(n). While all points are in a plane or on a line each builds everything anew.
+// Inserts vertices one after another and writes their indices: those vacated last, then new ones. Coordinates are
+// looked at first. When a later point is refused (COLLISION, TOO_LARGE, NO_MEMORY), those before it stay: *inserted,
+// optional, says how many they are, 0 when nothing was done. Ten to twenty microseconds each in the plane (up to a
+// million vertices), some forty in space (up to 100,000); the first after a construction copies arrays, O(n). While
+// all points are in a plane or on a line each builds everything anew.
 // Errors: NOT_FINITE, OUT_OF_DOMAIN, COLLISION, TOO_LARGE, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_insert(annulus_mesh* mesh, size_t count, const double* coordinates, int32_t* indices,
                                size_t* inserted, annulus_report* report);
 
-// Removes vertices one after another; their indices become vacant. Indices are looked at first; after NO_MEMORY *removed, optional, says how many
-// have gone, and the next one may have gone, too (annulus_is_vertex). Errors: UNKNOWN_VERTEX (named twice, too), ENVIRONMENT, NO_MEMORY.
+// Removes vertices one after another; their indices become vacant. Indices are looked at first; after NO_MEMORY
+// *removed, optional, says how many have gone, and the next one may have gone, too (annulus_is_vertex). Errors:
+// UNKNOWN_VERTEX (named twice, too), ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_remove(annulus_mesh* mesh, size_t count, const int32_t* indices, size_t* removed,
                                annulus_report* report);
 
@@ -171,38 +187,42 @@ ANNULUS_API int annulus_vertex_count(const annulus_mesh* mesh, size_t* count);
 ANNULUS_API int annulus_index_bound(const annulus_mesh* mesh, size_t* bound);
 // 1 for a vertex, 0 for a vacant index and for what is outside.
 ANNULUS_API int annulus_is_vertex(const annulus_mesh* mesh, int32_t index, int* answer);
-// The strategy in force: that of the options, except that "paper-hybrid" becomes "paper" when it switches. A constant string.
+// The strategy in force: that of the options, except that "paper-hybrid" becomes "paper" when it switches. A constant
+// string.
 ANNULUS_API int annulus_strategy(const annulus_mesh* mesh, const char** name);
 
-// ---- Arrays by vertex index. `capacity` is of vertices, at least annulus_index_bound, else WRONG_SIZE. O(n) ---------------------
+// ---- Arrays by vertex index. `capacity` is of vertices, at least annulus_index_bound, else WRONG_SIZE. O(n) -------
 
 // NaN at vacant indices.
 ANNULUS_API int annulus_points(const annulus_mesh* mesh, size_t capacity, double* coordinates);
-// How far a vertex may be from where it was when its tolerance was computed, while every other one is within its own: a certified lower bound, unless
-// options say otherwise. 0 at vacant indices and where all points are in a plane or on a line. Errors: ENVIRONMENT, NO_MEMORY.
+// How far a vertex may be from where it was when its tolerance was computed, while every other one is within its own:
+// a certified lower bound, unless options say otherwise. 0 at vacant indices and where all points are in a plane or
+// on a line. Errors: ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_tolerances(const annulus_mesh* mesh, size_t capacity, double* lengths);
 // How far it is from there, rounded up. 0 at vacant indices. Errors: as above.
 ANNULUS_API int annulus_displacements(const annulus_mesh* mesh, size_t capacity, double* lengths);
-// Areas (dimension 2) or volumes (3) of Voronoi cells, each with a relative error of at most 2^-33, whatever the points, and how many Voronoi cells
-// touch each: the neighbours in the triangulation. Infinity where the cell is unbounded, at vertices of the hull; NaN and 0 at
-// vacant indices. Either array may be NULL. A number above the largest double is that one; one below the smallest normal double has an absolute error of
-// 2^-1074 besides. A microsecond a vertex.
+// Areas (dimension 2) or volumes (3) of Voronoi cells, each with a relative error of at most 2^-33, whatever the
+// points, and how many Voronoi cells touch each: the neighbours in the triangulation. Infinity where the cell is
+// unbounded, at vertices of the hull; NaN and 0 at vacant indices. Either array may be NULL. A number above the
+// largest double is that one; one below the smallest normal double has an absolute error of 2^-1074 besides. A
+// microsecond a vertex.
 // Errors: NO_TRIANGULATION, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_voronoi(const annulus_mesh* mesh, size_t capacity, double* volumes, int32_t* neighbour_counts);
 
-// ---- Lists. Ask with capacity 0 and NULL for the count, then call again; *count is right after WRONG_SIZE, too -------------------------
+// ---- Lists. Ask with capacity 0 and NULL for the count, then call again; *count is right after WRONG_SIZE, too -----
 
 // The vertex of every point that was given to annulus_create: other than 0, 1, 2 .. only where duplicates were merged.
 ANNULUS_API int annulus_index_of_input(const annulus_mesh* mesh, size_t capacity, int32_t* indices, size_t* count);
-// Finite cells, dimension + 1 numbers each in both arrays; either may be NULL. vertices: positively oriented (in the plane counter-clockwise; in
-// space det(b - a, c - a, e - a) > 0), padded with -2 where all points are in a plane or on a line. neighbours: the cell opposite to each vertex, -1
-// beyond the hull. Cells are counted 0, 1, 2 .. until the next call that changes the mesh. They are kept until then for the next caller:
-// 24 or 32 bytes a cell. O(n).
+// Finite cells, dimension + 1 numbers each in both arrays; either may be NULL. vertices: positively oriented (in the
+// plane counter-clockwise; in space det(b - a, c - a, e - a) > 0), padded with -2 where all points are in a plane or
+// on a line. neighbours: the cell opposite to each vertex, -1 beyond the hull. Cells are counted 0, 1, 2 .. until the
+// next call that changes the mesh. They are kept until then for the next caller: 24 or 32 bytes a cell. O(n).
 // Errors: WRONG_SIZE, NO_MEMORY.
 ANNULUS_API int annulus_cells(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, int32_t* neighbours,
                               size_t* count);
-// With options.report_changes: the cells that the last call that changed the mesh made, as vertices, -1 for the one at infinity; a call that is several
-// (annulus_insert, annulus_remove) may name one that is gone again. All finite ones where all points are, or were, in a plane or on a line. O(list).
+// With options.report_changes: the cells that the last call that changed the mesh made, as vertices, -1 for the one
+// at infinity; a call that is several (annulus_insert, annulus_remove) may name one that is gone again. All finite
+// ones where all points are, or were, in a plane or on a line. O(list).
 // Errors: WRONG_SIZE; USAGE without that option.
 ANNULUS_API int annulus_changed(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count);
 

@@ -26,7 +26,8 @@ namespace {
 template <int d>
 std::vector<Coordinates<d>> points_of(std::span<const double> coordinates) {
     if (coordinates.size() % d != 0)
-        throw Error(Error_code::wrong_size, std::to_string(coordinates.size()) + " numbers are not " + std::to_string(d) + " a point");
+        throw Error(Error_code::wrong_size,
+                    std::to_string(coordinates.size()) + " numbers are not " + std::to_string(d) + " a point");
     std::vector<Coordinates<d>> points(coordinates.size() / d);
     if (!points.empty()) std::memcpy(points.data(), coordinates.data(), coordinates.size_bytes());
     return points;
@@ -39,7 +40,8 @@ void hand_over(Move_report& done, Move_report* report) {
 }  // namespace
 
 template <int d>
-Moving_mesh<d>::Moving_mesh(std::span<const Point> points, const Options& options) : parts_(std::make_unique<Parts>(options)) {
+Moving_mesh<d>::Moving_mesh(std::span<const Point> points, const Options& options)
+    : parts_(std::make_unique<Parts>(options)) {
     parts_->engine.build(points);
 }
 template <int d>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/engine/options.h>
 #include <annulus/engine/move_report.h>
+#include <annulus/engine/options.h>
 #include <annulus/mesh/audit.h>
 #include <annulus/mesh/measures.h>
 #include <annulus/mesh/mesh_cells.h>
@@ -17,13 +17,15 @@ namespace annulus {
 template <int d>
 class Delaunay_mesh;
 
-/// A Delaunay triangulation that is kept right while its vertices move, as arrays: Moving_delaunay without an object of CGAL's, for
-/// who needs no handles. The same engine, options, strategies and errors, and the same promises: with Tolerance_kind::certified the
-/// cells are Delaunay at the positions of the vertices after every call, proved; positions and indices are as they were when a call
-/// throws (but that remove() may have removed the vertex when memory ran out; as to GMP and CGAL's Mpzf see moving_delaunay.h).
-/// Positions are in the caller's unit of length. Not thread-safe; const members may run concurrently.
+/// A Delaunay triangulation that is kept right while its vertices move, as arrays: Moving_delaunay without an object
+/// of CGAL's, for who needs no handles. The same engine, options, strategies and errors, and the same promises: with
+/// Tolerance_kind::certified the cells are Delaunay at the positions of the vertices after every call, proved;
+/// positions and indices are as they were when a call throws (but that remove() may have removed the vertex when
+/// memory ran out; as to GMP and CGAL's Mpzf see moving_delaunay.h). Positions are in the caller's unit of length.
+/// Not thread-safe; const members may run concurrently.
 ///
-/// Vertices have an index in input order. Removing a vertex leaves its index vacant; the next insertion takes the index vacated last.
+/// Vertices have an index in input order. Removing a vertex leaves its index vacant; the next insertion takes the
+/// index vacated last.
 template <int d>
 class Moving_mesh {
   public:
@@ -31,7 +33,8 @@ class Moving_mesh {
     using Point = Coordinates<d>;
 
     explicit Moving_mesh(const Options& options = {}) : Moving_mesh(std::span<const Point>{}, options) {}
-    /// O(n log n). Throws not_finite, out_of_domain, collision (unless options.merge_duplicates), too_large, environment.
+    /// O(n log n). Throws not_finite, out_of_domain, collision (unless options.merge_duplicates), too_large,
+    /// environment.
     explicit Moving_mesh(std::span<const Point> points, const Options& options = {});
     /// The same from d numbers a point. Throws wrong_size too, when a number is missing.
     explicit Moving_mesh(std::span<const double> coordinates, const Options& options = {});
@@ -65,12 +68,14 @@ class Moving_mesh {
     [[nodiscard]] std::span<const Point> points() const;
     /// Every finite cell. O(n).
     [[nodiscard]] Mesh_cells<d> cells() const;
-    /// By vertex index: how far it may be from its fixed position while every other vertex is within its own tolerance of its own; a
-    /// certified lower bound with Tolerance_kind::certified. While no tolerances are kept, the least tolerance of its certificates.
-    /// 0 at vacant indices and where all points are in a plane or on a line. O(n).
+    /// By vertex index: how far it may be from its fixed position while every other vertex is within its own
+    /// tolerance of its own; a certified lower bound with Tolerance_kind::certified. While no tolerances are kept,
+    /// the least tolerance of its certificates. 0 at vacant indices and where all points are in a plane or on a line.
+    /// O(n).
     [[nodiscard]] std::vector<double> tolerances() const;
     [[nodiscard]] double tolerance(Index i) const;
-    /// Where D is measured from, and an upper bound of |position - fixed position|. Throws unknown_vertex, here and below.
+    /// Where D is measured from, and an upper bound of |position - fixed position|. Throws unknown_vertex, here and
+    /// below.
     [[nodiscard]] Point fixed_position(Index i) const;
     [[nodiscard]] double displacement(Index i) const;
     /// Least theta of the finite bi-cells of a vertex in radians; pi/2 when it has none.
@@ -78,10 +83,12 @@ class Moving_mesh {
     /// Fresh tolerances, annulus widths and theta of everything, whatever the strategy. O(n).
     [[nodiscard]] Measures measure() const;
 
-    /// The areas or volumes of the Voronoi cells by vertex index: bit for bit what voronoi_volumes (statistics/voronoi_volumes.h) gives for
-    /// points() and cells(), and infinity for a vertex that is alone. What it computed is kept, in space some 350 bytes a vertex (130 in
-    /// the plane), from the first call on; later ones compute what moves and changes of cells since then concern, and compare one position a vertex besides.
-    /// Throws bad_input where tolerances that are not certified have left a cell that is not positive, environment, and what new throws.
+    /// The areas or volumes of the Voronoi cells by vertex index: bit for bit what voronoi_volumes
+    /// (statistics/voronoi_volumes.h) gives for points() and cells(), and infinity for a vertex that is alone. What
+    /// it computed is kept, in space some 350 bytes a vertex (130 in the plane), from the first call on; later ones
+    /// compute what moves and changes of cells since then concern, and compare one position a vertex besides.
+    /// Throws bad_input where tolerances that are not certified have left a cell that is not positive, environment,
+    /// and what new throws.
     [[nodiscard]] std::vector<double> voronoi_volumes() const;
 
     /// Exact verdict at the present positions; see audit.h. O(n).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the C interface answers: after moves, insertions and removals the cells are those of a mesh that is new there, changed cells are listed,
-// Voronoi cells of a box add up, and sets that are empty, flat or have duplicates have the answers that annulus.h says.
+// What the C interface answers: after moves, insertions and removals the cells are those of a mesh that is new there,
+// changed cells are listed, Voronoi cells of a box add up, and sets that are empty, flat or have duplicates have the
+// answers that annulus.h says.
 #include "check.h"
 
 #include <math.h>
@@ -245,8 +246,8 @@ static void check_small_sets(int dimension) {
     annulus_destroy(&mesh);
 }
 
-// The paper's tolerance lets a spindle of five points (docs/theory.md 3) grow past the sphere of four of them: what the audit then says
-// names vertices by their indices, of which 0 is vacant.
+// The paper's tolerance lets a spindle of five points (docs/theory.md 3) grow past the sphere of four of them: what
+// the audit then says names vertices by their indices, of which 0 is vacant.
 static void check_first_fault(void) {
     const double s = sqrt(0.75);
     double x[18] = {5, 5, 5, 0, 0, 0.99, 0, 0, -0.99, 1, 0, 0, -0.5, s, 0, -0.5, -s, 0};

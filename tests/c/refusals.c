@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the C interface refuses, and that a mesh is as it was afterwards: pointers that are NULL, sizes, names, indices, positions, environments.
+// What the C interface refuses, and that a mesh is as it was afterwards: pointers that are NULL, sizes, names,
+// indices, positions, environments.
 #include "check.h"
 
 #include <fenv.h>

@@ -88,7 +88,8 @@ int main(void) {
     }
 
 #if defined(__GLIBC__) && (defined(__x86_64__) || defined(__i386__))
-    // A program that is stopped by its own faults is not by ours: flat cells and huge coordinates overflow, and are computed exactly.
+    // A program that is stopped by its own faults is not by ours: flat cells and huge coordinates overflow, and are
+    // computed exactly.
     feclearexcept(FE_ALL_EXCEPT);
     CHECK(feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_UNDERFLOW | FE_INEXACT) != -1);
     x[0] = 0x1p499;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The error bounds of the filter in space beside the errors it makes, sought by climbing; and the interval stage's numbers beside
-// CGAL's intervals.
+// The error bounds of the filter in space beside the errors it makes, sought by climbing; and the interval stage's
+// numbers beside CGAL's intervals.
 
 #include "worst_cases.h"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every error term of the filter is needed, and is there. A sign without its term is wrong next to where the determinant is 0, which
-// rational numbers find by bisection. A term of the norms no tolerance can show, because what is taken off the determinant hides what
-// is missing elsewhere (bounds_test.cpp): those are compared with the quotient that the proofs speak of.
+// Every error term of the filter is needed, and is there. A sign without its term is wrong next to where the
+// determinant is 0, which rational numbers find by bisection. A term of the norms no tolerance can show, because what
+// is taken off the determinant hides what is missing elsewhere (bounds_test.cpp): those are compared with the
+// quotient that the proofs speak of.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -37,7 +38,8 @@ Points_of<d, n> some_points(Random& random) {
     return x;
 }
 
-/// Random points moved along one coordinate to where sign(x) changes, exactly up to the last bit; nothing when it does not.
+/// Random points moved along one coordinate to where sign(x) changes, exactly up to the last bit; nothing when it
+/// does not.
 template <int d, std::size_t n, class Sign>
 std::optional<Points_of<d, n>> at_a_change(Random& random, Sign sign) {
     auto x = some_points<d, n>(random);

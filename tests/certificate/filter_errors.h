@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the filter is off by on given coordinates, in the units of its bounds (annulus/certificate/bounds.h), and what its tolerance gives
-// away. Rational numbers, so that the same coordinates give the same double everywhere. Each kind can be climbed.
+// What the filter is off by on given coordinates, in the units of its bounds (annulus/certificate/bounds.h), and what
+// its tolerance gives away. Rational numbers, so that the same coordinates give the same double everywhere. Each kind
+// can be climbed.
 
 #include <support/generators_3.h>
 #include <support/oracle_3.h>
@@ -150,7 +151,8 @@ struct Space_errors {
     return e;
 }
 
-/// The share of the half width that the tolerance of a stage gives away; 0 where the stage does not answer with a tolerance.
+/// The share of the half width that the tolerance of a stage gives away; 0 where the stage does not answer with a
+/// tolerance.
 template <class Truth>
 [[nodiscard]] double slack(const Truth& truth, const std::optional<Verdict>& answer) {
     if (!answer || answer->sign <= 0 || truth.sign() <= 0 || !(answer->tolerance > 0x1p-1000)) return 0;
@@ -192,8 +194,9 @@ double bicell_3_slack(const Numbers& x) {
 
 }  // namespace filter_errors
 
-/// What a stage may give away of a tolerance, in units of 2^-10. The filter takes off the errors of determinant and norms, each at most
-/// filter_slack of what it computed; what it computed may itself be off by as much again, and the last term is the second order.
+/// What a stage may give away of a tolerance, in units of 2^-10. The filter takes off the errors of determinant and
+/// norms, each at most filter_slack of what it computed; what it computed may itself be off by as much again, and the
+/// last term is the second order.
 inline constexpr double filter_gives_away =
     1024 * (4 * bounds::filter_slack + 16 * bounds::filter_slack * bounds::filter_slack);
 inline constexpr double interval_gives_away = 1024 * bounds::interval_slack * (1 + 0x1p-40);
@@ -251,7 +254,8 @@ double climb(Numbers& x, double reach, Random& random, int steps, Value value) {
     return best;
 }
 
-/// A place to climb from: anywhere, or where differences are just above 1 and a rounding error is largest beside the number.
+/// A place to climb from: anywhere, or where differences are just above 1 and a rounding error is largest beside the
+/// number.
 [[nodiscard]] inline Numbers start(std::size_t n, std::size_t dimension, Random& random) {
     const auto near = [&random](double c) { return c * (1 + std::ldexp(unit(random), -integer(random, 1, 50))); };
     Numbers x(n);

@@ -85,8 +85,8 @@ void print_hardest(std::string_view family, Make make) {
             print<d, k>(std::get<1>(where) == 0 ? "degenerate" : "family", family, key, x, ladder_verdict<d, k>(x));
 }
 
-/// Moves one coordinate from where the certificate holds to where it does not, and bisects for the last place at which a stage not later than
-/// `last` decides and the first at which it does not.
+/// Moves one coordinate from where the certificate holds to where it does not, and bisects for the last place at
+/// which a stage not later than `last` decides and the first at which it does not.
 template <int d, std::size_t k>
 bool print_limit(std::string_view family, const Case<d, k>& from, Stage last, Random& random) {
     const auto decides = [last](const Verdict& v) { return v.sign > 0 && v.stage <= last; };

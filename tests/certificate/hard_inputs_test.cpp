@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ladder on the hard inputs that are kept in tests/data/hard, beside exact answers which the library had no part in.
+// The ladder on the hard inputs that are kept in tests/data/hard, beside exact answers which the library had no part
+// in.
 #include "hard_case.h"
 
 #include <support/catch.h>
@@ -91,7 +92,8 @@ void check_file() {
         CHECK(std::string(name_of(v.stage)) == row.at("stage"));
         CHECK(v.tolerance <= truth);
         CHECK(v.tolerance >= (1 - 0x1p-9) * truth);
-        // Not soundness: what a bound of the ladder allows it to say, bit for bit. A change on purpose calls for tests/data/hard/collect.
+        // Not soundness: what a bound of the ladder allows it to say, bit for bit. A change on purpose calls for
+        // tests/data/hard/collect.
         CHECK(v.tolerance == number(row.at("certified")));
         const Verdict exact = exact_verdict<d, k>(x);
         CHECK(exact.sign == sign);

@@ -80,12 +80,11 @@ TEST_CASE("a bi-cell seen from its other side is the same certificate", "[certif
             HOLDS(ladder(c).sign == ladder(c.turned()).sign, c);
         });
     }));
-    REQUIRE(
-        for_all("the other diagonal of four points in convex position has the opposite sign", [](const Seed& seed) {
-            for_each_bicell(seed.random(), 5, [](const Bicell& c) {
-                if (is_bicell(c.flipped())) HOLDS(ladder(c).sign == -ladder(c.flipped()).sign, c);
-            });
-        }));
+    REQUIRE(for_all("the other diagonal of four points in convex position has the opposite sign", [](const Seed& seed) {
+        for_each_bicell(seed.random(), 5, [](const Bicell& c) {
+            if (is_bicell(c.flipped())) HOLDS(ladder(c).sign == -ladder(c.flipped()).sign, c);
+        });
+    }));
     REQUIRE(for_all("where the points are not in convex position the circle is empty", [](const Seed& seed) {
         for_each_bicell(seed.random(), 5, [](const Bicell& c) {
             if (!is_bicell(c.flipped()) && exact_orientation(c.a, c.p, c.q) != 0 &&
@@ -137,7 +136,8 @@ TEST_CASE("a power of two times the coordinates is a power of two times the tole
     }));
 }
 
-TEST_CASE("a tolerance a bit below a power of two times so much is a bit less among subnormal numbers, too", "[certificate]") {
+TEST_CASE("a tolerance a bit below a power of two times so much is a bit less among subnormal numbers, too",
+          "[certificate]") {
     // Its tolerance is the number before 2^446.
     const Triangle t{{0x0p+0, 0x1.fffffffffffffp+499}, {0x1p+500, 0x1p+500}, {0x0p+0, 0x1p+500}};
     const Verdict v = orientation_exact(t.tuple());

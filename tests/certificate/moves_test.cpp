@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tolerance is what it says: points that stay closer than it to where they were never change the sign, and points that
-// go a little farther, the worst way, do.
+// A tolerance is what it says: points that stay closer than it to where they were never change the sign, and points
+// that go a little farther, the worst way, do.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A certificate is of its points, in whatever order a mesh happens to name them: six orders make the same bi-cell of space.
+// A certificate is of its points, in whatever order a mesh happens to name them: six orders make the same bi-cell of
+// space.
 #include <support/cases.h>
 #include <support/catch.h>
 
@@ -48,8 +49,9 @@ bool agree(const Five& x, Cell_widths cells) {
 }  // namespace
 
 TEST_CASE("The order of its points changes a bi-cell's tolerance by rounding alone", "[certificate][space][deep]") {
-    // One of the sums of lambda is 0 but for the last bits, and a cell is nearly flat. Whether its width is in the minimum is more than
-    // the first two stages can tell here in four of the six orders, and the first one in all below.
+    // One of the sums of lambda is 0 but for the last bits, and a cell is nearly flat. Whether its width is in the
+    // minimum is more than the first two stages can tell here in four of the six orders, and the first one in all
+    // below.
     const Five doubtful{{{0x1.fffffffffffffp+1, 0x1.8000000000001p+1, 0x1.fffffffffffffp-1},
                          {0x1.fffffffffffffp+0, 0x1.0000000000001p+1, 0x1p+0},
                          {0x1.fffffffffffffp+1, 0x1.0000000000001p+0, 0x1p+0},

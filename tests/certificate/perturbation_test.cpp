@@ -115,8 +115,8 @@ TEST_CASE("every edge of a triangulation by CGAL has an empty circle, perturbed 
 }
 
 TEST_CASE("the four corners of the unit square, by hand", "[certificate]") {
-    // In lexicographic order 00 < 01 < 10 < 11. The greatest is 11 = (1, 1): it counts as outside the circle of the others,
-    // so the diagonal that stays is the one that misses it.
+    // In lexicographic order 00 < 01 < 10 < 11. The greatest is 11 = (1, 1): it counts as outside the circle of the
+    // others, so the diagonal that stays is the one that misses it.
     const Bicell missing{{0, 1}, {1, 0}, {0, 0}, {1, 1}};
     REQUIRE(is_bicell(missing));
     CHECK(perturbed_sign(missing.tuple()) == 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same certificates give the same bits with every compiler, at every level of optimisation and under sanitizers. What is computed is hashed and compared with what was computed once.
+// The same certificates give the same bits with every compiler, at every level of optimisation and under sanitizers.
+// What is computed is hashed and compared with what was computed once.
 //
 // The points come from integers and powers of two alone, for a cosine may differ from one library to the next.
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every stage that answers has the exact sign; the exact one always answers, with 0 just where the points are degenerate.
+// Every stage that answers has the exact sign; the exact one always answers, with 0 just where the points are
+// degenerate.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages of the ladder in space: sound against rational numbers and MPFI, tight, one beside the next, in their range.
+// The stages of the ladder in space: sound against rational numbers and MPFI, tight, one beside the next, in their
+// range.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -7,11 +8,10 @@
 #include <support/repeats.h>
 #include <support/stages_3.h>
 
+#include <annulus/certificate/bounds.h>
 #include <annulus/certificate/circumsphere_3.h>
 #include <annulus/certificate/exact_sign.h>
 #include <annulus/certificate/orientation_sign.h>
-#include <annulus/certificate/bounds.h>
-#include <annulus/certificate/circumsphere_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,13 +95,12 @@ struct Leavers {
 
 TEST_CASE("tetrahedra: every stage is sound, tight and has the exact sign", "[certificate][space]") {
     REQUIRE(for_all("of every family", [](const Seed& seed) {
-        for_each_tetrahedron(seed.random(), 2,
-                             [](const Tetrahedron& t) {
-                                 check_answers(t, ask(t), Tetrahedron_truth(t));
-                                 const int truth = exact_orientation(t.a, t.b, t.c, t.d);
-                                 HOLDS(exact_orientation_sign(t.tuple()).sign == truth, t);
-                                 HOLDS(orientation_sign(t.tuple()) == 0 || orientation_sign(t.tuple()) == truth, t);
-                             });
+        for_each_tetrahedron(seed.random(), 2, [](const Tetrahedron& t) {
+            check_answers(t, ask(t), Tetrahedron_truth(t));
+            const int truth = exact_orientation(t.a, t.b, t.c, t.d);
+            HOLDS(exact_orientation_sign(t.tuple()).sign == truth, t);
+            HOLDS(orientation_sign(t.tuple()) == 0 || orientation_sign(t.tuple()) == truth, t);
+        });
     }));
 }
 

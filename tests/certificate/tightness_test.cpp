@@ -88,7 +88,9 @@ TEST_CASE("a stage that answers is within its slack of the truth", "[certificate
 
 TEST_CASE("the slack of the interval stage is met where the scaled tolerance is subnormal", "[certificate]") {
     // The slack allowed was rounded upward: 5 units of 2^-1074 where 4.2 are stated.
-    const Triangle x{{0x0p+0, -0x0.aa671b0d3e13ep-1022}, {-0x0.0000008p-1022, 0x1.557dfd8b4e1d2p-726}, {-0x1p+335, 0x1.f1840c8b3a8fap-408}};
+    const Triangle x{{0x0p+0, -0x0.aa671b0d3e13ep-1022},
+                     {-0x0.0000008p-1022, 0x1.557dfd8b4e1d2p-726},
+                     {-0x1p+335, 0x1.f1840c8b3a8fap-408}};
     check(x, Triangle_truth(x));
 }
 

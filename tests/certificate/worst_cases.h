@@ -23,8 +23,8 @@ struct Worst_case {
 /// A line of worst_cases.cpp, printed when x is worse than what is kept there. True if it is.
 bool report_if_worse(std::string_view climb, double reached, const Numbers& x);
 
-/// Climbs `name` twice from anywhere and returns the greatest value found, NaN if that is above the bound. Prints what is worse than the
-/// kept worst case.
+/// Climbs `name` twice from anywhere and returns the greatest value found, NaN if that is above the bound. Prints
+/// what is worse than the kept worst case.
 [[nodiscard]] double climb_from_anywhere(std::string_view name, std::size_t dimension, int steps, Random& random);
 
 }  // namespace annulus::testing

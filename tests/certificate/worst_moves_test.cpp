@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tolerance from both sides, exactly: whatever two hyperplanes or spheres the points of a certificate are squeezed between, 0.9999
-// of the tolerance is not enough to make it fail, and 1.001 of it is, between the nearest two. Places are rational numbers, so there
-// is room for a ten-thousandth of any tolerance.
+// A tolerance from both sides, exactly: whatever two hyperplanes or spheres the points of a certificate are squeezed
+// between, 0.9999 of the tolerance is not enough to make it fail, and 1.001 of it is, between the nearest two. Places
+// are rational numbers, so there is room for a ten-thousandth of any tolerance.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -172,7 +172,7 @@ Corners<2, 4> corners(const Bicell& c) { return {c.a, c.b, c.p, c.q}; }
 Corners<3, 4> corners(const Tetrahedron& t) { return {t.a, t.b, t.c, t.d}; }
 Corners<3, 5> corners(const Bicell_3& c) { return {c.a, c.b, c.c, c.p, c.q}; }
 
-// ---- Small configurations ---------------------------------------------------------------------------------------------------------
+// ---- Small configurations -----------------------------------------------------------------------------------------
 
 /// All cells with empty spheres; none where some d + 2 points are cospherical or d + 1 on a hyperplane.
 template <int d>

@@ -18,7 +18,8 @@ int main() {
     for (auto& p : moved) p[0] += 0.01 * p[1];
     const auto report = mesh.move_all(moved);
     const auto cells = mesh.cells();
-    if (report.moves.asked != 200 || cells.vertices.empty() || cells.vertices.size() != cells.neighbours.size()) return 1;
+    if (report.moves.asked != 200 || cells.vertices.empty() || cells.vertices.size() != cells.neighbours.size())
+        return 1;
     if (!mesh.audit().delaunay()) return 1;
 
     annulus::Moving_mesh_3 other = std::move(mesh);

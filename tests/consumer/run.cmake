@@ -26,6 +26,7 @@ if(C_COMPILER)
          "-DCMAKE_PREFIX_PATH=${SCRATCH}/prefix" "-DCMAKE_C_COMPILER=${C_COMPILER}" "-DCMAKE_BUILD_TYPE=${CONFIG}"
          -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
     step("${CMAKE_COMMAND}" --build "${SCRATCH}/build-c" --config "${CONFIG}")
-    find_program(C_CONSUMER c-consumer PATHS "${SCRATCH}/build-c" "${SCRATCH}/build-c/${CONFIG}" NO_DEFAULT_PATH REQUIRED)
+    find_program(C_CONSUMER c-consumer PATHS "${SCRATCH}/build-c" "${SCRATCH}/build-c/${CONFIG}"
+                 NO_DEFAULT_PATH REQUIRED)
     step("${C_CONSUMER}")
 endif()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory that runs out at the n-th allocation of a call, for every n: the object is as it was, and the same call succeeds
-// when there is memory again.
+// Memory that runs out at the n-th allocation of a call, for every n: the object is as it was, and the same call
+// succeeds when there is memory again.
 #include "../../fuzz/common/operation.h"
 
 #include <annulus/moving_delaunay_2.h>
@@ -61,9 +61,7 @@ struct Scene {
     std::unique_ptr<Moving> dt;
 
     explicit Scene(const Setting& setting) : points(lattice<d>(d == 2 ? 14 : 12, 5)) {
-        options = {.strategy = setting.strategy,
-                   .tolerance = setting.tolerance,
-                   .report_changes = true};
+        options = {.strategy = setting.strategy, .tolerance = setting.tolerance, .report_changes = true};
         dt = std::make_unique<Moving>(points, options);
         for (auto& p : points) p[0] += 0x1p-6 * p[1];
         (void)dt->move_all(points);
@@ -165,7 +163,8 @@ std::string identity(const Scene<d>& scene) {
     return said.str();
 }
 
-/// The call with its n-th allocation failing, and what comes after. Empty, or the first fault; `done` if it made fewer allocations.
+/// The call with its n-th allocation failing, and what comes after. Empty, or the first fault; `done` if it made
+/// fewer allocations.
 template <int d>
 std::string starve_at(std::uint64_t n, const Setting& setting, const Call<d>& call, Memory memory, bool& done) {
     Scene<d> scene(setting);
@@ -199,9 +198,9 @@ std::string starve_at(std::uint64_t n, const Setting& setting, const Call<d>& ca
     return {};
 }
 
-/// One allocation of the call after another fails, each in a thread of its own: CGAL's triangulation of space keeps a table in
-/// thread-local memory, and what one failure leaves in it is not to hide the others. The first ones are tried all, of later ones a
-/// share by chance: thousands of them are those of one loop. Returns the first fault.
+/// One allocation of the call after another fails, each in a thread of its own: CGAL's triangulation of space keeps a
+/// table in thread-local memory, and what one failure leaves in it is not to hide the others. The first ones are
+/// tried all, of later ones a share by chance: thousands of them are those of one loop. Returns the first fault.
 template <int d>
 std::string starve_at_every_allocation(const Setting& setting, const Call<d>& call, Memory memory) {
     const auto share = static_cast<std::uint64_t>(repeats(d == 2 ? 40 : 10));
@@ -226,8 +225,7 @@ void starve_all(const std::array<Setting, N>& settings) {
     for (const Setting& setting : settings)
         for (const Call<d>& call : calls<d>())
             for (const Memory memory : {Memory::short_once, Memory::short_for_good}) {
-                CAPTURE(d, name_of(setting.strategy), call.name,
-                        memory == Memory::short_for_good);
+                CAPTURE(d, name_of(setting.strategy), call.name, memory == Memory::short_for_good);
                 CHECK(starve_at_every_allocation<d>(setting, call, memory) == "");
             }
 }

@@ -4,7 +4,6 @@
 #include <annulus/moving_mesh.h>
 
 #include <annulus/kernel/delaunay_mesh.h>
-#include <annulus/kernel/delaunay_mesh.h>
 #include <support/catch.h>
 #include <support/generators.h>
 #include <support/session_3.h>
@@ -28,7 +27,8 @@ auto some_points(Random& random) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, in a place of its own, dimension", "[expiry]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, in a place of its own, dimension",
+                       "[expiry]", ((int d), d), 2, 3) {
     Random random(41);
     Delaunay_mesh<d> e;
     e.build(some_points<d>(random));

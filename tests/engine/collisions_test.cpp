@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A collision names both vertices, and other errors the one they are about, whatever was called and under every strategy.
+// A collision names both vertices, and other errors the one they are about, whatever was called and under every
+// strategy.
 #include <annulus/arithmetic/error.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
@@ -70,9 +71,9 @@ std::vector<Positions<d>> point_sets() {
     return {scattered, lattice, line};
 }
 
-constexpr Strategy strategies[] = {Strategy::automatic, Strategy::rebuild,     Strategy::relocate, Strategy::relocate_flips, Strategy::in_place,
-                                   Strategy::filter,    Strategy::filter_each, Strategy::paper,
-                                   Strategy::paper_hybrid};
+constexpr Strategy strategies[] = {Strategy::automatic,      Strategy::rebuild,  Strategy::relocate,
+                                   Strategy::relocate_flips, Strategy::in_place, Strategy::filter,
+                                   Strategy::filter_each,    Strategy::paper,    Strategy::paper_hybrid};
 
 template <class Mesh, int d>
 auto point_for(const Coordinates<d>& p) {
@@ -98,35 +99,48 @@ void check_everything(const Positions<d>& points, const Options& options) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     Positions<d> x = points;
     x[9] = x[4];
-    check_told([&] { Mesh mesh(span(x), options); }, Error_code::collision, {4, 9}, "points 4 and 9 have the same position");
+    check_told([&] { Mesh mesh(span(x), options); }, Error_code::collision, {4, 9},
+               "points 4 and 9 have the same position");
     x[9] = points[9];
     x[7][1] = nan;
-    check_told([&] { Mesh mesh(span(x), options); }, Error_code::not_finite, {7}, "a coordinate of point 7 is not a finite number");
+    check_told([&] { Mesh mesh(span(x), options); }, Error_code::not_finite, {7},
+               "a coordinate of point 7 is not a finite number");
     x = points;
 
     Mesh mesh(span(points), options);
     // Twice: with tolerances, where any are kept, and after the first refusals.
     for (int round = 0; round < 2; ++round) {
         const Error_code collision = Error_code::collision;
-        check_told([&] { (void)mesh.move(2, points[11]); }, collision, {2, 11}, "vertices 2 and 11 would have the same position");
-        check_told([&] { (void)mesh.move(11, points[2]); }, collision, {2, 11}, "vertices 2 and 11 would have the same position");
+        check_told([&] { (void)mesh.move(2, points[11]); }, collision, {2, 11},
+                   "vertices 2 and 11 would have the same position");
+        check_told([&] { (void)mesh.move(11, points[2]); }, collision, {2, 11},
+                   "vertices 2 and 11 would have the same position");
         const Index one[] = {5};
-        check_told([&] { (void)mesh.move(one, std::span(&points[3], 1)); }, collision, {3, 5}, "vertices 3 and 5 would have the same position");
+        check_told([&] { (void)mesh.move(one, std::span(&points[3], 1)); }, collision, {3, 5},
+                   "vertices 3 and 5 would have the same position");
         const Index some[] = {1, 6, 8};
         const Positions<d> goals{points[8], points[10], points[1]};  // two change places, one is in the way
-        check_told([&] { (void)mesh.move(some, goals); }, collision, {6, 10}, "vertices 6 and 10 would have the same position");
+        check_told([&] { (void)mesh.move(some, goals); }, collision, {6, 10},
+                   "vertices 6 and 10 would have the same position");
         const Positions<d> equal{points[8], points[8], points[1]};
-        check_told([&] { (void)mesh.move(some, equal); }, collision, {1, 6}, "vertices 1 and 6 would have the same position");
+        check_told([&] { (void)mesh.move(some, equal); }, collision, {1, 6},
+                   "vertices 1 and 6 would have the same position");
         x = points;
         x[10] = x[0];
-        check_told([&] { (void)mesh.move_all(span(x)); }, collision, {0, 10}, "vertices 0 and 10 would have the same position");
-        check_told([&] { (void)mesh.insert(point_for<Mesh, d>(points[7])); }, collision, {7}, "vertex 7 has the position of the point to be inserted");
+        check_told([&] { (void)mesh.move_all(span(x)); }, collision, {0, 10},
+                   "vertices 0 and 10 would have the same position");
+        check_told([&] { (void)mesh.insert(point_for<Mesh, d>(points[7])); }, collision, {7},
+                   "vertex 7 has the position of the point to be inserted");
         x = points;
         x[3][0] = 0x1p501;
-        check_told([&] { (void)mesh.move_all(span(x)); }, Error_code::out_of_domain, {3}, "a coordinate of vertex 3 is larger than 2^500 in magnitude");
-        check_told([&] { (void)mesh.move(6, x[3]); }, Error_code::out_of_domain, {6}, "a coordinate of vertex 6 is larger than 2^500 in magnitude");
-        check_told([&] { (void)mesh.move(one, std::span(&x[3], 1)); }, Error_code::out_of_domain, {5}, "a coordinate of vertex 5 is larger than 2^500 in magnitude");
-        check_told([&] { (void)mesh.move(1000, points[0]); }, Error_code::unknown_vertex, {1000}, "no vertex has index 1000");
+        check_told([&] { (void)mesh.move_all(span(x)); }, Error_code::out_of_domain, {3},
+                   "a coordinate of vertex 3 is larger than 2^500 in magnitude");
+        check_told([&] { (void)mesh.move(6, x[3]); }, Error_code::out_of_domain, {6},
+                   "a coordinate of vertex 6 is larger than 2^500 in magnitude");
+        check_told([&] { (void)mesh.move(one, std::span(&x[3], 1)); }, Error_code::out_of_domain, {5},
+                   "a coordinate of vertex 5 is larger than 2^500 in magnitude");
+        check_told([&] { (void)mesh.move(1000, points[0]); }, Error_code::unknown_vertex, {1000},
+                   "no vertex has index 1000");
         CHECK(Positions<d>(now<Mesh, d>(mesh).begin(), now<Mesh, d>(mesh).end()) == points);
         CHECK(mesh.audit().delaunay());
     }
@@ -137,7 +151,8 @@ void check_everything(const Positions<d>& points, const Options& options) {
     x[8] = points[4];
     (void)mesh.move_all(span(x));
     x[9] = points[4];
-    check_told([&] { (void)mesh.move_all(span(x)); }, Error_code::collision, {8, 9}, "vertices 8 and 9 would have the same position");
+    check_told([&] { (void)mesh.move_all(span(x)); }, Error_code::collision, {8, 9},
+               "vertices 8 and 9 would have the same position");
     CHECK(mesh.audit().delaunay());
 }
 
@@ -151,14 +166,15 @@ TEMPLATE_TEST_CASE_SIG("Every collision names both vertices, dimension", "[error
                 Options options;
                 options.strategy = strategy;
                 options.report_changes = listing;
-                INFO(std::string(name_of(strategy)) << ", " << points.size() << " points" << (listing ? ", changes listed" : ""));
+                INFO(std::string(name_of(strategy))
+                     << ", " << points.size() << " points" << (listing ? ", changes listed" : ""));
                 check_everything<Moving_mesh<d>, d>(points, options);
                 check_everything<Cgal, d>(points, options);
             }
 }
 
-TEMPLATE_TEST_CASE_SIG("Few vertices of many, -0 for 0, and the pair that is named where several collide, dimension", "[errors]", ((int d), d), 2,
-                       3) {
+TEMPLATE_TEST_CASE_SIG("Few vertices of many, -0 for 0, and the pair that is named where several collide, dimension",
+                       "[errors]", ((int d), d), 2, 3) {
     Random random(9);
     Positions<d> points(400);
     for (auto& p : points)
@@ -174,8 +190,10 @@ TEMPLATE_TEST_CASE_SIG("Few vertices of many, -0 for 0, and the pair that is nam
         Positions<d> goals{points[30], points[30]};
         goals[0][0] = -0.0;
         goals[1] = points[200];
-        check_told([&] { (void)mesh.move(some, goals); }, Error_code::collision, {17, 30}, "vertices 17 and 30 would have the same position");
-        check_told([&] { (void)mesh.insert(goals[0]); }, Error_code::collision, {30}, "vertex 30 has the position of the point to be inserted");
+        check_told([&] { (void)mesh.move(some, goals); }, Error_code::collision, {17, 30},
+                   "vertices 17 and 30 would have the same position");
+        check_told([&] { (void)mesh.insert(goals[0]); }, Error_code::collision, {30},
+                   "vertex 30 has the position of the point to be inserted");
         Positions<d> x = points;
         for (std::size_t i = 100; i < 110; ++i) x[i + 50] = x[i];
         const Told told = told_by([&] { (void)mesh.move_all(std::span<const Coordinates<d>>(x)); });

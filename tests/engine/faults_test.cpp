@@ -4,14 +4,15 @@
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 
+#include <support/catch.h>
+#include <support/repeats.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <limits>
 #include <memory>
 #include <random>
-#include <support/catch.h>
-#include <support/repeats.h>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -39,9 +40,9 @@ Options with(Strategy strategy) {
     return options;
 }
 
-constexpr std::array strategies{Strategy::rebuild, Strategy::relocate,    Strategy::relocate_flips, Strategy::in_place,
-                                Strategy::filter,  Strategy::filter_each, Strategy::automatic,
-                                Strategy::paper,   Strategy::paper_hybrid};
+constexpr std::array strategies{Strategy::rebuild,   Strategy::relocate, Strategy::relocate_flips,
+                                Strategy::in_place,  Strategy::filter,   Strategy::filter_each,
+                                Strategy::automatic, Strategy::paper,    Strategy::paper_hybrid};
 
 /// Horizons, by a name that depends on d: where they are wide nothing can be assigned to them.
 template <int d>
@@ -50,9 +51,9 @@ using Horizons_of = std::conditional_t<d != 0, Horizons, void>;
 /// Everything that counts of a report; no time.
 std::vector<std::uint64_t> numbers(const Move_report& r) {
     const auto& m = r.moves;
-    return {m.asked,      m.within_tolerance,  m.kept_in_place,       m.flipped,
-            m.reinserted, m.rebuilt,           r.evaluated,           r.tours,
-            r.flips,      r.arithmetic.filter, r.arithmetic.interval, r.arithmetic.exact,
+    return {m.asked,       m.within_tolerance,  m.kept_in_place,       m.flipped,
+            m.reinserted,  m.rebuilt,           r.evaluated,           r.tours,
+            r.flips,       r.arithmetic.filter, r.arithmetic.interval, r.arithmetic.exact,
             r.undone_flips};
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an insertion or a removal changed is listed from what was written to, and all cells are not looked at: counted in bytes asked for.
+// What an insertion or a removal changed is listed from what was written to, and all cells are not looked at: counted
+// in bytes asked for.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
@@ -92,7 +93,8 @@ TEMPLATE_TEST_CASE_SIG("What few vertices change is listed at their price, dimen
 }
 
 TEMPLATE_TEST_CASE_SIG("Who asks what changed has the same timestamps, dimension", "[engine]", ((int d), d), 2, 3) {
-    for (const Strategy strategy : {Strategy::automatic, Strategy::rebuild, Strategy::relocate, Strategy::paper_hybrid}) {
+    for (const Strategy strategy :
+         {Strategy::automatic, Strategy::rebuild, Strategy::relocate, Strategy::paper_hybrid}) {
         CAPTURE(name_of(strategy));
         std::mt19937_64 random(8);
         std::vector<Coordinates<d>> x(300);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the filters write down is rounded in the safe direction, to the last bit: readings up, expiries and tolerances down. Moves
-// cannot show this, because an expiry is cut to 21 bits and hides the last ones unless it happens to have no others. So these tests put
-// numbers into the filters' books for which rounding to nearest goes the wrong way, and compare with rational numbers.
+// What the filters write down is rounded in the safe direction, to the last bit: readings up, expiries and tolerances
+// down. Moves cannot show this, because an expiry is cut to 21 bits and hides the last ones unless it happens to have
+// no others. So these tests put numbers into the filters' books for which rounding to nearest goes the wrong way, and
+// compare with rational numbers.
 
 #include <engine/filter_session.h>
 
@@ -121,12 +122,14 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
             for (const auto& e : s.examination().facets()) {
                 if (e.kind == Facet_kind::nothing) continue;
                 for (const auto& [v, label] : e.point)
-                    if (v != none) check(v, std::as_const(s[Expiries{}]).of_facet(s.mesh.table(), e.id, v), e.verdict.tolerance);
+                    if (v != none)
+                        check(v, std::as_const(s[Expiries{}]).of_facet(s.mesh.table(), e.id, v), e.verdict.tolerance);
             }
             for (const auto& e : s.examination().cells()) {
                 if (e.kind == Facet_kind::nothing) continue;
                 for (std::size_t k = 0; k < e.point.size(); ++k)
-                    check(e.point[k].vertex, s[Expiries{}].of_cell(Cell_table<2>::corner(e.id, static_cast<int>(k))), e.verdict.tolerance);
+                    check(e.point[k].vertex, s[Expiries{}].of_cell(Cell_table<2>::corner(e.id, static_cast<int>(k))),
+                          e.verdict.tolerance);
             }
         }
     }));

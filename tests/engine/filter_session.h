@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A filter on a triangulation of a few points, whose books are open: tests put numbers there that moves would seldom make.
+// A filter on a triangulation of a few points, whose books are open: tests put numbers there that moves would seldom
+// make.
 
 #include <support/arbitrary.h>
 
 #include <annulus/engine/filter.h>
-#include <annulus/published/paper_filter.h>
 #include <annulus/kernel/delaunay_mesh.h>
+#include <annulus/published/paper_filter.h>
 
 #include <gmpxx.h>
 

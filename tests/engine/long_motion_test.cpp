@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motions that go on. A mechanism with a clock was once right for six thousand steps and wrong from then on: short tests see
-// nothing of its kind. tests/soak runs all motions, for as long as one likes.
+// Motions that go on. A mechanism with a clock was once right for six thousand steps and wrong from then on: short
+// tests see nothing of its kind. tests/soak runs all motions, for as long as one likes.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Large steps: walks of up to a spacing in every family of points, near-degenerate and with moving hulls; what repair costs, and where.
+// Large steps: walks of up to a spacing in every family of points, near-degenerate and with moving hulls; what repair
+// costs, and where.
 #include <annulus/engine/chooser.h>
 #include <annulus/moving_mesh.h>
 #include <common/program.h>
 
-#include "../../bench/motions/families.h"
 #include <support/cases.h>
 #include <support/catch.h>
+#include "../../bench/motions/families.h"
 
 #include <map>
 
@@ -40,14 +41,16 @@ void check_cells(const Moving_of<d>& dt) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the Delaunay triangulation, dimension", "[mender]",
-                       ((int d), d), 2, 3) {
-    std::map<double, int> mended;  // by reach: timestamps of `filter` in which something was flipped and nothing rebuilt
+TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the Delaunay triangulation, dimension",
+                       "[mender]", ((int d), d), 2, 3) {
+    // By reach: timestamps of `filter` in which something was flipped and nothing rebuilt.
+    std::map<double, int> mended;
     for (const Strategy strategy : {Strategy::filter, Strategy::automatic, Strategy::filter_each, Strategy::in_place})
         for (const std::string_view family : bench::families)
             for (const double spacings : {0.01, 0.03, 0.1, 0.3, 1.0}) {
                 CAPTURE(name_of(strategy), family, spacings);
-                // Of twelve points repair is hardly ever given up: they are built anew locally, or flipped, at any reach.
+                // Of twelve points repair is hardly ever given up: they are built anew locally, or flipped, at any
+                // reach.
                 for (const std::size_t n : {d == 2 ? 70U : 60U, 12U})
                     for_each_seed(1, [&](Random& random) {
                         bench::Scene<d> scene(family, "walk", n, spacings, random());
@@ -56,7 +59,8 @@ TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the D
                         for (int step = 0; step < 5; ++step) {
                             scene.step();
                             const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
-                            if (strategy == Strategy::filter && report.flips > 0 && report.moves.rebuilt == 0) ++mended[spacings];
+                            if (strategy == Strategy::filter && report.flips > 0 && report.moves.rebuilt == 0)
+                                ++mended[spacings];
                             check_cells<d>(dt);
                             mesh.move_all(std::span<const Coordinates<d>>(scene.points()));
                             REQUIRE(mesh.audit().delaunay());
@@ -69,7 +73,8 @@ TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the D
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dimension", "[mender]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dimension", "[mender]", ((int d), d), 2,
+                       3) {
     // Of thousands of vertices, hull and all, a handful at which flips are stuck. Calm enough for what repair may cost.
     for_each_seed(2, [](Random& random) {
         bench::Scene<d> scene("uniform", "walk", 1500, d == 2 ? 0.1 : 0.01, random());
@@ -91,8 +96,8 @@ TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dim
     });
 }
 
-TEMPLATE_TEST_CASE_SIG("What one place needs costs another nothing: the price a vertex does not grow, dimension", "[mender]", ((int d), d), 2,
-                       3) {
+TEMPLATE_TEST_CASE_SIG("What one place needs costs another nothing: the price a vertex does not grow, dimension",
+                       "[mender]", ((int d), d), 2, 3) {
     const auto price = [](std::size_t n) {
         bench::Scene<d> scene("uniform", "walk", n, d == 2 ? 0.03 : 0.01, 5);
         auto dt = moving<d>(scene.points(), Strategy::automatic);
@@ -108,7 +113,8 @@ TEMPLATE_TEST_CASE_SIG("What one place needs costs another nothing: the price a 
     CHECK(price(16000) < 1.3 * price(1000));
 }
 
-TEMPLATE_TEST_CASE_SIG("A step that is clearly too dear is given up before it is mended, dimension", "[mender]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("A step that is clearly too dear is given up before it is mended, dimension", "[mender]",
+                       ((int d), d), 2, 3) {
     constexpr std::size_t n = 2000;
     bench::Scene<d> slow("uniform", "walk", n, 1e-3, 3);
     auto dt = moving<d>(slow.points(), Strategy::automatic);
@@ -125,8 +131,9 @@ TEMPLATE_TEST_CASE_SIG("A step that is clearly too dear is given up before it is
     CHECK(dt.audit().delaunay());
 }
 
-TEMPLATE_TEST_CASE_SIG("No timestamp costs more than one and a half rebuilds, whatever the points and the motion, dimension",
-                       "[mender][price][deep]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG(
+    "No timestamp costs more than one and a half rebuilds, whatever the points and the motion, dimension",
+    "[mender][price][deep]", ((int d), d), 2, 3) {
     for (const std::string_view family : bench::families)
         for (const std::string_view motion : bench::kinds_of_motion)
             for (const double spacings : {1e-4, 1e-2, 0.1, 1.0}) {
@@ -140,7 +147,8 @@ TEMPLATE_TEST_CASE_SIG("No timestamp costs more than one and a half rebuilds, wh
                         scene.step();
                         const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
                         const double most = 1.5 * Prices<d>::insertion * static_cast<double>(n);
-                        const double in_hand = 6.0 * Prices<d>::exact;  // a flip that the repair that gives up was trying
+                        // A flip that the repair that gives up was trying.
+                        const double in_hand = 6.0 * Prices<d>::exact;
                         REQUIRE(report.price < most + in_hand);
                         REQUIRE(report.tolerance_steps + report.sign_steps + report.rebuild_steps <= 1);
                     }
@@ -180,7 +188,8 @@ TEST_CASE("auto is the same run from the same input", "[mender]") {
         for (int step = 0; step < 20; ++step) {
             scene.step();
             const Move_report r = dt.move_all(std::span<const Coordinates<3>>(scene.points()));
-            for (const auto k : {r.moves.rebuilt, r.moves.flipped, r.flips, r.evaluated, r.arithmetic.exact, r.sign_steps, r.rebuild_steps})
+            for (const auto k : {r.moves.rebuilt, r.moves.flipped, r.flips, r.evaluated, r.arithmetic.exact,
+                                 r.sign_steps, r.rebuild_steps})
                 numbers.push_back(static_cast<double>(k));
             numbers.push_back(r.price);
         }
@@ -189,8 +198,8 @@ TEST_CASE("auto is the same run from the same input", "[mender]") {
     CHECK(run() == run());
 }
 
-TEMPLATE_TEST_CASE_SIG("A vertex that goes where another is refused, however far, and nothing has changed, dimension", "[mender]", ((int d), d),
-                       2, 3) {
+TEMPLATE_TEST_CASE_SIG("A vertex that goes where another is refused, however far, and nothing has changed, dimension",
+                       "[mender]", ((int d), d), 2, 3) {
     for (const Strategy strategy : {Strategy::filter, Strategy::automatic})
         for_each_seed(10, [&](Random& random) {
             bench::Scene<d> scene("uniform", "walk", 50, 0.1, random());
@@ -211,9 +220,11 @@ TEMPLATE_TEST_CASE_SIG("A vertex that goes where another is refused, however far
         });
 }
 
-TEMPLATE_TEST_CASE_SIG("Single moves to anywhere on a small grid leave neither a broken table nor a second border, dimension", "[mender]",
-                       ((int d), d), 2, 3) {
-    // Degenerate everywhere: flips get stuck, cells are built anew beneath the hull, and vertices taken out and put back.
+TEMPLATE_TEST_CASE_SIG(
+    "Single moves to anywhere on a small grid leave neither a broken table nor a second border, dimension", "[mender]",
+    ((int d), d), 2, 3) {
+    // Degenerate everywhere: flips get stuck, cells are built anew beneath the hull, and vertices taken out and put
+    // back.
     const auto one = [](Random& random, Strategy strategy) {
         const auto place = [&random] {
             Coordinates<d> p;

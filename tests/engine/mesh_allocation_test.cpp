@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory that runs out in a call of Moving_mesh: positions, indices and cells are as they were, and so is what comes after.
+// Memory that runs out in a call of Moving_mesh: positions, indices and cells are as they were, and so is what comes
+// after.
 #include <annulus/moving_mesh.h>
 
 #include <support/catch.h>
@@ -12,8 +13,8 @@
 using namespace annulus;
 using namespace annulus::testing;
 
-TEMPLATE_TEST_CASE_SIG("A mesh whose call runs out of memory is as it was, and goes on, dimension",
-                       "[mesh][deep]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("A mesh whose call runs out of memory is as it was, and goes on, dimension", "[mesh][deep]",
+                       ((int d), d), 2, 3) {
     struct Call {
         const char* name;
         std::function<void(Moving_mesh<d>&)> make;
@@ -23,9 +24,12 @@ TEMPLATE_TEST_CASE_SIG("A mesh whose call runs out of memory is as it was, and g
     Coordinates<d> outside;
     outside.fill(-3.25);
     const std::vector<Call> calls{
-        {"move_all", [](auto& m) { (void)m.move_all(sheared<d>(Points_d<d>(m.points().begin(), m.points().end()), 1e-3)); }},
-        {"move_all, far", [](auto& m) { (void)m.move_all(sheared<d>(Points_d<d>(m.points().begin(), m.points().end()), 0.7)); }},
-        {"move some", [](auto& m) {
+        {"move_all",
+         [](auto& m) { (void)m.move_all(sheared<d>(Points_d<d>(m.points().begin(), m.points().end()), 1e-3)); }},
+        {"move_all, far",
+         [](auto& m) { (void)m.move_all(sheared<d>(Points_d<d>(m.points().begin(), m.points().end()), 0.7)); }},
+        {"move some",
+         [](auto& m) {
              Points_d<d> x(m.points().begin(), m.points().begin() + 3);
              for (auto& p : x) p[0] -= 0.1;
              (void)m.move(std::vector<Index>{0, 1, 2}, x);
@@ -46,7 +50,8 @@ TEMPLATE_TEST_CASE_SIG("A mesh whose call runs out of memory is as it was, and g
                         Options options;
                         options.strategy = strategy;
                         Moving_mesh<d> mesh(std::span<const Coordinates<d>>(grid<d>()), options);
-                        for (int step = 0; step < before; ++step) (void)mesh.move_all(sheared<d>(grid<d>(), 1e-3 * step));
+                        for (int step = 0; step < before; ++step)
+                            (void)mesh.move_all(sheared<d>(grid<d>(), 1e-3 * step));
                         const Points_d<d> points(mesh.points().begin(), mesh.points().end());
                         const auto cells = sorted_cells(mesh);
                         const Starved became = starve(n, memory, [&] { call.make(mesh); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moving_mesh beyond what every program asks of it (fuzz/common/mesh_twin.h): moves of some vertices, spans into itself, objects that are
-// moved, points so few that a region is everything, neighbours. Memory that runs out: mesh_allocation_test.cpp.
+// Moving_mesh beyond what every program asks of it (fuzz/common/mesh_twin.h): moves of some vertices, spans into
+// itself, objects that are moved, points so few that a region is everything, neighbours. Memory that runs out:
+// mesh_allocation_test.cpp.
 #include <annulus/arithmetic/error.h>
 #include <annulus/moving_mesh.h>
 
@@ -54,12 +55,14 @@ TEST_CASE("A few points of space whose region is everything are inserted all the
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("An insertion that is refused leaves positions, their number and what comes next, dimension", "[mesh]", ((int d), d),
-                       2, 3) {
-    for (const Strategy strategy : {Strategy::automatic, Strategy::filter, Strategy::filter_each, Strategy::in_place, Strategy::relocate,
-                                    Strategy::relocate_flips, Strategy::rebuild, Strategy::paper, Strategy::paper_hybrid}) {
+TEMPLATE_TEST_CASE_SIG("An insertion that is refused leaves positions, their number and what comes next, dimension",
+                       "[mesh]", ((int d), d), 2, 3) {
+    for (const Strategy strategy :
+         {Strategy::automatic, Strategy::filter, Strategy::filter_each, Strategy::in_place, Strategy::relocate,
+          Strategy::relocate_flips, Strategy::rebuild, Strategy::paper, Strategy::paper_hybrid}) {
         for (const Tolerance_kind kind : {Tolerance_kind::certified, Tolerance_kind::paper}) {
-            if (kind == Tolerance_kind::paper && strategy != Strategy::paper && strategy != Strategy::paper_hybrid) continue;
+            if (kind == Tolerance_kind::paper && strategy != Strategy::paper && strategy != Strategy::paper_hybrid)
+                continue;
             CAPTURE(name_of(strategy), name_of(kind));
             Options options;
             options.strategy = strategy;
@@ -101,8 +104,9 @@ TEMPLATE_TEST_CASE_SIG("An insertion that is refused leaves positions, their num
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("Some vertices move at once: in cycles, named twice, to the mesh's own points, or not at all, dimension", "[mesh]",
-                       ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG(
+    "Some vertices move at once: in cycles, named twice, to the mesh's own points, or not at all, dimension", "[mesh]",
+    ((int d), d), 2, 3) {
     for (const std::size_t copies : {1U, 40U}) {  // few beside the others, and not
         Points_d<d> x;
         for (std::size_t k = 0; k < copies; ++k)
@@ -110,7 +114,8 @@ TEMPLATE_TEST_CASE_SIG("Some vertices move at once: in cycles, named twice, to t
                 p[1] += 9.0 * static_cast<double>(k);
                 x.push_back(p);
             }
-        for (const Strategy strategy : {Strategy::automatic, Strategy::filter, Strategy::filter_each, Strategy::rebuild}) {
+        for (const Strategy strategy :
+             {Strategy::automatic, Strategy::filter, Strategy::filter_each, Strategy::rebuild}) {
             CAPTURE(copies, name_of(strategy));
             Options options;
             options.strategy = strategy;
@@ -161,7 +166,8 @@ TEST_CASE("Meshes are built from plain numbers, and moved", "[mesh]") {
     CHECK(other.dimension() == -1);
 }
 
-TEMPLATE_TEST_CASE_SIG("The neighbours of a mesh share a facet, mutually, and what has none is on the hull, dimension", "[mesh]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("The neighbours of a mesh share a facet, mutually, and what has none is on the hull, dimension",
+                       "[mesh]", ((int d), d), 2, 3) {
     Random random(43);
     Points_d<d> x(70);
     for (auto& p : x)
@@ -186,7 +192,8 @@ TEMPLATE_TEST_CASE_SIG("The neighbours of a mesh share a facet, mutually, and wh
                 REQUIRE((n == cells.outside) == (facets[opposite(c, i)] == 1));
                 if (n == cells.outside) continue;
                 const auto& back = cells.neighbours[static_cast<std::size_t>(n)];
-                const auto k = static_cast<std::size_t>(std::find(back.begin(), back.end(), static_cast<Index>(c)) - back.begin());
+                const auto k =
+                    static_cast<std::size_t>(std::find(back.begin(), back.end(), static_cast<Index>(c)) - back.begin());
                 REQUIRE(k <= d);
                 REQUIRE(opposite(static_cast<std::size_t>(n), k) == opposite(c, i));
             }
@@ -195,4 +202,3 @@ TEMPLATE_TEST_CASE_SIG("The neighbours of a mesh share a facet, mutually, and wh
         (void)mesh.move_all(std::span<const Coordinates<d>>(x));
     }
 }
-

@@ -19,9 +19,9 @@ using Moving_d = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3
 template <int d>
 using Traits_d = std::conditional_t<d == 2, Cgal_traits_2<No_info>, Cgal_traits_3<No_info>>;
 
-constexpr std::array strategies{Strategy::automatic, Strategy::filter,   Strategy::filter_each,    Strategy::in_place,
-                                Strategy::rebuild,   Strategy::relocate, Strategy::relocate_flips, Strategy::paper,
-                                Strategy::paper_hybrid};
+constexpr std::array strategies{Strategy::automatic,      Strategy::filter,  Strategy::filter_each,
+                                Strategy::in_place,       Strategy::rebuild, Strategy::relocate,
+                                Strategy::relocate_flips, Strategy::paper,   Strategy::paper_hybrid};
 
 /// Calls harm(object, a finite cell of CGAL's), and finds that the audit says so.
 template <int d, class Harm>

@@ -70,13 +70,13 @@ TEST_CASE("Threads must be one or more", "[engine][options]") {
 TEST_CASE("Tolerances that are not certified are for the paper's strategies alone", "[engine][options]") {
     const auto x = corners<3>();
     const std::span<const Coordinates<3>> points(x);
-    for (const Strategy strategy : {Strategy::rebuild, Strategy::relocate, Strategy::relocate_flips, Strategy::in_place,
-                                    Strategy::filter, Strategy::filter_each, Strategy::automatic, Strategy::paper,
-                                    Strategy::paper_hybrid})
+    for (const Strategy strategy :
+         {Strategy::rebuild, Strategy::relocate, Strategy::relocate_flips, Strategy::in_place, Strategy::filter,
+          Strategy::filter_each, Strategy::automatic, Strategy::paper, Strategy::paper_hybrid})
         for (const Tolerance_kind kind : {Tolerance_kind::certified, Tolerance_kind::paper, Tolerance_kind::floating}) {
             CAPTURE(name_of(strategy), name_of(kind));
-            const bool fits = kind == Tolerance_kind::certified || strategy == Strategy::paper ||
-                              strategy == Strategy::paper_hybrid;
+            const bool fits =
+                kind == Tolerance_kind::certified || strategy == Strategy::paper || strategy == Strategy::paper_hybrid;
             try {
                 const Moving_mesh_3 made(points, Options{.strategy = strategy, .tolerance = kind});
                 CHECK(fits);

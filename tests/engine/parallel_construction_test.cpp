@@ -66,12 +66,13 @@ void say_table(const Cell_table<d>& table, std::vector<std::int64_t>& said) {
             said.insert(said.end(), {h.value(), v, table.twin(h).value()});
         }
     bool are_noted = table.corner_of_infinity() == largest_of_infinity;
-    for (Index v = 0; v < table.vertex_bound(); ++v) are_noted = are_noted && table.corner_of(v) == largest[static_cast<std::size_t>(v)];
+    for (Index v = 0; v < table.vertex_bound(); ++v)
+        are_noted = are_noted && table.corner_of(v) == largest[static_cast<std::size_t>(v)];
     CHECK(are_noted);
 }
 
-/// Cells, corners, neighbours and tolerances of both classes after construction, and after every vertex has gone where another was,
-/// which is a rebuild.
+/// Cells, corners, neighbours and tolerances of both classes after construction, and after every vertex has gone
+/// where another was, which is a rebuild.
 template <int d>
 std::pair<std::vector<std::int64_t>, std::vector<double>> built(Points<d> x, Strategy strategy, int threads) {
     Options options;
@@ -94,7 +95,8 @@ std::pair<std::vector<std::int64_t>, std::vector<double>> built(Points<d> x, Str
     };
     say();
     std::rotate(x.begin(), x.begin() + 1, x.end());
-    for (const Move_report& r : {mesh.move_all(std::span<const Coordinates<d>>(x)), dt.move_all(std::span<const Coordinates<d>>(x))})
+    for (const Move_report& r :
+         {mesh.move_all(std::span<const Coordinates<d>>(x)), dt.move_all(std::span<const Coordinates<d>>(x))})
         CHECK(r.moves.rebuilt == x.size());
     say();
     return {cells, tolerances};
@@ -102,8 +104,8 @@ std::pair<std::vector<std::int64_t>, std::vector<double>> built(Points<d> x, Str
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("What several threads build is what one builds, bit for bit, dimension",
-                       "[parallel][deep]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("What several threads build is what one builds, bit for bit, dimension", "[parallel][deep]",
+                       ((int d), d), 2, 3) {
     const auto compare = [](const Points<d>& x, Strategy strategy) {
         const auto alone = built<d>(x, strategy, 1);
         for (const int threads : {2, 5}) CHECK((built<d>(x, strategy, threads) == alone));

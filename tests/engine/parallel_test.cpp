@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Timestamps in several threads. Not a part of the tests under ThreadSanitizer, which does not see how TBB's library, built without it, hands
-// a task to another thread, and calls that a race.
+// Timestamps in several threads. Not a part of the tests under ThreadSanitizer, which does not see how TBB's library,
+// built without it, hands a task to another thread, and calls that a race.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
@@ -24,11 +24,13 @@ std::vector<double> walked(int with, Strategy strategy, double spacings) {
     options.strategy = strategy;
     options.threads = with;
     Moving_mesh<d> mesh(std::span<const Coordinates<d>>(scene.points()), options);
-    std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3> dt(std::span<const Coordinates<d>>(scene.points()), options);
+    std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3> dt(std::span<const Coordinates<d>>(scene.points()),
+                                                                        options);
     std::vector<double> said;
     const auto say = [&said](const Move_report& r) {
-        for (const auto n : {r.moves.within_tolerance, r.moves.kept_in_place, r.moves.flipped, r.moves.reinserted, r.moves.rebuilt, r.evaluated,
-                             r.arithmetic.filter, r.arithmetic.interval, r.arithmetic.exact, r.flips, r.sign_steps, r.rebuild_steps})
+        for (const auto n : {r.moves.within_tolerance, r.moves.kept_in_place, r.moves.flipped, r.moves.reinserted,
+                             r.moves.rebuilt, r.evaluated, r.arithmetic.filter, r.arithmetic.interval,
+                             r.arithmetic.exact, r.flips, r.sign_steps, r.rebuild_steps})
             said.push_back(static_cast<double>(n));
         said.push_back(r.price);
     };
@@ -44,8 +46,9 @@ std::vector<double> walked(int with, Strategy strategy, double spacings) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("Timestamps in several threads are those in one, counters and order of cells included, dimension",
-                       "[parallel][deep]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG(
+    "Timestamps in several threads are those in one, counters and order of cells included, dimension",
+    "[parallel][deep]", ((int d), d), 2, 3) {
     for (const Strategy strategy : {Strategy::automatic, Strategy::filter})
         for (const double spacings : {3e-3, 0.05}) {
             const auto alone = walked<d>(1, strategy, spacings);

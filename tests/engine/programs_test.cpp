@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole programs of calls on point sets of every family, in the plane and in space: after each call the audit, CGAL and a rebuild must
-// agree. What goes wrong is printed as a small program (fuzz/common/shrink.h).
+// Whole programs of calls on point sets of every family, in the plane and in space: after each call the audit, CGAL
+// and a rebuild must agree. What goes wrong is printed as a small program (fuzz/common/shrink.h).
 #include <common/operation.h>
 
 #include <support/cases.h>
@@ -27,7 +27,8 @@ class Author {
         pool_ = point_set(set, n_ + n_ / 2 + 3, random_);
     }
 
-    /// Moves between the places of a pool that is used again and again, so that vertices return and meet; motions in between.
+    /// Moves between the places of a pool that is used again and again, so that vertices return and meet; motions in
+    /// between.
     [[nodiscard]] Program_of<d> program(const Setting& setting, int calls, int steps) {
         Program_of<d> program{setting, {pool_.begin(), pool_.begin() + static_cast<std::ptrdiff_t>(n_)}, {}};
         for (int call = 0; call < calls; ++call) {
@@ -115,10 +116,9 @@ void holds(const Program_of<d>& program) {
 /// What the filters can do, all of it.
 bool reached_everything(const Coverage& c) {
     const Move_report& r = c.report;
-    return r.moves.within_tolerance > 0 && r.moves.kept_in_place > 0 && r.moves.flipped > 0 &&
-           r.moves.reinserted > 0 && r.moves.rebuilt > 0 && r.undone_flips > 0 && r.tours > 0 &&
-           r.arithmetic.filter > 0 && r.arithmetic.interval > 0 && r.arithmetic.exact > 0 &&
-           c.switches > 0 && c.collisions() > 0;
+    return r.moves.within_tolerance > 0 && r.moves.kept_in_place > 0 && r.moves.flipped > 0 && r.moves.reinserted > 0 &&
+           r.moves.rebuilt > 0 && r.undone_flips > 0 && r.tours > 0 && r.arithmetic.filter > 0 &&
+           r.arithmetic.interval > 0 && r.arithmetic.exact > 0 && c.switches > 0 && c.collisions() > 0;
 }
 
 }  // namespace
@@ -272,7 +272,8 @@ TEMPLATE_TEST_CASE_SIG("A failed call leaves everything as it was, with the righ
             for_each_seed(d == 2 ? 40 : 15, [&](Random& random) {
                 const Set_of<d> set = any_set<d>(random);
                 const Points_of<d> points = some_points<d>(set, 2, d == 2 ? 20 : 10, random);
-                // A drift first, so that fixed positions and tolerances are not those of a settled object; a vacancy later.
+                // A drift first, so that fixed positions and tolerances are not those of a settled object; a vacancy
+                // later.
                 Program_of<d> program{setting, points, {}};
                 auto& calls = program.operations;
                 calls.push_back(Calls<d>::move_all(point_set(set, points.size(), random)));
@@ -328,8 +329,8 @@ TEMPLATE_TEST_CASE_SIG("Positions that are an object's own may be given back to 
 }
 
 TEMPLATE_TEST_CASE_SIG(
-    "Tolerances that may be wrong give no crash, and CGAL's object is valid at the fixed positions, dimension", "[relocation]",
-    ((int d), d), 2, 3) {
+    "Tolerances that may be wrong give no crash, and CGAL's object is valid at the fixed positions, dimension",
+    "[relocation]", ((int d), d), 2, 3) {
     for (const Setting& setting : uncertified_settings) {
         DYNAMIC_SECTION(name_of(setting)) {
             Coverage coverage;

@@ -106,7 +106,9 @@ TEMPLATE_TEST_CASE_SIG("Scaling by a power of two scales the tolerances and chan
                         CHECK(a.moves == b.moves);
                         CHECK(a.evaluated == b.evaluated);
                         CHECK(a.flips == b.flips);
-                    } else {  // the order in which CGAL names the cells around a vertex, and so the flips, is that of addresses
+                    } else {
+                        // The order in which CGAL names the cells around a vertex, and so the flips, is that of
+                        // addresses.
                         CHECK(a.moves.within_tolerance == b.moves.within_tolerance);
                         one.settle();
                         other.settle();
@@ -215,8 +217,8 @@ TEMPLATE_TEST_CASE_SIG("Reported changes are the cells that came and those that 
                     };
                     const bool all = flat(before) || flat(after);
                     auto came = finite(report.changed), gone = finite(report.gone);
-                    if (d == 3 &&
-                        !all)  // where they are compared without their orientation; those that were turned over are in both
+                    // Where they are compared without their orientation; those that were turned over are in both.
+                    if (d == 3 && !all)
                         for (const auto& cell : std::set(came))
                             if (gone.erase(cell) == 1) came.erase(cell);
                     CHECK(came == only(after, all ? Cells_of<d>() : before));

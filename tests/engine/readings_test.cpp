@@ -69,7 +69,8 @@ std::array<Real, d> rejected(std::array<Real, d> u, const std::array<Real, d>& v
     return u;
 }
 
-/// The angle between the line p q and the facet: what of q - p leaves the facet, over what stays in it. No normal is computed.
+/// The angle between the line p q and the facet: what of q - p leaves the facet, over what stays in it. No normal is
+/// computed.
 template <int d>
 double angle_of(const std::array<Coordinates<d>, static_cast<std::size_t>(d + 2)>& x) {
     const auto e = between_points(x[d], x[d + 1]);
@@ -181,7 +182,8 @@ TEMPLATE_TEST_CASE_SIG("displacement() is the distance from the fixed position, 
                 }
             }
         });
-        if (!keeps && setting.strategy != Strategy::paper_hybrid && setting.strategy != Strategy::automatic) CHECK(!moved);
+        if (!keeps && setting.strategy != Strategy::paper_hybrid && setting.strategy != Strategy::automatic)
+            CHECK(!moved);
     }
     // Among families some have no tolerance at all: here there is one.
     Random random(1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The helpers that round on purpose, against rational numbers: each bound is one, to the last bit, and no wider than it says. What they
-// are made of is proved in proofs/coq/float_sums.v and float_displacement.v; the known values are those of the formulas there.
+// The helpers that round on purpose, against rational numbers: each bound is one, to the last bit, and no wider than
+// it says. What they are made of is proved in proofs/coq/float_sums.v and float_displacement.v; the known values are
+// those of the formulas there.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>

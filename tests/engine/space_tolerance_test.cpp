@@ -40,8 +40,9 @@ Options options_of(Strategy strategy, Tolerance_kind kind) {
     return o;
 }
 
-/// Between what the least half width of all that contains each vertex is, in rational numbers: cells, bi-cells, ridges. The widths of
-/// a bi-cell's cells enter where an annulus is backward, and may where the filter cannot tell (docs/theory.md 2.2).
+/// Between what the least half width of all that contains each vertex is, in rational numbers: cells, bi-cells,
+/// ridges. The widths of a bi-cell's cells enter where an annulus is backward, and may where the filter cannot tell
+/// (docs/theory.md 2.2).
 struct True_tolerances {
     std::vector<double> least, most;
     explicit True_tolerances(const Moving_delaunay_3& dt)
@@ -92,7 +93,8 @@ TEST_CASE("The tolerances of a regular tetrahedron and of the spindle are those 
           "[tolerance][space][tight]") {
     for (const Strategy strategy : filters) {
         CAPTURE(name_of(strategy));
-        // Edge 2 sqrt 2: the distance of opposite edges is 2, the height 2.309; half the width is 1. A ridge is the same four points.
+        // Edge 2 sqrt 2: the distance of opposite edges is 2, the height 2.309; half the width is 1. A ridge is the
+        // same four points.
         Moving_delaunay_3 one(Points_3{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
                               options_of(strategy, Tolerance_kind::certified));
         for (std::size_t i = 0; i < 4; ++i) {
@@ -115,7 +117,8 @@ TEST_CASE("Inside the paper's tolerances the spindle ends in a triangulation tha
     for (const Strategy strategy : filters) {
         CAPTURE(name_of(strategy));
         for (const Tolerance_kind kind : {Tolerance_kind::certified, Tolerance_kind::paper}) {
-            Moving_delaunay_3 dt(spindle(0.01), options_of(kind == Tolerance_kind::paper ? Strategy::paper : strategy, kind));
+            Moving_delaunay_3 dt(spindle(0.01),
+                                 options_of(kind == Tolerance_kind::paper ? Strategy::paper : strategy, kind));
             CHECK(dt.triangulation().number_of_finite_cells() == 3);
             const Move_report report = dt.move_all(spindle_grown(0.007));
             const bool right = dt.audit().delaunay();

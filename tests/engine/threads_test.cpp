@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Const members may run at the same time, and say then what they say alone. ThreadSanitizer sees more than equal results:
-// the target annulus-threads is these tests alone, to be built with it.
+// Const members may run at the same time, and say then what they say alone. ThreadSanitizer sees more than equal
+// results: the target annulus-threads is these tests alone, to be built with it.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
 
-#include "../../bench/motions/families.h"
 #include <support/at_once.h>
 #include <support/catch.h>
 #include <support/motions.h>
+#include "../../bench/motions/families.h"
 
 #include <latch>
 #include <thread>
@@ -58,8 +58,9 @@ std::vector<double> everything(const Moving& dt) {
 template <class Moving>
 void say_the_same(Tolerance_kind kind = Tolerance_kind::certified) {
     constexpr int d = Moving::dimension_of_space;
-    for (const Strategy strategy : {Strategy::rebuild, Strategy::relocate, Strategy::in_place, Strategy::filter,
-                                    Strategy::filter_each, Strategy::automatic, Strategy::paper, Strategy::paper_hybrid}) {
+    for (const Strategy strategy :
+         {Strategy::rebuild, Strategy::relocate, Strategy::in_place, Strategy::filter, Strategy::filter_each,
+          Strategy::automatic, Strategy::paper, Strategy::paper_hybrid}) {
         if (kind != Tolerance_kind::certified && strategy != Strategy::paper) continue;
         CAPTURE(name_of(strategy));
         Random random(4);
@@ -91,8 +92,8 @@ TEST_CASE("Objects of their own may be moved at the same time", "[threads]") {
     const auto run = []<class Moving>(std::type_identity<Moving>) {
         constexpr int d = Moving::dimension_of_space;
         std::vector<double> said;
-        for (const Strategy strategy :
-             {Strategy::relocate, Strategy::filter, Strategy::filter_each, Strategy::automatic, Strategy::paper_hybrid}) {
+        for (const Strategy strategy : {Strategy::relocate, Strategy::filter, Strategy::filter_each,
+                                        Strategy::automatic, Strategy::paper_hybrid}) {
             Random random(8);
             Long_motion<d> motion(Motion_kind::walk_middle, 60, random);
             Moving dt(motion.positions(), Options{.strategy = strategy});

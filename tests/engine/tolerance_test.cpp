@@ -87,8 +87,8 @@ std::vector<Position> worst_targets(const Moving_delaunay_2& dt) {
     return std::set<Position>(x.begin(), x.end()).size() == x.size();
 }
 
-/// One timestamp, applied and checked: vertex i goes from x[i] to step(i, its worst target). False, with nothing changed,
-/// when two would meet.
+/// One timestamp, applied and checked: vertex i goes from x[i] to step(i, its worst target). False, with nothing
+/// changed, when two would meet.
 template <class Step>
 bool drift(Session& session, std::vector<Position>& x, Step step) {
     const auto target = worst_targets(session.dt());

@@ -38,7 +38,8 @@ Met expected(Met met, std::size_t most) {
     Met kept;
     for (const Hard_input& input : met) {
         std::multiset<std::pair<double, double>> points;
-        for (std::size_t i = 0; i < input.coordinates.size(); i += 2) points.insert({input.coordinates[i], input.coordinates[i + 1]});
+        for (std::size_t i = 0; i < input.coordinates.size(); i += 2)
+            points.insert({input.coordinates[i], input.coordinates[i + 1]});
         if (seen.insert(points).second && kept.size() < most) kept.push_back(input);
     }
     return kept;

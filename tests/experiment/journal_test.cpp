@@ -17,7 +17,9 @@ using annulus_test::Temporary_directory;
 namespace {
 
 std::string content(const std::filesystem::path& file) { return annulus_test::content_of(file); }
-void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+void write(const std::filesystem::path& file, const std::string& text) {
+    std::ofstream(file, std::ios::binary) << text;
+}
 
 std::vector<std::string> entries(const std::filesystem::path& file) {
     const Journal j(file, "head", false);
@@ -46,7 +48,8 @@ TEST_CASE("A journal cut off anywhere, or damaged in any byte, keeps all other e
         for (std::size_t i = 0; i < cut; ++i) lines += whole[i] == '\n' ? 1 : 0;
         const std::size_t kept = lines == 0 ? 0 : lines - 1;
         write(file, whole.substr(0, cut));
-        REQUIRE(entries(file) == std::vector<std::string>(three.begin(), three.begin() + static_cast<std::ptrdiff_t>(kept)));
+        REQUIRE(entries(file) ==
+                std::vector<std::string>(three.begin(), three.begin() + static_cast<std::ptrdiff_t>(kept)));
         {
             Journal j(file, "head", false);  // and it goes on
             j.append("next");

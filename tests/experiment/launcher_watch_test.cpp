@@ -14,8 +14,8 @@
 namespace annulus {
 namespace {
 
-/// A process starts another one, which says who it is, has a watch or none, and would then wait for ever. Does the second end with the
-/// first, which is told to go? It holds the end of a pipe: where it has ended nobody does.
+/// A process starts another one, which says who it is, has a watch or none, and would then wait for ever. Does the
+/// second end with the first, which is told to go? It holds the end of a pipe: where it has ended nobody does.
 bool ends_with_its_launcher(bool watched) {
     std::array<int, 2> alive{}, go{};
     if (::pipe(alive.data()) != 0 || ::pipe(go.data()) != 0) return false;

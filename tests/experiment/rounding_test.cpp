@@ -18,7 +18,8 @@ using namespace annulus;
 TEST_CASE("Decimals are those of printf and strtod, multiples of a spacing are the nearest") {
     std::mt19937_64 random(1);
     for (int i = 0; i < repeats(20000); ++i) {
-        const double x = (static_cast<double>(random() >> 11) * 0x1p-53 - 0.5) * std::pow(10.0, static_cast<double>(random() % 12) - 4);
+        const double x = (static_cast<double>(random() >> 11) * 0x1p-53 - 0.5) *
+                         std::pow(10.0, static_cast<double>(random() % 12) - 4);
         CAPTURE(x);
         const int digits = static_cast<int>(random() % 18);
         char text[100];
@@ -34,8 +35,8 @@ TEST_CASE("Decimals are those of printf and strtod, multiples of a spacing are t
 }
 
 TEST_CASE("What is no rounding has no name") {
-    for (const char* word : {"", "decimal", "decimal:", "decimal:18", "decimal:-1", "decimal:3x", "grid:0", "grid:-1", "grid:nan", "grid:inf",
-                             "grid:", "half", "Double", "float:3"})
+    for (const char* word : {"", "decimal", "decimal:", "decimal:18", "decimal:-1", "decimal:3x", "grid:0", "grid:-1",
+                             "grid:nan", "grid:inf", "grid:", "half", "Double", "float:3"})
         CHECK_FALSE(rounding_named(word));
 }
 

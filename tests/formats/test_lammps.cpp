@@ -42,10 +42,9 @@ void refuse(std::string_view content, std::uint64_t line, const std::string& fau
 }  // namespace
 
 TEST_CASE("LAMMPS: atoms by id, in any order, with columns in any place", "[io][lammps]") {
-    const Recorded_motion motion =
-        accept("ITEM: UNITS\nlj\nITEM: TIME\n0.5\n" +
-               frame("100", upright, "type y x id z vx", "1 2 1 9 3 0", "1 5 4 7 6 0") +
-               frame("50", upright, "id x y z", "7 4 5 6.5", "9 1 2 3.5"));
+    const Recorded_motion motion = accept("ITEM: UNITS\nlj\nITEM: TIME\n0.5\n" +
+                                          frame("100", upright, "type y x id z vx", "1 2 1 9 3 0", "1 5 4 7 6 0") +
+                                          frame("50", upright, "id x y z", "7 4 5 6.5", "9 1 2 3.5"));
     REQUIRE(motion.frames.size() == 2);
     CHECK(motion.has_z);
     CHECK(motion.notes.empty());
@@ -59,8 +58,9 @@ TEST_CASE("LAMMPS: atoms by id, in any order, with columns in any place", "[io][
     CHECK_FALSE(places.has_z);
     CHECK(places.frames[0].id == Numbers{0, 1});
     const Temporary_directory directory;
-    CHECK(read_points<3>(directory.file("a.lammpsdump", frame("0", upright, "id x y z", "7 4 5 6", "7 1 2 3"))).points ==
-          Points_3{{4, 5, 6}, {1, 2, 3}});
+    CHECK(
+        read_points<3>(directory.file("a.lammpsdump", frame("0", upright, "id x y z", "7 4 5 6", "7 1 2 3"))).points ==
+        Points_3{{4, 5, 6}, {1, 2, 3}});
 }
 
 TEST_CASE("LAMMPS: of several kinds of positions the plain ones, then unwrapped, then shares of the box",
@@ -85,19 +85,23 @@ TEST_CASE("LAMMPS: of several kinds of positions the plain ones, then unwrapped,
     CHECK(first(general, "xs ys zs", "0 0.5 1") == Coordinates<3>{-4, 2, 13});
 }
 
-TEST_CASE("LAMMPS: of several kinds of positions one that is there in full, and the same in every frame", "[io][lammps]") {
+TEST_CASE("LAMMPS: of several kinds of positions one that is there in full, and the same in every frame",
+          "[io][lammps]") {
     const Recorded_motion motion = accept(frame("0", upright, "id x y xs ys zs", "1 9 9 0.5 0 1", "2 9 9 1 1 1"));
     CHECK(motion.has_z);
     CHECK(motion.frames[0].position[0] == Coordinates<3>{5, -5, 4});
-    CHECK(accept(frame("0", upright, "zu x y yu xu", "3 9 9 2 1", "3 9 9 2 1")).frames[0].position[0] == Coordinates<3>{1, 2, 3});
+    CHECK(accept(frame("0", upright, "zu x y yu xu", "3 9 9 2 1", "3 9 9 2 1")).frames[0].position[0] ==
+          Coordinates<3>{1, 2, 3});
     CHECK_FALSE(accept(frame("0", upright, "x y xs ys", "1 2 0 0", "3 4 0 0")).has_z);
-    CHECK(accept(frame("0", upright, "x y xs ys", "1 2 0 0", "3 4 0 0")).frames[0].position[0] == Coordinates<3>{1, 2, 0});
+    CHECK(accept(frame("0", upright, "x y xs ys", "1 2 0 0", "3 4 0 0")).frames[0].position[0] ==
+          Coordinates<3>{1, 2, 0});
     for (const char* columns : {"x y zs", "x y zu", "xu yu z", "zsu xs ys"})
         refuse(frame("0", upright, columns, "0 0 0", "1 1 1"), 9, "and of z only z");
     refuse(frame("0", upright, "x y z", "0 0 0", "1 1 1") + frame("1", upright, "xu yu zu", "0 0 0", "1 1 1"), 20,
            "positions are xu .. here, and x .. in frames before");
     const Temporary_directory directory;
-    const auto points = read_points<3>(directory.file("a.dump", frame("0", upright, "id x y zs ys xs", "1 0 0 0 0 0", "2 0 0 1 1 1")));
+    const auto points =
+        read_points<3>(directory.file("a.dump", frame("0", upright, "id x y zs ys xs", "1 0 0 0 0 0", "2 0 0 1 1 1")));
     CHECK(points.columns == Taken_columns{{"x", "column 6 (xs)"}, {"y", "column 5 (ys)"}, {"z", "column 4 (zs)"}});
     CHECK_FALSE(points.ignored_box);
 }
@@ -121,7 +125,8 @@ TEST_CASE("LAMMPS: a periodic box is refused, or announced and not obeyed", "[io
     // Early versions did not write how the sides are: then they are as by default.
     refuse(frame("0", "\n0 1\n0 1\n0 1\n", "x y", "0 0", "1 1"), 5, "without a word on its sides");
     // A later frame decides, too, and so does the only one of a set of points.
-    const std::string open = frame("0", upright, "x y", "0 0", "1 1"), closed = frame("1", "pp ff ff\n0 1\n0 1\n0 1\n", "x y", "0 0", "1 1");
+    const std::string open = frame("0", upright, "x y", "0 0", "1 1"),
+                      closed = frame("1", "pp ff ff\n0 1\n0 1\n0 1\n", "x y", "0 0", "1 1");
     refuse(open + closed, 16, "BOX BOUNDS pp ff ff: a periodic box");
     const Temporary_directory directory;
     const auto file = directory.file("a.dump", closed);
@@ -156,7 +161,8 @@ TEST_CASE("LAMMPS: what is no dump is refused at its line", "[io][lammps]") {
              {"ITEM: TIMESTEP\n0\nITEM: ATOMS id x y z\n", 3, "without ITEM: NUMBER OF ATOMS"},
              {"ITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS id x y z\n1 0 0 0\n", 3, "without ITEM: TIMESTEP"},
              {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n9000000000000000000\n", 4, "says 9000000000000000000 points"},
-             {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2000000000\nITEM: ATOMS x y\n1 2\n", 6, "after 1 of 2000000000"},
+             {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2000000000\nITEM: ATOMS x y\n1 2\n", 6,
+              "after 1 of 2000000000"},
              {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS xs ys\n0 0\n", 5, "a box that is not there"},
              {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS\n0 0\n", 5, "names no columns of positions"},
              {frame("0", upright, "id x z", "1 0 0", "2 1 1"), 9, "names no columns of positions"},

@@ -55,8 +55,8 @@ std::string long_xyz(std::mt19937& random) {
         const std::size_t n = random() % 200;
         text += std::to_string(n) + "\n" + std::string(random() % 300, 'c') + "\n";
         for (std::size_t i = 0; i < n; ++i) {
-            text += "H " + std::to_string(random() % 1000) + "." + std::to_string(random()) + " " +
-                    std::to_string(i) + std::string(1 + random() % 20, ' ') + "0.5\n";
+            text += "H " + std::to_string(random() % 1000) + "." + std::to_string(random()) + " " + std::to_string(i) +
+                    std::string(1 + random() % 20, ' ') + "0.5\n";
             if (random() % 50 == 0) text += std::string(random() % 10, '\n');
         }
     }
@@ -178,7 +178,9 @@ TEST_CASE("formats are told by extensions, or by whoever asks", "[io][formats]")
 TEST_CASE("long lines and many empty ones", "[io][motion][deep]") {
     const Temporary_directory directory;
     const std::string wide(300'000, ' ');
-    CHECK(all_of(directory.file("a.xyz", "1\n" + std::string(300'000, 'c') + "\n" + wide + "1" + wide + "2\n")).size() == 1);
+    CHECK(
+        all_of(directory.file("a.xyz", "1\n" + std::string(300'000, 'c') + "\n" + wide + "1" + wide + "2\n")).size() ==
+        1);
     const auto empty = directory.file("b.xyz", "1\n\n1 2\n" + std::string(1'000'000, '\n') + "1\n\n3 4\n");
     const auto frames = all_of(empty);
     REQUIRE(frames.size() == 2);
@@ -198,7 +200,8 @@ TEMPLATE_TEST_CASE_SIG("frames that are written are read back, bit for bit", "[i
                 expected.emplace_back(motion.points().begin(), motion.points().end());
                 append_frame<d>(text, format, i, motion.points());
             }
-            const Recorded_motion read = read_motion(directory.file("a", text), {.format = std::string(name_of(format))});
+            const Recorded_motion read =
+                read_motion(directory.file("a", text), {.format = std::string(name_of(format))});
             CHECK(read.has_z == (d == 3));
             CHECK(read.notes.empty());
             REQUIRE(read.frames.size() == 4);

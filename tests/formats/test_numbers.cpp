@@ -61,9 +61,8 @@ TEST_CASE("decimals are rounded to nearest, at both ends of the range too") {
     CHECK(parse_double("1.7976931348623159e308", unused) == Number_kind::too_large);
     CHECK(parse_double("-infinity", unused) == Number_kind::too_large);
     CHECK(parse_double("NaN", unused) == Number_kind::nan);
-    for (const char* text :
-         {"", "+", "-", ".", "e5", "1e", "1 ", " 1", "1e5x", "0x1p3", "++1", "+-1", "1_000", "1e+-5", "1.5D+01", "1.5d1",
-          "1.5+101", "1,5"})
+    for (const char* text : {"", "+", "-", ".", "e5", "1e", "1 ", " 1", "1e5x", "0x1p3", "++1", "+-1", "1_000", "1e+-5",
+                             "1.5D+01", "1.5d1", "1.5+101", "1,5"})
         CHECK(parse_double(text, unused) == Number_kind::not_a_number);
 }
 

@@ -101,7 +101,8 @@ TEST_CASE("a part of a mesh is written with its boundary and no other points") {
     CHECK(write_part(points, cells, facets) ==
           "MeshVersionFormatted 2\nDimension 3\n\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n\n"
           "Triangles\n4\n2 3 4 0\n1 4 3 0\n1 2 4 0\n1 3 2 0\n\nTetrahedra\n1\n1 2 3 4 0\n\nEnd\n");
-    CHECK(write_part(points, {}, {}) == "MeshVersionFormatted 2\nDimension 3\n\nVertices\n0\n\nTriangles\n0\n\nTetrahedra\n0\n\nEnd\n");
+    CHECK(write_part(points, {}, {}) ==
+          "MeshVersionFormatted 2\nDimension 3\n\nVertices\n0\n\nTriangles\n0\n\nTetrahedra\n0\n\nEnd\n");
     const std::vector<std::array<Index, 4>> wrong{{1, 2, 4, 6}};
     CHECK_THROWS_AS(write_part(points, wrong, facets), Error);
 }

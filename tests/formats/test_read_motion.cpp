@@ -214,7 +214,8 @@ TEST_CASE("points of a frame at one place are refused or merged", "[io][motion]"
         [&](const auto&) { (void)points_of<3>(motion.name, frame, Coincident::refuse); }, Error_code::collision);
     const Recorded_motion far = accept("a.csv", "frame,id,x,y\n3,8,0,0\n3,5,1e200,1\n");
     expect_fault(
-        far.name, 3, "out of domain", [&](const auto&) { (void)points_of<2>(far.name, far.frames[0], Coincident::merge); },
+        far.name, 3, "out of domain",
+        [&](const auto&) { (void)points_of<2>(far.name, far.frames[0], Coincident::merge); },
         Error_code::out_of_domain);
 }
 

@@ -39,7 +39,8 @@ std::string decoded_base64(std::string_view text) {
     return out;
 }
 
-/// The values of one DataArray: how many blocks, the size of one, that of the last if it is less, their packed sizes; and the blocks.
+/// The values of one DataArray: how many blocks, the size of one, that of the last if it is less, their packed sizes;
+/// and the blocks.
 template <class T>
 std::vector<T> array(const std::string& vtu, const std::string& name) {
     const std::string text = element_content(vtu, "Name=\"" + name + "\"");

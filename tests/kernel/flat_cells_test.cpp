@@ -64,7 +64,8 @@ void check_plane(const std::vector<Coordinates<3>>& x) {
             const auto n = static_cast<std::size_t>(flat.neighbours[k][i]);
             const auto& other = flat.vertices[n];
             const auto& back = flat.neighbours[n];
-            const auto j = static_cast<std::size_t>(std::find(back.begin(), back.end(), static_cast<Index>(k)) - back.begin());
+            const auto j =
+                static_cast<std::size_t>(std::find(back.begin(), back.end(), static_cast<Index>(k)) - back.begin());
             REQUIRE(j < 3);
             REQUIRE(t[(i + 1) % 3] == other[(j + 2) % 3]);
             REQUIRE(t[(i + 2) % 3] == other[(j + 1) % 3]);
@@ -117,7 +118,8 @@ TEMPLATE_TEST_CASE_SIG("Points on a line have the segments between neighbours, d
     REQUIRE(flat.vertices.size() == 7);
     for (std::size_t k = 0; k < 7; ++k) {
         CHECK(flat.vertices[k] == std::array<Index, 3>{ring[k], ring[k + 1], none});
-        CHECK(flat.neighbours[k] == std::array<Index, 3>{static_cast<Index>((k + 1) % 7), static_cast<Index>((k + 6) % 7), none});
+        CHECK(flat.neighbours[k] ==
+              std::array<Index, 3>{static_cast<Index>((k + 1) % 7), static_cast<Index>((k + 6) % 7), none});
     }
     CHECK(flat_cells<d>(x, {4}).dimension == 0);
     CHECK(flat_cells<d>(x, {}).dimension == -1);

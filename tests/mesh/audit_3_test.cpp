@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/mesh/audit.h>
 #include <annulus/cgal/types_3.h>
+#include <annulus/mesh/audit.h>
 
 #include <support/catch.h>
 #include <support/point_sets_3.h>
@@ -160,7 +160,8 @@ TEST_CASE("The audit of space refuses two components, one in another, a shared v
 }
 
 TEST_CASE("The audit of space refuses a bipyramid that winds twice, where every certificate holds", "[audit][space]") {
-    // A pentagon around the edge 0 1, its corners permuted to a pentagram: cells positive, spheres empty, ridges convex.
+    // A pentagon around the edge 0 1, its corners permuted to a pentagram: cells positive, spheres empty, ridges
+    // convex.
     Input input{{{0, 0, 0.3}, {0, 0, -0.3}}, {}};
     for (const int k : {0, 1, 2, 3, 4}) {
         const double turn = 1.2566370614359172 * k;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faults of which the audit has one witness only: each of these inputs passes when the one condition that it breaks is not
-// looked at.
+// Faults of which the audit has one witness only: each of these inputs passes when the one condition that it breaks
+// is not looked at.
 #include <annulus/mesh/audit.h>
 
 #include <support/catch.h>

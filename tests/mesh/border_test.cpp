@@ -25,7 +25,8 @@ void add_simplex(Cell_table<d>& t, Index first) {
     }
     for (int i = 0; i <= d; ++i)
         for (int k = 0; k < i; ++k)
-            t.glue(t.corner(outside[static_cast<std::size_t>(i)], k), t.corner(outside[static_cast<std::size_t>(k)], i));
+            t.glue(t.corner(outside[static_cast<std::size_t>(i)], k),
+                   t.corner(outside[static_cast<std::size_t>(k)], i));
 }
 
 }  // namespace
@@ -53,7 +54,8 @@ TEST_CASE("In the plane two borders that share nothing but infinity are not one"
             t.glue(t.corner(inside, i), t.corner(c, 0));
         }
         for (int i = 0; i < 3; ++i)  // across the edge from infinity to vertex i + 1
-            t.glue(t.corner(outside[static_cast<std::size_t>(i)], 1), t.corner(outside[static_cast<std::size_t>((i + 2) % 3)], 2));
+            t.glue(t.corner(outside[static_cast<std::size_t>(i)], 1),
+                   t.corner(outside[static_cast<std::size_t>((i + 2) % 3)], 2));
     };
     Cell_table<2> t;
     t.clear(6);

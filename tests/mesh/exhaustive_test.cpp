@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All there is to triangulate on a small grid, where nearly everything is degenerate: every set of four to six points of a 3 x 3 and
-// of a 2 x 2 x 3 grid is built, audited and compared with brute force, and moved to others.
+// All there is to triangulate on a small grid, where nearly everything is degenerate: every set of four to six points
+// of a 3 x 3 and of a 2 x 2 x 3 grid is built, audited and compared with brute force, and moved to others.
 #include "../../fuzz/common/brute_force.h"
 
 #include <annulus/moving_delaunay_2.h>

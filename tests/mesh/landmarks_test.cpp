@@ -76,8 +76,8 @@ double steps_of(const std::string& family, std::size_t vertices) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("Walks are short whatever the number of vertices, dimension", "[landmarks][price]",
-                       ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Walks are short whatever the number of vertices, dimension", "[landmarks][price]", ((int d), d),
+                       2, 3) {
     const char* const family = GENERATE("uniform", "strip", "leaning strip", "wall", "cluster", "lattice");
     CAPTURE(family);
     const double few = steps_of<d>(family, 1000);

@@ -120,7 +120,8 @@ TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL
             if (kind == 0) {
                 if (is_edge(t, p, q)) continue;
                 REQUIRE(flip_facet(t, h, cells));
-                CHECK(cells_of_table(t) == exchanged(before, {{a, b, c, q}, {a, b, c, p}}, {{a, b, p, q}, {b, c, p, q}, {c, a, p, q}}));
+                CHECK(cells_of_table(t) ==
+                      exchanged(before, {{a, b, c, q}, {a, b, c, p}}, {{a, b, p, q}, {b, c, p, q}, {c, a, p, q}}));
             } else if (kind == 1) {
                 Cell_vertices<3> x = vertices_of(facet_and_vertex(t, h));
                 while (x[2] != t.vertex(k)) x = {x[1], x[2], x[0], x[3]};
@@ -130,7 +131,7 @@ TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL
                 }
                 CHECK_FALSE(t.is_cell(cells[2]));
                 CHECK(cells_of_table(t) == exchanged(before, {{a, b, c, q}, {a, b, c, p}, {x[0], x[1], p, q}},
-                                                      {{x[2], p, q, x[0]}, {x[2], p, q, x[1]}}));
+                                                     {{x[2], p, q, x[0]}, {x[2], p, q, x[1]}}));
             } else {
                 const auto flip = flip_4_4(t, h, k);
                 if (!flip || is_edge(t, p, q)) continue;

@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -44,8 +44,8 @@ std::vector<Whole> hull_of(std::vector<Whole> points) {
     return hull;
 }
 
-/// The same polygon as somebody else might write it: from another corner, the other way round, with corners in the middle of edges (of which even
-/// coordinates have room for one that is exact), repeated corners, closed.
+/// The same polygon as somebody else might write it: from another corner, the other way round, with corners in the
+/// middle of edges (of which even coordinates have room for one that is exact), repeated corners, closed.
 Points rewritten(const std::vector<Whole>& hull, std::mt19937_64& random) {
     std::vector<Whole> list;
     for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -77,7 +77,8 @@ std::string refusal(const Points& corners, std::size_t at) {
 
 }  // namespace
 
-TEST_CASE("a polygon is the same bits however its corners are listed, and has its exact area and centroid", "[motion][domain]") {
+TEST_CASE("a polygon is the same bits however its corners are listed, and has its exact area and centroid",
+          "[motion][domain]") {
     const std::uint64_t seed = 26;
     CAPTURE(seed);
     std::mt19937_64 random(seed);
@@ -108,8 +109,10 @@ TEST_CASE("a polygon is the same bits however its corners are listed, and has it
         const Cell_2 whole = domain.whole(expected[0]);
         const Moments_2 m = moments(Density::one, whole.origin, whole.corners);
         const double width = 4.0 * static_cast<double>(size);
-        REQUIRE(m.first[0] / m.mass == Approx(static_cast<double>(x) / (3 * static_cast<double>(area))).margin(1e-14 * width));
-        REQUIRE(m.first[1] / m.mass == Approx(static_cast<double>(y) / (3 * static_cast<double>(area))).margin(1e-14 * width));
+        REQUIRE(m.first[0] / m.mass ==
+                Approx(static_cast<double>(x) / (3 * static_cast<double>(area))).margin(1e-14 * width));
+        REQUIRE(m.first[1] / m.mass ==
+                Approx(static_cast<double>(y) / (3 * static_cast<double>(area))).margin(1e-14 * width));
     }
 }
 
@@ -118,10 +121,11 @@ TEST_CASE("a closed ring is the open one", "[motion][domain]") {
     const Points rings[] = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}},
                             {{0, 0}, {0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {0, 0}, {-0.0, 0}},
                             {{1, 1}, {0, 1}, {0, 0}, {1, 0}, {1, 1}},
-                            {{0, 0}, {0, 1}, {1, 1}, {1, 0}, {0, 0}},                                      // clockwise
-                            {{0.5, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {0.5, 0}},                          // within an edge
+                            {{0, 0}, {0, 1}, {1, 1}, {1, 0}, {0, 0}},              // clockwise
+                            {{0.5, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {0.5, 0}},  // within an edge
                             {{0, 0}, {0.25, 0}, {0.5, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0.5}, {0, 0}},
-                            {{0, 0}, {1, 0}, {1, 1e-30}, {1, 1}, {0, 1}, {1e-25, 0}}};                     // nearly repeated
+                            // Nearly repeated.
+                            {{0, 0}, {1, 0}, {1, 1e-30}, {1, 1}, {0, 1}, {1e-25, 0}}};
     for (const Points& ring : rings) {
         CAPTURE(ring);
         CHECK(convex_ring(ring) == square);
@@ -129,7 +133,8 @@ TEST_CASE("a closed ring is the open one", "[motion][domain]") {
     CHECK(convex_ring(Points{{3, 1}, {1, 2}, {1, 1}, {3, 1}}) == Points{{1, 1}, {3, 1}, {1, 2}});
 }
 
-TEST_CASE("corners that rounding has put beside an edge are no corners, those outside of it are kept", "[motion][domain]") {
+TEST_CASE("corners that rounding has put beside an edge are no corners, those outside of it are kept",
+          "[motion][domain]") {
     // Tenths of a unit on two slanted edges: most are not on them, on either side.
     const Coordinates<2> corners[] = {{0, 0}, {1, 0.3}, {0.7, 1.3}};
     Points ring;
@@ -163,18 +168,21 @@ TEST_CASE("what is no convex polygon is refused at its corner, in words that are
     CHECK_THAT(refusal({{0, 0}, {1, 0}, {1, nan}}, 2), contains("finite"));
     CHECK_THAT(refusal({{0, 0}, {1e101, 0}, {0, 1}}, 0), contains("between 1e-100 and 1e100"));
     // The corner is counted in the list, with its repeated and flat ones.
-    CHECK_THAT(refusal({{0, 0}, {0, 0}, {1, 0}, {2, 0}, {2, 0}, {1, 0.5}, {2, 2}, {0, 0}}, 5), contains("counter-clockwise and turns right at corner 5"));
+    CHECK_THAT(refusal({{0, 0}, {0, 0}, {1, 0}, {2, 0}, {2, 0}, {1, 0.5}, {2, 2}, {0, 0}}, 5),
+               contains("counter-clockwise and turns right at corner 5"));
     CHECK_THAT(refusal({{2, 2}, {1, 0.5}, {2, 0}, {0, 0}}, 1), contains("clockwise and turns left at corner 1"));
     CHECK_THAT(refusal({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 3), contains("turns right"));  // an L
     // Spikes: outwards, inwards, along an edge, at the seam.
-    CHECK_THAT(refusal({{0, 0}, {1, 0}, {1, 0.5}, {2, 0.5}, {1, 0.5}, {1, 1}, {0, 1}}, 3), contains("go back on itself"));
+    CHECK_THAT(refusal({{0, 0}, {1, 0}, {1, 0.5}, {2, 0.5}, {1, 0.5}, {1, 1}, {0, 1}}, 3),
+               contains("go back on itself"));
     CHECK_THAT(refusal({{0, 0}, {2, 0}, {1, 0}, {1, 1}}, 1), contains("go back on itself"));
     CHECK_THAT(refusal({{0, 0}, {2, 0}, {1, 0}, {3, 0}, {1, 1}}, 1), contains("go back on itself"));
     CHECK_THAT(refusal({{1, 0}, {1, 1}, {0, 0}, {1, 0}, {2, 0}}, 4), contains("go back on itself"));
     // A spike along an edge that rounding has put beside it.
     CHECK_THAT(refusal({{0, 0}, {0.7, 0.21 + 1e-17}, {0.3, 0.09}, {1, 0.3}, {0, 1}}, 2), contains("corner"));
     Points star;
-    for (int i = 0; i < 5; ++i) star.push_back({std::cos(4 * std::numbers::pi / 5 * i), std::sin(4 * std::numbers::pi / 5 * i)});
+    for (int i = 0; i < 5; ++i)
+        star.push_back({std::cos(4 * std::numbers::pi / 5 * i), std::sin(4 * std::numbers::pi / 5 * i)});
     CHECK_THROWS_WITH(convex_ring(star), contains("go around once"));
     CHECK_THROWS_AS(convex_ring(Points{{0, 0}, {1, 1}, {1, 0}, {0, 1}}), Corner_error);  // crosses itself
     Points twice{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {1, 0}, {1, 1}, {0, 1}};

@@ -141,7 +141,8 @@ TEST_CASE("an image weighs what its pixels weigh", "[motion][image]") {
 }
 
 TEST_CASE("where an image has no weight a cell has no moments", "[motion][image]") {
-    // Ink in the rows of a leaning cell, between it and the column of its origin, which counts on both sides of the cell.
+    // Ink in the rows of a leaning cell, between it and the column of its origin, which counts on both sides of the
+    // cell.
     std::mt19937_64 random(11);
     Pixels pixels{40, 20, std::vector<std::uint32_t>(800, 0)};
     for (std::size_t j = 2; j < 6; ++j)

@@ -20,7 +20,9 @@ namespace {
 
 using Points = std::vector<Coordinates<3>>;
 
-Moving_delaunay_3 kept(const Points& points) { return Moving_delaunay_3(points, Options{.strategy = Strategy::filter}); }
+Moving_delaunay_3 kept(const Points& points) {
+    return Moving_delaunay_3(points, Options{.strategy = Strategy::filter});
+}
 
 /// The cells in their order, by sorting all of them and linking by a map of facets.
 Cells_3 cells_of(const Moving_delaunay_3& dt) {

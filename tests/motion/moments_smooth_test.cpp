@@ -60,8 +60,8 @@ TEST_CASE("Gauss rules are exact up to their degree", "[motion][moments]") {
         }
 }
 
-// Sizes at which a number of nodes just suffices, at which a cell is as large as a far one may be, as close to (0, 0), and around zeros
-// of the density, where it is smallest beside its derivatives.
+// Sizes at which a number of nodes just suffices, at which a cell is as large as a far one may be, as close to (0,
+// 0), and around zeros of the density, where it is smallest beside its derivatives.
 TEST_CASE("sin2 moments keep the promise where it is tightest", "[motion][moments][deep]") {
     const std::uint64_t seed = GENERATE(1u, 2u, 3u);
     std::mt19937_64 random(seed);

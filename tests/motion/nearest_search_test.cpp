@@ -20,7 +20,9 @@ struct Point_tree {
     std::vector<Triangle> triangles;
     mutable int memory = -1;  // entries of lists until it runs out; never when negative
 
-    [[nodiscard]] const Triangle& triangle(std::int32_t number) const { return triangles[static_cast<std::size_t>(number)]; }
+    [[nodiscard]] const Triangle& triangle(std::int32_t number) const {
+        return triangles[static_cast<std::size_t>(number)];
+    }
     [[nodiscard]] static Coordinates<3> project(const Triangle& t, const Coordinates<3>&) { return t[0]; }
     void list(const Coordinates<3>& centre, double reach, std::vector<Nearby_3::Part>& parts) const {
         for (std::size_t k = 0; k < triangles.size(); ++k) {

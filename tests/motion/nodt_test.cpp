@@ -118,7 +118,8 @@ Points targets_by_definition(const Domain_3& domain, const std::vector<char>& on
         const Real a = std::sqrt(dot(n, n)) / 2;
         // The cell behind it is on the other side of the outer normal.
         const auto behind = std::find_if(inside.begin(), inside.end(), [&](const auto& c) {
-            return std::all_of(t.begin(), t.end(), [&](Index v) { return std::find(c.begin(), c.end(), v) != c.end(); });
+            return std::all_of(t.begin(), t.end(),
+                               [&](Index v) { return std::find(c.begin(), c.end(), v) != c.end(); });
         });
         const Index apex = *std::find_if(behind->begin(), behind->end(), [&](Index v) { return !f.contains(v); });
         const Real side = dot(n, minus(p(apex), p(t[0]))) < 0 ? 1 : -1;
@@ -235,7 +236,8 @@ TEST_CASE("the body-centred lattice is a fixed point, and locks where its angles
 }
 
 TEST_CASE("a free vertex goes where the energy of its star is least", "[motion][nodt]") {
-    // The energy of natural ODT is the integral of the interpolation of |x|² on the mesh; of a fixed domain and connectivity.
+    // The energy of natural ODT is the integral of the interpolation of |x|² on the mesh; of a fixed domain and
+    // connectivity.
     const Ball_3 ball(1);
     for (unsigned seed = 20; seed < 24; ++seed) {
         Points points;
@@ -420,10 +422,12 @@ TEST_CASE("vertices of the surface do not exchange their places for ever", "[mot
 }
 
 TEST_CASE("a tip of a surface stays where it is", "[motion][nodt]") {
-    // A needle with twelve sides. Were its vertex drawn to the mean of its facets' circumcentres, it would slide down the side.
+    // A needle with twelve sides. Were its vertex drawn to the mean of its facets' circumcentres, it would slide down
+    // the side.
     Triangle_surface needle;
     needle.points = {{0, 0, 4}, {0, 0, 0}};
-    for (int i = 0; i < 12; ++i) needle.points.push_back({std::cos(std::numbers::pi * i / 6), std::sin(std::numbers::pi * i / 6), 0});
+    for (int i = 0; i < 12; ++i)
+        needle.points.push_back({std::cos(std::numbers::pi * i / 6), std::sin(std::numbers::pi * i / 6), 0});
     for (Index i = 0; i < 12; ++i) {
         needle.triangles.push_back({0, 2 + i, 2 + (i + 1) % 12});
         needle.triangles.push_back({1, 2 + (i + 1) % 12, 2 + i});
@@ -464,7 +468,8 @@ TEST_CASE("vertices on sharp edges stay on them, and corners where they are", "[
             }
         const Points start = points;
         CHECK(std::count(place.begin(), place.end(), Feature_curves::Place::corner) == 8);
-        const Nodt_3 nodt(surface, Sizing_3(surface), vertices_on_surface(surface, points), {}, 1, Curve_motion(sharp, place));
+        const Nodt_3 nodt(surface, Sizing_3(surface), vertices_on_surface(surface, points), {}, 1,
+                          Curve_motion(sharp, place));
         double gone = 0;
         for (int step = 0; step < 30; ++step) {
             const Cells_3 cells = cells_of(points);
@@ -494,9 +499,11 @@ TEST_CASE("vertices on sharp edges stay on them, and corners where they are", "[
         for (const Polyline_3& curve : sharp->curves()) {
             std::map<double, Index> along;
             for (std::size_t v = 0; v < points.size(); ++v)
-                if (const double at = curve.nearest(points[v]); distance(curve.at(at), points[v]) < 1e-9) along[at] = static_cast<Index>(v);
+                if (const double at = curve.nearest(points[v]); distance(curve.at(at), points[v]) < 1e-9)
+                    along[at] = static_cast<Index>(v);
             REQUIRE(along.size() > 2);
-            for (auto a = along.begin(), b = std::next(a); b != along.end(); ++a, ++b) CHECK(edges.contains({a->second, b->second}));
+            for (auto a = along.begin(), b = std::next(a); b != along.end(); ++a, ++b)
+                CHECK(edges.contains({a->second, b->second}));
         }
     }
 }

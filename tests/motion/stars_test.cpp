@@ -20,7 +20,9 @@ namespace {
 
 using Points = std::vector<Coordinates<2>>;
 
-Moving_delaunay_2 kept(const Points& points) { return Moving_delaunay_2(points, Options{.strategy = Strategy::filter}); }
+Moving_delaunay_2 kept(const Points& points) {
+    return Moving_delaunay_2(points, Options{.strategy = Strategy::filter});
+}
 
 /// The lists that CGAL gives for these points alone, turned into the one order.
 Stars_2 stars_of(const Points& points) {
@@ -109,7 +111,8 @@ TEST_CASE("Lloyd with a memory does what Lloyd does without, in any number of th
                 CHECK(got.max_displacement == one.max_displacement);
                 CHECK(got.kept == one.kept);
             }
-            // Only the vertices of a part go where they want to go, so most rest; in some steps all rest, or only stars change.
+            // Only the vertices of a part go where they want to go, so most rest; in some steps all rest, or only
+            // stars change.
             for (std::size_t v = 0; v < points.size(); ++v)
                 if (step % 5 != 4 && points[v][0] > 0.3) points[v] = expected[v];
             (void)dt.move_all(points);

@@ -75,21 +75,25 @@ TEST_CASE("nearest points are the same whatever was kept of earlier questions", 
     for (auto& p : far.points) p[2] += 1e5;
     for (auto& p : tiny.points)
         for (double& x : p) x *= 1e-25;
-    const Triangle_surface shape = GENERATE_COPY(box({0.9, 0.5, 0.02}), round_octahedron(0), round_octahedron(4), dented(), needles, far, tiny);
+    const Triangle_surface shape =
+        GENERATE_COPY(box({0.9, 0.5, 0.02}), round_octahedron(0), round_octahedron(4), dented(), needles, far, tiny);
     const Surface_3 surface(shape, true);
     const Domain_3::Box box = surface.bounding_box();
     const double size = distance(box.lower, box.upper), rounding = 1e-13 * (size + distance({}, box.upper));
     std::mt19937_64 bits(31);
     const auto number = [&] { return std::uniform_real_distribution<double>(-1, 1)(bits); };
-    for (const double log_stride : {-12.0, -4.0, -2.0, 0.0, 3.0, 200.0}) {  // the last three: each step, from a hundredth to thousands of sizes
+    // The last three: each step, from a hundredth to thousands of sizes.
+    for (const double log_stride : {-12.0, -4.0, -2.0, 0.0, 3.0, 200.0}) {
         CAPTURE(log_stride);
         Nearby_3 nearby;
         Coordinates<3> p = surface.surface_sample(1, 5)[0], near = p;
         std::size_t same_ball = 0;
         for (int step = 0; step < (log_stride < 0 ? 1500 : 150); ++step) {  // CGAL answers slowly from afar
-            const double stride = size * std::pow(10, log_stride < 0 ? log_stride : log_stride * std::abs(number()) - 2);
+            const double stride =
+                size * std::pow(10, log_stride < 0 ? log_stride : log_stride * std::abs(number()) - 2);
             for (double& x : p) x += stride * number();
-            // Mostly close to the surface, as vertices are, at times on it, at a corner, or with a place near by that is not.
+            // Mostly close to the surface, as vertices are, at times on it, at a corner, or with a place near by that
+            // is not.
             if (step % 5 == 1) p = surface.project(p);
             if (step % 100 == 50) p = shape.points[static_cast<std::size_t>(step) % shape.points.size()];
             if (step % 70 == 30) near = p;

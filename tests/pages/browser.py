@@ -98,7 +98,8 @@ class Page:
         return self.browser.call(method, self.session, **parameters)
 
     def ours(self, method):
-        return [e["params"] for e in self.browser.events if e["method"] == method and e.get("sessionId") == self.session]
+        return [e["params"] for e in self.browser.events if e["method"] == method
+                and e.get("sessionId") == self.session]
 
     def evaluate(self, expression):
         """The value of an expression in the page; a promise is waited for."""
@@ -118,19 +119,24 @@ class Page:
     def press(self, key):
         for kind in ("keyDown", "keyUp"):
             self.call("Input.dispatchKeyEvent", type=kind, key=key, code=key,
-                      windowsVirtualKeyCode={"ArrowRight": 39, "ArrowLeft": 37, "Home": 36, "End": 35, "Enter": 13}[key],
+                      windowsVirtualKeyCode={"ArrowRight": 39, "ArrowLeft": 37, "Home": 36, "End": 35,
+                                             "Enter": 13}[key],
                       **({"text": "\r"} if key == "Enter" and kind == "keyDown" else {}))
 
     def complaints(self):
         """What the console has of warnings and errors, and exceptions."""
-        self.evaluate("document.fonts.ready.then(() => new Promise(done => setTimeout(done, 0)))")  # what was to be done next is done
-        found = [str(p["args"]) for p in self.ours("Runtime.consoleAPICalled") if p["type"] in ("error", "warning", "assert")]
-        found += [p["entry"]["text"] for p in self.ours("Log.entryAdded") if p["entry"]["level"] in ("error", "warning")]
+        # What was to be done next is done.
+        self.evaluate("document.fonts.ready.then(() => new Promise(done => setTimeout(done, 0)))")
+        found = [str(p["args"]) for p in self.ours("Runtime.consoleAPICalled")
+                 if p["type"] in ("error", "warning", "assert")]
+        found += [p["entry"]["text"] for p in self.ours("Log.entryAdded")
+                  if p["entry"]["level"] in ("error", "warning")]
         return found + [str(p["exceptionDetails"]) for p in self.ours("Runtime.exceptionThrown")]
 
     def fetched(self):
         """All that was asked for beside the page itself."""
-        return [p["request"]["url"] for p in self.ours("Network.requestWillBeSent") if p["request"]["url"] != self.address]
+        return [p["request"]["url"] for p in self.ours("Network.requestWillBeSent")
+                if p["request"]["url"] != self.address]
 
     def screenshot(self, path, whole=True):
         shot = {}

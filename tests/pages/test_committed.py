@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pages and figures that are in the repository, in Chromium: nothing on the console, nothing fetched, links and images that lead
-somewhere, no number that is none, no label of a plot cut or upon another.
+"""The pages and figures that are in the repository, in Chromium: nothing on the console, nothing fetched, links and
+images that lead somewhere, no number that is none, no label of a plot cut or upon another.
 
 usage: tests/pages/test_committed.py [CLASS[.METHOD] ...]
 
@@ -22,7 +22,9 @@ NAMED = """[...document.querySelectorAll('a[href],img[src]')].map(e => e.getAttr
 # What would be drawn, or read, of something that is no number.
 NO_NUMBERS = """(() => {
   const found = [...document.querySelectorAll('[d],[x],[y],[cx],[cy],[points],[transform],[viewBox]')]
-    .filter(e => [...e.attributes].some(a => /\\b(NaN|nan|inf|Infinity|undefined)\\b/.test(a.value) && a.name !== 'aria-label')).map(e => e.outerHTML.slice(0, 200));
+    .filter(e => [...e.attributes].some(a => /\\b(NaN|nan|inf|Infinity|undefined)\\b/.test(a.value)
+                                           && a.name !== 'aria-label'))
+    .map(e => e.outerHTML.slice(0, 200));
   for (const e of document.querySelectorAll('td,text,tspan'))
     if (/^[+-]?(nan|inf|infinity|undefined)$/i.test(e.textContent.trim())) found.push(e.outerHTML.slice(0, 200));
   return found;

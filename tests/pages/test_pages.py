@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every kind of page that the tool writes, in Chromium: nothing on the console, nothing fetched, nothing outside the window,
-no label cut or upon another, light and dark, wide and narrow; sliders and sorting do what they say.
+"""Every kind of page that the tool writes, in Chromium: nothing on the console, nothing fetched, nothing outside the
+window, no label cut or upon another, light and dark, wide and narrow; sliders and sorting do what they say.
 
 usage: tests/pages/test_pages.py [--tool=PATH] [--screenshots=DIR] [CLASS[.METHOD] ...]
 
-Without --tool the preset release is built. Screenshots are for looking at: each kind wide, dark, narrow and printed. Needs chromium and
-python3-websocket (tools/setup --deep). Ends with `N passed, N failed`, and with 77 where there is no Chromium.
+Without --tool the preset release is built. Screenshots are for looking at: each kind wide, dark, narrow and printed.
+Needs chromium and python3-websocket (tools/setup --deep). Ends with `N passed, N failed`, and with 77 where there is
+no Chromium.
 """
 
 import argparse
@@ -39,7 +40,8 @@ CLASHES = """(() => {
         found.push('cut: ' + t.textContent + ' in ' + svg.getAttribute('aria-label'));
     for (const [i, [t, r]] of texts.entries())
       for (const [u, q] of texts.slice(i + 1))
-        if (Math.min(r.right, q.right) - Math.max(r.left, q.left) > 2 && Math.min(r.bottom, q.bottom) - Math.max(r.top, q.top) > 5)
+        if (Math.min(r.right, q.right) - Math.max(r.left, q.left) > 2 &&
+            Math.min(r.bottom, q.bottom) - Math.max(r.top, q.top) > 5)
           found.push(t.textContent + ' upon ' + u.textContent + ' in ' + svg.getAttribute('aria-label'));
   }
   return found;
@@ -47,7 +49,9 @@ CLASHES = """(() => {
 
 # Contrast of every text with the page, as WCAG 2 computes it: the least, and whose.
 CONTRAST = """(() => {
-  const light = c => { const [r, g, b] = c.match(/[\\d.]+/g).map(v => v / 255).map(v => v <= .03928 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4);
+  const light = c => {
+    const [r, g, b] = c.match(/[\\d.]+/g).map(v => v / 255)
+      .map(v => v <= .03928 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4);
     return .2126 * r + .7152 * g + .0722 * b; };
   const ground = light(getComputedStyle(document.body).backgroundColor);
   let least = [99, ''];
@@ -111,7 +115,8 @@ class Pages(unittest.TestCase):
     def test_every_kind_of_page_is_here(self):
         """What the tool calls a page in its sources is written by some kind."""
         sources = "".join(p.read_text() for p in ROOT.glob("src/annulus/cli/*.cpp"))
-        for name in set(itertools.chain(*(line.split('"')[1::2] for line in sources.splitlines() if "out.write(" in line))):
+        for name in set(itertools.chain(*(line.split('"')[1::2] for line in sources.splitlines()
+                                          if "out.write(" in line))):
             if name.endswith(".html"):
                 self.assertIn(name, {k.page for k in KINDS})
 
@@ -125,7 +130,8 @@ class Pages(unittest.TestCase):
                     self.assertEqual(page.complaints(), [], size)
                     self.assertEqual(page.fetched(), [], size)
                     for heading in kind.shows:
-                        self.assertIn(heading, page.evaluate("[...document.querySelectorAll('h2')].map(h => h.textContent)"))
+                        self.assertIn(heading,
+                                      page.evaluate("[...document.querySelectorAll('h2')].map(h => h.textContent)"))
                     self.assertEqual(page.evaluate("document.images.length"), 0)
                     self.assertEqual(page.evaluate("document.links.length > 0"), kind.links)
 
@@ -146,7 +152,8 @@ class Pages(unittest.TestCase):
                 page = self.open(kind.name, scripts=False)
                 self.assertNotEqual(page.evaluate("document.title"), "")
                 self.assertEqual(page.evaluate("document.querySelectorAll('button').length"), 0)
-                self.assertEqual(page.evaluate("[...document.querySelectorAll('input')].filter(e => e.checkVisibility()).length"), 0)
+                self.assertEqual(
+                    page.evaluate("[...document.querySelectorAll('input')].filter(e => e.checkVisibility()).length"), 0)
 
     def test_sorting(self):
         for kind in KINDS:
@@ -170,7 +177,8 @@ class Pages(unittest.TestCase):
         page.evaluate(f"delete {table}.tBodies[0].rows[0].cells[2].dataset.key")
         before = rows()
         for column in range(len(before[0])):
-            page.evaluate(f"{table}.tHead.rows[0].cells[{column}].querySelector('button').id = 'head-{number}-{column}'")
+            page.evaluate(
+                f"{table}.tHead.rows[0].cells[{column}].querySelector('button').id = 'head-{number}-{column}'")
             for direction in ("ascending", "descending"):
                 page.click(f"#head-{number}-{column}")
                 self.assertEqual(sorted(rows()), sorted(before))  # whole rows
@@ -202,7 +210,8 @@ class Pages(unittest.TestCase):
 
     def slide(self, page, slider):
         """Each end, the middle and a step by the keyboard show another picture, and the same place the same one."""
-        picture = "[...document.querySelectorAll('svg,canvas')].filter(e => e.checkVisibility()).map(e => e.toDataURL ? e.toDataURL() : e.outerHTML).join()"
+        picture = ("[...document.querySelectorAll('svg,canvas')].filter(e => e.checkVisibility()).map(e => e.toDataURL "
+                   "? e.toDataURL() : e.outerHTML).join()")
         low, high = (float(page.evaluate(f"{slider}.{end}")) for end in ("min", "max"))
         self.assertLess(low, high)
 

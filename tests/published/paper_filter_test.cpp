@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's algorithm: Delaunay at the fixed positions whatever tolerances are worth, and at the moving ones if they are certified.
+// The paper's algorithm: Delaunay at the fixed positions whatever tolerances are worth, and at the moving ones if
+// they are certified.
 
 #include <annulus/moving_mesh.h>
 

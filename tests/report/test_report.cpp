@@ -3,8 +3,8 @@
 #include <formats/well_formed.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/report/axis_ticks.h>
 #include <annulus/formats/markup.h>
+#include <annulus/report/axis_ticks.h>
 #include <annulus/report/report.h>
 #include <annulus/report/summary.h>
 
@@ -209,7 +209,10 @@ TEST_CASE("plots take any values") {
 }
 
 TEST_CASE("errors are drawn as bars, within the frame") {
-    const Plot plot{"t", {"x"}, {"y"}, {{"s", {0, 1, 2, 3}, {4, 4, 4, 4}, false, {2, 0, std::numeric_limits<double>::quiet_NaN()}}}};
+    const Plot plot{"t",
+                    {"x"},
+                    {"y"},
+                    {{"s", {0, 1, 2, 3}, {4, 4, 4, 4}, false, {2, 0, std::numeric_limits<double>::quiet_NaN()}}}};
     const std::string svg = svg_plot(plot);
     CHECK(contains(svg, "class=\"bar c0\""));
     const auto bars = svg.substr(svg.find("class=\"bar c0\""));
@@ -310,10 +313,9 @@ TEST_CASE("A film never has more than its most pictures, the first and the last 
         CHECK(contains(html, "Frame 0 &amp; &lt;so on>") + contains(html, "Frame 0 &amp; &lt;so on&gt;") == 1);
         CHECK(contains(html, "Frame " + std::to_string(frames - 1) + " &amp;"));
         CHECK(contains(html, "max=\"" + std::to_string(shown - 1) + "\""));
-        CHECK(contains(html,
-                       shown < frames ? "of " + grouped(frames) + " frames"
-                       : frames == 1  ? "The one frame is shown"
-                                      : "All " + grouped(frames) + " frames"));
+        CHECK(contains(html, shown < frames ? "of " + grouped(frames) + " frames"
+                             : frames == 1  ? "The one frame is shown"
+                                            : "All " + grouped(frames) + " frames"));
     }
 }
 

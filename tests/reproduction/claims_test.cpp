@@ -40,7 +40,8 @@ Race_record made_up() {
     paper.precompute_seconds = 0.25;
     r.racers = {rebuild, paper};
     for (Racer_record& x : r.racers)
-        for (auto list : {&Racer_record::asked, &Racer_record::failed, &Racer_record::requeued, &Racer_record::changed, &Racer_record::evaluated})
+        for (auto list : {&Racer_record::asked, &Racer_record::failed, &Racer_record::requeued, &Racer_record::changed,
+                          &Racer_record::evaluated})
             (x.*list).resize(x.step.size());
     return r;
 }
@@ -197,8 +198,9 @@ TEST_CASE("What is asked for is run, and nothing else") {
     size.only = {"fig11"};
     CHECK(names(size) == std::set<std::string>{"lloyd-x2", "nodt-sphere", "nodt-bunny"});
     size.only = {"fig5", "locked"};
-    CHECK(names(size) == std::set<std::string>{"points-one", "points-x2", "locked-sphere", "locked-sphere-5", "locked-sphere-10",
-                                               "locked-sphere-20", "locked-sphere-25", "locked-bunny"});
+    CHECK(names(size) == std::set<std::string>{"points-one", "points-x2", "locked-sphere", "locked-sphere-5",
+                                               "locked-sphere-10", "locked-sphere-20", "locked-sphere-25",
+                                               "locked-bunny"});
     size.only = {"movers"};
     CHECK(names(size).size() == 6);
 }

@@ -82,12 +82,14 @@ TEST_CASE("Its tolerances are those of the paper's queue") {
     const Printed_filter<3> printed(x, {});
     const Moving_delaunay_3 queue = paper_triangulation<3>(x);
     for (std::size_t v = 0; v < x.size(); ++v)
-        CHECK(printed.tolerance(static_cast<Index>(v)) == Approx(queue.tolerance(queue.vertex(v))).epsilon(1e-9).margin(1e-15));
+        CHECK(printed.tolerance(static_cast<Index>(v)) ==
+              Approx(queue.tolerance(queue.vertex(v))).epsilon(1e-9).margin(1e-15));
     const std::vector<Coordinates<2>> y = generate<2>(Point_family::uniform, 300, 8);
     const Printed_filter<2> plane(y, {});
     const Moving_delaunay_2 other = paper_triangulation<2>(y);
     for (std::size_t v = 0; v < y.size(); ++v)
-        CHECK(plane.tolerance(static_cast<Index>(v)) == Approx(other.tolerance(other.vertex(v))).epsilon(1e-9).margin(1e-15));
+        CHECK(plane.tolerance(static_cast<Index>(v)) ==
+              Approx(other.tolerance(other.vertex(v))).epsilon(1e-9).margin(1e-15));
 }
 
 TEST_CASE("A point keeps its side of a delimiter until it has crossed the middle circle") {

@@ -19,7 +19,8 @@ Race_record small() {
     racer.name = "filter";
     racer.step = {1, 2};
     racer.seconds = {0.1, 0.2};
-    for (auto list : {&Racer_record::asked, &Racer_record::failed, &Racer_record::requeued, &Racer_record::changed, &Racer_record::evaluated})
+    for (auto list : {&Racer_record::asked, &Racer_record::failed, &Racer_record::requeued, &Racer_record::changed,
+                      &Racer_record::evaluated})
         racer.*list = {3, 4};
     racer.streaks = {7, 6, 5, 4, 3, 2, 1};
     race.racers = {racer};

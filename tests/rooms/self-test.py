@@ -22,7 +22,8 @@ CLEAN = {
     "src/annulus/cgal/flips.h": HEADER + STANDARD + "#include <CGAL/Object.h>\n",
     "src/annulus/moving.h": HEADER + "#include <CGAL/Object.h>\n#include <annulus/report/report.h>\n",
     "src/annulus/cli/x.h": HEADER,
-    "src/annulus/report/report.h": HEADER + STANDARD + "/*\n#include <annulus/cli/never.h>\n*/\n// #include <annulus/cli/never.h>\n",
+    "src/annulus/report/report.h": HEADER + STANDARD
+    + "/*\n#include <annulus/cli/never.h>\n*/\n// #include <annulus/cli/never.h>\n",
     "src/annulus/c/mesh.cpp": SPDX + "#include <annulus/moving.h>\n",
     "src/annulus/cli/main.cpp": SPDX + "#include <annulus/moving.h>\n#include <annulus/report/report.h>\n",
     "tests/exact_test.cpp": SPDX + '#include "common.h"\n#include <CGAL/Object.h>\n',
@@ -69,7 +70,8 @@ class CheckRooms(unittest.TestCase):
         self.rejects("src/annulus/certificate/x.cpp", SPDX + '#include "../cli/x.h"\n', 2)
 
     def test_cgal_where_it_may_not_be(self):
-        for room in ("arithmetic", "space", "certificate", "mesh", "engine", "statistics", "formats", "report", "c", "cli"):
+        for room in ("arithmetic", "space", "certificate", "mesh", "engine", "statistics", "formats", "report", "c",
+                     "cli"):
             self.rejects(f"src/annulus/{room}/x.cpp", SPDX + "#include <CGAL/Object.h>\n", 2)
 
     def test_unknown_room(self):
@@ -82,7 +84,8 @@ class CheckRooms(unittest.TestCase):
         self.rejects("fuzz/common/x.h", HEADER + "#include <catch2/catch_all.hpp>\n", 3)
         self.rejects("src/annulus/mesh/x.cpp", SPDX + "#include <catch2/catch.hpp>\n", 2)
         for name, text in (("tests/support/catch.h", HEADER + "#include <catch2/catch.hpp>\n"),
-                           ("tests/exact_test.cpp", SPDX + "#include <support/catch.h>\n// #include <catch2/catch.hpp>\n")):
+                           ("tests/exact_test.cpp", SPDX
+                            + "#include <support/catch.h>\n// #include <catch2/catch.hpp>\n")):
             self.assertEqual(self.check({name: text}).returncode, 0, name)
 
     # Each with its constraint in the line of the second element, from 1.
@@ -107,7 +110,8 @@ class CheckRooms(unittest.TestCase):
         "template <class T> requires B<T> inline constexpr int a = 3;",
         "struct A {\n    A() requires(d == 2) = default;\n};",
         "template <class T> void f(T t) { if constexpr (requires { t.f(); }) t.f(); }\nvoid g();",
-        "// what it requires;\n/* requires x; */\nconst char* x = \"requires B<T> void f();\";\nconst char* y = R\"(requires \"B)\";",
+        "// what it requires;\n/* requires x; */\nconst char* x = \"requires B<T> void f();\";\nconst char* y = "
+        "R\"(requires \"B)\";",
     )
 
     def test_constraints_of_what_has_no_body(self):
@@ -118,7 +122,8 @@ class CheckRooms(unittest.TestCase):
         self.assertEqual(said, [f"{name}:{3 + line}" for name, (_, line) in names.items()])
         self.assertIn(f" {len(names)} violations", result.stdout)
         code = self.DECLARED[0][0] + "\n"
-        result = self.check({f"src/annulus/mesh/defined{i}.h": HEADER + STANDARD + text + "\n" for i, text in enumerate(self.DEFINED)} |
+        result = self.check({f"src/annulus/mesh/defined{i}.h": HEADER + STANDARD + text + "\n"
+                             for i, text in enumerate(self.DEFINED)} |
                             {"src/annulus/mesh/x.cpp": SPDX + code, "tests/x.h": HEADER + code})
         self.assertEqual(result.returncode, 0, result.stdout)
 

@@ -300,8 +300,7 @@ void choose_size(Case& c) {
         c.points = static_cast<std::size_t>(std::exp2(testing::between(random, std::log2(40), std::log2(400))));
     if (c.steps > 0) return;
     const bool cheap = c.setting.strategy == Strategy::filter || c.setting.strategy == Strategy::filter_each ||
-                       c.setting.strategy == Strategy::automatic ||
-                       c.setting.strategy == Strategy::paper;
+                       c.setting.strategy == Strategy::automatic || c.setting.strategy == Strategy::paper;
     c.steps = 50000;
     if (cheap && !is_rough(c.motion)) return;
     const double affordable = 1e6 / (price(c) * static_cast<double>(c.points));

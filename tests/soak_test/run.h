@@ -58,8 +58,8 @@ struct Outcome {
 /// Runs until the end or the first fault.
 [[nodiscard]] Outcome run(const Case& c);
 
-/// Points and steps where none are asked for: 50,000 steps where most vertices stay within their tolerance, elsewhere what
-/// takes a second or two. Functions of the case and its seed alone: no clock decides what a run does.
+/// Points and steps where none are asked for: 50,000 steps where most vertices stay within their tolerance, elsewhere
+/// what takes a second or two. Functions of the case and its seed alone: no clock decides what a run does.
 void choose_size(Case& c);
 
 }  // namespace annulus::soak

@@ -57,7 +57,8 @@ TEST_CASE("a grid: every diagonal is cocircular, every straight hull vertex coll
     CHECK(d.non_convex == 0);
     CHECK(d.bicells.arithmetic.total() == d.bicells.least.total);
     CHECK(d.bicells.arithmetic.exact >= squares);
-    // Two triangles that share a side of the grid: the annulus through (0, 0), (1, 0) and (0, 1), (1, -1) or (0, 1), (0, -1).
+    // Two triangles that share a side of the grid: the annulus through (0, 0), (1, 0) and (0, 1), (1, -1) or (0, 1),
+    // (0, -1).
     CHECK(d.bicells.least.width.quantiles.back() > 0.1);
     CHECK(d.theta.histogram.total() == d.bicells.least.total);
 }
@@ -110,7 +111,8 @@ TEST_CASE("a regular tetrahedron and its centre", "[statistics][degeneracy]") {
     CHECK(d.flat == 0);
     CHECK(d.theta.quantiles.front() == Approx(std::numbers::pi / 2));
     CHECK(d.cells.least.total == 4);
-    // The altitude of a cell over its outer facet is 1 / sqrt(3); of the others, and between opposite edges, it is more.
+    // The altitude of a cell over its outer facet is 1 / sqrt(3); of the others, and between opposite edges, it is
+    // more.
     CHECK(d.cells.least.width.quantiles.front() * d.spacing == Approx(1 / std::sqrt(3)).epsilon(1e-9));
     CHECK(d.ridges.least.total == 6);
     CHECK(d.ridges.least.width.quantiles.front() == d.ridges.least.width.quantiles.back());
@@ -163,7 +165,7 @@ TEST_CASE("counts do not depend on the unit of length if it is a power of two", 
     }
 }
 
-// ---- Independent counts, in rational numbers, from CGAL's object alone -----------------------------------------------------------
+// ---- Independent counts, in rational numbers, from CGAL's object alone --------------------------------------------
 
 namespace {
 

@@ -33,7 +33,8 @@ std::uint64_t peak(const std::string& status) {
 }  // namespace
 
 TEST_CASE("Memory at the peak is the line VmHWM of a process, and 0 where there is none", "[memory]") {
-    CHECK(peak("Name:\tannulus\nVmPeak:\t  900000 kB\nVmHWM:\t  123456 kB\nVmRSS:\t  100000 kB\n") == 123456 * kibibyte);
+    CHECK(peak("Name:\tannulus\nVmPeak:\t  900000 kB\nVmHWM:\t  123456 kB\nVmRSS:\t  100000 kB\n") ==
+          123456 * kibibyte);
     CHECK(peak("Name:\tVmHWM:\nVmRSS:\t 7 kB\n") == 0);
     CHECK(peak("VmHWM:\n") == 0);
     CHECK(peak("VmHWM:\tmuch\n") == 0);

@@ -33,7 +33,8 @@ TEST_CASE("a flat cell is a sliver", "[statistics][mesh]") {
 }
 
 TEST_CASE("a cell is a sliver by one obtuse angle alone", "[statistics][mesh]") {
-    // Two long triangles on the edge of the first two corners, nearly in one plane: 170.3 degrees there, 160.7 opposite, 10.8 else.
+    // Two long triangles on the edge of the first two corners, nearly in one plane: 170.3 degrees there, 160.7
+    // opposite, 10.8 else.
     const std::vector<Coordinates<3>> x{{-0.5, 0, 0}, {0.5, 0, 0}, {0, -1, 0.085}, {0, 1, 0.085}};
     const Mesh_quality q = mesh_quality(linked({{0, 1, 2, 3}}, 4), std::vector<char>{1}, x);
     CHECK(q.dihedral.min() > Mesh_quality::sliver_degrees);

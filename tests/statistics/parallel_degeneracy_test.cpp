@@ -53,12 +53,13 @@ std::vector<double> everything(const Cell_table<d>& t, const std::vector<Coordin
         say(c->decided_exactly);
     }
     say_widths(found.standard);
-    for (const std::uint64_t n : {found.non_convex, found.flat, found.vertices.zero, found.vertices.paper_above_exact, found.vertices.paper_unsound,
-                                  found.vertices.unsound_certificates})
+    for (const std::uint64_t n : {found.non_convex, found.flat, found.vertices.zero, found.vertices.paper_above_exact,
+                                  found.vertices.paper_unsound, found.vertices.unsound_certificates})
         say(n);
     for (const std::uint64_t n : found.vertices.below) say(n);
     say_stages(found.convexity);
-    for (const Distribution* of : {&found.theta, &found.vertices.certified, &found.vertices.paper}) say_distribution(*of);
+    for (const Distribution* of : {&found.theta, &found.vertices.certified, &found.vertices.paper})
+        say_distribution(*of);
     say_histogram(found.vertices.paper_ratio);
     return said;
 }
@@ -76,7 +77,8 @@ void check(Point_family family, std::size_t n) {
         const std::vector<double> many = everything<d>(mesh.table(), x, threads);
         REQUIRE(many.size() == one.size());
         std::size_t differ = 0;
-        for (std::size_t i = 0; i < one.size(); ++i) differ += one[i] == many[i] || (one[i] != one[i] && many[i] != many[i]) ? 0U : 1U;
+        for (std::size_t i = 0; i < one.size(); ++i)
+            differ += one[i] == many[i] || (one[i] != one[i] && many[i] != many[i]) ? 0U : 1U;
         CHECK(differ == 0);
     }
 }

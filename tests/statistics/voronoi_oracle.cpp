@@ -17,8 +17,8 @@ struct Half_plane {
     Number a, b, c;
 };
 
-/// Beyond every corner of a bounded cell of points in the coordinate domain: coordinates are multiples of 2^-1074 below 2^501, and corners quotients of
-/// polynomials of degree 4 and 3 in them.
+/// Beyond every corner of a bounded cell of points in the coordinate domain: coordinates are multiples of 2^-1074
+/// below 2^501, and corners quotients of polynomials of degree 4 and 3 in them.
 const Number& far_away() {
     static const Number x = Number(mpz_class(1) << 6500);
     return x;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The error bounds that come with a facet's terms, against the terms in rational numbers: circumcentres are off by as much as they say.
+// The error bounds that come with a facet's terms, against the terms in rational numbers: circumcentres are off by as
+// much as they say.
 #include <annulus/statistics/voronoi_terms.h>
 #include <support/cases.h>
 #include <support/catch.h>
@@ -29,8 +30,9 @@ mpq_class determinant(const Exact<3>& a, const Exact<3>& b, const Exact<3>& c) {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// Two cells with a common facet, as Voronoi_terms reads them: the first has the vertices 0 to d, the other one is beyond the facet opposite
-/// to `opposite`, and its first corner is vertex d + 1. Whether they are positive does not matter to their terms.
+/// Two cells with a common facet, as Voronoi_terms reads them: the first has the vertices 0 to d, the other one is
+/// beyond the facet opposite to `opposite`, and its first corner is vertex d + 1. Whether they are positive does not
+/// matter to their terms.
 template <int d>
 struct Two_cells {
     std::size_t opposite;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Areas and volumes of Voronoi cells against cells that are cut out in rational numbers (voronoi_oracle.h), over points of every kind.
+// Areas and volumes of Voronoi cells against cells that are cut out in rational numbers (voronoi_oracle.h), over
+// points of every kind.
 #include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/moving_mesh.h>
 #include <annulus/statistics/voronoi_exact.h>
@@ -126,7 +127,8 @@ TEST_CASE("Flat tetrahedra among the lattice points of a cube, off by ulps, spoi
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("Cells that are thin and reach far out are as good as others, dimension", "[statistics][voronoi]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Cells that are thin and reach far out are as good as others, dimension",
+                       "[statistics][voronoi]", ((int d), d), 2, 3) {
     std::size_t exact = 0;
     for (int i = 0; i < repeats(3); ++i)
         for (const double far : {0x1p12, 0x1p20, 0x1p26, 0x1p32, 0x1p40}) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The test `subproject`: what a parent project gets, seen in its compile commands; nothing is compiled. Flags that break the arithmetic
-# are refused, wherever they stand.
+# The test `subproject`: what a parent project gets, seen in its compile commands; nothing is compiled. Flags that
+# break the arithmetic are refused, wherever they stand.
 file(REMOVE_RECURSE "${SCRATCH}")
 
 function(refused flags expected)
@@ -10,9 +10,10 @@ function(refused flags expected)
         message(SEND_ERROR "flags '${flags}': refused should be ${expected}")
     endif()
 endfunction()
-foreach(flag IN ITEMS -ffast-math -Ofast -funsafe-math-optimizations -ffinite-math-only -fno-honor-nans -fno-honor-infinities
-        -fassociative-math -freciprocal-math -fno-signed-zeros -fsingle-precision-constant -fapprox-func -mrecip -mrecip=all
-        -mfpmath=387 -mfpmath=sse+387 -mpc32 -mpc64 -mdaz-ftz -fdenormal-fp-math=preserve-sign -ffp-model=fast -ffp-model=aggressive
+foreach(flag IN ITEMS -ffast-math -Ofast -funsafe-math-optimizations -ffinite-math-only -fno-honor-nans
+        -fno-honor-infinities -fassociative-math -freciprocal-math -fno-signed-zeros -fsingle-precision-constant
+        -fapprox-func -mrecip -mrecip=all -mfpmath=387 -mfpmath=sse+387 -mpc32 -mpc64 -mdaz-ftz
+        -fdenormal-fp-math=preserve-sign -ffp-model=fast -ffp-model=aggressive
         -ffp-eval-method=extended -fexcess-precision=fast /fp:fast)
     refused("${flag}" 1)
     refused("-O2 ${flag} -g" 1)
@@ -38,12 +39,13 @@ foreach(id IN ITEMS MSVC Intel IntelLLVM NVHPC NVIDIA PGI XLClang GNUlike "")
     compiler("${id}" 1)
 endforeach()
 
-# Nor do the headers take them, or an older standard, where a build has no CMake. The first error says so, before those about what an older
-# standard has not; tools/check-rooms looks that no header is left out.
+# Nor do the headers take them, or an older standard, where a build has no CMake. The first error says so, before
+# those about what an older standard has not; tools/check-rooms looks that no header is left out.
 function(header name flags expected words)
     separate_arguments(flags)
     set(ENV{LC_ALL} C)
-    execute_process(COMMAND "${COMPILER}" ${flags} -Wfatal-errors "-I${SOURCE}/src" -x c++ -fsyntax-only "${SOURCE}/src/annulus/${name}"
+    execute_process(COMMAND "${COMPILER}" ${flags} -Wfatal-errors "-I${SOURCE}/src" -x c++ -fsyntax-only
+                            "${SOURCE}/src/annulus/${name}"
                     RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
     string(REGEX MATCH "(fatal )?error: [^\n]*" first "${said}")
     if((status EQUAL 0) EQUAL expected OR (expected AND NOT first MATCHES "annulus: .*${words}"))
@@ -55,8 +57,8 @@ header(${environment} "-std=c++20" 0 "")
 foreach(flag IN ITEMS -ffast-math -ffinite-math-only -fassociative-math\ -fno-signed-zeros\ -fno-trapping-math)
     header(${environment} "-std=c++20 ${flag}" 1 "compile (it )?without")
 endforeach()
-foreach(name IN ITEMS ${environment} arithmetic/error.h arithmetic/stage.h moving_mesh.h moving_delaunay_2.h moving_delaunay_3.h
-        motion/lloyd_2.h statistics/voronoi_volumes.h formats/read_points.h report/table.h)
+foreach(name IN ITEMS ${environment} arithmetic/error.h arithmetic/stage.h moving_mesh.h moving_delaunay_2.h
+        moving_delaunay_3.h motion/lloyd_2.h statistics/voronoi_volumes.h formats/read_points.h report/table.h)
     header(${name} "-std=c++17" 1 "-std=c[+][+]20")
 endforeach()
 
@@ -69,8 +71,9 @@ function(configure status_variable)
 endfunction()
 
 # zlib, libpng and JSON are not looked for: as if they were not there.
-configure(status -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON
-          -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON)
+configure(status -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+          -DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON
+          -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON)
 if(NOT status EQUAL 0)
     message(FATAL_ERROR "the parent project does not configure:\n${said}")
 endif()

@@ -2,8 +2,8 @@
 #pragma once
 
 // What RapidCheck draws. A case carries the seed it came from and prints itself as C++ code, because RapidCheck's own
-// reproduce strings do not work through Catch. Nothing shrinks here, because a smaller seed is no simpler case; programs
-// of calls shrink by themselves (fuzz/common/shrink.h).
+// reproduce strings do not work through Catch. Nothing shrinks here, because a smaller seed is no simpler case;
+// programs of calls shrink by themselves (fuzz/common/shrink.h).
 
 #include <support/generators.h>
 #include <support/properties.h>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Catch2, 2 or 3, under the names that both have, or that are given to both here. Tests include this and nothing of Catch2's.
+// Catch2, 2 or 3, under the names that both have, or that are given to both here. Tests include this and nothing of
+// Catch2's.
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
 #else

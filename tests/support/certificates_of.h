@@ -53,8 +53,8 @@ template <int d>
         out.bicells.push_back(b);
         ++i;
     }
-    // Two border facets that share all corners but one. The interior is on the positive side of each, and where the border is convex the
-    // odd corner of the other is too.
+    // Two border facets that share all corners but one. The interior is on the positive side of each, and where the
+    // border is convex the odd corner of the other is too.
     for (std::size_t i = 0; i < border.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             Index odd = none;

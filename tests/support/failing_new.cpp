@@ -5,7 +5,8 @@
 #include <cstdlib>
 #include <limits>
 
-// CGAL's containers lose a block when there is no memory to enter it in their list of blocks. Nothing of ours is among them.
+// CGAL's containers lose a block when there is no memory to enter it in their list of blocks. Nothing of ours is
+// among them.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:CGAL::Compact_container"; }
 

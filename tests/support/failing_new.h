@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Memory that runs out at a chosen allocation. The whole test program allocates through the operators of failing_new.cpp,
-// which are malloc and free unless a Failing_new of the same thread lives. GMP and MPFR call malloc themselves and are not
-// reached: they end the process where it fails, which nothing here can test.
+// Memory that runs out at a chosen allocation. The whole test program allocates through the operators of
+// failing_new.cpp, which are malloc and free unless a Failing_new of the same thread lives. GMP and MPFR call malloc
+// themselves and are not reached: they end the process where it fails, which nothing here can test.
 
 #include <cstdint>
 #include <new>

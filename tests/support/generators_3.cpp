@@ -113,7 +113,8 @@ Five five(Family_3 family, Random& random) {
             break;
         }
         case Family_3::cospherical_exact: {
-            // Signs and orders of three numbers, and of another triple of the same norm: 1 + 64 + 64 = 16 + 64 + 49, and the like.
+            // Signs and orders of three numbers, and of another triple of the same norm: 1 + 64 + 64 = 16 + 64 + 49,
+            // and the like.
             static constexpr std::array<std::array<int, 3>, 6> triples{
                 {{1, 8, 8}, {4, 8, 7}, {4, 4, 1}, {1, 4, 4}, {2, 1, 2}, {5, 0, 0}}};
             const Point_3 centre = small(random, 50);

@@ -11,7 +11,8 @@ using Point_3 = Coordinates<3>;
 
 /// Sign of the orientation of four points, CGAL's; from rational numbers, sharing nothing with the library.
 [[nodiscard]] int exact_orientation(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d);
-/// Positive when e is strictly outside the sphere of the positive tetrahedron a, b, c, d; 0 when the five are cospherical.
+/// Positive when e is strictly outside the sphere of the positive tetrahedron a, b, c, d; 0 when the five are
+/// cospherical.
 [[nodiscard]] int exact_empty_sphere(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d,
                                      const Point_3& e);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The moves that do most harm to a whole triangulation, and what its tolerances promise against them. In the plane and in space.
+// The moves that do most harm to a whole triangulation, and what its tolerances promise against them. In the plane
+// and in space.
 
 #include <support/certificates_of.h>
 #include <support/point_sets_3.h>
@@ -25,8 +26,9 @@ struct Harm {
     double half_width;                      ///< rounded to nearest
 };
 
-/// Of every cell, bi-cell and ridge; nothing where points are flat. A bi-cell is given its annuli: its cells are certificates of their
-/// own. With T = double half widths may be far off where they are small beside the points' distances.
+/// Of every cell, bi-cell and ridge; nothing where points are flat. A bi-cell is given its annuli: its cells are
+/// certificates of their own. With T = double half widths may be far off where they are small beside the points'
+/// distances.
 template <int d, class T>
 [[nodiscard]] std::vector<Harm<d>> harms(const Audit_input<d>& input) {
     std::vector<Harm<d>> out;
@@ -79,7 +81,8 @@ struct Undone {
     int triangulations = 0, certificates = 0, tight = 0;
 };
 
-/// Settled tolerances against the worst moves, certificate by certificate and all at once. No vertex index may be vacant.
+/// Settled tolerances against the worst moves, certificate by certificate and all at once. No vertex index may be
+/// vacant.
 template <class Moving, class Points>
 void check_worst_moves(const Points& x, const Options& options, Undone& undone) {
     constexpr int d = Moving::dimension_of_space;
@@ -105,7 +108,8 @@ void check_worst_moves(const Points& x, const Options& options, Undone& undone) 
         };
         HOLDS(passes(squeezed(0.9999)), x);
         ++undone.certificates;
-        // It decides the tolerance of all its vertices, as the tightest of all does. A fifth of a per cent is given away.
+        // It decides the tolerance of all its vertices, as the tightest of all does. A fifth of a per cent is given
+        // away.
         bool tight = true;
         for (const Index v : h.vertices) {
             HOLDS(s[static_cast<std::size_t>(v)] <= h.half_width * (1 + 0x1p-50), x);
@@ -131,8 +135,9 @@ void check_worst_moves(const Points& x, const Options& options, Undone& undone) 
     }
 }
 
-/// Empty, or which certificate could be undone within what the tolerances leave: they say how far each vertex may be from its
-/// fixed position, all at the same time, so that in every certificate one at least has no more room than half the width there is now.
+/// Empty, or which certificate could be undone within what the tolerances leave: they say how far each vertex may be
+/// from its fixed position, all at the same time, so that in every certificate one at least has no more room than
+/// half the width there is now.
 template <class Moving>
 [[nodiscard]] std::string room_fault(const Moving& dt) {
     constexpr int d = Moving::dimension_of_space;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The worst that can happen to a certificate. A determinant vanishes when its points are on one hyperplane, or on one sphere;
-// the least effort is to squeeze them onto the median of two parallel hyperplanes, or of two concentric spheres, that pass through
-// the parts A and B of a partition (docs/theory.md 2). Here every such pair is found from its definition, in the plane and in
-// space, in rational numbers or, where a direction is all that is wanted, in doubles. Nothing is shared with the library.
+// The worst that can happen to a certificate. A determinant vanishes when its points are on one hyperplane, or on one
+// sphere; the least effort is to squeeze them onto the median of two parallel hyperplanes, or of two concentric
+// spheres, that pass through the parts A and B of a partition (docs/theory.md 2). Here every such pair is found from
+// its definition, in the plane and in space, in rational numbers or, where a direction is all that is wanted, in
+// doubles. Nothing is shared with the library.
 
 #include <annulus/arithmetic/coordinates.h>
 
@@ -107,7 +108,8 @@ std::array<double, d> unit_vector(const std::array<T, d>& v, int sense) {
     return u;
 }
 
-/// Points relative to the first. As doubles they are scaled by a power of two, so that nothing overflows: the scale is returned.
+/// Points relative to the first. As doubles they are scaled by a power of two, so that nothing overflows: the scale
+/// is returned.
 template <class T, int d, std::size_t n>
 std::array<Vector_of<T, d>, n> relative(const Points_of_certificate<d, n>& x, int& exponent) {
     std::array<Vector_of<T, d>, n> y;
@@ -210,8 +212,8 @@ template <class T, int d>
     return all;
 }
 
-/// The annuli of a bi-cell {facet.., p, q}, A of two points of the facet at least: 1 in the plane, 4 in space. That of the whole facet
-/// comes last.
+/// The annuli of a bi-cell {facet.., p, q}, A of two points of the facet at least: 1 in the plane, 4 in space. That
+/// of the whole facet comes last.
 template <class T, int d>
 [[nodiscard]] std::vector<Squeeze<T, d, d + 2>> annuli(const Points_of_certificate<d, d + 2>& x) {
     int exponent = 0;
@@ -227,7 +229,8 @@ template <class T, int d>
     return all;
 }
 
-/// The slabs of one cell of a bi-cell, whose other opposite vertex rests: `at` says where the points of the cell are in x.
+/// The slabs of one cell of a bi-cell, whose other opposite vertex rests: `at` says where the points of the cell are
+/// in x.
 template <class T, int d>
 [[nodiscard]] std::vector<Squeeze<T, d, d + 2>> slabs_of_cell(const Points_of_certificate<d, d + 2>& x, bool with_q) {
     Points_of_certificate<d, d + 1> cell;
@@ -249,7 +252,7 @@ template <class Squeezes>
                              [](const auto& l, const auto& r) { return l.half_width < r.half_width; });
 }
 
-// ---- Exact places and signs -------------------------------------------------------------------------------------------------------
+// ---- Exact places and signs ---------------------------------------------------------------------------------------
 
 namespace squeezing {
 
@@ -310,7 +313,8 @@ template <int d>
     at[d] = with_q ? d + 1 : d;
     return with_q ? sign_of_orientation<d, d + 2>(x, at) : -sign_of_orientation<d, d + 2>(x, at);
 }
-/// Positive when p is strictly outside the sphere of the positive cell {facet.., q}: the lifted determinant with p as the origin.
+/// Positive when p is strictly outside the sphere of the positive cell {facet.., q}: the lifted determinant with p as
+/// the origin.
 template <int d>
 [[nodiscard]] int sign_of_empty_sphere(const Places<d, d + 2>& x) {
     std::array<Vector_of<mpz_class, d>, d + 1> y;

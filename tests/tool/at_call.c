@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /* Preloaded into the tool by tool.py: a signal that comes at a place of the program, and not at a time.
  *
- * ANNULUS_AT="SIGNAL COUNT CALL [PART]": the process sends itself SIGNAL before its COUNT-th CALL on a file whose path has PART in it, and goes
- * on. CALL is the name of one of the functions below, without at, at2, 64 or data, or `change` for all that change files, or `clock` for a look at a
- * clock. ANNULUS_AT_RANK: only in that process of mpirun. ANNULUS_THREADS=N: beside the first one so many threads are
- * there at once, and no more.
+ * ANNULUS_AT="SIGNAL COUNT CALL [PART]": the process sends itself SIGNAL before its COUNT-th CALL on a file whose path
+ * has PART in it, and goes on. CALL is the name of one of the functions below, without at, at2, 64 or data, or
+ * `change` for all that change files, or `clock` for a look at a clock. ANNULUS_AT_RANK: only in that process of
+ * mpirun. ANNULUS_THREADS=N: beside the first one so many threads are there at once, and no more.
  * C, because what is preloaded comes before the libraries of C++.
  */
 #define _GNU_SOURCE
@@ -54,31 +54,31 @@ static void here_fd(const char* name, int changes, int fd) {
     here(name, changes, path, NULL);
 }
 
-#define REAL(type, name, ...)                                                       \
-    static type (*real)(__VA_ARGS__);                                               \
+#define REAL(type, name, ...)         \
+    static type (*real)(__VA_ARGS__); \
     if (!real) *(void**)&real = dlsym(RTLD_NEXT, name)
 
 static int writes(int flags) { return (flags & O_ACCMODE) != O_RDONLY; }
 
-#define OPEN(NAME)                                                                  \
-    int NAME(const char* path, int flags, ...) {                                    \
-        REAL(int, #NAME, const char*, int, ...);                                    \
-        va_list more;                                                               \
-        va_start(more, flags);                                                      \
+#define OPEN(NAME)                                                                      \
+    int NAME(const char* path, int flags, ...) {                                        \
+        REAL(int, #NAME, const char*, int, ...);                                        \
+        va_list more;                                                                   \
+        va_start(more, flags);                                                          \
         const mode_t mode = flags & (O_CREAT | __O_TMPFILE) ? va_arg(more, mode_t) : 0; \
-        va_end(more);                                                               \
-        here("open", writes(flags), path, NULL);                                    \
-        return real(path, flags, mode);                                             \
+        va_end(more);                                                                   \
+        here("open", writes(flags), path, NULL);                                        \
+        return real(path, flags, mode);                                                 \
     }
-#define OPENAT(NAME)                                                                \
-    int NAME(int at, const char* path, int flags, ...) {                            \
-        REAL(int, #NAME, int, const char*, int, ...);                               \
-        va_list more;                                                               \
-        va_start(more, flags);                                                      \
+#define OPENAT(NAME)                                                                    \
+    int NAME(int at, const char* path, int flags, ...) {                                \
+        REAL(int, #NAME, int, const char*, int, ...);                                   \
+        va_list more;                                                                   \
+        va_start(more, flags);                                                          \
         const mode_t mode = flags & (O_CREAT | __O_TMPFILE) ? va_arg(more, mode_t) : 0; \
-        va_end(more);                                                               \
-        here("open", writes(flags), path, NULL);                                    \
-        return real(at, path, flags, mode);                                         \
+        va_end(more);                                                                   \
+        here("open", writes(flags), path, NULL);                                        \
+        return real(at, path, flags, mode);                                             \
     }
 OPEN(open)
 OPEN(open64)
@@ -105,29 +105,29 @@ FILE* fopen(const char* path, const char* mode) {
     here("open", strpbrk(mode, "wa+") != NULL, path, NULL);
     return real(path, mode);
 }
-#define PWRITE(NAME, OFFSET)                                                        \
-    ssize_t NAME(int fd, const void* data, size_t n, OFFSET at) {                   \
-        REAL(ssize_t, #NAME, int, const void*, size_t, OFFSET);                     \
-        here_fd("pwrite", 1, fd);                                                   \
-        return real(fd, data, n, at);                                               \
+#define PWRITE(NAME, OFFSET)                                      \
+    ssize_t NAME(int fd, const void* data, size_t n, OFFSET at) { \
+        REAL(ssize_t, #NAME, int, const void*, size_t, OFFSET);   \
+        here_fd("pwrite", 1, fd);                                 \
+        return real(fd, data, n, at);                             \
     }
 PWRITE(pwrite, off_t)
 PWRITE(pwrite64, off64_t)
 
-#define ON_FD(NAME, CALL)                                                           \
-    int NAME(int fd) {                                                              \
-        REAL(int, #NAME, int);                                                      \
-        here_fd(CALL, 1, fd);                                                       \
-        return real(fd);                                                            \
+#define ON_FD(NAME, CALL)      \
+    int NAME(int fd) {         \
+        REAL(int, #NAME, int); \
+        here_fd(CALL, 1, fd);  \
+        return real(fd);       \
     }
 ON_FD(fsync, "fsync")
 ON_FD(fdatasync, "fsync")
 
-#define ON_PATH(NAME)                                                               \
-    int NAME(const char* path) {                                                    \
-        REAL(int, #NAME, const char*);                                              \
-        here(#NAME, 1, path, NULL);                                                 \
-        return real(path);                                                          \
+#define ON_PATH(NAME)                  \
+    int NAME(const char* path) {       \
+        REAL(int, #NAME, const char*); \
+        here(#NAME, 1, path, NULL);    \
+        return real(path);             \
     }
 ON_PATH(unlink)
 ON_PATH(rmdir)

@@ -83,7 +83,8 @@ class Audits(ToolTest):
 
     def test_points_on_a_line(self):
         def flat(points, edges):
-            self.write("test.mesh", self.HEAD + f"Vertices\n{len(points)}\n" + "".join(f"{x!r} {y!r} 0\n" for x, y in points)
+            self.write("test.mesh", self.HEAD + f"Vertices\n{len(points)}\n"
+                       + "".join(f"{x!r} {y!r} 0\n" for x, y in points)
                        + f"Edges\n{len(edges)}\n" + "".join(f"{a} {b} 0\n" for a, b in edges) + "Triangles\n0\nEnd\n")
             return self.run_tool("audit", "test.mesh")
         line = [(0.0, 0.0), (2.0, 4.0), (1.0, 2.0)]
@@ -128,7 +129,8 @@ class Audits(ToolTest):
     def test_flat_in_space(self):
         for last, word in (("1,1,0", "2 triangles"), ("3,0,0", "3 edges")):
             rows = ["0,0,0", "1,0,0", "0,1.5,0" if "tri" in word else "2,0,0", last]
-            self.write("flat.csv", "frame,id,x,y,z\n" + "".join(f"{f},{i},{p}\n" for f in (0, 1) for i, p in enumerate(rows)))
+            self.write("flat.csv", "frame,id,x,y,z\n" + "".join(f"{f},{i},{p}\n" for f in (0, 1)
+                                                                for i, p in enumerate(rows)))
             self.succeed("replay", "flat.csv", "--dim", "3", "--output", "out", "--quiet")
             self.assertIn(f"4 points, {word}: Delaunay", self.succeed("audit", "out/final.mesh").stdout)
 

@@ -59,8 +59,9 @@ class Faults(ToolTest):
 
     def test_closed_streams(self):
         # A file of the results must not become standard output.
-        done = subprocess.run([OPTIONS["tool"], *LLOYD, "--output", "out"], cwd=self.here, stderr=subprocess.PIPE, text=True,
-                              timeout=tool.HANGING, check=False, preexec_fn=lambda: (os.close(0), os.close(1)))
+        done = subprocess.run([OPTIONS["tool"], *LLOYD, "--output", "out"], cwd=self.here, stderr=subprocess.PIPE,
+                              text=True, timeout=tool.HANGING, check=False,
+                              preexec_fn=lambda: (os.close(0), os.close(1)))
         self.assert_one_line(done, "standard output: Bad file descriptor", LLOYD)
         self.assertEqual({p.name for p in (self.here / "out").iterdir()}, RUN_FILES)
         for name in RUN_FILES:
@@ -106,7 +107,8 @@ class Faults(ToolTest):
     def test_threads_that_cannot_be_had(self):
         """Fewer do the same."""
         self.succeed("generate", "uniform", "--points", 20000, "--dim", 3, "--output", "many.xyz")
-        for words, file in ((["lloyd", "--points", "20000", "--iterations", "2"], "final.vtu"), (["degeneracy", "many.xyz"], "degeneracy.json"),
+        for words, file in ((["lloyd", "--points", "20000", "--iterations", "2"], "final.vtu"),
+                            (["degeneracy", "many.xyz"], "degeneracy.json"),
                             (["nodt", "--sphere", "--vertices", "500", "--iterations", "2"], "final.vtu")):
             found = []
             for threads, environment in ((1, None), (4, tool.with_threads(0)), (4, tool.with_threads(1))):
@@ -124,7 +126,8 @@ class Signals(ToolTest):
         """At one of the looks at a clock of which every step has some, and starting has few."""
         done = self.run_tool(*words, env=tool.at(number, 1000, "clock"))
         self.assertEqual((done.returncode, done.stdout), (-number, ""))
-        self.assertRegex(done.stderr, rf"\Aannulus: interrupted after {steps} of \d+ steps; what was done is in {partial}\n\Z")
+        self.assertRegex(done.stderr,
+                         rf"\Aannulus: interrupted after {steps} of \d+ steps; what was done is in {partial}\n\Z")
         self.assertFalse((self.here / "out").exists())
         return self.here / partial
 
@@ -163,8 +166,9 @@ class Signals(ToolTest):
         self.assertEqual(self.listing(), [])
 
     def test_killed_at_any_change(self):
-        """The old directory or the new one, whole, under its name; what else is left is hidden and does not disturb. Before each call that
-        changes a file, and there is no other time that could be told from these by what is left."""
+        """The old directory or the new one, whole, under its name; what else is left is hidden and does not disturb.
+        Before each call that changes a file, and there is no other time that could be told from these by what is
+        left."""
         words = ["lloyd", "--points", "60", "--iterations", "2", "--quiet", "--output", "out"]
         for target in ("new", "old"):
             for number in (signal.SIGKILL, signal.SIGTERM):

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What replay, lloyd and nodt write of every frame: --every, --voronoi, --changes. usage: test_frames.py --tool=PATH [CLASS[.METHOD]...]"""
+"""What replay, lloyd and nodt write of every frame: --every, --voronoi, --changes.
+
+usage: test_frames.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import csv
 import itertools
@@ -28,14 +30,16 @@ except ImportError:
 def determinant(m):
     if len(m) == 2:
         return m[0][0] * m[1][1] - m[0][1] * m[1][0]
-    return sum((-1) ** i * row[0] * determinant([r[1:] for k, r in enumerate(m) if k != i]) for i, row in enumerate(m) if row[0])
+    return sum((-1) ** i * row[0] * determinant([r[1:] for k, r in enumerate(m) if k != i])
+               for i, row in enumerate(m) if row[0])
 
 
 UNIT = 2 ** 20  # coordinates are multiples of 1/UNIT, so that the oracles count in integers
 
 
 def delaunay_pairs(points):
-    """Neighbours in the Delaunay triangulation of {id: point} in general position: simplices with empty spheres, in integers."""
+    """Neighbours in the Delaunay triangulation of {id: point} in general position: simplices with empty spheres, in
+    integers."""
     exact = {i: [int(UNIT * c) for c in p] for i, p in points.items()}
     assert all(c == UNIT * x for i, p in points.items() for c, x in zip(exact[i], p))
     lifted = {i: p + [sum(c * c for c in p), 1] for i, p in exact.items()}
@@ -50,7 +54,8 @@ def delaunay_pairs(points):
 
 
 def voronoi_areas(points):
-    """Of {id: point} of the plane: the area of each cell, None of those that leave a box far away. By clipping with bisectors, in rationals."""
+    """Of {id: point} of the plane: the area of each cell, None of those that leave a box far away. By clipping with
+    bisectors, in rationals."""
     far = Fraction(10) ** 9
     exact = {i: [Fraction(c) for c in p] for i, p in points.items()}
     areas = {}
@@ -160,7 +165,8 @@ class Frames(tool.ToolTest):
         frames = wander(2, 6, 12, 9)
         self.succeed("replay", self.xyz_of(frames), "--voronoi", "--output", "out", "--quiet")
         rows = self.table("out", "voronoi.csv")
-        self.assertEqual([(int(r["frame"]), int(r["id"])) for r in rows], [(f, i) for f, frame in enumerate(frames) for i in sorted(frame)])
+        self.assertEqual([(int(r["frame"]), int(r["id"])) for r in rows],
+                         [(f, i) for f, frame in enumerate(frames) for i in sorted(frame)])
         for f, frame in enumerate(frames):
             areas, pairs = voronoi_areas(frame), delaunay_pairs(frame)
             for row in (r for r in rows if int(r["frame"]) == f):
@@ -184,7 +190,8 @@ class Frames(tool.ToolTest):
                 volume = rows.pop((f, i))["volume"]
                 self.assertEqual(volume == "", -1 in corners)
                 if volume:
-                    self.assertAlmostEqual(float(volume) / scipy.spatial.ConvexHull(diagram.vertices[corners]).volume, 1, delta=1e-9)
+                    self.assertAlmostEqual(float(volume) / scipy.spatial.ConvexHull(diagram.vertices[corners]).volume,
+                                           1, delta=1e-9)
         self.assertEqual(rows, {})
 
     def series(self, directory="out"):
@@ -193,7 +200,8 @@ class Frames(tool.ToolTest):
 
     def test_ids_of_64_bits(self):
         ids = [3, 2**63, 2**64 - 1]
-        (self.here / "a.xyz").write_text("3\nProperties=id:I:1:pos:R:2\n" + "".join(f"{i} {x} {y}\n" for i, (x, y) in zip(ids, tool.TRIANGLE)))
+        (self.here / "a.xyz").write_text("3\nProperties=id:I:1:pos:R:2\n"
+                                         + "".join(f"{i} {x} {y}\n" for i, (x, y) in zip(ids, tool.TRIANGLE)))
         self.succeed("replay", "a.xyz", "--every", "1", "--voronoi", "--output", "out", "--quiet")
         self.assertEqual([int(r["id"]) for r in self.table("out", "voronoi.csv")], ids)
         self.assertEqual(list(tool.vtu_values(self.here / "out" / "frame-000000.vtu", "id")), ids)
@@ -227,7 +235,8 @@ class Frames(tool.ToolTest):
                 self.assertEqual(grid.GetPoint(1), tuple(x[3:6]))
 
     def test_frame_numbers_are_the_files(self):
-        text = "".join(f"ITEM: TIMESTEP\n{t}\nITEM: NUMBER OF ATOMS\n4\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ATOMS id x y\n"
+        text = "".join(f"ITEM: TIMESTEP\n{t}\nITEM: NUMBER OF ATOMS\n4\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 "
+                       "1\nITEM: ATOMS id x y\n"
                        f"1 0 0\n2 1 0\n3 {x} 0.4\n4 0.5 -0.4\n" for t, x in ((500, 0.5), (750, 0.6), (1000, 5)))
         self.write("dump.lammpstrj", text)
         self.succeed("replay", "dump.lammpstrj", "--every", "2", "--changes", "--voronoi", "--output", "out", "--quiet")
@@ -242,7 +251,8 @@ class Frames(tool.ToolTest):
         name = self.xyz_of(frames)
         for strategy in tool.STRATEGIES:
             with self.subTest(strategy=strategy):
-                self.succeed("replay", name, "--every", "1", "--voronoi", "--changes", "--strategy", strategy, "--output", "out", "--quiet")
+                self.succeed("replay", name, "--every", "1", "--voronoi", "--changes", "--strategy", strategy,
+                             "--output", "out", "--quiet")
                 said = self.changes()
                 chain = {(i, i + 1) for i in range(4)}
                 pairs = [chain, delaunay_pairs(solid), chain, set(), delaunay_pairs(solid)]
@@ -255,7 +265,8 @@ class Frames(tool.ToolTest):
                 self.assertEqual(len(self.series()), 5)
 
     def test_lloyd_and_nodt_write_them_too(self):
-        self.succeed("lloyd", "--points", "30", "--iterations", "6", "--every", "2", "--voronoi", "--changes", "--output", "out", "--quiet")
+        self.succeed("lloyd", "--points", "30", "--iterations", "6", "--every", "2", "--voronoi", "--changes",
+                     "--output", "out", "--quiet")
         self.assertEqual([f for f, _ in self.series()], [0, 2, 4, 6])
         areas = {}
         for row in self.table("out", "voronoi.csv"):
@@ -264,13 +275,15 @@ class Frames(tool.ToolTest):
         pairs = []
         for f, file in self.series():
             corners = tool.vtu_values(self.here / "out" / file, "connectivity")
-            pairs.append({tuple(sorted(pair)) for c in range(0, len(corners), 3) for pair in itertools.combinations(corners[c:c + 3], 2)})
+            pairs.append({tuple(sorted(pair)) for c in range(0, len(corners), 3)
+                          for pair in itertools.combinations(corners[c:c + 3], 2)})
         now = set(pairs[0])
         for f, (made, broken) in sorted(self.changes().items()):
             self.assertTrue(broken <= now and not made & now)
             now = now - broken | made
         self.assertEqual(now, pairs[-1])
-        self.succeed("nodt", "--sphere", "--vertices", "60", "--iterations", "3", "--every", "3", "--voronoi", "--changes", "--output", "nodt", "--quiet")
+        self.succeed("nodt", "--sphere", "--vertices", "60", "--iterations", "3", "--every", "3", "--voronoi",
+                     "--changes", "--output", "nodt", "--quiet")
         self.assertEqual([f for f, _ in self.series("nodt")], [0, 3])
         self.assertTrue((self.here / "nodt" / "domain.mesh").exists())
 
@@ -278,7 +291,8 @@ class Frames(tool.ToolTest):
         name = self.xyz_of(wander(2, 10, 40, 3))
         contents = set()
         for strategy in tool.STRATEGIES:
-            self.succeed("replay", name, "--voronoi", "--changes", "--strategy", strategy, "--output", strategy, "--quiet")
+            self.succeed("replay", name, "--voronoi", "--changes", "--strategy", strategy, "--output", strategy,
+                         "--quiet")
             rows = [(r["frame"], r["id"], r["neighbours"], r["unbounded"]) for r in self.table(strategy, "voronoi.csv")]
             contents.add(((self.here / strategy / "changes.csv").read_text(encoding="utf-8"), tuple(rows)))
         self.assertEqual(len(contents), 1)
@@ -301,7 +315,8 @@ class Frames(tool.ToolTest):
             self.assertIn("--output", self.refuse(2, "replay", name, *words))
             self.assertIn("--output", self.refuse(2, "lloyd", "--points", "9", *words))
         self.refuse(2, "replay", name, "--every", "0", "--output", "out")
-        self.assertIn("certified", self.refuse(2, "replay", name, "--voronoi", "--output", "out", "--tolerance", "paper"))
+        self.assertIn("certified", self.refuse(2, "replay", name, "--voronoi", "--output", "out", "--tolerance",
+                                               "paper"))
 
     def test_old_frames_go_with_old_results(self):
         name = self.xyz_of(wander(2, 6, 12, 1))
@@ -309,7 +324,8 @@ class Frames(tool.ToolTest):
         (self.here / "out" / "frame-of-mine.vtu").write_text("mine", encoding="utf-8")
         self.succeed("replay", name, "--every", "4", "--output", "out", "--quiet")
         names = {p.name for p in (self.here / "out").iterdir()}
-        self.assertEqual(names, tool.RUN_FILES | {"frames.pvd", "frame-000000.vtu", "frame-000004.vtu", "frame-of-mine.vtu"})
+        self.assertEqual(names, tool.RUN_FILES | {"frames.pvd", "frame-000000.vtu", "frame-000004.vtu",
+                                                  "frame-of-mine.vtu"})
 
     def test_a_fault_further_on_leaves_what_was_before(self):
         frames = wander(2, 4, 9, 1)
@@ -335,7 +351,8 @@ class Frames(tool.ToolTest):
         frames = wander(2, 12, 40, 7)
         name = self.xyz_of(frames)
         names = ",".join(tool.STRATEGIES)
-        self.succeed("compare", "--strategies", names, "--output", "out", "--quiet", "--", "replay", name, "--audit", "1")
+        self.succeed("compare", "--strategies", names, "--output", "out", "--quiet", "--", "replay", name, "--audit",
+                     "1")
         content = json.loads((self.here / "out" / "compare.json").read_text(encoding="utf-8"))
         self.assertIs(content["agree"], True)
         asked = sum(len(set(a) & set(b)) for a, b in zip(frames, frames[1:]))
@@ -355,7 +372,8 @@ class Degeneracy(tool.ToolTest):
         dice = random.Random(1)
         rows = ["frame,id,x,y"]
         for f in range(5):
-            rows += [f"{10 * f + 10},{i},{i % 6 + f * 1e-3 * dice.random()!r},{i // 6 + f * 1e-3 * dice.random()!r}" for i in range(36)]
+            rows += [f"{10 * f + 10},{i},{i % 6 + f * 1e-3 * dice.random()!r},{i // 6 + f * 1e-3 * dice.random()!r}"
+                     for i in range(36)]
         return self.write("motion.csv", "\n".join(rows) + "\n")
 
     def test_a_frame(self):
@@ -371,7 +389,8 @@ class Degeneracy(tool.ToolTest):
         self.refuse(3, "degeneracy", name)
 
     def test_over_a_motion(self):
-        self.succeed("degeneracy", self.motion(), "--every", "2", "--thresholds", "1e-2,1e-5", "--output", "out", "--quiet")
+        self.succeed("degeneracy", self.motion(), "--every", "2", "--thresholds", "1e-2,1e-5", "--output", "out",
+                     "--quiet")
         with open(self.here / "out" / "degeneracy.csv", newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual([r["frame"] for r in rows], ["10", "30", "50"])
@@ -389,7 +408,8 @@ class Degeneracy(tool.ToolTest):
         self.succeed("degeneracy", "a.xyz", "--every", "1", "--output", "out", "--quiet")
         with open(self.here / "out" / "degeneracy.csv", newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
-        self.assertEqual([(r["points"], r["mean_spacing"] == "") for r in rows], [("3", True), ("0", True), ("3", False)])
+        self.assertEqual([(r["points"], r["mean_spacing"] == "") for r in rows],
+                         [("3", True), ("0", True), ("3", False)])
 
     def test_thresholds(self):
         self.xyz("grid.xyz", tool.GRID)

@@ -45,8 +45,10 @@ class Generate(tool.ToolTest):
                         self.assertTrue(all(abs(math.dist(p, [0.5] * dim) - 0.5) < 1e-15 for p in points))
                     if kind == "surface":
                         axes = [1, 0.8, 0.6]
-                        self.assertTrue(all(abs(math.hypot(*((c - 0.5) / a for c, a in zip(p, axes if dim == 3 else [1, 0.8]))) - 0.5) < 1e-15
-                                            for p in points))
+                        self.assertTrue(
+                            all(abs(math.hypot(*((c - 0.5) / a for c, a in zip(p, axes if dim == 3 else [1, 0.8])))
+                                    - 0.5) < 1e-15
+                                for p in points))
                     if kind == "grid":
                         self.assertEqual(len({p[0] for p in points}), math.ceil(300 ** (1 / dim)))
 
@@ -64,7 +66,8 @@ class Generate(tool.ToolTest):
                     if kind == "orbit":
                         self.assertTrue(all(abs(w - 0.01) < 0.001 for w in ways))
                     if kind == "shear":
-                        self.assertTrue(all(abs(q[0] - p[0] - 0.01 * p[1]) < 1e-15 and p[1] == q[1] for p, q in zip(a, b)))
+                        self.assertTrue(all(abs(q[0] - p[0] - 0.01 * p[1]) < 1e-15 and p[1] == q[1]
+                                            for p, q in zip(a, b)))
 
     def test_the_same_seed_gives_the_same_bytes(self):
         words = ("walk", "-n", 50, "--steps", 3)
@@ -75,30 +78,36 @@ class Generate(tool.ToolTest):
         for name in ("a.xyz", "a.csv", "a.lammpstrj", "a.XYZ.GZ", "a.csv.gz", "a.dump"):
             for dim in (2, 3):
                 with self.subTest(name=name, dim=dim):
-                    done = self.succeed("generate", "walk", "-n", 40, "--steps", 5, "--dim", dim, "--output", name, "--force")
+                    done = self.succeed("generate", "walk", "-n", 40, "--steps", 5, "--dim", dim, "--output", name,
+                                        "--force")
                     self.assertEqual((done.stdout, done.stderr), ("", ""))
                     self.succeed("replay", name, "--audit", 1, "--output", "out", "--quiet")
                     summary = self.summary("out")
-                    self.assertEqual((summary["dimension"], summary["iterations"], summary["audit"]["failed"]), (dim, 5, 0))
+                    self.assertEqual((summary["dimension"], summary["iterations"], summary["audit"]["failed"]),
+                                     (dim, 5, 0))
                     points = self.generated("walk", "-n", 40, "--steps", 5, "--dim", dim)[-1]
                     if dim == 2:
                         self.assertEqual(self.mesh("out")[0], points)
-        self.assertEqual(self.listing()[:6], sorted(["a.xyz", "a.csv", "a.lammpstrj", "a.XYZ.GZ", "a.csv.gz", "a.dump"]))
+        self.assertEqual(self.listing()[:6],
+                         sorted(["a.xyz", "a.csv", "a.lammpstrj", "a.XYZ.GZ", "a.csv.gz", "a.dump"]))
 
     def test_through_a_pipe(self):
         tool_path = tool.OPTIONS["tool"]
-        done = subprocess.run(f"'{tool_path}' generate shear -n 200 --steps 50 --dim 3 --format lammps | '{tool_path}' replay - --format lammps --audit 10",
-                              shell=True, cwd=self.here, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=tool.HANGING, check=False)
+        done = subprocess.run(f"'{tool_path}' generate shear -n 200 --steps 50 --dim 3 --format lammps | '{tool_path}' "
+                              "replay - --format lammps --audit 10", shell=True, cwd=self.here, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True, timeout=tool.HANGING, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("200 vertices, 50 iterations", done.stdout)
         self.assertIn("5 checked, all Delaunay", done.stdout)
 
     def test_wrong_usage(self):
         self.write("a.xyz", "mine")
-        for words in (["walk"], ["run", "-n", 3], ["walk", "-n", 0], ["walk", "-n", 3, "--dim", 4], ["walk", "-n", 3, "--from", "walk"],
-                      ["walk", "-n", 3, "--pace", "nan"], ["walk", "-n", 3, "--pace", -1], ["grid", "-n", 3, "--steps", 4],
-                      ["grid", "-n", 3, "--from", "grid"], ["walk", "-n", 3, "--output", "a.txt"], ["walk", "-n", 3, "--output", "a"],
-                      ["walk", "-n", 3, "--output", "a.off"], ["walk", "-n", 3, "--format", "ply"], ["walk", "-n", 3, "--output", "a.xyz"]):
+        for words in (["walk"], ["run", "-n", 3], ["walk", "-n", 0], ["walk", "-n", 3, "--dim", 4],
+                      ["walk", "-n", 3, "--from", "walk"], ["walk", "-n", 3, "--pace", "nan"],
+                      ["walk", "-n", 3, "--pace", -1], ["grid", "-n", 3, "--steps", 4],
+                      ["grid", "-n", 3, "--from", "grid"], ["walk", "-n", 3, "--output", "a.txt"],
+                      ["walk", "-n", 3, "--output", "a"], ["walk", "-n", 3, "--output", "a.off"],
+                      ["walk", "-n", 3, "--format", "ply"], ["walk", "-n", 3, "--output", "a.xyz"]):
             with self.subTest(words=words):
                 self.refuse(2, "generate", *words)
         self.assertEqual((self.here / "a.xyz").read_text(encoding="utf-8"), "mine")
@@ -109,8 +118,8 @@ class Generate(tool.ToolTest):
         self.refuse(4, "generate", "walk", "-n", 3, "--output", "nowhere/a.xyz")
         if os.path.exists("/dev/full"):
             with open("/dev/full", "w", encoding="utf-8") as full:
-                done = subprocess.run([tool.OPTIONS["tool"], "generate", "walk", "-n", "30"], stdout=full, stderr=subprocess.PIPE,
-                                      text=True, timeout=tool.HANGING, check=False)
+                done = subprocess.run([tool.OPTIONS["tool"], "generate", "walk", "-n", "30"], stdout=full,
+                                      stderr=subprocess.PIPE, text=True, timeout=tool.HANGING, check=False)
             self.assertEqual(done.returncode, 4)
             self.assertRegex(done.stderr, r"\Aannulus: standard output[^\n]*\n\Z")
 

@@ -94,11 +94,14 @@ class Inputs(ToolTest):
         # id and mass are columns of numbers too: a guess takes them for coordinates.
         rows = "".join(f"{7 * i} 1.5 {x!r} {y!r} 0\n" for i, (x, y) in enumerate(SPREAD))
         self.write("a.xyz", f'5\nLattice="9 0 0 0 9 0 0 0 9" Properties="id:I:1:mass:R:1:pos:R:3"\n{rows}')
-        for words in (["lloyd", "--input", "a.xyz", "--ignore-z"], ["degeneracy", "a.xyz", "--ignore-z"], ["replay", "a.xyz"],
-                      ["degeneracy", "a.xyz", "--frame", "0"], ["degeneracy", "a.xyz", "--every", "1"],
+        for words in (["lloyd", "--input", "a.xyz", "--ignore-z"], ["degeneracy", "a.xyz", "--ignore-z"],
+                      ["replay", "a.xyz"], ["degeneracy", "a.xyz", "--frame", "0"],
+                      ["degeneracy", "a.xyz", "--every", "1"],
                       ["compare", "--strategies", "filter", "--", "lloyd", "--input", "a.xyz", "--ignore-z"],
                       ["compare", "--strategies", "filter", "--", "replay", "a.xyz"]):
-            self.assertRegex(self.refuse(3, *words), r"\Aannulus: a.xyz:2: Lattice: a periodic box, and these are not supported; expected --open")
+            self.assertRegex(self.refuse(3, *words),
+                             r"\Aannulus: a.xyz:2: Lattice: a periodic box, and these are not supported; expected "
+                             r"--open")
         done = self.succeed("lloyd", "--input", "a.xyz", "--ignore-z", "--iterations", "0", "--output", "out", "--open")
         self.assertRegex(done.stderr, r"\Aannulus: a.xyz:2: Lattice ignored: [^\n]*not supported[^\n]*\n\Z")
         self.assertIn("columns        x: column 3 (pos), y: column 4 (pos)\n", done.stdout)
@@ -114,7 +117,8 @@ class Inputs(ToolTest):
             self.assertEqual((content["ignored"], content["columns"]["y"]), (["box"], "column 4 (pos)"), directory)
             page = (self.here / directory / "degeneracy.html").read_text(encoding="utf-8")
             self.assertLess(page.index("Lattice ignored"), page.index("<svg" if "<svg" in page else "</main>"))
-        self.succeed("compare", "--strategies", "filter", "--quiet", "--output", "both", "--", "lloyd", "--input", "a.xyz", "--ignore-z", "--open")
+        self.succeed("compare", "--strategies", "filter", "--quiet", "--output", "both", "--", "lloyd", "--input",
+                     "a.xyz", "--ignore-z", "--open")
         content = json.loads((self.here / "both" / "compare.json").read_text(encoding="utf-8"))
         self.assertEqual((content["ignored"], content["columns"]["x"]), (["box"], "column 3 (pos)"))
         for name in (("lloyd", "--input"), ("degeneracy",), ("replay",)):
@@ -226,11 +230,13 @@ class Kinds(ToolTest):
         for content, words in (
             (self.CSV.encode("utf-16"), "is text in UTF-16"), (self.CSV.encode("utf-16-le"), "is text in UTF-16"),
             (self.CSV.encode("utf-16-be"), "is text in UTF-16"), (self.CSV.encode("utf-32"), "is text in UTF-32"),
-            (bz2.compress(self.CSV.encode()), "is packed by bzip2"), (lzma.compress(self.CSV.encode()), "is packed by xz"),
+            (bz2.compress(self.CSV.encode()), "is packed by bzip2"),
+            (lzma.compress(self.CSV.encode()), "is packed by xz"),
             (b"PK\x03\x04\x14\0\0\0", "is a zip archive"), (b"\x28\xb5\x2f\xfd\x24\x00\x00", "is packed by zstd"),
         ):
-            for name, command in (("a.csv", ["replay"]), ("a.xyz", ["degeneracy"]), ("a.off", ["degeneracy"]), ("a.mesh", ["audit"]),
-                                  ("a.stl", ["nodt", "-n", "50", "--surface"]), ("a.png", ["lloyd", "-n", "50", "--density"]),
+            for name, command in (("a.csv", ["replay"]), ("a.xyz", ["degeneracy"]), ("a.off", ["degeneracy"]),
+                                  ("a.mesh", ["audit"]), ("a.stl", ["nodt", "-n", "50", "--surface"]),
+                                  ("a.png", ["lloyd", "-n", "50", "--density"]),
                                   ("a.toml", ["sweep", "--output", "out"])):
                 self.write(name, content)
                 line = self.refuse(3, *command, name)
@@ -238,7 +244,8 @@ class Kinds(ToolTest):
 
     def test_gzip_and_lines_of_old_programs_are_read(self):
         expected = None
-        for content in (self.CSV, gzip.compress(self.CSV.encode()), self.CSV.replace("\n", "\r"), self.CSV.replace("\n", "\r\n")):
+        for content in (self.CSV, gzip.compress(self.CSV.encode()), self.CSV.replace("\n", "\r"),
+                        self.CSV.replace("\n", "\r\n")):
             self.write("a.csv", content if isinstance(content, bytes) else content.encode())
             self.succeed("replay", "a.csv", "--output", "out")
             mesh = (self.here / "out" / "final.mesh").read_bytes()
@@ -250,10 +257,13 @@ class Kinds(ToolTest):
 
     def test_a_file_without_end(self):
         """Under a bound on memory that reading on would reach at once."""
-        for name, command in (("a.csv", ["replay"]), ("a.xyz", ["degeneracy"]), ("a.off", ["degeneracy"]), ("a.ply", ["degeneracy"]),
-                              ("a.mesh", ["audit"]), ("b.mesh", ["nodt", "--mesh"]), ("a.stl", ["nodt", "-n", "50", "--surface"]),
-                              ("a.obj", ["nodt", "-n", "50", "--surface"]), ("a.inr", ["nodt", "-n", "50", "--surface"]),
-                              ("a.png", ["lloyd", "-n", "50", "--density"]), ("a.pgm", ["lloyd", "-n", "50", "--density"]),
+        for name, command in (("a.csv", ["replay"]), ("a.xyz", ["degeneracy"]), ("a.off", ["degeneracy"]),
+                              ("a.ply", ["degeneracy"]), ("a.mesh", ["audit"]), ("b.mesh", ["nodt", "--mesh"]),
+                              ("a.stl", ["nodt", "-n", "50", "--surface"]),
+                              ("a.obj", ["nodt", "-n", "50", "--surface"]),
+                              ("a.inr", ["nodt", "-n", "50", "--surface"]),
+                              ("a.png", ["lloyd", "-n", "50", "--density"]),
+                              ("a.pgm", ["lloyd", "-n", "50", "--density"]),
                               ("c.xyz", ["lloyd", "-n", "50", "--domain"]), ("a.toml", ["sweep", "--output", "out"])):
             os.symlink("/dev/zero", self.here / name)
             self.assertIn(f"{name}: is a device", self.refuse(3, *command, name))
@@ -263,8 +273,8 @@ class Kinds(ToolTest):
 
     def test_standard_input_without_end(self):
         with open("/dev/zero", "rb") as zero:
-            done = subprocess.run([tool.OPTIONS["tool"], "sweep", "-", "--output", "out"], cwd=self.here, stdin=zero, capture_output=True, text=True,
-                                  timeout=60, check=False)
+            done = subprocess.run([tool.OPTIONS["tool"], "sweep", "-", "--output", "out"], cwd=self.here, stdin=zero,
+                                  capture_output=True, text=True, timeout=60, check=False)
         self.assertEqual((done.returncode, done.stdout), (3, ""))
         self.assertRegex(done.stderr, r"\Aannulus: standard input: has more than 67108864 bytes; expected fewer\n\Z")
 

@@ -12,7 +12,8 @@ from tool import GRID, STRATEGIES, SUMMARY, SUMMARY_PLAIN, ToolTest
 
 class Domains(ToolTest):
     def run_in(self, *words):
-        self.succeed("lloyd", "--points", "80", "--iterations", "5", "--audit", "1", "--output", "out", "--quiet", *words)
+        self.succeed("lloyd", "--points", "80", "--iterations", "5", "--audit", "1", "--output", "out", "--quiet",
+                     *words)
         self.assertEqual(self.summary("out")["audit"], {"checked": 5, "failed": 0})
         return self.mesh("out")[0]
 
@@ -41,11 +42,13 @@ class Domains(ToolTest):
         self.assertEqual(*results)
 
     def test_a_closed_ring_is_the_open_one(self):
-        """GeoJSON, WKT and shapefiles repeat the first corner at the end; other corners may be repeated or lie on edges."""
+        """GeoJSON, WKT and shapefiles repeat the first corner at the end; other corners may be repeated or lie on
+        edges."""
         c = self.CORNERS
         half = [(2, 0)]
-        rings = {"open": c, "closed": c + c[:1], "twice": c[:1] + c + 2 * c[:1], "clockwise": (c + c[:1])[::-1], "turned": c[2:] + c[:3],
-                 "doubled": [p for p in c for _ in range(2)] + c[:1], "flat": half + c[1:] + c[:1] + half, "within": c[:1] + half + c[1:] + c[:1]}
+        rings = {"open": c, "closed": c + c[:1], "twice": c[:1] + c + 2 * c[:1], "clockwise": (c + c[:1])[::-1],
+                 "turned": c[2:] + c[:3], "doubled": [p for p in c for _ in range(2)] + c[:1],
+                 "flat": half + c[1:] + c[:1] + half, "within": c[:1] + half + c[1:] + c[:1]}
         files = set()
         for name, ring in rings.items():
             self.xyz("ring.xyz", ring)
@@ -55,16 +58,20 @@ class Domains(ToolTest):
         # A point in what a lost corner would take away.
         self.xyz("square.xyz", [(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)])
         self.xyz("points.xyz", [(0.1, 0.1), (0.2, 0.1), (0.1, 0.3), (0.9, 0.8), (0, 0), (1, 1)])
-        self.succeed("lloyd", "--input", "points.xyz", "--domain", "square.xyz", "--iterations", "3", "--audit", "1", "--quiet")
+        self.succeed("lloyd", "--input", "points.xyz", "--domain", "square.xyz", "--iterations", "3", "--audit", "1",
+                     "--quiet")
         self.xyz("outside.xyz", [(0.1, 0.1), (0.2, 0.1), (1.1, 0.3)])
         self.assertIn("outside.xyz:3: point outside the domain",
                       self.refuse(3, "lloyd", "--input", "outside.xyz", "--domain", "square.xyz", "--iterations", "3"))
 
     def test_what_is_wrong_with_a_polygon_is_said_by_line(self):
-        for corners, line, words in (([(0, 0), (0, 0), (1, 0), (2, 0), (1, 0.5), (2, 2), (0, 0)], 5, "counter-clockwise and turns right at corner 4"),
+        for corners, line, words in (([(0, 0), (0, 0), (1, 0), (2, 0), (1, 0.5), (2, 2), (0, 0)], 5,
+                                      "counter-clockwise and turns right at corner 4"),
                                      ([(2, 2), (1, 0.5), (2, 0), (0, 0)], 2, "clockwise and turns left at corner 1"),
-                                     ([(0, 0), (1, 0), (1, 0.5), (2, 0.5), (1, 0.5), (1, 1), (0, 1)], 4, "go back on itself"),
-                                     (4 * [(0, 0)], 1, "all its 4 are at one place"), (4 * [(1, 2)], 1, "all its 4 are at one place"),
+                                     ([(0, 0), (1, 0), (1, 0.5), (2, 0.5), (1, 0.5), (1, 1), (0, 1)], 4,
+                                      "go back on itself"),
+                                     (4 * [(0, 0)], 1, "all its 4 are at one place"),
+                                     (4 * [(1, 2)], 1, "all its 4 are at one place"),
                                      ([(0, 0), (1, 1), (2, 2), (0, 0)], 1, "all its 4 are on one line"),
                                      ([(0, 0), (1e101, 0), (0, 1)], 1, "between 1e-100 and 1e100"),
                                      ([(0, 0), (1, 1), (0, 0)], 1, "different ones here: 2")):
@@ -136,7 +143,8 @@ class Reproducible(ToolTest):
 
 class Strategies(ToolTest):
     def compare(self, strategies, *inner):
-        self.succeed("compare", "--strategies", ",".join(strategies), "--output", "out", "--quiet", "--", "lloyd", *inner)
+        self.succeed("compare", "--strategies", ",".join(strategies), "--output", "out", "--quiet", "--", "lloyd",
+                     *inner)
         result = json.loads((self.here / "out" / "compare.json").read_text(encoding="utf-8"))
         self.assertIs(result["agree"], True)
         self.assertEqual(list(result["strategies"]), strategies)

@@ -106,7 +106,8 @@ class Nodt(tool.ToolTest):
         for c in cells:
             o, *rest = (points[i] for i in c)
             e = [minus(p, o) for p in rest]
-            moment = [sum(dot(e[i], e[i]) * cross(e[(i + 1) % 3], e[(i + 2) % 3])[k] for i in range(3)) for k in range(3)]
+            moment = [sum(dot(e[i], e[i]) * cross(e[(i + 1) % 3], e[(i + 2) % 3])[k] for i in range(3))
+                      for k in range(3)]
             centre = [x / (12 * volume(o, *rest)) for x in moment]
             radius = math.hypot(*centre)
             for p in points:
@@ -123,7 +124,8 @@ class Nodt(tool.ToolTest):
                 k, l = (m for m in range(4) if m not in (i, j))
                 a, b, p, q = (points[c[m]] for m in (i, j, k, l))
                 axis = minus(b, a)
-                u, v = (minus(w, [dot(w, axis) / dot(axis, axis) * x for x in axis]) for w in (minus(p, a), minus(q, a)))
+                u, v = (minus(w, [dot(w, axis) / dot(axis, axis) * x for x in axis])
+                        for w in (minus(p, a), minus(q, a)))
                 angle = math.degrees(math.acos(max(-1, min(1, dot(u, v) / math.hypot(*u) / math.hypot(*v)))))
                 bins[min(35, int(angle / 5))] += 1
                 worst = min(worst, angle, 180 - angle)
@@ -145,7 +147,8 @@ class Nodt(tool.ToolTest):
         rows = self.rows()
         self.assertGreater(int(rows[-1]["locked"]), int(rows[0]["locked"]))
         self.assertGreater(int(rows[-1]["locked"]), 0.3 * int(rows[-1]["mesh_vertices"]))
-        self.assertIn("% locked", self.succeed("nodt", "--sphere", "--vertices", "100", "--lock", "20", "-i", "2").stdout)
+        self.assertIn("% locked", self.succeed("nodt", "--sphere", "--vertices", "100", "--lock", "20", "-i",
+                                               "2").stdout)
 
     def test_graded(self):
         self.nodt("--sphere", "--vertices", "500", "--iterations", "3", "--sizing", "graded")
@@ -187,15 +190,16 @@ class Nodt(tool.ToolTest):
             self.assertGreater(float(row["annulus_width_mean"]), float(row["tolerance_mean"]))
 
     def test_compare_strategies_that_disagree(self):
-        """Five points near a sphere within the paper's tolerances keep cells that are wrong (docs/theory.md 3), and right again where they go home."""
+        """Five points near a sphere within the paper's tolerances keep cells that are wrong (docs/theory.md 3), and
+        right again where they go home."""
         s = 3 ** 0.5 / 2
         home = [(0, 0, 0.99), (0, 0, -0.99), (1, 0, 0), (-0.5, s, 0), (-0.5, -s, 0)]
         away = [(0, 0, 0.997), (0, 0, -0.997)] + [(0.993 * x, 0.993 * y, 0) for x, y, _ in home[2:]]
         for name, frames, audit, agree in (("away", [home, away], "0", False), ("back", [home, away, home], "1", True)):
             text = "".join("5\n\n" + "".join(f"C {x!r} {y!r} {z!r}\n" for x, y, z in frame) for frame in frames)
             (self.here / f"{name}.xyz").write_text(text, encoding="utf-8")
-            done = self.run_tool("compare", "--strategies", "rebuild,paper:paper", "--output", name, "--", "replay", f"{name}.xyz",
-                                 "--audit", audit)
+            done = self.run_tool("compare", "--strategies", "rebuild,paper:paper", "--output", name, "--", "replay",
+                                 f"{name}.xyz", "--audit", audit)
             self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
             written = json.loads((self.here / name / "compare.json").read_text(encoding="utf-8"))
             self.assertEqual(written["agree"], agree)
@@ -204,8 +208,8 @@ class Nodt(tool.ToolTest):
 
     def test_compare(self):
         words = ("--sphere", "--vertices", "200", "--iterations", "5")
-        done = self.succeed("compare", "--strategies", "rebuild,relocate,filter-each,filter", "--output", "compare", "--",
-                            "nodt", *words)
+        done = self.succeed("compare", "--strategies", "rebuild,relocate,filter-each,filter", "--output", "compare",
+                            "--", "nodt", *words)
         self.assertIn("all strategies agree", done.stdout)
         comparison = json.loads((self.here / "compare" / "compare.json").read_text(encoding="utf-8"))
         self.assertTrue(comparison["agree"])
@@ -237,7 +241,8 @@ class Nodt(tool.ToolTest):
         self.write("cube.off", CUBE)
         for words in ([], ["--sphere"], ["--surface", "cube.off"], ["--vertices", "100"],
                       ["--sphere", "--surface", "cube.off", "--vertices", "100"], ["--sphere", "--vertices", "3"],
-                      ["--sphere", "--vertices", "100", "--lock", "0"], ["--sphere", "--vertices", "100", "--lock", "71"],
+                      ["--sphere", "--vertices", "100", "--lock", "0"],
+                      ["--sphere", "--vertices", "100", "--lock", "71"],
                       ["--sphere", "--vertices", "100", "--sizing", "odd"],
                       ["--sphere", "--vertices", "100", "--strategy", "odd"]):
             self.refuse(2, "nodt", *words)
@@ -248,7 +253,8 @@ class Nodt(tool.ToolTest):
             ("face.off", CUBE.replace("4 1 5 7 3", "4 1 5 9 3"), "face.off:16: .*vertex 9"),
             ("none.obj", "v 0 0 0\n", "none.obj:1: has no faces"),
             ("short.stl", "solid\nfacet\n", "short.stl:2: the file ends within a facet"),
-            ("far.off", CUBE.replace("\n2 ", "\n2e200 "), "far.off: its longest side is below 1e-30, or a coordinate beyond 1e12"),
+            ("far.off", CUBE.replace("\n2 ", "\n2e200 "),
+             "far.off: its longest side is below 1e-30, or a coordinate beyond 1e12"),
             ("a.inr", "P5\n", "a.inr:1: begins with"),
             ("a.inr.gz", "P5\n", "a.inr.gz: .*gzip"),
         ):
@@ -271,7 +277,8 @@ class Nodt(tool.ToolTest):
     def test_man(self):
         # It crosses itself at the shoulders, the hips ...: 848 pairs of triangles.
         self.assertIn("man.off: it crosses or touches itself near",
-                      self.refuse(3, "nodt", "--surface", Path(tool.OPTIONS["meshes"]) / "man.off", "--vertices", "2000"))
+                      self.refuse(3, "nodt", "--surface", Path(tool.OPTIONS["meshes"]) / "man.off", "--vertices",
+                                  "2000"))
         self.surface_of_paper("man.off", 2000, 0.01253750606826663, 0.1, "--allow-crossing")
 
     @SHORT

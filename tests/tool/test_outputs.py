@@ -46,16 +46,18 @@ class Outputs(ToolTest):
             parts = ("within_tolerance", "kept_in_place", "flipped", "reinserted", "rebuilt")
             self.assertEqual(int(row["asked"]), sum(int(row[p]) for p in parts))
 
-    RUNS = (("lloyd", "--points", "60", "--iterations", "7"), ("nodt", "--sphere", "--vertices", "60", "--iterations", "4"),
-            ("replay", "walk.xyz"))
+    RUNS = (("lloyd", "--points", "60", "--iterations", "7"),
+            ("nodt", "--sphere", "--vertices", "60", "--iterations", "4"), ("replay", "walk.xyz"))
 
     def rows(self, path):
         with open(path, encoding="utf-8", newline="") as file:
             return list(csv.DictReader(file))
 
     def test_triangulation_seconds_are_those_of_the_steps(self):
-        """Construction and first tolerances are in no step, and apart: else strategies that keep tolerances pay for what others do not have."""
-        self.succeed("generate", "walk", "--from", "grid", "--points", "64", "--dim", "3", "--steps", "5", "--pace", "0.1", "--output", "walk.xyz")
+        """Construction and first tolerances are in no step, and apart: else strategies that keep tolerances pay for
+        what others do not have."""
+        self.succeed("generate", "walk", "--from", "grid", "--points", "64", "--dim", "3", "--steps", "5", "--pace",
+                     "0.1", "--output", "walk.xyz")
         for run in self.RUNS:
             for strategy in ("auto", "filter", "rebuild", "relocate"):
                 with self.subTest(run=run, strategy=strategy):
@@ -72,7 +74,8 @@ class Outputs(ToolTest):
         self.assertAlmostEqual(math.fsum(steps), summary["seconds"]["triangulation"], delta=1e-9)
 
     def test_what_compare_compares_are_the_steps(self):
-        self.succeed("generate", "walk", "--from", "grid", "--points", "64", "--dim", "3", "--steps", "5", "--pace", "0.1", "--output", "walk.xyz")
+        self.succeed("generate", "walk", "--from", "grid", "--points", "64", "--dim", "3", "--steps", "5", "--pace",
+                     "0.1", "--output", "walk.xyz")
         strategies = ["rebuild", "auto", "filter", "filter-each", "relocate"]
         for run in self.RUNS:
             with self.subTest(run=run):
@@ -96,8 +99,11 @@ class Outputs(ToolTest):
         self.assertIn("2 vertices, 0 iterations, strategy auto", self.succeed("replay", "two.csv").stdout)
         said = self.succeed("lloyd", "--points", "3", "--iterations", "1").stdout
         self.assertIn("3 vertices, 1 iteration, ", said)
-        for words in (said, *(self.succeed(*run).stdout for run in (("lloyd", "--points", "3", "--iterations", "0"), ("counterexample",)))):
-            self.assertNotRegex(words, r"(?<![\d.,])1 (vertices|iterations|points|steps|triangles|edges|frames|slivers|bi-cells|cells)\b")
+        for words in (said, *(self.succeed(*run).stdout
+                              for run in (("lloyd", "--points", "3", "--iterations", "0"), ("counterexample",)))):
+            self.assertNotRegex(words,
+                                r"(?<![\d.,])1 "
+                                r"(vertices|iterations|points|steps|triangles|edges|frames|slivers|bi-cells|cells)\b")
 
     def test_the_first_steps_are_all_measured(self):
         self.succeed("lloyd", "--points", "60", "--iterations", "40", "--output", "out", "--quiet")
@@ -198,18 +204,21 @@ class Outputs(ToolTest):
             listener.bind(str(self.here / "socket.xyz"))
             os.symlink("/dev/null", self.here / "null.xyz")
             os.symlink("pipe.xyz", self.here / "link.xyz")
-            for name, kind in (("pipe.xyz", "a pipe"), ("link.xyz", "a pipe"), ("socket.xyz", "a socket"), ("null.xyz", "a device"),
-                               ("/dev/null", "a device"), ("/dev/stdout", "a pipe")):
-                for words in (["generate", "uniform", "-n", "4", "--output", name], ["degeneracy", "points.xyz", "--raw", name]):
+            for name, kind in (("pipe.xyz", "a pipe"), ("link.xyz", "a pipe"), ("socket.xyz", "a socket"),
+                               ("null.xyz", "a device"), ("/dev/null", "a device"), ("/dev/stdout", "a pipe")):
+                for words in (["generate", "uniform", "-n", "4", "--output", name],
+                              ["degeneracy", "points.xyz", "--raw", name]):
                     words += ["--format", "xyz"] if words[0] == "generate" else []
-                    self.assertRegex(self.refuse(3, *words, "--force"), rf"\Aannulus: {name}: is {kind}, which no file is to replace; expected ")
+                    self.assertRegex(self.refuse(3, *words, "--force"),
+                                     rf"\Aannulus: {name}: is {kind}, which no file is to replace; expected ")
         os.mkdir(self.here / "out")
         os.mkfifo(self.here / "out" / "summary.json")
         self.assertIn("out/summary.json: is a pipe", self.refuse(3, *self.RUN, "--output", "out", "--force"))
         self.assertIn("x", self.succeed("generate", "uniform", "-n", "4", "--output", "-", "--format", "csv").stdout)
 
     def test_two_runs_at_once(self):
-        """Into directories under one that is not there, into one that is not there, into one with a file of somebody's."""
+        """Into directories under one that is not there, into one that is not there, into one with a file of
+        somebody's."""
         for round in range(5):
             self.succeed(*self.RUN, "--output", f"mine{round}", "--quiet")
             (self.here / f"mine{round}" / "notes.txt").write_text("mine")
@@ -276,7 +285,8 @@ class Outputs(ToolTest):
         for words in (["compare", "--output", "a", "--", *self.RUN], ["audit", "run/final.mesh", "--output", "b"],
                       ["degeneracy", "points.xyz", "--output", "c"], ["counterexample", "--output", "d"]):
             self.succeed(*words)
-        for file in ("run/summary.json", "a/compare.json", "b/audit.json", "c/degeneracy.json", "d/counterexample.json"):
+        for file in ("run/summary.json", "a/compare.json", "b/audit.json", "c/degeneracy.json",
+                     "d/counterexample.json"):
             content = json.loads((self.here / file).read_text(encoding="utf-8"))
             self.assertEqual(content["version"], version, file)
             self.assertTrue(content["command"].startswith("annulus "), file)
@@ -285,7 +295,8 @@ class Outputs(ToolTest):
         self.write("motion.csv", "frame,id,x,y\n0,1,0,0\n0,2,1,0\n0,3,0,1\n1,1,0,0\n1,2,1,0\n1,3,0,1\n1,4,1,1\n")
         self.succeed("replay", "motion.csv", "--output", "out", "--quiet")
         self.assertEqual(self.summary("out")["vertices"], 4)
-        self.assertIn("<h1>4 vertices, 1 step: auto</h1>", (self.here / "out" / "report.html").read_text(encoding="utf-8"))
+        self.assertIn("<h1>4 vertices, 1 step: auto</h1>",
+                      (self.here / "out" / "report.html").read_text(encoding="utf-8"))
 
     def test_a_tolerance_without_end(self):
         """Of points on a line the outer ones have no certificate: infinite, and not 0."""

@@ -38,11 +38,13 @@ def as_csv(frames, seed=0):
 
 class Replay(tool.ToolTest):
     def test_a_failed_audit(self):
-        """Five points (annulus counterexample) that move by less than the paper's tolerances: three cells stay where two are right."""
+        """Five points (annulus counterexample) that move by less than the paper's tolerances: three cells stay where
+        two are right."""
         rows = ["frame,id,x,y,z"]
         for frame, (height, radius) in enumerate([(0.99, 1.0), (0.997, 0.993)]):
             turns = [2 * math.pi * k / 3 for k in range(3)]
-            points = [(0, 0, height), (0, 0, -height)] + [(radius * math.cos(t), radius * math.sin(t), 0) for t in turns]
+            points = [(0, 0, height), (0, 0, -height)] + [(radius * math.cos(t), radius * math.sin(t), 0)
+                                                          for t in turns]
             rows += [f"{frame},{i},{x!r},{y!r},{z!r}" for i, (x, y, z) in enumerate(points)]
         self.write("spindle.csv", "\n".join(rows) + "\n")
         for kind, status in (("paper", 1), ("certified", 0)):
@@ -74,12 +76,14 @@ class Replay(tool.ToolTest):
                 self.assertEqual(summary["audit"]["checked"], 24)
 
     def test_what_came_and_went_is_said(self):
-        frames = [{0: (0, 0), 1: (1, 0), 2: (0, 1), 3: (1, 1.5)}, {1: (1, 0), 2: (0, 1), 3: (1, 1.5), 7: (3, 3), 9: (0, 0)}]
+        frames = [{0: (0, 0), 1: (1, 0), 2: (0, 1), 3: (1, 1.5)},
+                  {1: (1, 0), 2: (0, 1), 3: (1, 1.5), 7: (3, 3), 9: (0, 0)}]
         self.write("a.csv", as_csv(frames))
         self.assertIn("2 points appeared, 1 disappeared", self.succeed("replay", "a.csv").stdout)
 
     def test_a_point_may_take_the_place_that_another_leaves(self):
-        frames = [{0: (0, 0), 1: (1, 0), 2: (0, 1)}, {0: (1, 0), 1: (0, 0), 2: (0, 1)}, {1: (1, 0), 2: (0, 1), 5: (0, 0)}]
+        frames = [{0: (0, 0), 1: (1, 0), 2: (0, 1)}, {0: (1, 0), 1: (0, 0), 2: (0, 1)},
+                  {1: (1, 0), 2: (0, 1), 5: (0, 0)}]
         self.write("a.csv", as_csv(frames))
         self.check("a.csv", frames[-1].values())
 
@@ -91,7 +95,8 @@ class Replay(tool.ToolTest):
                 self.check("a.csv", frames[1].values(), "--strategy", strategy)
 
     def test_xyz(self):
-        frames = [{i: (random.Random(i).random() + 0.01 * f, random.Random(-i).random()) for i in range(9)} for f in range(4)]
+        frames = [{i: (random.Random(i).random() + 0.01 * f, random.Random(-i).random()) for i in range(9)}
+                  for f in range(4)]
         plain = "".join("9\n\n" + "".join(f"{x!r} {y!r}\n" for x, y in f.values()) for f in frames)
         atoms = "".join("9\nstep\n" + "".join(f"H {x!r} {y!r} 0.5\n" for x, y in f.values()) for f in frames)
         extended = "".join("9\nTime=1 Properties=mass:R:1:species:S:1:pos:R:3:q:I:2 pbc=F\n" +
@@ -157,16 +162,18 @@ class Replay(tool.ToolTest):
         dump = ("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS{}\n0 9\n0 9\n0 9\nITEM: ATOMS id x y z\n"
                 "1 0 0 0\n2 1 0 0\n3 0 1 0\n")
         for name, text, line, what in (
-            ("a.xyz", frame.format("") * 3, 2, "Lattice"), ("a.xyz", frame.format('pbc="T F F" ') * 3, 2, "Lattice and pbc"),
+            ("a.xyz", frame.format("") * 3, 2, "Lattice"),
+            ("a.xyz", frame.format('pbc="T F F" ') * 3, 2, "Lattice and pbc"),
             ("a.xyz", frame.format('pbc="F F F" ') + frame.format(""), 7, "Lattice"),
-            ("a.lammpstrj", dump.format(" pp pp pp") * 2, 5, "BOX BOUNDS pp pp pp"), ("a.lammpstrj", dump.format(" ff ff pp"), 5, "BOX BOUNDS ff ff pp"),
+            ("a.lammpstrj", dump.format(" pp pp pp") * 2, 5, "BOX BOUNDS pp pp pp"),
+            ("a.lammpstrj", dump.format(" ff ff pp"), 5, "BOX BOUNDS ff ff pp"),
             ("a.lammpstrj", dump.format(""), 5, "BOX BOUNDS, without a word on its sides"),
         ):
             with self.subTest(text=text):
                 self.write(name, text)
                 self.assertEqual(self.refuse(3, "replay", name, "--output", "out"),
-                                 f"annulus: {name}:{line}: {what}: a periodic box, and these are not supported; expected --open, "
-                                 "by which points are taken as they stand, with open boundaries")
+                                 f"annulus: {name}:{line}: {what}: a periodic box, and these are not supported; "
+                                 "expected --open, by which points are taken as they stand, with open boundaries")
                 done = self.succeed("replay", name, "--output", "out", "--open")
                 self.assertRegex(done.stderr, rf"\Aannulus: {name}:{line}: {what} ignored: [^\n]*open boundaries\n\Z")
                 self.assertEqual(self.summary("out")["ignored"], ["box"])
@@ -181,7 +188,8 @@ class Replay(tool.ToolTest):
 
     def test_a_periodic_box_is_refused_or_announced_by_whatever_reads_points(self):
         """Each of these asks for the box by itself. (A sweep: test_sweep.py.)"""
-        frame = '4\nLattice="9 0 0 0 9 0 0 0 9" Properties=species:S:1:pos:R:3\nH .1 0 0\nH .2 .3 0\nH .5 .1 0\nH .3 -.2 0\n'
+        frame = ('4\nLattice="9 0 0 0 9 0 0 0 9" Properties=species:S:1:pos:R:3\nH .1 0 0\nH .2 .3 0\nH .5 .1 0\nH .3 '
+                 '-.2 0\n')
         self.write("one.xyz", frame)
         self.write("film.xyz", frame * 3)
         lloyd = ["lloyd", "--ignore-z", "--input", "one.xyz", "--iterations", 2]
@@ -197,9 +205,11 @@ class Replay(tool.ToolTest):
         ):
             with self.subTest(words=[*before, *words]):
                 whole = [*before, "--output", "out", "--", *words] if before else [*words, "--output", "out"]
-                self.assertEqual(self.refuse(3, *whole), f"annulus: {name}:2: Lattice: a periodic box, and these are not supported; expected "
-                                                         "--open, by which points are taken as they stand, with open boundaries")
-                said = f"{name}:2: Lattice ignored: periodic boxes are not supported, points are taken as they stand, with open boundaries"
+                self.assertEqual(self.refuse(3, *whole),
+                                 f"annulus: {name}:2: Lattice: a periodic box, and these are not supported; expected "
+                                 "--open, by which points are taken as they stand, with open boundaries")
+                said = (f"{name}:2: Lattice ignored: periodic boxes are not supported, points are taken as they stand, "
+                        "with open boundaries")
                 self.assertEqual(self.succeed(*whole, "--open").stderr, f"annulus: {said}\n")
                 found = json.loads((self.here / "out" / result).read_text(encoding="utf-8"))
                 for one in [found, *(found["strategies"].values() if before else [])]:
@@ -207,7 +217,9 @@ class Replay(tool.ToolTest):
                 (page,) = (self.here / "out").glob("*.html")
                 text = page.read_text(encoding="utf-8")
                 self.assertIn(said, text)
-                self.assertLess(text.index(said), min(text.find(part) % len(text) for part in ("<table", "<figure", "<h2")))  # before all else
+                # Before all else.
+                self.assertLess(text.index(said), min(text.find(part) % len(text)
+                                                      for part in ("<table", "<figure", "<h2")))
                 shutil.rmtree(self.here / "out")
 
     def test_whether_it_went_in_the_plane_or_in_space_is_said(self):
@@ -215,8 +227,9 @@ class Replay(tool.ToolTest):
         self.write("flat.xyz", rows.format(0.5, 0.5))
         self.write("solid.xyz", rows.format(0.5, 1.5))
         self.write("plane.xyz", "3\n\n0 0\n1 0\n0 1\n")
-        for words, said in ((["flat.xyz"], "2: z is the same everywhere: 0.5"), (["solid.xyz"], "3"), (["plane.xyz"], "2"),
-                            (["solid.xyz", "--dim", "2"], "2: --dim 2 drops z"), (["flat.xyz", "--dim", "3"], "3")):
+        for words, said in ((["flat.xyz"], "2: z is the same everywhere: 0.5"), (["solid.xyz"], "3"),
+                            (["plane.xyz"], "2"), (["solid.xyz", "--dim", "2"], "2: --dim 2 drops z"),
+                            (["flat.xyz", "--dim", "3"], "3")):
             done = self.succeed("replay", *words, "--output", "out")
             self.assertIn(f"\ndimension      {said}\n", done.stdout)
             page = (self.here / "out" / "report.html").read_text(encoding="utf-8")
@@ -287,7 +300,8 @@ class Replay(tool.ToolTest):
             ("h.csv", "frame,id,x,y\n", "h.csv:1: has no frames"),
             ("a.xyz", "2\n\n0 0\n", "a.xyz:3: the file ends after 1 of 2"),
             ("b.xyz", "0\n\n", "b.xyz:1: has no points in any frame"),
-            ("w.xyz", "1\nProperties=a:S:18446744073709551615:pos:R:3\nH 0 0 0\n", "w.xyz:2: .*'a'.* columns; expected"),
+            ("w.xyz", "1\nProperties=a:S:18446744073709551615:pos:R:3\nH 0 0 0\n",
+             "w.xyz:2: .*'a'.* columns; expected"),
             ("w.csv", "frame,id,x,y\n1,1,2,3\n1,2,4,3\n2,1,2,3\n4,1,2,3\n", "w.csv:5: frame 4 .*expected frame 3"),
             ("c.xyz", "1\n\n0 0\n1\n\n0 0 0\n", "c.xyz:6: a frame has a z"),
             ("d.xyz", "1\nProperties=species:S:1\nH\n", "d.xyz:2: Properties have no pos"),

@@ -19,7 +19,8 @@ def untimed(run):
     run = dict(run)
     for name in ("load", "motion_seconds", "operations"):
         run.pop(name, None)
-    run["strategies"] = {name: {k: v for k, v in s.items() if not k.endswith("seconds")} for name, s in run.get("strategies", {}).items()}
+    run["strategies"] = {name: {k: v for k, v in s.items() if not k.endswith("seconds")}
+                         for name, s in run.get("strategies", {}).items()}
     return run
 
 
@@ -34,7 +35,8 @@ class Reproduce(tool.ToolTest):
         """Every figure has a page, every claim a verdict, every link leads somewhere, and every table has numbers."""
         self.succeed(*self.SMALL, "--output", "all")
         files = {p.name for p in (self.here / "all").iterdir()}
-        self.assertLessEqual(FIGURES | {"index.html", "claims.csv", "unsound.html", "slivers.html", "locked.html", "movers.html"}, files)
+        self.assertLessEqual(FIGURES | {"index.html", "claims.csv", "unsound.html", "slivers.html", "locked.html",
+                                        "movers.html"}, files)
         self.assertEqual({p.name for p in self.here.iterdir()}, {"all"})  # no parts are left
         for page in (self.here / "all").glob("*.html"):
             text = page.read_text(encoding="utf-8")
@@ -72,7 +74,8 @@ class Reproduce(tool.ToolTest):
         for operation in sphere["operations"]:
             self.assertGreater(operation["removal_seconds"], 0)
         for where in ("plane", "space"):
-            some, all_of_them = (r["runs"][f"movers-{where}-{share}"]["strategies"]["paper-printed"]["failed"] for share in (1, 100))
+            some, all_of_them = (r["runs"][f"movers-{where}-{share}"]["strategies"]["paper-printed"]["failed"]
+                                 for share in (1, 100))
             self.assertLess(10 * some, all_of_them)
         for run in r["runs"].values():
             for name, strategy in run.get("strategies", {}).items():
@@ -112,8 +115,10 @@ class Reproduce(tool.ToolTest):
         self.assertEqual(set(self.result("out")["runs"]), {"points-one", "points-x2", "nodt-sphere"})
 
     def start(self, *words):
-        """Begins, and returns when its directory says what is made in it; what is made takes far longer than a test may."""
-        run = subprocess.Popen([tool.OPTIONS["tool"], *map(str, words)], cwd=self.here, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        """Begins, and returns when its directory says what is made in it; what is made takes far longer than a test
+        may."""
+        run = subprocess.Popen([tool.OPTIONS["tool"], *map(str, words)], cwd=self.here, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
         self.addCleanup(lambda: (run.kill(), run.wait()))
         head = self.here / "out.partial" / "reproduction.txt"
         while not (head.exists() and head.read_bytes()):

@@ -33,7 +33,8 @@ class Stipples(ToolTest):
             chunk(b"IDAT", zlib.compress(b"".join(b"\0" + row for row in rows))) + chunk(b"IEND", b""))
 
     def stipple(self, *words, name="a.pgm", points=600):
-        self.succeed("lloyd", "--density", name, "--points", points, "--iterations", "25", "--output", "out", "--quiet", *words)
+        self.succeed("lloyd", "--density", name, "--points", points, "--iterations", "25", "--output", "out", "--quiet",
+                     *words)
         text = (self.here / "out" / "stipples.svg").read_text(encoding="ascii")
         root = ElementTree.fromstring(text)
         self.assertEqual(root.tag, SVG + "svg")
@@ -77,14 +78,15 @@ class Stipples(ToolTest):
 
     def test_points_from_a_file(self):
         self.xyz("in.xyz", [(10, 10), (80, 20), (40, 50)])
-        self.succeed("lloyd", "--density", "a.pgm", "--input", "in.xyz", "--iterations", "2", "--output", "out", "--quiet")
+        self.succeed("lloyd", "--density", "a.pgm", "--input", "in.xyz", "--iterations", "2", "--output", "out",
+                     "--quiet")
         self.xyz("beside.xyz", [(10, 10), (80, 20), (40, 61)])
         line = self.refuse(3, "lloyd", "--density", "a.pgm", "--input", "beside.xyz")
         self.assertIn("beside.xyz:3", line)
 
     def test_compare(self):
-        self.succeed("compare", "--strategies", "rebuild,auto", "--quiet", "--output", "both", "--", "lloyd", "--density", "a.png",
-                     "--points", "200", "--iterations", "10")
+        self.succeed("compare", "--strategies", "rebuild,auto", "--quiet", "--output", "both", "--", "lloyd",
+                     "--density", "a.png", "--points", "200", "--iterations", "10")
 
     def test_pictures_that_are_none(self):
         (self.here / "white.pgm").write_bytes(b"P5 2 2 255\n" + b"\xff" * 4)

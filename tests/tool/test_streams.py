@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs `annulus` on files that are read while it runs: pipes, packed ones, long ones, broken ones. usage: test_streams.py --tool=PATH [CLASS[.METHOD]...]"""
+"""Runs `annulus` on files that are read while it runs: pipes, packed ones, long ones, broken ones.
+
+usage: test_streams.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import gzip
 import resource
@@ -9,11 +11,15 @@ import subprocess
 
 import tool
 
-CSV = "frame,id,x,y\n" + "".join(f"{f},{i},{i % 3 + 0.01 * f!r},{i // 3 + 0.1 * (i % 3)!r}\n" for f in range(4) for i in range(9))
-XYZ = "".join("9\n\n" + "".join(f"{i % 3 + 0.01 * f!r} {i // 3 + 0.1 * (i % 3)!r}\n" for i in range(9)) for f in range(4))
+CSV = ("frame,id,x,y\n" + "".join(f"{f},{i},{i % 3 + 0.01 * f!r},{i // 3 + 0.1 * (i % 3)!r}\n" for f in range(4)
+                                  for i in range(9)))
+XYZ = "".join("9\n\n" + "".join(f"{i % 3 + 0.01 * f!r} {i // 3 + 0.1 * (i % 3)!r}\n" for i in range(9))
+              for f in range(4))
 LAMMPS = "".join(
-    f"ITEM: TIMESTEP\n{100 * f}\nITEM: NUMBER OF ATOMS\n9\nITEM: BOX BOUNDS ff ff ff\n0 3\n0 3\n-0.5 0.5\nITEM: ATOMS id type x y z\n" +
-    "".join(f"{i + 1} 1 {i % 3 + 0.01 * f!r} {i // 3 + 0.1 * (i % 3)!r} 0\n" for i in reversed(range(9))) for f in range(4))
+    f"ITEM: TIMESTEP\n{100 * f}\nITEM: NUMBER OF ATOMS\n9\nITEM: BOX BOUNDS ff ff ff\n0 3\n0 3\n-0.5 0.5\nITEM: ATOMS "
+    "id type x y z\n" +
+    "".join(f"{i + 1} 1 {i % 3 + 0.01 * f!r} {i // 3 + 0.1 * (i % 3)!r} 0\n" for i in reversed(range(9)))
+    for f in range(4))
 
 
 class Streams(tool.ToolTest):
@@ -31,11 +37,14 @@ class Streams(tool.ToolTest):
 
     def test_every_format_from_a_file_a_packed_one_and_standard_input(self):
         expected = sorted((i % 3 + 0.03, i // 3 + 0.1 * (i % 3)) for i in range(9))
-        for name, extension, text in (("csv", ".csv", CSV), ("xyz", ".xyz", XYZ), ("lammps", ".lammpstrj", LAMMPS), ("lammps", ".DUMP", LAMMPS)):
+        for name, extension, text in (("csv", ".csv", CSV), ("xyz", ".xyz", XYZ), ("lammps", ".lammpstrj", LAMMPS),
+                                      ("lammps", ".DUMP", LAMMPS)):
             with self.subTest(name=name, extension=extension):
-                for file, content in (("a" + extension, text), ("a" + extension + ".gz", gzip.compress(text.encode())), ("a.txt", text)):
+                for file, content in (("a" + extension, text), ("a" + extension + ".gz", gzip.compress(text.encode())),
+                                      ("a.txt", text)):
                     words = ["--format", name] if file == "a.txt" else []
-                    self.succeed("replay", self.write(file, content), *words, "--audit", "1", "--output", "out", "--quiet")
+                    self.succeed("replay", self.write(file, content), *words, "--audit", "1", "--output", "out",
+                                 "--quiet")
                     self.assertEqual(self.last_positions(), expected)
                 for content in (text, gzip.compress(text.encode()), "\ufeff" + text):
                     done = self.fed(content, "replay", "-", "--format", name, "--audit", "1", "--output", "out")
@@ -50,7 +59,8 @@ class Streams(tool.ToolTest):
         done = self.fed("0,0\n1,0\n0,1\n", "lloyd", "--input", "-", "--format", "csv", "--iterations", "2")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         done = self.fed("0 0\n1 nan\n", "degeneracy", "-", "--format", "xyz")
-        self.assertEqual((done.returncode, done.stderr), (3, "annulus: standard input:2: y is nan: 'nan'; expected a finite number\n"))
+        self.assertEqual((done.returncode, done.stderr),
+                         (3, "annulus: standard input:2: y is nan: 'nan'; expected a finite number\n"))
 
     def test_what_standard_input_is_has_to_be_said(self):
         for words in (["replay", "-"], ["degeneracy", "-"], ["lloyd", "--input", "-"]):
@@ -61,7 +71,8 @@ class Streams(tool.ToolTest):
     def test_nothing_or_rubbish_comes(self):
         for name in ("xyz", "csv", "lammps"):
             for content, fault in ((b"", "is empty"), (b"\n" * 1_000_000, "has no frames"), (b"\x1f\x8b", "is cut off"),
-                                   (b"\x00" * 1000, ""), (gzip.compress(XYZ.encode())[:-9], "is cut off" if name == "xyz" else "")):
+                                   (b"\x00" * 1000, ""),
+                                   (gzip.compress(XYZ.encode())[:-9], "is cut off" if name == "xyz" else "")):
                 done = self.fed(content, "replay", "-", "--format", name)
                 self.assertEqual((done.returncode, done.stdout), (3, ""), (name, content[:20]))
                 self.assertRegex(done.stderr, rf"\Aannulus: standard input:\d+: .*({fault}).*; expected [^\n]+\n\Z")
@@ -71,7 +82,8 @@ class Streams(tool.ToolTest):
         frames = ["3\n\n" + rows for rows in (flat, flat, bent)]
         done = self.fed("".join(frames), "replay", "-", "--format", "xyz")
         self.assertEqual(done.returncode, 3)
-        self.assertIn("standard input:15: z is not that of all points before; expected --dim 3, or --dim 2 to drop z", done.stderr)
+        self.assertIn("standard input:15: z is not that of all points before; expected --dim 3, or --dim 2 to drop z",
+                      done.stderr)
         for dim in "23":
             self.assertEqual(self.fed("".join(frames), "replay", "-", "--format", "xyz", "--dim", dim).returncode, 0)
         self.succeed("replay", self.write("a.xyz", "".join(frames)), "--output", "out")  # which is read until z differs
@@ -97,7 +109,8 @@ class Streams(tool.ToolTest):
     def test_an_interrupted_pipe(self):
         """The signal comes while the run asks a pipe for more that has no more to say and no end."""
         words = ["replay", "-", "--format", "xyz", "--output", "out"]
-        run = subprocess.Popen([tool.OPTIONS["tool"], *words], cwd=self.here, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        run = subprocess.Popen([tool.OPTIONS["tool"], *words], cwd=self.here, stdin=subprocess.PIPE,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                env=tool.at(signal.SIGSTOP, 2, "read", "pipe:"))
         self.addCleanup(lambda: (run.kill(), run.communicate()))
         run.stdin.write((XYZ + "9\n").encode())  # in one piece, which is what the first read has
@@ -111,15 +124,16 @@ class Streams(tool.ToolTest):
         self.assertEqual(self.summary("out.partial")["iterations"], 3)
 
     def fits(self, megabytes, *words):
-        """Whether a run ends well that may have so much memory of its own, which is counted when it is asked for: what is resident depends on
-        what else the machine does."""
+        """Whether a run ends well that may have so much memory of its own, which is counted when it is asked for: what
+        is resident depends on what else the machine does."""
         limit = lambda: resource.setrlimit(resource.RLIMIT_DATA, (megabytes << 20, megabytes << 20))
         return self.run_tool(*words, preexec_fn=limit).returncode == 0
 
     def test_memory_does_not_grow_with_the_length_of_a_file(self):
         for name in ("a.xyz", "a.csv", "a.lammpstrj", "a.xyz.gz"):
             for steps in (20, 1000):
-                self.succeed("generate", "walk", "--points", "500", "--pace", "0.001", "--steps", steps, "--output", name, "--force")
+                self.succeed("generate", "walk", "--points", "500", "--pace", "0.001", "--steps", steps, "--output",
+                             name, "--force")
                 if steps == 20:
                     least = next(m for m in range(1, 1000) if self.fits(m, "replay", name, "--audit", "0"))
             self.assertGreater((self.here / name).stat().st_size, 5 << 20)

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`annulus nodt` on surfaces that something is wrong with: it ends, by itself, with a mesh or one line.
 
-usage: test_surfaces.py --tool=PATH [CLASS[.METHOD]...]; ANNULUS_MUTANTS=N and ANNULUS_TEST_SEED=N for more and other mutants
+usage: test_surfaces.py --tool=PATH [CLASS[.METHOD]...]; ANNULUS_MUTANTS=N and ANNULUS_TEST_SEED=N for more and other
+       mutants
 """
 
 import os
@@ -33,9 +34,10 @@ class Surfaces(ToolTest):
     def mesh(self, points, faces, *more, vertices=60):
         self.write("a.off", off(points, faces))
         words = ["nodt", "--surface", "a.off", "--vertices", vertices, "--iterations", "2", *more]
+        # Not of the clock.
         return subprocess.run([OPTIONS["tool"], *map(str, words)], cwd=self.here, stdin=subprocess.DEVNULL,
                               capture_output=True, text=True, check=False,
-                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (tool.HANGING, tool.HANGING)))  # not of the clock
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (tool.HANGING, tool.HANGING)))
 
     def judge(self, done, what):
         if done.returncode == 0:
@@ -62,7 +64,8 @@ class Surfaces(ToolTest):
     def test_sharp_edges_are_kept_or_refused(self):
         self.accept(*L_SHAPE, "--sharp", "30")
         self.accept(*TETRAHEDRON, "--sharp", "30")
-        for points in ([(0, 0, 1), (1, 0, 0), (0, 1, 0), (0, 0, 4)], [(x, y, 0.05 * z) for x, y, z in TETRAHEDRON[0]]):  # acute
+        # Acute.
+        for points in ([(0, 0, 1), (1, 0, 0), (0, 1, 0), (0, 0, 4)], [(x, y, 0.05 * z) for x, y, z in TETRAHEDRON[0]]):
             self.judge(self.mesh(points, TETRAHEDRON[1], "--sharp", "30"), points)
 
     def test_lengths(self):
@@ -75,8 +78,8 @@ class Surfaces(ToolTest):
                 self.accept([tuple(scale * x for x in p) for p in points], faces)
         for scale in (1e-40, 1e40):
             with self.subTest(scale=scale):
-                self.refuse_surface("a.off: its longest side is below 1e-30, or a coordinate beyond", [tuple(scale * x for x in p) for p in points],
-                                    faces)
+                self.refuse_surface("a.off: its longest side is below 1e-30, or a coordinate beyond",
+                                    [tuple(scale * x for x in p) for p in points], faces)
         self.accept([(x + 1e6, y, z) for x, y, z in points], faces)
         self.refuse_surface("a.off: it is more than 1e7 times", [(x + 1e9, y, z) for x, y, z in points], faces)
 
@@ -92,8 +95,8 @@ class Surfaces(ToolTest):
         touching = [(0.25 * x + 0.25, 0.25 * y + 0.25, 0.25 * z) for x, y, z in points]
         self.refuse_surface("crosses or touches", points + touching, two[1])
         middle = points + [(0.5, 0, 0)]
-        self.refuse_surface("a triangle has no area", middle, [(0, 2, 1), (2, 1, 3)[::-1], (0, 3, 2), (0, 4, 3), (4, 1, 3),
-                                                               (0, 1, 4)])
+        self.refuse_surface("a triangle has no area", middle,
+                            [(0, 2, 1), (2, 1, 3)[::-1], (0, 3, 2), (0, 4, 3), (4, 1, 3), (0, 1, 4)])
 
     def test_mutants(self):
         """Moved, merged, flattened corners; faces dropped, turned, repeated; numbers from the ends of the doubles."""

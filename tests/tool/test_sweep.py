@@ -71,7 +71,8 @@ class Found(SweepTest):
             if line.get("motion") in ("lloyd", "nodt") or line["rounding"] != "double":
                 continue
             with self.subTest(line=i):
-                words = ["--dim", line["dimension"], "--points", line["points"], "--seed", line["seed"], "--output", "p.xyz", "--force"]
+                words = ["--dim", line["dimension"], "--points", line["points"], "--seed", line["seed"], "--output",
+                         "p.xyz", "--force"]
                 if "motion" in line:
                     self.succeed("generate", line["motion"], "--steps", line["step"], "--pace", line["pace"], *words)
                     self.succeed("degeneracy", "p.xyz", "--frame", line["step"], "--quiet", "--output", "d")
@@ -110,7 +111,8 @@ class Found(SweepTest):
         sums = json.loads((self.here / "out" / "sums.json").read_text(encoding="utf-8"))
         expected = {}
         for line in self.lines("out"):
-            where = {k: v for k, v in line.items() if k in ("grid", "name", "kind", "dimension", "points", "rounding", "motion", "pace", "step")}
+            where = {k: v for k, v in line.items() if k in ("grid", "name", "kind", "dimension", "points", "rounding",
+                                                            "motion", "pace", "step")}
             expected.setdefault(json.dumps(where), []).append(line)
         self.assertEqual(len(sums["sums"]), len(expected))
         for one, (where, lines) in zip(sums["sums"], expected.items()):
@@ -127,8 +129,10 @@ class Found(SweepTest):
                 self.assertEqual(h["below"], sum(line["histograms"][name]["below"] for line in lines))
 
     def test_seeds(self):
-        """Rounded in several ways, the same points; else different ones; what a list of seeds says is taken as it is."""
-        self.sweep("[[grid]]\npoints = [20, 30]\nkind = [\"uniform\", \"jittered\"]\nrounding = [\"double\", \"float\"]\nseeds = 3\n", "out")
+        """Rounded in several ways, the same points; else different ones; what a list of seeds says is taken as it
+        is."""
+        self.sweep("[[grid]]\npoints = [20, 30]\nkind = [\"uniform\", \"jittered\"]\nrounding = [\"double\", "
+                   "\"float\"]\nseeds = 3\n", "out")
         seeds = {}
         for line in self.lines("out"):
             seeds.setdefault((line["points"], line["kind"], line["rounding"]), []).append(line["seed"])
@@ -139,15 +143,18 @@ class Found(SweepTest):
         self.sweep("[[grid]]\npoints = 20\nseeds = [7, 5]\n", "list")
         self.assertEqual([line["seed"] for line in self.lines("list")], [7, 5])
         before = self.sweep("seed = 2\n[[grid]]\npoints = 20\n", "a")
-        self.assertNotEqual(self.sweep("seed = 3\n[[grid]]\npoints = 20\n", "b")["results.jsonl"], before["results.jsonl"])
+        self.assertNotEqual(self.sweep("seed = 3\n[[grid]]\npoints = 20\n", "b")["results.jsonl"],
+                            before["results.jsonl"])
 
     def test_rounded_points(self):
         self.succeed("generate", "uniform", "--points", 200, "--seed", 7, "--output", "p.xyz")
-        points = [tuple(map(float, line.split()[-2:])) for line in (self.here / "p.xyz").read_text().splitlines()[-200:]]
+        points = [tuple(map(float, line.split()[-2:]))
+                  for line in (self.here / "p.xyz").read_text().splitlines()[-200:]]
         self.xyz("r.xyz", [tuple(float(f"{c:.2f}") for c in p) for p in points])
         self.succeed("degeneracy", "r.xyz", "--quiet", "--output", "d")
         there = json.loads((self.here / "d" / "degeneracy.json").read_text(encoding="utf-8"))
-        self.sweep("[[grid]]\npoints = 200\nrounding = \"decimal:2\"\nseeds = [7]\n[[grid]]\nfile = \"p.xyz\"\nrounding = \"decimal:2\"\n", "out")
+        self.sweep("[[grid]]\npoints = 200\nrounding = \"decimal:2\"\nseeds = [7]\n[[grid]]\nfile = "
+                   "\"p.xyz\"\nrounding = \"decimal:2\"\n", "out")
         for line in self.lines("out"):
             self.assertEqual((line["vertices"], line["merged"]), (there["vertices"], there["merged"]))
             self.assertEqual(line["counts"]["bicells.zero"], there["bicells"]["zero"])
@@ -161,18 +168,23 @@ class Found(SweepTest):
         self.assertEqual(lines[2]["counts"], lines[4]["counts"])
 
     def test_a_periodic_box_is_refused_or_announced(self):
-        frame = '4\nLattice="9 0 0 0 9 0 0 0 9" Properties=species:S:1:pos:R:3\nH .1 0 0\nH .2 .3 0\nH .5 .1 0\nH .3 -.2 {}\n'
+        frame = ('4\nLattice="9 0 0 0 9 0 0 0 9" Properties=species:S:1:pos:R:3\nH .1 0 0\nH .2 .3 0\nH .5 .1 0\nH .3 '
+                 '-.2 {}\n')
         self.write("one.xyz", frame.format(1))
         self.write("two.xyz", frame.format(1) + frame.format(2))
         self.xyz("open.xyz", [(0.1, 0.0), (0.2, 0.3), (0.5, 0.1)])
-        for grid in ('file = "one.xyz"\n', 'file = "one.xyz"\ndimension = 2\n', 'file = "two.xyz"\nevery = 1\n', 'file = "two.xyz"\nframes = 1\n'):
+        for grid in ('file = "one.xyz"\n', 'file = "one.xyz"\ndimension = 2\n', 'file = "two.xyz"\nevery = 1\n',
+                     'file = "two.xyz"\nframes = 1\n'):
             with self.subTest(grid=grid):
                 name = grid.split('"')[1]
                 self.write("spec.toml", "[[grid]]\n" + grid)
                 said = self.refuse(3, "sweep", "spec.toml", "--output", "out")
-                self.assertRegex(said, rf"{name}:2: Lattice: a periodic box, and these are not supported; expected open = true in its \[\[grid\]\]")
+                self.assertRegex(said,
+                                 rf"{name}:2: Lattice: a periodic box, and these are not supported; expected open = "
+                                 r"true in its \[\[grid\]\]")
                 self.sweep(f"[[grid]]\n{grid}open = true\n[[grid]]\nfile = \"open.xyz\"\n", "out")
-                lines, sums = self.lines("out"), json.loads((self.here / "out" / "sums.json").read_text(encoding="utf-8"))["sums"]
+                lines, sums = self.lines("out"), json.loads((self.here / "out"
+                                                             / "sums.json").read_text(encoding="utf-8"))["sums"]
                 for line in lines + sums:
                     self.assertEqual(line.get("ignored"), ["box"] if line["file"] == name else None)
                 page = (self.here / "out" / "sweep.html").read_text(encoding="utf-8")
@@ -181,14 +193,17 @@ class Found(SweepTest):
                 shutil.rmtree(self.here / "out")
 
     def test_repeated_points(self):
-        """Of a file they are among `points` and `merged`, as in degeneracy.json; so are those that rounding brings together."""
+        """Of a file they are among `points` and `merged`, as in degeneracy.json; so are those that rounding brings
+        together."""
         corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (3.0, 2.0), (0.25, 0.25)]
         self.xyz("set.xyz", corners + [(1.0, 0.0), (1.0, 0.0), (-0.0, 1.0)])
         frames = corners, [*corners[1:], corners[2]]
-        self.write("motion.csv", "frame,id,x,y\n" + "".join(f"{f},{i},{x},{y}\n" for f, frame in enumerate(frames) for i, (x, y) in enumerate(frame)))
+        self.write("motion.csv", "frame,id,x,y\n" + "".join(f"{f},{i},{x},{y}\n" for f, frame in enumerate(frames)
+                                                            for i, (x, y) in enumerate(frame)))
         self.succeed("degeneracy", "set.xyz", "--quiet", "--output", "set")
         self.succeed("degeneracy", "motion.csv", "--frame", 1, "--quiet", "--output", "frame")
-        self.sweep("[[grid]]\nfile = \"set.xyz\"\nrounding = [\"double\", \"grid:1.5\"]\n[[grid]]\nfile = \"motion.csv\"\nframes = 1\n", "out")
+        self.sweep("[[grid]]\nfile = \"set.xyz\"\nrounding = [\"double\", \"grid:1.5\"]\n[[grid]]\nfile = "
+                   "\"motion.csv\"\nframes = 1\n", "out")
         double, coarse, frame = self.lines("out")
         for line, name, merged in ((double, "set", 3), (frame, "frame", 1)):
             there = json.loads((self.here / name / "degeneracy.json").read_text(encoding="utf-8"))
@@ -205,10 +220,12 @@ class Found(SweepTest):
 
     def test_hardest(self):
         """Against all certificates (`degeneracy --raw`), and in rational numbers."""
-        self.sweep("hardest = 6\n[[grid]]\npoints = 400\nkind = \"jittered\"\nrounding = \"decimal:3\"\nseeds = [4]\n", "out")
+        self.sweep("hardest = 6\n[[grid]]\npoints = 400\nkind = \"jittered\"\nrounding = \"decimal:3\"\nseeds = [4]\n",
+                   "out")
         self.sweep("hardest = 6\n[[grid]]\npoints = 400\nkind = \"jittered\"\nseeds = [4]\n", "unrounded")
         self.succeed("generate", "jittered", "--points", 400, "--seed", 4, "--output", "p.xyz")
-        points = [tuple(float(f"{float(c):.3f}") for c in line.split()[-2:]) for line in (self.here / "p.xyz").read_text().splitlines()[-400:]]
+        points = [tuple(float(f"{float(c):.3f}") for c in line.split()[-2:])
+                  for line in (self.here / "p.xyz").read_text().splitlines()[-400:]]
         self.xyz("r.xyz", points)
         self.succeed("degeneracy", "r.xyz", "--raw", "raw.csv", "--quiet")
         met = {}

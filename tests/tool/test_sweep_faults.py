@@ -36,8 +36,10 @@ class Specification(test_sweep.SweepTest):
             self.refuse_spec(f"[[grid]]\nfile = \"{name}\"\n", "spec.toml:2: ", "'file'", name)
 
     def test_too_few_to_smooth(self):
-        self.refuse_spec("[[grid]]\npoints = [30, 2]\nmotion = { kind = \"lloyd\", steps = 1 }\n", "spec.toml:2: ", "'points'", "3 or more")
-        self.refuse_spec("[[grid]]\npoints = 3\ndimension = 3\nmotion = { kind = \"nodt\", steps = 1 }\n", "spec.toml:2: ", "'points'", "4 or more")
+        self.refuse_spec("[[grid]]\npoints = [30, 2]\nmotion = { kind = \"lloyd\", steps = 1 }\n", "spec.toml:2: ",
+                         "'points'", "3 or more")
+        self.refuse_spec("[[grid]]\npoints = 3\ndimension = 3\nmotion = { kind = \"nodt\", steps = 1 }\n",
+                         "spec.toml:2: ", "'points'", "4 or more")
 
     def test_a_double_looks_like_one(self):
         self.refuse_spec("[[grid]]\npoints = 2.0\n", "spec.toml:2: ", "'points' is 2.0")
@@ -69,7 +71,8 @@ class Directory(test_sweep.SweepTest):
             self.succeed("sweep", "spec.toml", "--output", "out", "--quiet")
             self.assertEqual(self.results("out"), whole, name)
         (self.here / "mine").mkdir()
-        for text in ("{\"command\": 3}", "[1]", "3", "{\"command\": \"annulus sweep\", \"version\": {}, \"identity\": \"x\"}"):
+        for text in ("{\"command\": 3}", "[1]", "3",
+                     "{\"command\": \"annulus sweep\", \"version\": {}, \"identity\": \"x\"}"):
             (self.here / "mine" / "sums.json").write_text(text, encoding="utf-8")
             self.assertEqual(self.refuse_or_none("mine"), not text.startswith("{\"command\": \"annulus"), text)
         os.mkdir(self.here / "pipes")
@@ -127,13 +130,15 @@ class Journal(test_sweep.SweepTest):
     def test_a_damaged_head(self):
         lines = self.interrupt(4)
         file = self.here / "out" / test_sweep.JOURNAL
-        for damaged in (b"x" + b"".join(lines)[1:], b"".join(lines).replace(b"\n", b"\r\n"), b"something else\n", b"of somebody's"):
+        for damaged in (b"x" + b"".join(lines)[1:], b"".join(lines).replace(b"\n", b"\r\n"), b"something else\n",
+                        b"of somebody's"):
             file.write_bytes(damaged)
             self.assertIn("damaged", self.refuse(3, "sweep", "spec.toml", "--output", "out"))
             self.assertEqual(file.read_bytes(), damaged)
         for cut in (0, 20, len(lines[0]) - 1):  # nothing was done yet
             file.write_bytes(lines[0][:cut])
-            done = self.run_tool("sweep", "spec.toml", "--output", "out", "--quiet", env=tool.at(signal.SIGKILL, 2, "pwrite", test_sweep.JOURNAL))
+            done = self.run_tool("sweep", "spec.toml", "--output", "out", "--quiet",
+                                 env=tool.at(signal.SIGKILL, 2, "pwrite", test_sweep.JOURNAL))
             self.assertEqual((done.returncode, done.stderr), (-signal.SIGKILL, ""))
             self.assertEqual(file.read_bytes(), lines[0])
 
@@ -142,8 +147,10 @@ class Limits(test_sweep.SweepTest):
     def test_threads_that_cannot_be_had(self):
         """Fewer do as well, and leave what they need: addresses are used up by threads, and then by what these do."""
         def run(megabytes, *words):
-            return subprocess.run([tool.OPTIONS["tool"], *words], cwd=self.here, capture_output=True, text=True, timeout=tool.HANGING, check=False,
-                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20)))
+            return subprocess.run([tool.OPTIONS["tool"], *words], cwd=self.here, capture_output=True, text=True,
+                                  timeout=tool.HANGING, check=False,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS,
+                                                                        (megabytes << 20, megabytes << 20)))
 
         if run(300, "--version").returncode != 0:
             self.skipTest("a sanitizer's shadow needs more room")

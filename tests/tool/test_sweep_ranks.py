@@ -62,8 +62,8 @@ class Killed(Stopped):
             self.fail("mpirun does not end")
 
     def kill(self, kept, victim):
-        """Starts three ranks, of which the first stops before its fifth line of the journal, so that none can come to its end, and kills one
-        of them, or mpirun. That ends the others, stopped ones too."""
+        """Starts three ranks, of which the first stops before its fifth line of the journal, so that none can come to
+        its end, and kills one of them, or mpirun. That ends the others, stopped ones too."""
         run = self.start(*mpirun(3), threads=1, env=tool.at(signal.SIGSTOP, 5, "pwrite", JOURNAL, rank=0))
         self.addCleanup(lambda: run.poll() is None and run.kill())
         ranks = {}
@@ -93,16 +93,16 @@ class Killed(Stopped):
             print(f"killed: {victim}, {kept} lines in the journal")
             if kept > 26:  # four more are needed
                 break
-        done = subprocess.run([*mpirun(2), tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out"], cwd=self.here, capture_output=True,
-                              text=True, timeout=tool.HANGING, check=True)
+        done = subprocess.run([*mpirun(2), tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out"],
+                              cwd=self.here, capture_output=True, text=True, timeout=tool.HANGING, check=True)
         self.assertIn(f"of which {kept - 1} were done before", done.stdout)  # one line is the head
         self.assertEqual(self.results("out"), whole)
 
 
 class Ranks(SweepTest):
     def run_ranks(self, n, *words, status=0):
-        done = subprocess.run([*mpirun(n), tool.OPTIONS["tool"], "sweep", *words], cwd=self.here, capture_output=True, text=True, timeout=tool.HANGING,
-                              check=False)
+        done = subprocess.run([*mpirun(n), tool.OPTIONS["tool"], "sweep", *words], cwd=self.here, capture_output=True,
+                              text=True, timeout=tool.HANGING, check=False)
         self.assertEqual(done.returncode, status, done.stderr)
         return done
 
@@ -112,7 +112,8 @@ class Ranks(SweepTest):
             done = self.run_ranks(n, "spec.toml", "--output", f"{n}x{threads}", "--threads", str(threads))
             self.assertEqual(done.stdout.count("written to"), 1)
             self.assertEqual(self.results(f"{n}x{threads}"), one)
-        # Who asks first gets more: one rank may have done everything, and a busy machine is no fault of ours. Not so always.
+        # Who asks first gets more: one rank may have done everything, and a busy machine is no fault of ours. Not so
+        # always.
         for _ in range(20):
             if len({line["rank"] for line in self.lines("4x1", "costs.jsonl")}) > 1:
                 break
@@ -123,16 +124,18 @@ class Ranks(SweepTest):
     def test_faults_come_once(self):
         self.write("bad.xyz", "1 2\n3 x\n")
         self.write("spec.toml", "[[grid]]\npoints = 20\nseeds = 40\n[[grid]]\nfile = \"bad.xyz\"\n")
-        for words, status, line in ((["spec.toml", "--output", "out"], 3, "bad.xyz:2: "), (["missing.toml", "--output", "out"], 3, "missing.toml"),
+        for words, status, line in ((["spec.toml", "--output", "out"], 3, "bad.xyz:2: "),
+                                    (["missing.toml", "--output", "out"], 3, "missing.toml"),
                                     (["spec.toml"], 2, "--output")):
             done = self.run_ranks(3, *words, status=status)
-            self.assertEqual([line in text for text in done.stderr.splitlines() if text.startswith("annulus:")], [True], done.stderr)
+            self.assertEqual([line in text for text in done.stderr.splitlines() if text.startswith("annulus:")], [True],
+                             done.stderr)
 
     def run_in(self, *directories):
         words = mpirun()
         for i, directory in enumerate(directories):
-            words += ([":"] if i > 0 else []) + ["-n", "1", "-wdir", str(self.here / directory), tool.OPTIONS["tool"], "sweep", "spec.toml",
-                                                 "--output", str(self.here / "out")]
+            words += ([":"] if i > 0 else []) + ["-n", "1", "-wdir", str(self.here / directory), tool.OPTIONS["tool"],
+                                                 "sweep", "spec.toml", "--output", str(self.here / "out")]
         run = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
         try:
             _, said = run.communicate(timeout=tool.HANGING)
@@ -158,9 +161,11 @@ class Ranks(SweepTest):
 
 if __name__ == "__main__":
     if "--mpirun=none" in sys.argv:
-        print("SKIPPED: this build has no MPI, and nothing is known of `annulus sweep` as several processes (tools/setup installs Open MPI)")
+        print("SKIPPED: this build has no MPI, and nothing is known of `annulus sweep` as several processes "
+              "(tools/setup installs Open MPI)")
         sys.exit(SKIPPED)
-    # Where ranks know of one another by shared memory, mpirun of Open MPI 4.1 may wait for ever, in PMIx_server_finalize and with no rank
-    # left, after one was killed. Not so where each has tables of its own (tests/ATTACKS.md, find 16).
+    # Where ranks know of one another by shared memory, mpirun of Open MPI 4.1 may wait for ever, in
+    # PMIx_server_finalize and with no rank left, after one was killed. Not so where each has tables of its own
+    # (tests/ATTACKS.md, find 16).
     os.environ["PMIX_MCA_gds"] = "hash"
     tool.main(__doc__, "mpirun")

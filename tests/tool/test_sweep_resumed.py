@@ -17,8 +17,9 @@ class Stopped(test_sweep.SweepTest):
     """A sweep that is to be stopped, and what is left of it."""
 
     def start(self, *launcher, threads=2, **more):
-        return subprocess.Popen([*launcher, tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out", "--quiet", "--threads", str(threads)],
-                                cwd=self.here, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True, **more)
+        return subprocess.Popen([*launcher, tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out", "--quiet",
+                                 "--threads", str(threads)], cwd=self.here, stdout=subprocess.DEVNULL,
+                                stderr=subprocess.PIPE, text=True, start_new_session=True, **more)
 
     def journal_lines(self):
         """With the head; a line that was cut off is none."""
@@ -48,7 +49,8 @@ class Interrupted(Stopped):
             if turn == 1:  # as a crash of the machine may leave it
                 with open(self.here / "out" / JOURNAL, "ab") as journal:
                     journal.write(b"1234abcd {\"trial\":0,\"li")
-        self.assertIn(f"of which {kept - 1} were done before", self.succeed("sweep", "spec.toml", "--output", "out").stdout)
+        self.assertIn(f"of which {kept - 1} were done before",
+                      self.succeed("sweep", "spec.toml", "--output", "out").stdout)
         self.assertEqual(self.results("out"), whole)
 
     def test_interrupted(self):

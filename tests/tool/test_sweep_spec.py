@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs `annulus sweep` on specifications that it refuses, with the line and the key, and on some that it only just takes.
+"""Runs `annulus sweep` on specifications that it refuses, with the line and the key, and on some that it only just
+takes.
 
 usage: test_sweep_spec.py --tool=PATH [CLASS[.METHOD]...]
 """
@@ -34,7 +35,8 @@ class Spec(test_sweep.SweepTest):
             ("[[grid]]\npoints = [10, 10]\n", 2, ["10 twice"]),
             (grid + "dimension = 4\n", 3, ["'dimension' is 4", "2 to 3"]),
             (grid + "kind = \"unifrom\"\n", 3, ["'kind' is 'unifrom'", "uniform, grid"]),
-            (grid + "rounding = [\"double\", \"decimal:99\"]\n", 3, ["'rounding' is 'decimal:99'", "decimal:DIGITS (0 to 17)"]),
+            (grid + "rounding = [\"double\", \"decimal:99\"]\n", 3,
+             ["'rounding' is 'decimal:99'", "decimal:DIGITS (0 to 17)"]),
             (grid + "seeds = 0\n", 3, ["'seeds' is 0"]),
             (grid + "seeds = []\n", 3, ["'seeds' is an empty list"]),
             (grid + "seeds = [9007199254740992]\n", 3, ["'seeds'"]),
@@ -43,7 +45,8 @@ class Spec(test_sweep.SweepTest):
             (grid + "motion = \"walk\"\n", 3, ["'motion' is 'walk'", "a table"]),
             (grid + "motion = { kind = \"walk\" }\n", 3, ["no 'steps'"]),
             (grid + "motion = { steps = 3 }\n", 3, ["no 'kind'"]),
-            (grid + "motion = { kind = \"fly\", steps = 3 }\n", 3, ["'kind' is 'fly'", "walk, shear, orbit, lloyd, nodt"]),
+            (grid + "motion = { kind = \"fly\", steps = 3 }\n", 3,
+             ["'kind' is 'fly'", "walk, shear, orbit, lloyd, nodt"]),
             (grid + "motion = { kind = \"walk\", steps = 3, speed = 1 }\n", 3, ["unknown key 'speed' in motion"]),
             (grid + "motion = { kind = \"walk\", steps = 3, pace = -1 }\n", 3, ["'pace' is -1"]),
             (grid + "motion = { kind = \"walk\", steps = 3, pace = nan }\n", 3, ["'pace'", "0 to 1000"]),
@@ -80,8 +83,10 @@ class Spec(test_sweep.SweepTest):
         self.refuse(3, "sweep", ".", "--output", "out")
 
     def test_the_bounds_themselves_are_fine(self):
-        for text, trials in (("points = 100000000\nrounding = \"decimal:17\"\n", "1 trial"), ("points = 10\nseeds = 1000000\n", "1000000 trials"),
-                             ("points = 10\nmotion = { kind = \"walk\", steps = 1000000000, pace = 1000 }\n", "1 trial")):
+        for text, trials in (("points = 100000000\nrounding = \"decimal:17\"\n", "1 trial"),
+                             ("points = 10\nseeds = 1000000\n", "1000000 trials"),
+                             ("points = 10\nmotion = { kind = \"walk\", steps = 1000000000, pace = 1000 }\n",
+                              "1 trial")):
             spec = self.write("spec.toml", "hardest = 100000\n[[grid]]\n" + text)
             self.assertIn(trials, self.succeed("sweep", spec, "--check").stdout)
 
@@ -95,10 +100,12 @@ class Spec(test_sweep.SweepTest):
         self.assertEqual(self.listing(), ["spec.toml"])
 
     def test_a_launcher_that_mpi_knows_nothing_of(self):
-        """As under srun without PMI, or in a build without MPI: several processes, each of which would run everything."""
+        """As under srun without PMI, or in a build without MPI: several processes, each of which would run
+        everything."""
         self.write("spec.toml", SPEC)
-        done = subprocess.run([tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out"], cwd=self.here, capture_output=True, text=True,
-                              env={**os.environ, "SLURM_STEP_NUM_TASKS": "2"}, timeout=tool.HANGING, check=False)
+        done = subprocess.run([tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out"], cwd=self.here,
+                              capture_output=True, text=True, env={**os.environ, "SLURM_STEP_NUM_TASKS": "2"},
+                              timeout=tool.HANGING, check=False)
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertRegex(done.stderr, r"\Aannulus: started as one of 2 processes, [^\n]+\n\Z")
         self.assertEqual(self.listing(), ["spec.toml"])

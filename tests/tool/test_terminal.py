@@ -15,7 +15,8 @@ from tool import OPTIONS, ToolTest
 
 
 class Screen:
-    """A terminal of so many columns, as far as the progress line needs one: it counts rows that are begun by wrapping."""
+    """A terminal of so many columns, as far as the progress line needs one: it counts rows that are begun by
+    wrapping."""
 
     def __init__(self, columns):
         self.columns, self.column, self.wrapped, self.widest = columns, 0, 0, 0
@@ -51,10 +52,11 @@ class ProgressLine(ToolTest):
         """What the tool writes to standard error where that is a terminal of so many columns; 0: it does not say."""
         ours, theirs = pty.openpty()
         fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", rows if columns else 0, columns, 0, 0))
-        env = {k: v for k, v in os.environ.items() if k not in ("COLUMNS", "TERM")} | {"TERM": "xterm"} | dict(environment)
+        env = {k: v for k, v in os.environ.items() if k not in ("COLUMNS", "TERM")} | {"TERM": "xterm"} | dict(
+            environment)
         end = b"\0"
-        with subprocess.Popen([OPTIONS["tool"], *map(str, words)], cwd=self.here, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                              stderr=theirs, env=env) as process:
+        with subprocess.Popen([OPTIONS["tool"], *map(str, words)], cwd=self.here, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL, stderr=theirs, env=env) as process:
             # A terminal may lose what was written last when it is closed. So it stays open, and a byte of ours ends it.
             closing = threading.Thread(target=lambda: (process.wait(), os.write(theirs, end)))
             closing.start()
@@ -93,7 +95,8 @@ class ProgressLine(ToolTest):
         self.assertRegex(screen.rows[-1], r"\Alloyd #{5,29} 100 %  40/40  \d+ steps/s  [\d.]+ % within tolerance\Z")
 
     def test_the_environment_says_how_wide_where_the_terminal_does_not(self):
-        for environment, columns in (({"COLUMNS": "33"}, 33), ({}, 80), ({"COLUMNS": "wide"}, 80), ({"COLUMNS": "0"}, 80)):
+        for environment, columns in (({"COLUMNS": "33"}, 33), ({}, 80), ({"COLUMNS": "wide"}, 80),
+                                     ({"COLUMNS": "0"}, 80)):
             screen = Screen(columns)
             screen.feed(self.drawn(0, *self.LLOYD, environment=environment))
             self.assertEqual(screen.wrapped, 0, environment)

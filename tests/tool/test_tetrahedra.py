@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`annulus nodt --mesh`: tetrahedral meshes from files, good ones and others, and what becomes of them.
 
-usage: test_tetrahedra.py --tool=PATH [CLASS[.METHOD]...]; ANNULUS_MUTANTS=N and ANNULUS_TEST_SEED=N for more and other mutants
+usage: test_tetrahedra.py --tool=PATH [CLASS[.METHOD]...]; ANNULUS_MUTANTS=N and ANNULUS_TEST_SEED=N for more and other
+       mutants
 """
 
 import os
@@ -23,7 +24,8 @@ FOUR = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
 
 def volume(a, b, c, d):
     u, v, w = ([q - p for p, q in zip(a, x)] for x in (b, c, d))
-    return (u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) + u[2] * (v[0] * w[1] - v[1] * w[0])) / 6
+    return (u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2])
+            + u[2] * (v[0] * w[1] - v[1] * w[0])) / 6
 
 
 def blocks(cubes, size=(1, 1, 1)):
@@ -48,7 +50,8 @@ def box(n, m, k):
 
 def medit(points, cells, head="MeshVersionFormatted 2\nDimension 3\n"):
     return (head + f"Vertices\n{len(points)}\n" + "".join(" ".join(map(repr, p)) + " 0\n" for p in points)
-            + f"Tetrahedra\n{len(cells)}\n" + "".join(" ".join(str(v + 1) for v in c) + " 7\n" for c in cells) + "End\n")
+            + f"Tetrahedra\n{len(cells)}\n" + "".join(" ".join(str(v + 1) for v in c) + " 7\n" for c in cells)
+            + "End\n")
 
 
 def read(path):
@@ -67,7 +70,8 @@ def read(path):
 class Tetrahedra(tool.ToolTest):
     def nodt(self, points, cells, *more, iterations=10):
         self.write("a.mesh", medit(points, cells))
-        return self.succeed("nodt", "--mesh", "a.mesh", "--iterations", iterations, "--audit", 1, "--output", "out", *more)
+        return self.succeed("nodt", "--mesh", "a.mesh", "--iterations", iterations, "--audit", 1, "--output", "out",
+                            *more)
 
     def check(self, euler=None):
         """domain.mesh is a mesh with its boundary; V - E + F of that. Returns what it holds."""
@@ -114,7 +118,8 @@ class Tetrahedra(tool.ToolTest):
         top = (4.0, 5.0, 3.0)
         bits = random.Random(1)
         sides = [[k for k in range(3) if p[k] in (0, top[k])] for p in points]
-        points = [tuple(x if k in s or len(s) == 0 else x + bits.uniform(-0.2, 0.2) for k, x in enumerate(p)) for p, s in zip(points, sides)]
+        points = [tuple(x if k in s or len(s) == 0 else x + bits.uniform(-0.2, 0.2) for k, x in enumerate(p))
+                  for p, s in zip(points, sides)]
         on = [(i, s) for i, s in enumerate(sides) if len(s) > 1]
         for more, kept in (((), False), (("--sharp", 89), True), (("--sharp", 91), False)):
             with self.subTest(more=more):
@@ -126,12 +131,15 @@ class Tetrahedra(tool.ToolTest):
                     self.assertTrue(any(after[i] != points[i] for i, s in on), "nothing moves along an edge")
                     self.assertLessEqual({p for p in product(*((0, t) for t in top))}, set(after))
                     self.check(2)
-                    self.assertIn("Sharp edges are kept: 12 curves, 8 corners", (self.here / "out" / "report.html").read_text(encoding="utf-8"))
+                    self.assertIn("Sharp edges are kept: 12 curves, 8 corners",
+                                  (self.here / "out" / "report.html").read_text(encoding="utf-8"))
 
     def test_sharp_surface(self):
-        self.write("box.off", "OFF\n8 6 0\n" + "".join(f"{x} {y} {z}\n" for x in (0, 2) for y in (0, 1) for z in (0, 1)) +
+        self.write("box.off", "OFF\n8 6 0\n" + "".join(f"{x} {y} {z}\n" for x in (0, 2) for y in (0, 1) for z in (0, 1))
+                   +
                    "4 0 1 3 2\n4 4 6 7 5\n4 0 4 5 1\n4 2 3 7 6\n4 0 2 6 4\n4 1 5 7 3\n")
-        self.succeed("nodt", "--surface", "box.off", "--vertices", 400, "--sharp", 30, "--iterations", 30, "--audit", 10, "--output", "out")
+        self.succeed("nodt", "--surface", "box.off", "--vertices", 400, "--sharp", 30, "--iterations", 30, "--audit",
+                     10, "--output", "out")
         points, _, _ = self.check(2)
         self.assertLessEqual(set(product((0, 2), (0, 1), (0, 1))), set(points))
         self.assertGreater(sum(sum(x in (0, t) for x, t in zip(p, (2, 1, 1))) == 2 for p in points), 24)
@@ -156,18 +164,22 @@ class Tetrahedra(tool.ToolTest):
         self.succeed("nodt", "--mesh", "first/domain.mesh", "--iterations", 0, "--output", "out")
         self.assertEqual(read(self.here / "first" / "domain.mesh")[0], read(self.here / "out" / "final.mesh")[0])
         points, triangles, _ = self.check(2)
-        self.assertEqual({v for t in triangles for v in t}, {v for t in read(self.here / "first" / "domain.mesh")[1] for v in t})
-        self.succeed("compare", "--strategies", "rebuild,auto", "--", "nodt", "--mesh", "first/domain.mesh", "--iterations", 3)
+        self.assertEqual({v for t in triangles for v in t},
+                         {v for t in read(self.here / "first" / "domain.mesh")[1] for v in t})
+        self.succeed("compare", "--strategies", "rebuild,auto", "--", "nodt", "--mesh", "first/domain.mesh",
+                     "--iterations", 3)
         self.succeed("audit", "first/final.mesh")
         self.assertGreater(len(points), 250)
 
     def test_usage(self):
         self.write("a.mesh", medit(FOUR, [(0, 1, 2, 3)]))
-        for words in (["--mesh", "a.mesh", "--vertices", 100], ["--mesh", "a.mesh", "--sphere"], ["--mesh", "a.mesh", "--surface", "a.off"],
-                      ["--mesh", "a.mesh", "--allow-crossing"], ["--sphere", "--vertices", 100, "--sharp", 30],
+        for words in (["--mesh", "a.mesh", "--vertices", 100], ["--mesh", "a.mesh", "--sphere"],
+                      ["--mesh", "a.mesh", "--surface", "a.off"], ["--mesh", "a.mesh", "--allow-crossing"],
+                      ["--sphere", "--vertices", 100, "--sharp", 30],
                       *(["--mesh", "a.mesh", "--sharp", x] for x in (0, 180, -1, "nan", "inf", "x")),
                       *(["--mesh", "a.mesh", "--lock", x] for x in ("nan", "inf")),
-                      *(["--mesh", "a.mesh", "--sizing", "graded", "--gradation", x] for x in ("nan", "-nan", "inf", -1))):
+                      *(["--mesh", "a.mesh", "--sizing", "graded", "--gradation", x]
+                        for x in ("nan", "-nan", "inf", -1))):
             self.refuse(2, "nodt", *words)
 
     def test_faults(self):
@@ -177,7 +189,8 @@ class Tetrahedra(tool.ToolTest):
             (good.replace("2 3 4 5 7", "3 2 4 5 7"), r":13: a tetrahedron is inverted against that at line 12"),
             (good.replace("1 1 1 0", "0.5 0.5 0 0"), r":13: "),
             (good.replace("1 2 3 4 7\n", "1 2 3 4 7\n1 2 3 4 7\n"), r":1[234]: "),
-            (good.replace("Tetrahedra\n2", "Tetrahedra\n1").replace("2 3 4 5 7\n", "").replace("1 2 3 4 7", "1 2 3 x 7"), r":12: "),
+            (good.replace("Tetrahedra\n2", "Tetrahedra\n1").replace("2 3 4 5 7\n", "").replace("1 2 3 4 7",
+                                                                                               "1 2 3 x 7"), r":12: "),
             (good.replace("1 0 0 0", "1 0 nan 0"), r":6: "),
             (good.replace("1 0 0 0", "1e200 0 0 0"), r"a\.mesh: its longest side"),
             (good[:100], r"a\.mesh:\d+: "), ("\x01\x00", r"a\.mesh:1: begins with"),
@@ -190,7 +203,8 @@ class Tetrahedra(tool.ToolTest):
         self.refuse(3, "nodt", "--mesh", "missing.mesh")
 
     def test_mutants(self):
-        """Moved and merged vertices, cells dropped, turned, repeated, joined to others: a mesh or one line with the file's name."""
+        """Moved and merged vertices, cells dropped, turned, repeated, joined to others: a mesh or one line with the
+        file's name."""
         seed = tool.SEED
         statuses = Counter()
         for i in range(int(os.environ.get("ANNULUS_MUTANTS", "40"))):
@@ -198,10 +212,12 @@ class Tetrahedra(tool.ToolTest):
                 bits = random.Random(f"{seed} {i}")
                 points, cells = blocks(bits.choice((box(1, 1, 1), box(2, 1, 1), box(3, 2, 2))), (1.0, 1.0, 1.0))
                 for _ in range(bits.randint(1, 3)):
-                    p, c, k, kind = bits.randrange(len(points)), bits.randrange(len(cells)), bits.randrange(3), bits.randrange(7)
+                    p, c, k, kind = (bits.randrange(len(points)), bits.randrange(len(cells)), bits.randrange(3),
+                                     bits.randrange(7))
                     if kind < 3:
                         moved = list(points[p])
-                        moved[k] = bits.choice((moved[k] + bits.choice((-1, 1)) * 10 ** bits.uniform(-17, 0.3), 1e-320, 1e-160, -0.0, 1e9))
+                        moved[k] = bits.choice((moved[k] + bits.choice((-1, 1)) * 10 ** bits.uniform(-17, 0.3), 1e-320,
+                                                1e-160, -0.0, 1e9))
                         points[p] = tuple(moved)
                     elif kind == 3:
                         points[p] = bits.choice(points)

@@ -9,7 +9,8 @@ import tool
 from tool import STRATEGIES, TRIANGLE, ToolTest
 
 
-SUBCOMMANDS = {"lloyd", "nodt", "replay", "compare", "audit", "degeneracy", "generate", "sweep", "reproduce", "counterexample"}
+SUBCOMMANDS = {"lloyd", "nodt", "replay", "compare", "audit", "degeneracy", "generate", "sweep", "reproduce",
+               "counterexample"}
 
 
 class Usage(ToolTest):
@@ -62,9 +63,11 @@ class Usage(ToolTest):
         said = {name: " ".join(self.succeed(name, "--help").stdout.split()) for name in SUBCOMMANDS}
         one = {name for name in SUBCOMMANDS if "one thread is used here" in said[name]}
         self.assertEqual(one, {"audit", "generate", "counterexample"})
-        self.assertEqual({name for name in SUBCOMMANDS if "nothing is random here" in said[name]}, {"audit", "degeneracy", "counterexample"})
+        self.assertEqual({name for name in SUBCOMMANDS if "nothing is random here" in said[name]},
+                         {"audit", "degeneracy", "counterexample"})
         for name in SUBCOMMANDS - one:
-            self.assertRegex(said[name], r"--threads INT:1 to 1024=1 Threads [^.]*; results do not depend on (it|them)\b", name)
+            self.assertRegex(said[name],
+                             r"--threads INT:1 to 1024=1 Threads [^.]*; results do not depend on (it|them)\b", name)
         self.assertIn("Threads that look at certificates together", said["degeneracy"])
         self.assertIn("What to write, whatever the extension says", said["generate"])
 

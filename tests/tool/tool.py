@@ -19,9 +19,11 @@ from pathlib import Path
 
 OPTIONS = {}  # given on the command line; "tool" always
 # What is drawn is drawn from this, the same every time; ANNULUS_TEST_SEED for other draws (tools/explore).
-SEED = int(os.environ.get("ANNULUS_TEST_SEED") or (Path(__file__).resolve().parents[1] / "seed").read_text(encoding="ascii"))
+SEED = int(os.environ.get("ANNULUS_TEST_SEED")
+           or (Path(__file__).resolve().parents[1] / "seed").read_text(encoding="ascii"))
 HANGING = 1800  # seconds: no call takes a hundredth of it, and a machine may be very busy
-STRATEGIES = ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "paper", "paper-hybrid"]
+STRATEGIES = ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "paper",
+              "paper-hybrid"]
 RUN_FILES = {"summary.json", "iterations.csv", "final.mesh", "final.vtu", "report.html"}
 SUMMARY = {
     "seconds": {"triangulation", "motion", "total"},
@@ -62,13 +64,14 @@ def at_call():
     where = tempfile.mkdtemp()
     atexit.register(shutil.rmtree, where)
     library = os.path.join(where, "at_call.so")
-    subprocess.run([os.environ.get("CC") or "cc", "-shared", "-fPIC", "-O1", "-o", library, str(Path(__file__).with_name("at_call.c")), "-ldl"], check=True)
+    subprocess.run([os.environ.get("CC") or "cc", "-shared", "-fPIC", "-O1", "-o", library,
+                    str(Path(__file__).with_name("at_call.c")), "-ldl"], check=True)
     return library
 
 
 def at(number, count, call, part="", rank=None):
-    """The environment in which the tool sends itself this signal before its `count`-th `call` on a file with `part` in its path (at_call.c): at
-    a place of the program, whatever the clock says and however busy the machine is."""
+    """The environment in which the tool sends itself this signal before its `count`-th `call` on a file with `part` in
+    its path (at_call.c): at a place of the program, whatever the clock says and however busy the machine is."""
     ranks = {} if rank is None else {"ANNULUS_AT_RANK": str(rank)}
     return {**os.environ, **ranks, "LD_PRELOAD": at_call(), "ANNULUS_AT": f"{int(number)} {count} {call} {part}"}
 
@@ -94,7 +97,8 @@ class ToolTest(unittest.TestCase):
 
     def run_tool(self, *words, **more):
         return subprocess.run([OPTIONS["tool"], *map(str, words)], cwd=self.here, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=HANGING, check=False, **more)
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=HANGING, check=False,
+                              **more)
 
     def succeed(self, *words):
         done = self.run_tool(*words)
@@ -151,7 +155,8 @@ def main(usage, *more):
         print(usage, file=sys.stderr)
         sys.exit(2)
     OPTIONS.update({name: os.path.abspath(path) for name, path in OPTIONS.items()})
-    # Whoever runs the tests may ignore these, as nohup and shells do for what they start in the background, and what we start would too.
+    # Whoever runs the tests may ignore these, as nohup and shells do for what they start in the background, and what
+    # we start would too.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     for number in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_DFL)

@@ -13,7 +13,8 @@ namespace annulus {
 [[nodiscard]] inline Error collision_of(const char* what, const char* have, std::int64_t a, std::int64_t b) {
     const auto [first, second] = std::minmax(a, b);
     return {Error_code::collision,
-            std::string(what) + " " + std::to_string(first) + " and " + std::to_string(second) + " " + have + " the same position",
+            std::string(what) + " " + std::to_string(first) + " and " + std::to_string(second) + " " + have +
+                " the same position",
             {first, second}};
 }
 

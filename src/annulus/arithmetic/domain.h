@@ -20,9 +20,11 @@ inline constexpr double coordinate_limit = 0x1p500;
 /// The bits of x without its sign: the order of magnitudes, with infinity and every NaN above all numbers.
 [[nodiscard]] constexpr std::uint64_t magnitude_bits(double x) noexcept { return std::bit_cast<std::uint64_t>(x) << 1; }
 
-/// True when x is a number inside the coordinate domain (false for NaN and infinities). Compares bits, so that no flag of a
-/// caller's compiler can take a NaN for a number.
-[[nodiscard]] constexpr bool in_domain(double x) noexcept { return magnitude_bits(x) <= magnitude_bits(coordinate_limit); }
+/// True when x is a number inside the coordinate domain (false for NaN and infinities). Compares bits, so that no
+/// flag of a caller's compiler can take a NaN for a number.
+[[nodiscard]] constexpr bool in_domain(double x) noexcept {
+    return magnitude_bits(x) <= magnitude_bits(coordinate_limit);
+}
 [[nodiscard]] constexpr bool is_finite_number(double x) noexcept {
     return magnitude_bits(x) < magnitude_bits(std::numeric_limits<double>::infinity());
 }

@@ -67,8 +67,9 @@ std::string environment_fault() {
     if (reassociated()) return "sums are reassociated (compile without -fassociative-math)";
     if (nan_unseen()) return "a NaN compares as a number (compile without -ffinite-math-only)";
     if (subnormals_flushed())
-        return "subnormal numbers are flushed to zero: FTZ or DAZ is set in this thread, as a library linked with -ffast-math does when it "
-               "is loaded; clear both before calling annulus (on x86: _mm_setcsr(_mm_getcsr() & ~0x8040u); on arm64: bit 24, FZ, of FPCR)";
+        return "subnormal numbers are flushed to zero: FTZ or DAZ is set in this thread, as a library linked with "
+               "-ffast-math does when it is loaded; clear both before calling annulus (on x86: "
+               "_mm_setcsr(_mm_getcsr() & ~0x8040u); on arm64: bit 24, FZ, of FPCR)";
     return {};
 }
 

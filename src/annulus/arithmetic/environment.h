@@ -6,7 +6,8 @@
 #include <cfloat>
 #include <string>
 
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    defined(__NO_SIGNED_ZEROS__)
 #error "annulus: -ffast-math and its parts break every error bound in this library; compile without them"
 #endif
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0
@@ -16,15 +17,16 @@
 #error "annulus: the error bounds assume that double operations are rounded to double (FLT_EVAL_METHOD == 0)"
 #endif
 
-static_assert(0.1 != static_cast<double>(0.1F), "annulus: -fsingle-precision-constant rounds constants to float; compile without it");
+static_assert(0.1 != static_cast<double>(0.1F),
+              "annulus: -fsingle-precision-constant rounds constants to float; compile without it");
 
 namespace annulus {
 
 /// Empty when the floating-point unit of the calling thread does what the proofs assume, else what it does wrong.
 ///
-/// Looked at: rounding to nearest is in force; directed rounding of 1/3 works at run time; in code compiled with the library's flags
-/// a*b + c is not contracted into a fused multiply-add, (a + b) - a is not taken for b, and a NaN is seen; subnormals are neither
-/// flushed nor read as zero. Costs about a hundred nanoseconds.
+/// Looked at: rounding to nearest is in force; directed rounding of 1/3 works at run time; in code compiled with the
+/// library's flags a*b + c is not contracted into a fused multiply-add, (a + b) - a is not taken for b, and a NaN is
+/// seen; subnormals are neither flushed nor read as zero. Costs about a hundred nanoseconds.
 [[nodiscard]] std::string environment_fault();
 
 /// Throws Error(environment) with the words of environment_fault() unless that is empty.

@@ -39,8 +39,9 @@ class Error : public std::runtime_error {
     }
     /// The reason as a value; `what()` has it in words.
     [[nodiscard]] Error_code code() const noexcept { return code_; }
-    /// Indices of the vertices concerned, as far as they are known. Of a collision both, the smaller one first: in a construction those of
-    /// the points in the input, in an insertion the one vertex that is there already. Else the vertex whose position or index is refused.
+    /// Indices of the vertices concerned, as far as they are known. Of a collision both, the smaller one first: in a
+    /// construction those of the points in the input, in an insertion the one vertex that is there already. Else the
+    /// vertex whose position or index is refused.
     [[nodiscard]] std::span<const std::int64_t> vertices() const noexcept { return {vertices_.data(), count_}; }
 
   private:

@@ -9,8 +9,8 @@
 
 namespace annulus {
 
-/// Every bound that a run can reach, in one place: what happens there is tested by a second build of the library in which
-/// each is passed many times in a second (Tiny_horizons, chosen by the macro ANNULUS_TINY_HORIZONS).
+/// Every bound that a run can reach, in one place: what happens there is tested by a second build of the library in
+/// which each is passed many times in a second (Tiny_horizons, chosen by the macro ANNULUS_TINY_HORIZONS).
 struct Wide_horizons {
     static constexpr bool tiny = false;
     /// Cells of a triangulation: a corner is 4 * cell + slot, and that is an Index. Beyond it Error(too_large).
@@ -25,14 +25,16 @@ struct Wide_horizons {
     [[nodiscard]] static constexpr std::size_t listed(int d) { return d == 2 ? 6 : 10; }
     /// Which bits of the upper half of a double are kept: the sign, 11 of exponent, 20 of significand (High_word).
     static constexpr std::uint32_t half_mask = 0xFFFFFFFF;
-    /// A vertex whose odometer shows this many times what is left of its certificates starts at 0 again (Odometers::rebase).
+    /// A vertex whose odometer shows this many times what is left of its certificates starts at 0 again
+    /// (Odometers::rebase).
     static constexpr double odometer = 0x1p8;
     /// What comes back of a tolerance that was written down as an expiry, at least, of one.
     static constexpr double kept = 1.0 - 0x1p-10;
 };
 
-/// Bounds that every run passes: stamps wrap at each third step, lists name one or two certificates, expiries have four
-/// significant bits, odometers start again almost at every step. The number of cells can be set, since few inputs fit a small one.
+/// Bounds that every run passes: stamps wrap at each third step, lists name one or two certificates, expiries have
+/// four significant bits, odometers start again almost at every step. The number of cells can be set, since few
+/// inputs fit a small one.
 struct Tiny_horizons {
     static constexpr bool tiny = true;
     static inline std::int32_t cells = std::int32_t{1} << 29;

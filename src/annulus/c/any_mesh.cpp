@@ -63,8 +63,7 @@ class Mesh_of final : public Any_mesh {
         const auto now = mesh_.points();
         for (std::size_t i = 0; i < now.size(); ++i)
             for (std::size_t k = 0; k < d; ++k)
-                x[i * d + k] =
-                    is_vertex(static_cast<Index>(i)) ? now[i][k] : std::numeric_limits<double>::quiet_NaN();
+                x[i * d + k] = is_vertex(static_cast<Index>(i)) ? now[i][k] : std::numeric_limits<double>::quiet_NaN();
     }
     void tolerances(double* lengths) const override {
         const std::vector<double> t = mesh_.tolerances();

@@ -20,8 +20,8 @@ struct Cells {
     std::size_t count = 0;
 };
 
-/// A Moving_mesh of either dimension, as plain arrays. Sizes have been looked at by who calls. Throws what Moving_mesh does; const members may
-/// run concurrently.
+/// A Moving_mesh of either dimension, as plain arrays. Sizes have been looked at by who calls. Throws what
+/// Moving_mesh does; const members may run concurrently.
 class Any_mesh {
   public:
     virtual ~Any_mesh() = default;

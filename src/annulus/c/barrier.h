@@ -55,7 +55,8 @@ class Last_error {
 /// Of the calling thread: of calls that have no mesh.
 Last_error& error_of_thread() noexcept;
 
-/// While it lives, no floating-point exception traps in this thread; flags and traps are then as they were. The rounding mode is untouched.
+/// While it lives, no floating-point exception traps in this thread; flags and traps are then as they were. The
+/// rounding mode is untouched.
 class Quiet_arithmetic {
   public:
     Quiet_arithmetic() noexcept { std::feholdexcept(&before_); }

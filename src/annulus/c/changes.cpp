@@ -113,7 +113,8 @@ int annulus_remove(annulus_mesh* mesh, size_t count, const int32_t* indices, siz
         if (count > 0) sorted.assign(indices, indices + count);
         std::sort(sorted.begin(), sorted.end());
         if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
-            throw Refused(ANNULUS_UNKNOWN_VERTEX, "vertex " + std::to_string(*twice) + " is to be removed twice", *twice);
+            throw Refused(ANNULUS_UNKNOWN_VERTEX, "vertex " + std::to_string(*twice) + " is to be removed twice",
+                          *twice);
         for (const Index i : sorted)
             if (!m.mesh->is_vertex(i))
                 throw Refused(ANNULUS_UNKNOWN_VERTEX, "no vertex has index " + std::to_string(i), i);

@@ -35,13 +35,12 @@ auto vector(const std::array<const std::array<double, d>*, k>* x, std::size_t i,
 // The filter stage of width<V> certificates from x on.
 template <class V>
 detail::Bicell_decision<V> decide(const Tuple<2, 3>* x, bool certified, Cell_widths) {
-    return {detail::decide_orientation(vector<V>(x, 1, 0), vector<V>(x, 2, 0), vector<V>(x, 2, 1), certified),
-            V(0.0)};
+    return {detail::decide_orientation(vector<V>(x, 1, 0), vector<V>(x, 2, 0), vector<V>(x, 2, 1), certified), V(0.0)};
 }
 template <class V>
 detail::Bicell_decision<V> decide(const Tuple<2, 4>* x, bool certified, Cell_widths) {
-    return {detail::decide_annulus(vector<V>(x, 1, 0), vector<V>(x, 2, 0), vector<V>(x, 3, 0),
-                                   vector<V>(x, 3, 2), certified),
+    return {detail::decide_annulus(vector<V>(x, 1, 0), vector<V>(x, 2, 0), vector<V>(x, 3, 0), vector<V>(x, 3, 2),
+                                   certified),
             V(0.0)};
 }
 template <class V>
@@ -50,8 +49,8 @@ detail::Bicell_decision<V> decide(const Tuple<3, 4>* x, bool certified, Cell_wid
 }
 template <class V>
 detail::Bicell_decision<V> decide(const Tuple<3, 5>* x, bool certified, Cell_widths cells) {
-    return detail::decide_annulus(vector<V>(x, 1, 0), vector<V>(x, 2, 0), vector<V>(x, 3, 0), vector<V>(x, 4, 0), certified,
-                                  cells);
+    return detail::decide_annulus(vector<V>(x, 1, 0), vector<V>(x, 2, 0), vector<V>(x, 3, 0), vector<V>(x, 4, 0),
+                                  certified, cells);
 }
 
 // The later stages, with one signature.
@@ -141,6 +140,8 @@ Stage_counts evaluate(std::span<const Tuple<3, 5>> x, Mode mode, std::span<Verdi
 Verdict orientation_verdict(const Tuple<2, 3>& x, bool certified) { return verdict(x, certified, Cell_widths::never); }
 Verdict orientation_verdict(const Tuple<3, 4>& x, bool certified) { return verdict(x, certified, Cell_widths::never); }
 Verdict empty_sphere_verdict(const Tuple<2, 4>& x, bool certified) { return verdict(x, certified, Cell_widths::never); }
-Verdict empty_sphere_verdict(const Tuple<3, 5>& x, bool certified, Cell_widths cells) { return verdict(x, certified, cells); }
+Verdict empty_sphere_verdict(const Tuple<3, 5>& x, bool certified, Cell_widths cells) {
+    return verdict(x, certified, cells);
+}
 
 }  // namespace annulus

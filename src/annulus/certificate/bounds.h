@@ -9,9 +9,10 @@ namespace annulus::bounds {
 inline constexpr double u = 0x1p-53;
 
 // Forward errors of the filter stage in units of u, when every computed difference of coordinates is at most 1 in
-// magnitude. They hold for any other magnitude m as the constant times u m^k, k the degree of the determinant, because
-// the proofs use nothing of an operation but its relative error: a bound proved for the unit box in binary64 as such
-// would hold for powers of two only (an ulp below 1 is half of one above; orientation reaches 8 u m^2 at m = 1 + 2^-22).
+// magnitude. They hold for any other magnitude m as the constant times u m^k, k the degree of the determinant,
+// because the proofs use nothing of an operation but its relative error: a bound proved for the unit box in binary64
+// as such would hold for powers of two only (an ulp below 1 is half of one above; orientation reaches 8 u m^2 at
+// m = 1 + 2^-22).
 
 // In the plane: proofs/gappa/certificates_2.g proves each line for exactly the order of operations in width_terms.h.
 
@@ -20,8 +21,8 @@ inline constexpr double annulus_2_incircle = 177.0;  ///< annulus_terms: determi
 inline constexpr double annulus_2_inner = 69.0;      ///< annulus_terms: each coordinate of N, degree 3
 inline constexpr double annulus_2_outer = 123.0;     ///< annulus_terms: each coordinate of M, degree 3
 
-/// |M~| + |N~| falls short of |M| + |N| by at most sqrt(2) (69 + 123) u m^3 < 272 u m^3 for the vectors themselves; rounding of the
-/// squares, roots and sum is relative and is in `tail`.
+/// |M~| + |N~| falls short of |M| + |N| by at most sqrt(2) (69 + 123) u m^3 < 272 u m^3 for the vectors themselves;
+/// rounding of the squares, roots and sum is relative and is in `tail`.
 inline constexpr double annulus_2_norms = 273.0;
 
 /// circumcircle_2.h, degree 4: proofs/gappa/circumcircle_2.g.
@@ -50,7 +51,8 @@ inline constexpr double kept_sphere_2_linear = 81.0;  ///< 3 in the cell, 1 in t
 inline constexpr double kept_sphere_3_square = 241.0;
 inline constexpr double kept_sphere_3_linear = 811.0;
 
-/// statistics/voronoi_terms.h, products that make up Voronoi volumes: proofs/gappa/voronoi_terms_2.g, voronoi_terms_3.g.
+/// statistics/voronoi_terms.h, products that make up Voronoi volumes: proofs/gappa/voronoi_terms_2.g,
+/// voronoi_terms_3.g.
 inline constexpr double voronoi_2 = 9.0;         ///< degree 1 in the edge, 1 in the dual edge
 inline constexpr double voronoi_3_edge = 41.0;   ///< 1 in the edge, 1 in the circumcentre, 1 in the dual edge
 inline constexpr double voronoi_3_facet = 47.0;  ///< 1 in each of two edges, 1 in the dual edge
@@ -64,8 +66,8 @@ inline constexpr double tail = 16.0;
 /// stage is asked. Tightness, not validity: a lower bound less tight is still a lower bound.
 inline constexpr double filter_slack = 0x1p-10;
 
-/// The same for the interval stage: the upper end of the quotient is at most this share above the lower one. Not wider, because settled
-/// tolerances are promised to a fifth of a per cent.
+/// The same for the interval stage: the upper end of the quotient is at most this share above the lower one. Not
+/// wider, because settled tolerances are promised to a fifth of a per cent.
 inline constexpr double interval_slack = 0x1p-10;
 
 /// The filter works on unscaled differences whose largest magnitude m lies in [1 / filter_range, filter_range]; then

@@ -38,9 +38,10 @@ class Circumcircle_2 {
     }
     /// p is certainly outside. Precondition: positive(). False: it is not, or the next stage has to tell.
     [[nodiscard]] bool excludes(const Coordinates<2>& p) const { return beside<1>(p); }
-    /// All of them are, and the triangle is positive: the least answer beside the bound of the largest coordinate, without a branch on the way.
-    /// True only where positive() and excludes() of each are, since a bound grows with its coordinate (and where a determinant may
-    /// overflow that coordinate is beyond the range). Precondition: the coordinates are numbers.
+    /// All of them are, and the triangle is positive: the least answer beside the bound of the largest coordinate,
+    /// without a branch on the way. True only where positive() and excludes() of each are, since a bound grows with
+    /// its coordinate (and where a determinant may overflow that coordinate is beyond the range). Precondition: the
+    /// coordinates are numbers.
     template <class... P>
     [[nodiscard]] bool excludes_all(const P&... p) const {
         double m = magnitude_;
@@ -62,7 +63,8 @@ class Circumcircle_2 {
     /// A determinant of coordinates up to m is above its error.
     [[nodiscard]] static bool clear(double determinant, double m) {
         const double m2 = m * m;
-        return (int{determinant > bounds::circumcircle_2 * bounds::u * (m2 * m2)} & int{ m <= bounds::filter_range}) != 0;
+        return (int{determinant > bounds::circumcircle_2 * bounds::u * (m2 * m2)} & int{m <= bounds::filter_range}) !=
+               0;
     }
     template <int side>
     [[nodiscard]] bool beside(const Coordinates<2>& p) const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/ladder_3.h>
 #include <annulus/certificate/bounds.h>
 #include <annulus/certificate/decide.h>
+#include <annulus/certificate/ladder_3.h>
 #include <annulus/certificate/width_terms_3.h>
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace annulus {
 
-/// The sphere through the corners of a cell, prepared to be asked on which side of it points are: Circumcircle_2 in space.
+/// The sphere through the corners of a cell, prepared to be asked on which side of it points are: Circumcircle_2 in
+/// space.
 ///
 /// With u, v, t and w the other corners and the point relative to the first corner, the certificate's determinant is
 ///   |w|^2 det(u, v, t) - w . n,   n = |u|^2 v x t + |v|^2 t x u + |t|^2 u x v,
@@ -65,7 +66,8 @@ class Circumsphere_3 {
     /// A determinant of coordinates up to m is above its error.
     [[nodiscard]] static bool clear(double determinant, double m) {
         const double m2 = m * m;
-        return (int{determinant > bounds::circumsphere_3 * bounds::u * (m2 * m2 * m)} & int{ m <= bounds::filter_range_3}) != 0;
+        return (int{determinant > bounds::circumsphere_3 * bounds::u * (m2 * m2 * m)} &
+                int{m <= bounds::filter_range_3}) != 0;
     }
     template <int side>
     [[nodiscard]] bool beside(const Coordinates<3>& p) const {

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <concepts>
 
-// The filter stage on a number type V: a double, or several of them side by side (lanes.h). One formula for both, with the
-// same operations, so that a batch gives bit for bit what single calls give.
+// The filter stage on a number type V: a double, or several of them side by side (lanes.h). One formula for both,
+// with the same operations, so that a batch gives bit for bit what single calls give.
 namespace annulus::detail {
 
 template <class Mask, class V>
@@ -52,10 +52,11 @@ struct Decision {
     V tolerance;  ///< lower bound of half the width; of no meaning unless sign is 1
 };
 
-/// Decides on a computed determinant and computed norms when the error bounds leave the sign certain and the tolerance tight.
+/// Decides on a computed determinant and computed norms when the error bounds leave the sign certain and the
+/// tolerance tight.
 ///
-/// `det_error` bounds |determinant~ - determinant| and `norm_error` what the computed roots may be short by, both absolute.
-/// With certified = false the tolerance is the plain quotient and only the sign is decided here.
+/// `det_error` bounds |determinant~ - determinant| and `norm_error` what the computed roots may be short by, both
+/// absolute. With certified = false the tolerance is the plain quotient and only the sign is decided here.
 /// Proved: proofs/gappa/tail_2.g, tail_3.g.
 template <class V>
 [[nodiscard]] Decision<V> decide(const V& determinant, const V& roots, const V& det_error, const V& norm_error,

@@ -66,7 +66,8 @@ Staged_sign sign_of(const Tuple<d, k>& x, const Determinant& determinant) {
         const auto to_first = [&](std::size_t i) { return detail::difference<d>(z, i, 0); };
         sign.sign = static_cast<std::int8_t>(sgn(of_vectors<mpz_class>(vectors, to_first, determinant)));
     };
-    (void)later_stages(1, [&](std::size_t) { return sign.stage == Stage::exact; }, interval, exact);
+    (void)later_stages(
+        1, [&](std::size_t) { return sign.stage == Stage::exact; }, interval, exact);
     return sign;
 }
 

@@ -11,8 +11,8 @@ struct Staged_sign {
     Stage stage;
 };
 
-// Exact signs of certificates for who needs no tolerance, where the filter stage could not tell: intervals, then integers. A fifth of the price of
-// a verdict, which wants the widths too. Points in the order of the ladder.
+// Exact signs of certificates for who needs no tolerance, where the filter stage could not tell: intervals, then
+// integers. A fifth of the price of a verdict, which wants the widths too. Points in the order of the ladder.
 
 [[nodiscard]] Staged_sign exact_orientation_sign(const Tuple<2, 3>& x);
 [[nodiscard]] Staged_sign exact_orientation_sign(const Tuple<3, 4>& x);

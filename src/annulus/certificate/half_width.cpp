@@ -17,7 +17,7 @@ namespace annulus {
 
 namespace {
 
-// ---- What half a width is made of, over any number type. `from(i, j)` is the vector from point j to point i. -------------------
+// ---- What half a width is made of, over any number type. `from(i, j)` is the vector from point j to point i. ------
 
 template <class T, class From>
 Width_terms<T> terms(const Tuple<2, 3>&, Width which, const From& from) {
@@ -65,7 +65,7 @@ Annuli_terms<T, partitions_3> annuli(const Tuple<3, 5>&, const From& from) {
     return {t.determinant, t.inner, t.outer};
 }
 
-// ---- Intervals. The rounding mode is upward. -----------------------------------------------------------------------------------
+// ---- Intervals. The rounding mode is upward. ----------------------------------------------------------------------
 
 /// sqrt(x) + sqrt(y), a lower bound: a root rounded upward is at most 1 + 2^-52 times the root.
 double roots_lower(const Interval& x, const Interval& y) {
@@ -138,7 +138,7 @@ template <class X>
         x, [&](const auto& from, const detail::Scale& s) { return enclosed(annuli<Interval>(x, from), s, out); });
 }
 
-// ---- Integers ------------------------------------------------------------------------------------------------------------------
+// ---- Integers -----------------------------------------------------------------------------------------------------
 
 Half_width exact_quotient(const mpz_class& determinant, const mpz_class& inner, const mpz_class& outer, long exponent) {
     Half_width out{0.0, 0.0, Stage::exact};
@@ -179,7 +179,7 @@ Bicell_half_widths bicell_by_integers(const X& x) {
     });
 }
 
-// ---- Batches -------------------------------------------------------------------------------------------------------------------
+// ---- Batches ------------------------------------------------------------------------------------------------------
 
 Stage& stage_of(Half_width& h) { return h.stage; }
 Stage& stage_of(Bicell_half_widths& h) { return h.least.stage; }

@@ -10,14 +10,15 @@
 
 namespace annulus {
 
-/// Two doubles with half a width between them. For analysis, where it matters that a width is small as much as that it is
-/// not; the filter needs the lower end alone and gets it cheaper (ladder.h).
+/// Two doubles with half a width between them. For analysis, where it matters that a width is small as much as that
+/// it is not; the filter needs the lower end alone and gets it cheaper (ladder.h).
 struct Half_width {
     double lower = 0.0;             ///< lower <= half width; after the exact stage the largest double that is
     double upper = 0.0;             ///< half width <= upper; 0 exactly where the half width is 0
     Stage stage = Stage::interval;  ///< interval or exact
 
-    /// The half width is below y, certainly; is not, certainly. After the exact stage one of them is true for every double.
+    /// The half width is below y, certainly; is not, certainly. After the exact stage one of them is true for every
+    /// double.
     [[nodiscard]] bool is_below(double y) const { return upper < y || (stage == Stage::exact && lower < y); }
     [[nodiscard]] bool is_not_below(double y) const { return lower >= y; }
 };
@@ -26,8 +27,9 @@ struct Half_width {
 enum class Width : std::uint8_t {
     least,  ///< half the width of the simplex
     slab,   ///< the paper's slab of a facet: half the altitude of the last point over the others
-    ridge,  ///< the paper's slab of a hull ridge: in the plane the same; in space half the distance of the line through the first
-    ///< two points and the line through the last two, whatever the sign
+    /// The paper's slab of a hull ridge: in the plane the same; in space half the distance of the line through the
+    /// first two points and the line through the last two, whatever the sign.
+    ridge,
 };
 
 /// The half widths of a bi-cell.

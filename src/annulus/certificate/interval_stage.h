@@ -18,8 +18,8 @@ struct Scale {
     double second = 1.0;
 };
 
-/// Differences between 2^-100 and 2^100 in magnitude are left as they are: no product leaves the range of doubles, and what
-/// underflows is enclosed like any other rounding.
+/// Differences between 2^-100 and 2^100 in magnitude are left as they are: no product leaves the range of doubles,
+/// and what underflows is enclosed like any other rounding.
 inline constexpr double unscaled_range = 0x1p100;
 
 /// The largest magnitude of a difference of coordinates to those of the first point, rounded up.
@@ -31,8 +31,8 @@ template <std::size_t d, std::size_t k>
     return m;
 }
 
-/// Calls evaluate(difference, scale) with a function that gives the interval of a difference of two coordinates, scaled so that
-/// those to the first point are at most 1 where they are not in the range anyway.
+/// Calls evaluate(difference, scale) with a function that gives the interval of a difference of two coordinates,
+/// scaled so that those to the first point are at most 1 where they are not in the range anyway.
 template <std::size_t d, std::size_t k, class Evaluate>
 [[nodiscard]] bool with_scale(const std::array<const std::array<double, d>*, k>& x, Evaluate evaluate) {
     const double m = largest_difference(x);
@@ -45,8 +45,8 @@ template <std::size_t d, std::size_t k, class Evaluate>
     return evaluate(difference, s);
 }
 
-/// sqrt(x) + sqrt(y), an upper bound. The square roots are rounded upward like everything else: Boost.Interval's own would
-/// switch the rounding mode for the lower end, which costs more than all the rest.
+/// sqrt(x) + sqrt(y), an upper bound. The square roots are rounded upward like everything else: Boost.Interval's own
+/// would switch the rounding mode for the lower end, which costs more than all the rest.
 [[nodiscard]] inline double roots_upper(const Interval& x, const Interval& y) {
     return std::sqrt(x.upper()) + std::sqrt(y.upper());
 }
@@ -58,13 +58,14 @@ template <std::size_t d, std::size_t k, class Evaluate>
 /// x / y, a lower bound; x, y >= 0.
 [[nodiscard]] inline double quotient_lower(double x, double y) { return -(-x / y); }
 
-/// Are the ends of a positive number as near to one another as the interval stage promises? What is allowed is rounded downward, which matters where it is
-/// subnormal.
+/// Are the ends of a positive number as near to one another as the interval stage promises? What is allowed is
+/// rounded downward, which matters where it is subnormal.
 [[nodiscard]] inline bool within_slack(double lower, double upper) {
     return upper - lower <= -(-bounds::interval_slack * lower);
 }
 
-/// The tolerance determinant / roots, still scaled, where it is within the stated slack; false elsewhere. determinant > 0.
+/// The tolerance determinant / roots, still scaled, where it is within the stated slack; false elsewhere.
+/// determinant > 0.
 [[nodiscard]] inline bool quotient_lower_tight(const Interval& determinant, double roots_most, double roots_least,
                                                double& lower) {
     lower = quotient_lower(determinant.lower(), roots_most);

@@ -20,7 +20,8 @@ namespace detail {
     return answer(d.sign, d.tolerance, out);
 }
 
-/// The filter stage of an orientation, from the rounded differences of its points: u = x1 - x0, v = x2 - x0, w = x2 - x1.
+/// The filter stage of an orientation, from the rounded differences of its points: u = x1 - x0, v = x2 - x0,
+/// w = x2 - x1.
 template <class V>
 [[nodiscard]] Decision<V> decide_orientation(const Vector_2<V>& u, const Vector_2<V>& v, const Vector_2<V>& w,
                                              bool certified) {

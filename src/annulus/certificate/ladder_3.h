@@ -9,21 +9,22 @@
 #include <algorithm>
 #include <cmath>
 
-// The ladder in space. Orientations are CGAL's: a, b, c, d is positive when d is on the side of (b - a) x (c - a). A bi-cell is
-// x = {a, b, c, p, q} with positive cells a b c q and b a c p, so seen from q the facet a b c turns left, and p is behind it. In the
-// plane it is {a, b, p, q} with positive triangles a b q and b a p.
+// The ladder in space. Orientations are CGAL's: a, b, c, d is positive when d is on the side of (b - a) x (c - a). A
+// bi-cell is x = {a, b, c, p, q} with positive cells a b c q and b a c p, so seen from q the facet a b c turns left,
+// and p is behind it. In the plane it is {a, b, p, q} with positive triangles a b q and b a p.
 
 namespace annulus {
 
 /// Whether the widths of the two cells enter the tolerance of an empty sphere in space (docs/theory.md 2.2, remark).
 ///
-/// The annulus of a partition A | B excludes it wherever its points are when A is the inner side, sum of lambda over B > 0. Else it
-/// does so only along a motion on which both cells stay positive, from the same reference.
+/// The annulus of a partition A | B excludes it wherever its points are when A is the inner side, sum of lambda over
+/// B > 0. Else it does so only along a motion on which both cells stay positive, from the same reference.
 enum class Cell_widths : std::uint8_t {
-    never,         ///< the least of the four annuli; see Verdict::backward
-    where_needed,  ///< with the cells where one of the sums is not positive: safe by itself. A stage that cannot tell whether
-                   ///< one is, where it matters to the tolerance, leaves it to the next: the answer is that of any order of the points
-    always,        ///< the sign tolerance of theory 2: of use where a motion is all that is known of the cells
+    never,  ///< the least of the four annuli; see Verdict::backward
+    /// With the cells where one of the sums is not positive: safe by itself. A stage that cannot tell whether one is,
+    /// where it matters to the tolerance, leaves it to the next: the answer is that of any order of the points.
+    where_needed,
+    always,  ///< the sign tolerance of theory 2: of use where a motion is all that is known of the cells
 };
 
 namespace detail {
@@ -101,8 +102,8 @@ template <class V>
 
 }  // namespace detail
 
-/// Filter stage of the orientation of a tetrahedron (a cell, or a hull ridge): positive in CGAL's sense. The tolerance is half
-/// its width. False when it cannot tell or cannot tell tightly; `out` is then unspecified.
+/// Filter stage of the orientation of a tetrahedron (a cell, or a hull ridge): positive in CGAL's sense. The
+/// tolerance is half its width. False when it cannot tell or cannot tell tightly; `out` is then unspecified.
 ///
 /// Rounding mode must be to nearest. Errors: bounds.h, proofs/gappa/certificates_3.g.
 [[nodiscard]] inline bool orientation_filter(const Tuple<3, 4>& x, bool certified, Verdict& out) {
@@ -111,17 +112,17 @@ template <class V>
     return detail::answer(d.sign, d.tolerance, out);
 }
 
-/// Filter stage of the empty sphere of the facet a b c, x = {a, b, c, p, q}: positive when the sphere through a, b, c, p leaves q
-/// strictly outside. The tolerance is the least half width of the four annuli, and of the cells as `cells` says. False as for
-/// orientation_filter. Precondition: both cells are positive; where one is not, the sign is right and no tolerance is given that
-/// `cells` makes depend on it.
+/// Filter stage of the empty sphere of the facet a b c, x = {a, b, c, p, q}: positive when the sphere through a, b,
+/// c, p leaves q strictly outside. The tolerance is the least half width of the four annuli, and of the cells as
+/// `cells` says. False as for orientation_filter. Precondition: both cells are positive; where one is not, the sign
+/// is right and no tolerance is given that `cells` makes depend on it.
 ///
 /// Rounding mode must be to nearest. Errors: bounds.h, proofs/gappa/certificates_3.g.
 [[nodiscard]] inline bool empty_sphere_filter(const Tuple<3, 5>& x, bool certified, Verdict& out,
                                               Cell_widths cells = Cell_widths::where_needed) {
     return detail::answer(
-        detail::decide_annulus(detail::difference(x, 1, 0), detail::difference(x, 2, 0),
-                               detail::difference(x, 3, 0), detail::difference(x, 4, 0), certified, cells),
+        detail::decide_annulus(detail::difference(x, 1, 0), detail::difference(x, 2, 0), detail::difference(x, 3, 0),
+                               detail::difference(x, 4, 0), certified, cells),
         out);
 }
 
@@ -152,18 +153,20 @@ struct Annuli {
 
 /// Half the width of the paper's standard annulus, abc | pq, in plain double; 0 where the sphere is not empty.
 [[nodiscard]] inline double paper_annulus(const Tuple<3, 5>& x) {
-    const auto t = annulus_terms(detail::difference(x, 1, 0), detail::difference(x, 2, 0),
-                                 detail::difference(x, 3, 0), detail::difference(x, 4, 0));
+    const auto t = annulus_terms(detail::difference(x, 1, 0), detail::difference(x, 2, 0), detail::difference(x, 3, 0),
+                                 detail::difference(x, 4, 0));
     return std::max(0.0, t.determinant / (std::sqrt(t.inner[abc_pq]) + std::sqrt(t.outer[abc_pq])));
 }
 
-/// Half the width of the paper's slab (its 2.2): half the altitude of x[3] over the plane of x[0], x[1], x[2], in plain double.
+/// Half the width of the paper's slab (its 2.2): half the altitude of x[3] over the plane of x[0], x[1], x[2], in
+/// plain double.
 [[nodiscard]] inline double paper_slab(const Tuple<3, 4>& x) {
     const auto n = cross(detail::difference(x, 1, 0), detail::difference(x, 2, 0));
     return 0.5 * dot(n, detail::difference(x, 3, 0)) / std::sqrt(square(n));
 }
 
-/// Half the width of the paper's slab of a hull ridge x[0] x[1], in plain double: of the planes parallel to it and to x[2] x[3].
+/// Half the width of the paper's slab of a hull ridge x[0] x[1], in plain double: of the planes parallel to it and to
+/// x[2] x[3].
 [[nodiscard]] inline double paper_ridge(const Tuple<3, 4>& x) {
     const auto n = cross(detail::difference(x, 1, 0), detail::difference(x, 3, 2));
     return 0.5 * std::fabs(dot(n, detail::difference(x, 2, 0))) / std::sqrt(square(n));

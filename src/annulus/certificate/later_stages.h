@@ -8,8 +8,9 @@
 
 namespace annulus {
 
-/// The stages after the first, for certificates 0, ..., n - 1: what is open(i) is asked of intervals, inside one Rounding_guard, and what
-/// is open still of integers. interval(i) says whether it answered, and then i is open no more. Returns how many each answered.
+/// The stages after the first, for certificates 0, ..., n - 1: what is open(i) is asked of intervals, inside one
+/// Rounding_guard, and what is open still of integers. interval(i) says whether it answered, and then i is open no
+/// more. Returns how many each answered.
 ///
 /// What interval() computes it computes from memory, in functions that are not inlined (rounding_guard.h).
 template <class Open, class Interval, class Exact>

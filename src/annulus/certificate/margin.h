@@ -8,8 +8,8 @@
 
 namespace annulus {
 
-/// The largest difference of coordinates between the first point and another: the size of a certificate, in the unit of the points.
-/// Plain double.
+/// The largest difference of coordinates between the first point and another: the size of a certificate, in the unit
+/// of the points. Plain double.
 template <int d, std::size_t k>
 [[nodiscard]] double extent(const std::array<const Coordinates<d>*, k>& x) {
     double m = 0;
@@ -17,8 +17,9 @@ template <int d, std::size_t k>
     return m;
 }
 
-/// How large the determinant that the filter stage computes is beside its error bound (bounds.h). Above 1 the sign is certain; a tolerance
-/// as tight as is promised takes 1 / filter_slack. Plain double, rounding to nearest; no number where the size is out of the filter's range.
+/// How large the determinant that the filter stage computes is beside its error bound (bounds.h). Above 1 the sign is
+/// certain; a tolerance as tight as is promised takes 1 / filter_slack. Plain double, rounding to nearest; no number
+/// where the size is out of the filter's range.
 [[nodiscard]] inline double filter_margin(const Tuple<2, 3>& x) {
     using detail::difference;
     const auto u = difference(x, 1, 0), v = difference(x, 2, 0);
@@ -41,8 +42,7 @@ template <int d, std::size_t k>
 [[nodiscard]] inline double filter_margin(const Tuple<3, 5>& x) {
     using detail::difference;
     const double m = extent<3>(x);
-    const auto t = annulus_terms(difference(x, 1, 0), difference(x, 2, 0), difference(x, 3, 0),
-                                 difference(x, 4, 0));
+    const auto t = annulus_terms(difference(x, 1, 0), difference(x, 2, 0), difference(x, 3, 0), difference(x, 4, 0));
     return t.determinant / (bounds::annulus_3_insphere * bounds::u * ((m * m) * (m * m) * m));
 }
 

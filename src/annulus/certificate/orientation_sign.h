@@ -10,8 +10,9 @@
 
 namespace annulus {
 
-// The sign of an orientation and nothing else, by the filter stage: 0 where the next stage has to tell. The determinants and errors are those of
-// Circumcircle_2 and Circumsphere_3 (bounds.h). The rounding mode must be to nearest.
+// The sign of an orientation and nothing else, by the filter stage: 0 where the next stage has to tell. The
+// determinants and errors are those of Circumcircle_2 and Circumsphere_3 (bounds.h). The rounding mode must be to
+// nearest.
 
 namespace detail {
 
@@ -25,13 +26,15 @@ namespace detail {
 [[nodiscard]] inline int orientation_sign(const Tuple<2, 3>& x) {
     const auto u = detail::difference(x, 1, 0), v = detail::difference(x, 2, 0);
     const double m = std::max(detail::magnitude(u), detail::magnitude(v));
-    return detail::clear_sign(u.x * v.y - u.y * v.x, bounds::orientation_2 * bounds::u * (m * m), m, bounds::filter_range);
+    return detail::clear_sign(u.x * v.y - u.y * v.x, bounds::orientation_2 * bounds::u * (m * m), m,
+                              bounds::filter_range);
 }
 
 [[nodiscard]] inline int orientation_sign(const Tuple<3, 4>& x) {
     const auto u = detail::difference(x, 1, 0), v = detail::difference(x, 2, 0), w = detail::difference(x, 3, 0);
     const double m = std::max(detail::magnitude(u), std::max(detail::magnitude(v), detail::magnitude(w)));
-    return detail::clear_sign(dot(cross(u, v), w), bounds::orientation_3 * bounds::u * (m * m * m), m, bounds::filter_range_3);
+    return detail::clear_sign(dot(cross(u, v), w), bounds::orientation_3 * bounds::u * (m * m * m), m,
+                              bounds::filter_range_3);
 }
 
 }  // namespace annulus

@@ -31,9 +31,9 @@ namespace annulus {
     return std::atan2(std::fabs(bx * ey - by * ex), std::fabs(bx * ex + by * ey));
 }
 
-/// The same in space: the angle between the axis of the facet a b c and the bisector of p, q. Accurate to a few units in
-/// the last place over the sine of the facet's least angle, because the normal of a thin facet is no better known than
-/// that; anywhere in the coordinate domain. 0 when p = q or a, b, c are collinear.
+/// The same in space: the angle between the axis of the facet a b c and the bisector of p, q. Accurate to a few units
+/// in the last place over the sine of the facet's least angle, because the normal of a thin facet is no better known
+/// than that; anywhere in the coordinate domain. 0 when p = q or a, b, c are collinear.
 [[nodiscard]] inline double theta(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c,
                                   const Coordinates<3>& p, const Coordinates<3>& q) {
     using Vector = std::array<double, 3>;
@@ -48,8 +48,8 @@ namespace annulus {
         return Vector{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     };
     const Vector e = normalised(Euclidean<3>::difference(q, p));
-    const Vector n = normalised(
-        cross(normalised(Euclidean<3>::difference(b, a)), normalised(Euclidean<3>::difference(c, a))));
+    const Vector n =
+        normalised(cross(normalised(Euclidean<3>::difference(b, a)), normalised(Euclidean<3>::difference(c, a))));
     const Vector sine = cross(e, n);
     const double along = std::fabs(e[0] * n[0] + e[1] * n[1] + e[2] * n[2]);
     return std::atan2(along, std::hypot(sine[0], sine[1], sine[2]));

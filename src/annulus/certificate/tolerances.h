@@ -22,9 +22,9 @@ template <class T>
     return mode == Mode::tight && v.sign > 0 ? empty_sphere_exact(x) : v;
 }
 
-/// The sign tolerance of a bi-cell: the least half width of its annuli and its two cells. No placement with every point closer than
-/// that to where it is changes the sign of the empty sphere (theory 2). Precondition: both cells are positive; where one is not
-/// the tolerance is 0. The stage is the last one that was asked.
+/// The sign tolerance of a bi-cell: the least half width of its annuli and its two cells. No placement with every
+/// point closer than that to where it is changes the sign of the empty sphere (theory 2). Precondition: both cells
+/// are positive; where one is not the tolerance is 0. The stage is the last one that was asked.
 [[nodiscard]] inline Verdict sign_verdict(const Tuple<2, 4>& x, Mode mode = Mode::fast) {
     Verdict out = empty_sphere_verdict(x, mode);
     if (out.sign <= 0) return out;
@@ -40,8 +40,9 @@ template <class T>
     return mode == Mode::tight && v.sign > 0 ? empty_sphere_exact(x, Cell_widths::always) : v;
 }
 
-/// Lowers the tolerance of every vertex of certificate i to that of verdict i: with `tolerance` infinite before the first call, and
-/// one call for each kind of certificate, it is the vertex tolerance, the least over the certificates that contain the vertex.
+/// Lowers the tolerance of every vertex of certificate i to that of verdict i: with `tolerance` infinite before the
+/// first call, and one call for each kind of certificate, it is the vertex tolerance, the least over the certificates
+/// that contain the vertex.
 template <std::size_t k>
 void lower_to_certificates(std::span<const std::array<Index, k>> points, std::span<const Verdict> verdicts,
                            std::span<double> tolerance) {

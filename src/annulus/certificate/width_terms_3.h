@@ -7,7 +7,8 @@
 
 namespace annulus {
 
-// Each function below is one line of the proofs (proofs/gappa/certificates_3.g): the order of operations is part of what is proved.
+// Each function below is one line of the proofs (proofs/gappa/certificates_3.g): the order of operations is part of
+// what is proved.
 
 template <class T>
 [[nodiscard]] Vector_3<T> cross(const Vector_3<T>& u, const Vector_3<T>& v) {
@@ -55,7 +56,8 @@ template <class T>
 
 /// The largest squared area vector (doubled areas) of the slabs of the tetrahedron 0, u, v, w, given uv = u x v,
 /// vw = v x w and wu = w x u: four facets and three pairs of opposite edges. Each of the seven is a sum of the three:
-///     v - u, w - u:  uv + vw + wu        u, w - v:  -(uv + wu)        v, u - w:  -(vw + uv)        w, v - u:  -(wu + vw)
+///     v - u, w - u:  uv + vw + wu        u, w - v:  -(uv + wu)
+///     v, u - w:      -(vw + uv)          w, v - u:  -(wu + vw)
 template <class T>
 [[nodiscard]] T largest_slab(const Vector_3<T>& uv, const Vector_3<T>& vw, const Vector_3<T>& wu) {
     using std::max;
@@ -80,7 +82,8 @@ template <class T>
     return {dot(uv, w), largest, largest};
 }
 
-/// Partitions A | B of the points of a bi-cell in space that cannot be excluded by its cells, in the order of all arrays.
+/// Partitions A | B of the points of a bi-cell in space that cannot be excluded by its cells, in the order of all
+/// arrays.
 enum Partition_3 : std::size_t { abc_pq, ab_cpq, ca_bpq, bc_apq, partitions_3 };
 
 /// What the half widths of the four annuli of a bi-cell are made of. They share the determinant:
@@ -96,13 +99,14 @@ struct Bicell_terms_3 {
     std::array<Vector_3<T>, 6> products;  ///< bc, bp, bq, cp, cq, pq
 };
 
-/// Half widths of the annuli of the facet a b c with opposite vertices p and q, vectors b, c, p, q relative to a. The cells
-/// a, b, c, q and b, a, c, p are positive in CGAL's sense: q is on the side of b x c, p on the other.
+/// Half widths of the annuli of the facet a b c with opposite vertices p and q, vectors b, c, p, q relative to a. The
+/// cells a, b, c, q and b, a, c, p are positive in CGAL's sense: q is on the side of b x c, p on the other.
 ///
-/// With the affine dependence lambda of the five points (sum of lambda = 0, sum of lambda x = 0; lambda_p = (b x c).q,
-/// lambda_q = -(b x c).p) the determinant is P = sum of lambda |x|^2. U_i = 2 lambda_i c_i, c_i the centre of the sphere through
-/// all points but i, needs no division. For a partition A | B, L = sum over B of lambda and N = sum over B of U: N / 2L is the centre
-/// of the annulus, its radii are |N - 2 L x| / 2L, x in A or in B, and P = L (r_B^2 - r_A^2). Hence
+/// With the affine dependence lambda of the five points (sum of lambda = 0, sum of lambda x = 0; lambda_p = (b x
+/// c).q, lambda_q = -(b x c).p) the determinant is P = sum of lambda |x|^2. U_i = 2 lambda_i c_i, c_i the centre of
+/// the sphere through all points but i, needs no division. For a partition A | B, L = sum over B of lambda and
+/// N = sum over B of U: N / 2L is the centre of the annulus, its radii are |N - 2 L x| / 2L, x in A or in B, and
+/// P = L (r_B^2 - r_A^2). Hence
 ///     half width = |P| / (|N - 2 L x_A| + |N - 2 L x_B|)          (docs/theory.md 4; proofs/identities).
 /// a is one of the two points of each partition, with |N|. The dependence adds up to 0, and so do the U: sums over B
 /// or over A are the same up to the sign, and the shorter one is taken.
@@ -155,8 +159,8 @@ template <class T>
             {bc, bp, bq, cp, cq, pq}};
 }
 
-/// The terms of the half widths of the two cells of a bi-cell, b a c p and a b c q, from the products of annulus_terms: the
-/// very numbers of orientation_terms(c, b, p) and orientation_terms(b, c, q).
+/// The terms of the half widths of the two cells of a bi-cell, b a c p and a b c q, from the products of
+/// annulus_terms: the very numbers of orientation_terms(c, b, p) and orientation_terms(b, c, q).
 template <class T>
 [[nodiscard]] Width_terms<T> cell_p_terms(const Bicell_terms_3<T>& t) {
     const T largest = largest_slab(-t.products[0], t.products[1], -t.products[3]);

@@ -14,29 +14,30 @@ namespace annulus {
 
 /// A Delaunay triangulation that is kept right while its vertices move.
 ///
-/// View is CGAL's triangulation of one dimension as a copy of the mesh (Cgal_view_2<Info>); everything here is the same in
-/// every dimension.
+/// View is CGAL's triangulation of one dimension as a copy of the mesh (Cgal_view_2<Info>); everything here is the
+/// same in every dimension.
 /// Positions are in the caller's unit of length. With Tolerance_kind::certified the triangulation is Delaunay at the
 /// positions of its vertices after every call, proved. Not thread-safe; const members may run concurrently.
 ///
 /// Vertices have an index in input order and a CGAL handle; no move, whatever the strategy, invalidates either.
 /// Removing a vertex leaves its index vacant; the next insertion takes the index vacated last.
 ///
-/// The strategies work on arrays. CGAL's object is a copy of them which triangulation(), vertex() and audit() bring up to
-/// date before they return, for what has changed since; a program that never calls them pays nothing for it. So ask for
-/// triangulation() after a change, also to read the points of handles: a reference of before shows what was asked for last.
+/// The strategies work on arrays. CGAL's object is a copy of them which triangulation(), vertex() and audit() bring
+/// up to date before they return, for what has changed since; a program that never calls them pays nothing for it. So
+/// ask for triangulation() after a change, also to read the points of handles: a reference of before shows what was
+/// asked for last.
 ///
 /// Errors are annulus::Error; the object is as it was before the call that threw, except that after a collision
-/// tolerances may have been computed anew and measured from other fixed positions. Every function
-/// that takes a handle throws unknown_vertex for a null one, the vertex at infinity, and a vertex of another triangulation.
-/// The handle of a vertex that was removed dangles and must not be used. too_large: the triangulation would have, or had for a
+/// tolerances may have been computed anew and measured from other fixed positions. Every function that takes a handle
+/// throws unknown_vertex for a null one, the vertex at infinity, and a vertex of another triangulation. The handle of
+/// a vertex that was removed dangles and must not be used. too_large: the triangulation would have, or had for a
 /// while on the way, more cells or vertices than indices can name (horizons.h).
 ///
-/// When memory runs out (std::bad_alloc) positions, indices and handles are as they were, but for `remove`, which says what
-/// holds, and the triangulation is built anew there before the exception goes on. Should even that fail, there are no
-/// cells (an audit says so) until a later call that changes something, settle() for one, has built them. GMP's allocation
-/// functions abort the process when they get nothing unless the program sets others (mp_set_memory_functions); so may CGAL's Mpzf, in
-/// predicates of coordinates that are hundreds of bits apart.
+/// When memory runs out (std::bad_alloc) positions, indices and handles are as they were, but for `remove`, which
+/// says what holds, and the triangulation is built anew there before the exception goes on. Should even that fail,
+/// there are no cells (an audit says so) until a later call that changes something, settle() for one, has built them.
+/// GMP's allocation functions abort the process when they get nothing unless the program sets others
+/// (mp_set_memory_functions); so may CGAL's Mpzf, in predicates of coordinates that are hundreds of bits apart.
 template <class View>
 class Moving_delaunay {
   public:
@@ -58,13 +59,14 @@ class Moving_delaunay {
     /// The same from plain coordinates.
     /// Throws too_large besides.
     explicit Moving_delaunay(std::span<const Coordinates<d>> points, const Options& options = {})
-        : mesh_(std::make_unique<Delaunay_mesh<d>>()), engine_(std::make_unique<Engine<d>>(*mesh_, options, make_strategy<d>(*mesh_, options))) {
+        : mesh_(std::make_unique<Delaunay_mesh<d>>()),
+          engine_(std::make_unique<Engine<d>>(*mesh_, options, make_strategy<d>(*mesh_, options))) {
         engine_->build(points);
         view_ = std::make_unique<View>(*mesh_, engine_->positions());
     }
 
-    /// Handles, and pointers to CGAL's object, stay valid and belong to the object that was moved to. One that was moved from can be
-    /// destroyed and assigned to, nothing else. O(1).
+    /// Handles, and pointers to CGAL's object, stay valid and belong to the object that was moved to. One that was
+    /// moved from can be destroyed and assigned to, nothing else. O(1).
     Moving_delaunay(Moving_delaunay&&) noexcept = default;
     Moving_delaunay& operator=(Moving_delaunay&&) noexcept = default;
     Moving_delaunay(const Moving_delaunay&) = delete;
@@ -77,9 +79,9 @@ class Moving_delaunay {
         outdate({&i, 1});
         return engine_->move(i, p);
     }
-    /// Moves some vertices: indices[k] to points[k], all at once (a vertex may go where another one was); the last holds for an index
-    /// that is named twice. While they are fewer than one in 64, under the filters, it costs as much as their single moves, else as
-    /// much as move_all. Throws wrong_size, and what move throws.
+    /// Moves some vertices: indices[k] to points[k], all at once (a vertex may go where another one was); the last
+    /// holds for an index that is named twice. While they are fewer than one in 64, under the filters, it costs as
+    /// much as their single moves, else as much as move_all. Throws wrong_size, and what move throws.
     Move_report move(std::span<const Index> indices, std::span<const Coordinates<d>> points) {
         outdate(indices);
         return engine_->move(indices, points);
@@ -133,8 +135,8 @@ class Moving_delaunay {
         if (report) *report = std::move(done);
         return view_->adopt(i, positions()[at(i)]);
     }
-    /// Removes a vertex; its handle dies, its index is vacant. Throws unknown_vertex. When memory runs out the vertex may be gone:
-    /// then vertex(i) is null at its index, the last one vacated, and everything else is right.
+    /// Removes a vertex; its handle dies, its index is vacant. Throws unknown_vertex. When memory runs out the vertex
+    /// may be gone: then vertex(i) is null at its index, the last one vacated, and everything else is right.
     void remove(Vertex_handle v, Move_report* report = nullptr) {
         Move_report done;
         const Index i = index(v);
@@ -148,15 +150,16 @@ class Moving_delaunay {
         view_->forget(i);
         if (report) *report = std::move(done);
     }
-    /// Makes every fixed position the moving one and every tolerance fresh. O(n). With tolerances that are not certified two vertices
-    /// may have come to one place unnoticed; then it throws collision, as insert and remove do, until one of them has moved away.
+    /// Makes every fixed position the moving one and every tolerance fresh. O(n). With tolerances that are not
+    /// certified two vertices may have come to one place unnoticed; then it throws collision, as insert and remove
+    /// do, until one of them has moved away.
     Move_report settle() {
         view_->outdate();
         return engine_->settle();
     }
 
-    /// CGAL's object; its points are the positions and it is Delaunay. With tolerances that are not certified its points
-    /// are the fixed positions, at which it is Delaunay. O(k) for the k cells that have changed and vertices
+    /// CGAL's object; its points are the positions and it is Delaunay. With tolerances that are not certified its
+    /// points are the fixed positions, at which it is Delaunay. O(k) for the k cells that have changed and vertices
     /// that have moved since it was asked for last. Throws bad_alloc.
     [[nodiscard]] const Triangulation& triangulation() const { return view_->update(engine_->standing()); }
     [[nodiscard]] std::size_t number_of_vertices() const { return mesh_->vertices(); }
@@ -201,9 +204,9 @@ class Moving_delaunay {
     [[nodiscard]] Mesh_cells<d> cells() const { return engine_->cells(); }
 
     /// Exact verdict on the cells at the present positions; see audit.h. Faults of CGAL's object itself count as
-    /// topological ones: handles let a caller write in it (`vertex(i)->set_point(p)`), and what was written is no motion
-    /// that the strategy knows of. So the points of its vertices must be what triangulation() says they are, its cells
-    /// must fit together, and be those of the mesh. O(n).
+    /// topological ones: handles let a caller write in it (`vertex(i)->set_point(p)`), and what was written is no
+    /// motion that the strategy knows of. So the points of its vertices must be what triangulation() says they are,
+    /// its cells must fit together, and be those of the mesh. O(n).
     [[nodiscard]] Audit_result audit() const {
         Audit_result object;
         (void)triangulation();

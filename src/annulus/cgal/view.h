@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/environment.h>  // refuses -ffast-math: CGAL's predicates are compiled here, with the caller's flags
+// environment.h refuses -ffast-math: CGAL's predicates are compiled here, with the caller's flags.
+#include <annulus/arithmetic/environment.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/audit.h>
 #include <annulus/mesh/cell_log.h>
@@ -37,9 +38,9 @@ class Cgal_view {
     Cgal_view(const Cgal_view&) = delete;
     Cgal_view& operator=(const Cgal_view&) = delete;
 
-    /// Brings it up to date with the mesh, whose positions are x: O(k) for k cells that have changed and vertices that have
-    /// moved. Safe from several threads at once; the mesh does not change meanwhile. When it throws (bad_alloc), the next
-    /// call begins again.
+    /// Brings it up to date with the mesh, whose positions are x: O(k) for k cells that have changed and vertices
+    /// that have moved. Safe from several threads at once; the mesh does not change meanwhile. When it throws
+    /// (bad_alloc), the next call begins again.
     const Triangulation& update(std::span<const Coordinates<d>> x) const;
     /// Cells are about to change, and vertex v, or all vertices, to move.
     void outdate_cells() noexcept { current_ = false; }

@@ -54,9 +54,7 @@ void add_common(CLI::App& app, Common_arguments& a, const std::string& files, co
     app.add_option("--seed", a.seed, words.seed)
         ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
         ->capture_default_str();
-    app.add_option("--threads", a.threads, words.threads)
-        ->check(whole_number(1, 1024))
-        ->capture_default_str();
+    app.add_option("--threads", a.threads, words.threads)->check(whole_number(1, 1024))->capture_default_str();
     app.add_flag("-q,--quiet", a.quiet, "No progress and no summary, only errors and the exit status");
 }
 
@@ -70,7 +68,9 @@ void add_tracking(CLI::App& app, Tracking_arguments& a) {
         ->check(CLI::IsMember({"auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each",
                                "paper", "paper-hybrid"}))
         ->capture_default_str();
-    app.add_option("--tolerance", a.tolerance, "Kind of tolerance; only certified ones are proved, and others are for the strategies paper and paper-hybrid")
+    app.add_option("--tolerance", a.tolerance,
+                   "Kind of tolerance; only certified ones are proved, and others are for the strategies paper and "
+                   "paper-hybrid")
         ->check(CLI::IsMember({"certified", "paper", "floating"}))
         ->capture_default_str();
     app.add_option("--audit", a.audit, "Exact audit every N steps and at the end; 0: never")

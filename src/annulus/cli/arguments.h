@@ -37,13 +37,15 @@ struct Tracking_arguments {
     std::uint64_t audit = 100;
 };
 
-/// Plain decimal digits, from least to most: CLI11 by itself takes 010 for 8, and what is too large for the largest there is.
+/// Plain decimal digits, from least to most: CLI11 by itself takes 010 for 8, and what is too large for the largest
+/// there is.
 [[nodiscard]] CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
 /// From least to most: CLI::Range by itself takes NaN.
 [[nodiscard]] CLI::Validator number_within(double least, double most);
 
-/// `files` is what --output writes. Where nothing is random or parallel, --seed and --threads are taken and have no effect, so that a script
-/// may give every subcommand the same options; --help says so: these are its words about them.
+/// `files` is what --output writes. Where nothing is random or parallel, --seed and --threads are taken and have no
+/// effect, so that a script may give every subcommand the same options; --help says so: these are its words about
+/// them.
 struct Common_words {
     std::string seed = "Seed of everything random";
     std::string threads = "Threads for motion and triangulation; results do not depend on them";

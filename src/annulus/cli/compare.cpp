@@ -78,11 +78,12 @@ void write_comparison(const Common_arguments& arguments, const Guided_motion<Mov
 }
 
 void print(const Comparison_record& c) {
-    std::printf("%-24s %14s %12s %12s %10s %14s\n", "strategy", "triangulation", "ns/vertex", "within tol.", "audits", "construction");
+    std::printf("%-24s %14s %12s %12s %10s %14s\n", "strategy", "triangulation", "ns/vertex", "within tol.", "audits",
+                "construction");
     for (const Run_record& r : c.runs) {
         const auto asked = static_cast<double>(r.moves.asked > 0 ? r.moves.asked : 1);
-        std::printf("%-24s %12.3f s %12.1f %10.2f %% %8llu/%llu %12.3f s\n", r.strategy.c_str(), r.seconds.triangulation,
-                    r.seconds.triangulation / asked * 1e9,
+        std::printf("%-24s %12.3f s %12.1f %10.2f %% %8llu/%llu %12.3f s\n", r.strategy.c_str(),
+                    r.seconds.triangulation, r.seconds.triangulation / asked * 1e9,
                     100.0 * static_cast<double>(r.moves.within_tolerance) / asked,
                     static_cast<unsigned long long>(r.audit.checked - r.audit.failed),
                     static_cast<unsigned long long>(r.audit.checked), r.seconds.construction);
@@ -98,9 +99,9 @@ void print(const Comparison_record& c) {
 }
 
 template <class Moving>
-int compare(const Compare_call& a, const Invocation& invocation, Guided_motion<Moving>& motion, std::uint64_t iterations,
-            const Tracking_arguments& tracking, const Common_arguments& common, Clock::time_point begin,
-            const std::function<Input_record()>& input) {
+int compare(const Compare_call& a, const Invocation& invocation, Guided_motion<Moving>& motion,
+            std::uint64_t iterations, const Tracking_arguments& tracking, const Common_arguments& common,
+            Clock::time_point begin, const std::function<Input_record()>& input) {
     constexpr int d = Moving::dimension_of_space;
     const bool files = !a.common.output.empty();
     std::deque<Tracker<Moving>> trackers;
@@ -112,8 +113,8 @@ int compare(const Compare_call& a, const Invocation& invocation, Guided_motion<M
     std::optional<Picture> before;
     if (files) before = motion.picture(trackers[0].triangulation(), "Before");
 
-    // Some consecutive timestamps are recorded, so that each strategy follows them without the others (and the motion) using up its
-    // caches between two steps.
+    // Some consecutive timestamps are recorded, so that each strategy follows them without the others (and the
+    // motion) using up its caches between two steps.
     constexpr std::size_t recording_bytes = std::size_t{256} << 20;
     std::vector<Timestamp<d>> block;
     std::optional<Interruption_guard> guard;

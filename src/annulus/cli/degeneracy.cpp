@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
 #include <annulus/cli/input.h>
@@ -13,6 +12,7 @@
 #include <annulus/formats/read_points.h>
 #include <annulus/formats/text_output.h>
 #include <annulus/formats/write_json.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/report/degeneracy_series.h>
 
 #include <algorithm>

@@ -53,8 +53,8 @@ Vtu_field least_angles(const std::vector<Coordinates<3>>& points, const std::vec
 }  // namespace
 
 std::string title_of(const Run_record& run, const std::string& step, const std::string& names) {
-    return grouped(run.vertices) + (run.vertices == 1 ? " vertex, " : " vertices, ") + grouped(run.iterations) + " " + step +
-           (run.iterations == 1 ? ": " : "s: ") + names;
+    return grouped(run.vertices) + (run.vertices == 1 ? " vertex, " : " vertices, ") + grouped(run.iterations) + " " +
+           step + (run.iterations == 1 ? ": " : "s: ") + names;
 }
 
 template <class Moving>
@@ -94,8 +94,10 @@ void write_run(const Common_arguments& arguments, const Tracker<Moving>& tracker
 }
 
 void say_interrupted(const Common_arguments& a, std::uint64_t done_steps, std::optional<std::uint64_t> steps) {
-    const std::string after = steps ? std::to_string(done_steps) + " of " + counted(*steps, "step") : counted(done_steps, "step");
-    std::fprintf(stderr, "annulus: interrupted after %s; what was done is in %s\n", after.c_str(), partial(a.output).c_str());
+    const std::string after =
+        steps ? std::to_string(done_steps) + " of " + counted(*steps, "step") : counted(done_steps, "step");
+    std::fprintf(stderr, "annulus: interrupted after %s; what was done is in %s\n", after.c_str(),
+                 partial(a.output).c_str());
 }
 
 template <class Moving>
@@ -107,8 +109,8 @@ void print_summary(const Tracker<Moving>& tracker) {
     std::printf("%s, %s, strategy %s, %s tolerances\n", counted_vertices(r.vertices).c_str(),
                 counted(r.iterations, "iteration").c_str(), r.strategy.c_str(), r.tolerance.c_str());
     std::printf("triangulation  %.3f s (%.1f ns a vertex and step), construction %.3f s, motion %.3f s, total %.3f s\n",
-                r.seconds.triangulation, r.moves.asked ? r.seconds.triangulation / asked * 1e9 : 0.0, r.seconds.construction,
-                r.seconds.motion, r.seconds.total);
+                r.seconds.triangulation, r.moves.asked ? r.seconds.triangulation / asked * 1e9 : 0.0,
+                r.seconds.construction, r.seconds.motion, r.seconds.total);
     std::printf(
         "moves          within tolerance %.3f %%, kept in place %.3f %%, flipped %.3f %%, reinserted %.4f %%, "
         "rebuilt %.3f %%\n",

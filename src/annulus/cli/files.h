@@ -33,8 +33,8 @@ struct Run_page {
     Frame_files<Moving>* frames = nullptr;
 };
 
-/// Writes summary.json, iterations.csv, final.mesh, final.vtu and report.html of one run, and what its page has, all or none: to --output,
-/// or beside it when the run was interrupted.
+/// Writes summary.json, iterations.csv, final.mesh, final.vtu and report.html of one run, and what its page has, all
+/// or none: to --output, or beside it when the run was interrupted.
 template <class Moving>
 void write_run(const Common_arguments& arguments, const Tracker<Moving>& tracker, Run_page<Moving> page);
 

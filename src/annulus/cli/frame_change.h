@@ -53,7 +53,8 @@ struct Frame_change {
     [[nodiscard]] double mean() const { return moved > 0 ? sum / static_cast<double>(moved) : 0; }
 };
 
-/// The unit of length: the d-th root of the volume of the points' box for each of them; for flat sets in fewer dimensions.
+/// The unit of length: the d-th root of the volume of the points' box for each of them; for flat sets in fewer
+/// dimensions.
 template <int d>
 [[nodiscard]] double spacing_of(std::span<const Coordinates<d>> points) {
     if (points.empty()) return 1;

@@ -29,9 +29,9 @@ void add_frames(CLI::App& app, Frame_arguments& arguments);
 /// Throws Error(usage) for what does not go together; `options` are told what to report.
 void prepare(const Frame_arguments& frames, const Common_arguments& common, Options& options);
 
-/// What --every, --voronoi and --changes write: frames.pvd and its frames, voronoi.csv, changes.csv. They are written while the run goes on,
-/// beside the place of --output, and taken over at its end; memory does not depend on how many frames there are, but for what
-/// the curves of the page are made of.
+/// What --every, --voronoi and --changes write: frames.pvd and its frames, voronoi.csv, changes.csv. They are written
+/// while the run goes on, beside the place of --output, and taken over at its end; memory does not depend on how many
+/// frames there are, but for what the curves of the page are made of.
 template <class Moving>
 class Frame_files {
   public:

@@ -48,9 +48,9 @@ template <int d>
 int write_motion(const Generate_call& a, Format format) {
     const std::optional<Motion_family> family = family_named(motion_families, a.kind);
     const std::uint64_t steps = family ? a.steps : 0;
-    Generated_motion<d> motion(
-        generate<d>(*family_named(point_families, family ? a.from : a.kind), static_cast<std::size_t>(a.points), a.seed),
-        family.value_or(Motion_family::walk), a.pace, a.seed);
+    Generated_motion<d> motion(generate<d>(*family_named(point_families, family ? a.from : a.kind),
+                                           static_cast<std::size_t>(a.points), a.seed),
+                               family.value_or(Motion_family::walk), a.pace, a.seed);
     const Interruption_guard guard;  // before the file: what is not whole is taken away again
     Text_output out(a.output);
     std::string text;
@@ -106,12 +106,12 @@ Run add_generate_command(CLI::App& app, const Invocation&) {
     sub->add_option("--dim", a->dimension, "Dimension")->check(whole_number(2, 3))->capture_default_str();
     std::vector<CLI::Option*> of_motions;
     of_motions.push_back(sub->add_option("--from", a->from, "What a motion begins with")
-        ->check(CLI::IsMember(words_of(point_families)))
-        ->capture_default_str());
+                             ->check(CLI::IsMember(words_of(point_families)))
+                             ->capture_default_str());
     of_motions.push_back(sub->add_option("--steps", a->steps, "Steps of a motion; it has one frame more")
-        ->type_name("N")
-        ->check(whole_number(0, 1'000'000'000))
-        ->capture_default_str());
+                             ->type_name("N")
+                             ->check(whole_number(0, 1'000'000'000))
+                             ->capture_default_str());
     of_motions.push_back(
         sub->add_option("--pace", a->pace, "How far points go at a step, in spacings of a grid of as many")
             ->capture_default_str());
@@ -119,14 +119,13 @@ Run add_generate_command(CLI::App& app, const Invocation&) {
         ->type_name("FILE")
         ->capture_default_str();
     add_format(*sub, a->format, frame_formats);
-    sub->get_option("--format")->description("What to write, whatever the extension says; standard output has none: xyz without this");
+    sub->get_option("--format")
+        ->description("What to write, whatever the extension says; standard output has none: xyz without this");
     sub->add_flag("--force", a->force, "Replace the file");
     sub->add_option("--seed", a->seed, "Seed of everything random")
         ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
         ->capture_default_str();
-    sub->add_option("--threads", a->threads, no_threads)
-        ->check(whole_number(1, 1024))
-        ->capture_default_str();
+    sub->add_option("--threads", a->threads, no_threads)->check(whole_number(1, 1024))->capture_default_str();
     sub->add_flag("-q,--quiet", a->quiet, "No progress, only errors and the exit status");
     return [a, of_motions] {
         for (const CLI::Option* option : of_motions)

@@ -7,9 +7,9 @@
 
 namespace annulus::cli {
 
-/// While one of these lives, the first SIGHUP, SIGINT or SIGTERM is only noted; the same signal again ends the process at
-/// once: nobody likes a program that does not stop. Signals that were ignored (nohup) stay so. Inside of another one it
-/// does nothing.
+/// While one of these lives, the first SIGHUP, SIGINT or SIGTERM is only noted; the same signal again ends the
+/// process at once: nobody likes a program that does not stop. Signals that were ignored (nohup) stay so. Inside of
+/// another one it does nothing.
 class Interruption_guard {
   public:
     Interruption_guard() noexcept;

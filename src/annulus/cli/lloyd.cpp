@@ -62,7 +62,8 @@ int run(const Lloyd_call& a, const std::string& command) {
     if (!a.common.output.empty()) {
         page.after = picture_of(tracker.triangulation(), "After " + counted(tracker.record().iterations, "iteration"));
         if (scene.merged > 0) page.notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
-        if (scene.stippling) page.files.emplace_back("stipples.svg", stipples_of(a.lloyd, scene, tracker.triangulation()));
+        if (scene.stippling)
+            page.files.emplace_back("stipples.svg", stipples_of(a.lloyd, scene, tracker.triangulation()));
         page.figures = frame_figures(frames.records(), tracker.record(), false);
         page.frames = &frames;
         write_run(a.common, tracker, std::move(page));

@@ -22,8 +22,11 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
     auto* points = app.add_option("-n,--points", a.points, "Sample N points with the density")
                        ->type_name("N")
                        ->check(whole_number(3, 100'000'000));
-    auto* input = app.add_option("--input", a.input, "Start from the points of a .xyz, .csv, .lammpstrj, .off, .ply or .mesh file; - is standard input")
-                      ->type_name("FILE");
+    auto* input =
+        app.add_option(
+               "--input", a.input,
+               "Start from the points of a .xyz, .csv, .lammpstrj, .off, .ply or .mesh file; - is standard input")
+            ->type_name("FILE");
     points->excludes(input);
     add_format(app, a.format, point_formats);
     app.add_flag("--ignore-z", a.ignore_z, "Drop the z coordinate of the input")->needs(input);
@@ -162,7 +165,8 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
         const Density_2 density = stippling ? Density_2(stippling->density()) : formula;
         return {*domain, density, std::move(points), 0, {}, std::move(stippling)};
     }
-    const Point_file<2> file = read_points<2>(a.input, {.ignore_z = a.ignore_z, .format = a.format, .box = {.ignored = a.open}});
+    const Point_file<2> file =
+        read_points<2>(a.input, {.ignore_z = a.ignore_z, .format = a.format, .box = {.ignored = a.open}});
     std::vector<Coordinates<2>> points = distinct_points(file, 3);
     for (std::size_t i = 0; domain && i < file.points.size(); ++i)
         if (!domain->contains(file.points[i]))

@@ -12,8 +12,8 @@
 
 namespace annulus::cli {
 
-/// The solid cells of a triangulation of space, numbered like `points`, and which of them are of the domain. In one order
-/// whatever the history of the triangulation, so that a motion computed from them is the same bit for bit.
+/// The solid cells of a triangulation of space, numbered like `points`, and which of them are of the domain. In one
+/// order whatever the history of the triangulation, so that a motion computed from them is the same bit for bit.
 class Mesh_3 {
   public:
     [[nodiscard]] const std::vector<Coordinates<3>>& points() const {

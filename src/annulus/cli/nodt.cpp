@@ -33,7 +33,8 @@ std::string filled(const Mesh_3& mesh, const Domain_3& domain) {
     for (std::size_t c = 0; c < mesh.cells().size(); ++c)
         if (mesh.inside()[c] != 0) sum += mesh.kept().moments()[c].volume;
     char text[80];
-    std::snprintf(text, sizeof text, "At the start the cells of the domain fill %.2f %% of it.", 100 * sum / domain.volume());
+    std::snprintf(text, sizeof text, "At the start the cells of the domain fill %.2f %% of it.",
+                  100 * sum / domain.volume());
     return text;
 }
 

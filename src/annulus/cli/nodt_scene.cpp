@@ -31,7 +31,8 @@ double Nodt_scene::spacing() const { return std::cbrt(domain->volume() / static_
 
 void Nodt_scene::require_cells(const Nodt_arguments& a, std::span<const char> inside) const {
     if (std::any_of(inside.begin(), inside.end(), [](char flag) { return flag != 0; })) return;
-    throw Input_error(Error_code::too_few, source_of(a), 0, "no Delaunay cell of its vertices has its circumcentre inside",
+    throw Input_error(Error_code::too_few, source_of(a), 0,
+                      "no Delaunay cell of its vertices has its circumcentre inside",
                       "vertices close enough together for its shape");
 }
 
@@ -66,10 +67,12 @@ Sizing_3 sizing_of(const Nodt_arguments& a, const Domain_3& domain) {
     return Sizing_3(domain, a.sizing == "graded" ? a.gradation.value_or(2) : 0);
 }
 
-std::shared_ptr<const Feature_curves> features_of(const Nodt_arguments& a, const Triangle_surface& surface, std::vector<std::string>& notes) {
+std::shared_ptr<const Feature_curves> features_of(const Nodt_arguments& a, const Triangle_surface& surface,
+                                                  std::vector<std::string>& notes) {
     if (!a.sharp) return nullptr;
     auto features = std::make_shared<const Feature_curves>(surface, *a.sharp);
-    notes.push_back("Sharp edges are kept: " + counted(features->curves().size(), "curve") + ", " + counted(features->corners().size(), "corner") + ".");
+    notes.push_back("Sharp edges are kept: " + counted(features->curves().size(), "curve") + ", " +
+                    counted(features->corners().size(), "corner") + ".");
     return features;
 }
 
@@ -97,19 +100,21 @@ Nodt_scene read_scene(const Nodt_arguments& a) {
     Tetrahedra_file mesh = read_tetrahedra(a.mesh);
     std::vector<std::string> notes;
     if (mesh.merged > 0) notes.push_back(counted(mesh.merged, "duplicate point") + " of the mesh merged.");
-    if (mesh.unused > 0) notes.push_back(counted(mesh.unused, "point") + " of the mesh without a tetrahedron left out.");
+    if (mesh.unused > 0)
+        notes.push_back(counted(mesh.unused, "point") + " of the mesh without a tetrahedron left out.");
     if (mesh.turned) notes.push_back("All tetrahedra of the mesh were negative.");
     const Triangle_surface surface = mesh.surface();
     auto domain = std::make_unique<Surface_3>(surface, true);  // read_tetrahedra has looked for crossings
     if (const auto cell = covered_twice(*domain, mesh.points, mesh.cells, mesh.boundary))
-        throw Input_error(Error_code::bad_input, mesh.name, mesh.cell_lines[*cell], "a tetrahedron lies within another part of the mesh",
-                          "parts that do not overlap");
+        throw Input_error(Error_code::bad_input, mesh.name, mesh.cell_lines[*cell],
+                          "a tetrahedron lies within another part of the mesh", "parts that do not overlap");
     std::vector<char> on_surface(mesh.points.size(), 0);
     for (const auto& t : mesh.boundary.triangles)
         for (const Index v : t) on_surface[static_cast<std::size_t>(v)] = 1;
     std::shared_ptr<const Feature_curves> features = features_of(a, surface, notes);
     const Sizing_3 sizing = sizing_of(a, *domain);
-    return {std::move(domain), sizing, std::move(mesh.points), std::move(on_surface), std::move(features), std::move(notes)};
+    return {std::move(domain),   sizing,          std::move(mesh.points), std::move(on_surface),
+            std::move(features), std::move(notes)};
 }
 
 }  // namespace
@@ -127,9 +132,10 @@ Nodt_scene make_scene(const Nodt_arguments& a, std::uint64_t seed) {
         const bool crosses = std::string_view(e.what()).starts_with("it crosses");
         const bool refined = std::string_view(e.what()).find("Mesh_3") != std::string_view::npos;
         throw Input_error(e.code(), source_of(a), 0, e.what(),
-                          crosses              ? "a surface that does not, or --allow-crossing"
-                          : refined && a.sharp ? "sharp edges that are farther apart: a larger angle for --sharp, or none"
-                                               : "");
+                          crosses ? "a surface that does not, or --allow-crossing"
+                          : refined && a.sharp
+                              ? "sharp edges that are farther apart: a larger angle for --sharp, or none"
+                              : "");
     }
 }
 

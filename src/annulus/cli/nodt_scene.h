@@ -36,9 +36,9 @@ struct Nodt_scene {
     std::unique_ptr<const Domain_3> domain;
     Sizing_3 sizing;
     std::vector<Coordinates<3>> points;
-    std::vector<char> on_surface;  ///< by vertex
+    std::vector<char> on_surface;                    ///< by vertex
     std::shared_ptr<const Feature_curves> features;  ///< sharp edges, if they are kept
-    std::vector<std::string> notes;  ///< what a reader of the results should know about the input
+    std::vector<std::string> notes;                  ///< what a reader of the results should know about the input
     /// Mean spacing: the cube root of volume per vertex, the unit of length of the paper's figures.
     [[nodiscard]] double spacing() const;
     /// Throws Input_error where no cell is of the domain: nothing would ever move.

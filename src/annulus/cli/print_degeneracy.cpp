@@ -43,8 +43,8 @@ void print(const Degeneracy& d) {
                 count(d.flat));
     const Vertex_counts& v = d.vertices;
     std::printf("paper          tolerance unsound at %s (%.4g %%), above the exact one at %llu (%.4g %%)\n",
-                counted_vertices(v.paper_unsound).c_str(), percent(v.paper_unsound, v.total), count(v.paper_above_exact),
-                percent(v.paper_above_exact, v.total));
+                counted_vertices(v.paper_unsound).c_str(), percent(v.paper_unsound, v.total),
+                count(v.paper_above_exact), percent(v.paper_above_exact, v.total));
     Stage_counts all = d.bicells.arithmetic;
     all += d.cells.arithmetic;
     all += d.ridges.arithmetic;

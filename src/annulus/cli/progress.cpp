@@ -63,9 +63,7 @@ std::string Progress_line::in(std::size_t columns) const {
 }
 
 Progress::Progress(std::string label, std::uint64_t steps, bool quiet)
-    : label_(std::move(label)),
-      steps_(steps),
-      visible_(!quiet && draws_here()) {}
+    : label_(std::move(label)), steps_(steps), visible_(!quiet && draws_here()) {}
 
 Progress::~Progress() {
     if (visible_) std::fputs("\r\033[K", stderr);
@@ -80,7 +78,8 @@ void Progress::show(std::uint64_t step, const std::string& news, std::optional<d
     const double seconds = std::chrono::duration<double>(now - start_).count();
     char rate[32];
     std::snprintf(rate, sizeof rate, "%.0f steps/s", seconds > 0 ? static_cast<double>(step) / seconds : 0.0);
-    const Progress_line line{label_, steps_ > 0 ? std::to_string(step) + "/" + std::to_string(steps_) : counted(step, "step"),
+    const Progress_line line{label_,
+                             steps_ > 0 ? std::to_string(step) + "/" + std::to_string(steps_) : counted(step, "step"),
                              rate, news, share};
     // The last column is left free: a terminal that is full to there may go to the next line.
     std::fprintf(stderr, "\r\033[K%s", line.in(columns_of_terminal() - 1).c_str());

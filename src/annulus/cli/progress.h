@@ -9,8 +9,8 @@
 
 namespace annulus::cli {
 
-/// A bar on standard error with steps per second and a word of news, drawn at most ten times a second. Only on a terminal that is not
-/// dumb, and never wider than it is at that moment.
+/// A bar on standard error with steps per second and a word of news, drawn at most ten times a second. Only on a
+/// terminal that is not dumb, and never wider than it is at that moment.
 class Progress {
   public:
     /// `steps` is 0 where the number of steps is unknown.
@@ -30,8 +30,8 @@ class Progress {
     Clock::time_point drawn_{};
 };
 
-/// What a progress line says, of which `columns` columns are shown: all of it with a bar, as long as there is room, without one, or the
-/// beginning. Every byte is one printable character of one column, whatever the words were.
+/// What a progress line says, of which `columns` columns are shown: all of it with a bar, as long as there is room,
+/// without one, or the beginning. Every byte is one printable character of one column, whatever the words were.
 struct Progress_line {
     std::string label, steps, rate, news;
     std::optional<double> share;

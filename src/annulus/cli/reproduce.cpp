@@ -54,7 +54,8 @@ std::string fingerprint(const std::string& surfaces) {
         std::ifstream in(std::filesystem::path(surfaces) / file, std::ios::binary);
         std::array<char, 1 << 16> block{};
         while (in.read(block.data(), block.size()) || in.gcount() > 0)
-            sum = ::crc32_z(sum, reinterpret_cast<const unsigned char*>(block.data()), static_cast<std::size_t>(in.gcount()));
+            sum = ::crc32_z(sum, reinterpret_cast<const unsigned char*>(block.data()),
+                            static_cast<std::size_t>(in.gcount()));
     }
     char digits[17];
     std::snprintf(digits, sizeof digits, "%08lx", sum);
@@ -108,11 +109,11 @@ int run(Reproduce_call a, const std::string& command) {
             } catch (const Race_stopped&) {
                 progress.reset();
                 if (!a.common.quiet)
-                    std::fprintf(stderr,
-                                 "annulus: interrupted; %zu of %s in %s: start again with the same "
-                                 "arguments to go on\n",
-                                 reproduction.races.size(),
-                                 plans.size() == 1 ? "1 part is" : (std::to_string(plans.size()) + " parts are").c_str(), partial(a.common.output).c_str());
+                    std::fprintf(
+                        stderr, "annulus: interrupted; %zu of %s in %s: start again with the same arguments to go on\n",
+                        reproduction.races.size(),
+                        plans.size() == 1 ? "1 part is" : (std::to_string(plans.size()) + " parts are").c_str(),
+                        partial(a.common.output).c_str());
                 return done;
             }
             parts.keep(*record);
@@ -135,7 +136,8 @@ Run add_reproduce_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand("reproduce", reproduce_summary);
     const auto a = std::make_shared<Reproduce_call>();
     sub->add_flag("--quick", a->size.quick, "Fewer points and iterations: two minutes, and no figures to quote");
-    sub->add_option("--only", a->size.only, "What to make, separated by commas: fig5 to fig12, slivers, locked, movers (all)")
+    sub->add_option("--only", a->size.only,
+                    "What to make, separated by commas: fig5 to fig12, slivers, locked, movers (all)")
         ->delimiter(',')
         ->type_name("LIST")
         ->check(CLI::IsMember(reproduction_topics()));

@@ -44,7 +44,8 @@ class Guided_scene : public Scene<Guided::Moving::dimension_of_space> {
 }  // namespace
 
 std::unique_ptr<Scene<2>> plane_scene(const Motion_plan& motion, const Common_arguments& common) {
-    if (motion.movers > 0) return std::make_unique<Movers_scene<2>>(motion.vertices, motion.movers, motion.pace, common.seed);
+    if (motion.movers > 0)
+        return std::make_unique<Movers_scene<2>>(motion.vertices, motion.movers, motion.pace, common.seed);
     Lloyd_arguments a;
     a.points = motion.vertices;
     a.density = motion.density;
@@ -53,7 +54,8 @@ std::unique_ptr<Scene<2>> plane_scene(const Motion_plan& motion, const Common_ar
 
 std::unique_ptr<Scene<3>> space_scene(const Motion_plan& motion, const std::string& surfaces,
                                       const Common_arguments& common) {
-    if (motion.movers > 0) return std::make_unique<Movers_scene<3>>(motion.vertices, motion.movers, motion.pace, common.seed);
+    if (motion.movers > 0)
+        return std::make_unique<Movers_scene<3>>(motion.vertices, motion.movers, motion.pace, common.seed);
     Nodt_arguments a;
     a.vertices = motion.vertices;
     a.sphere = motion.surface.empty();

@@ -13,11 +13,12 @@ namespace annulus::cli {
 namespace {
 
 /// These tell what a directory holds. Each states its command.
-constexpr std::array<std::string_view, 7> heads{"summary.json", "compare.json", "audit.json", "degeneracy.json",
-                                                "counterexample.json", "reproduction.json", "sums.json"};
+constexpr std::array<std::string_view, 7> heads{"summary.json",    "compare.json",        "audit.json",
+                                                "degeneracy.json", "counterexample.json", "reproduction.json",
+                                                "sums.json"};
 constexpr std::array<std::string_view, 12> others{"iterations.csv", "dihedral.csv", "final.mesh",      "domain.mesh",
                                                   "final.vtu",      "report.html",  "degeneracy.html", "degeneracy.csv",
-                                                  "frames.pvd",     "voronoi.csv",  "changes.csv",  "stipples.svg"};
+                                                  "frames.pvd",     "voronoi.csv",  "changes.csv",     "stipples.svg"};
 
 /// frame-000012.vtu
 bool is_frame(std::string_view name) {
@@ -52,14 +53,15 @@ std::string directory_of(const Common_arguments& a, bool interrupted) {
 
 /// A page of `reproduce` or a table beside it: figure-7.html, figure-7a.csv.
 bool is_of_reproduction(std::string_view name) {
-    const bool known = name == "index.html" || name == "claims.csv" || name.starts_with("unsound.") || name.starts_with("figure-") ||
-                       name.starts_with("slivers.") || name.starts_with("locked.") || name.starts_with("movers.") || name.starts_with("movers-");
+    const bool known = name == "index.html" || name == "claims.csv" || name.starts_with("unsound.") ||
+                       name.starts_with("figure-") || name.starts_with("slivers.") || name.starts_with("locked.") ||
+                       name.starts_with("movers.") || name.starts_with("movers-");
     return known && (name.ends_with(".html") || name.ends_with(".csv"));
 }
 
 bool is_result(std::string_view name) {
-    return is_one_of(heads, name) || is_one_of(others, name) || is_sweep_file(name) || is_frame(name) || is_of_reproduction(name) ||
-           (name.starts_with("iterations-") && name.ends_with(".csv"));
+    return is_one_of(heads, name) || is_one_of(others, name) || is_sweep_file(name) || is_frame(name) ||
+           is_of_reproduction(name) || (name.starts_with("iterations-") && name.ends_with(".csv"));
 }
 
 Result_files::Result_files(const Common_arguments& a, Output_directory::Replaced replaced, bool interrupted)

@@ -12,8 +12,8 @@ namespace annulus::cli {
 /// Names of the files that any subcommand writes.
 [[nodiscard]] bool is_result(std::string_view name);
 
-/// What a subcommand writes to --output, all of it or nothing: a signal that comes meanwhile waits until all is in place.
-/// A directory with files in it is refused, unless annulus has written results there, or with --force.
+/// What a subcommand writes to --output, all of it or nothing: a signal that comes meanwhile waits until all is in
+/// place. A directory with files in it is refused, unless annulus has written results there, or with --force.
 class Result_files {
   public:
     /// `replaced` are the earlier results that these make obsolete. An interrupted run writes to DIR.partial.

@@ -41,7 +41,9 @@ struct Spec_text {
     std::string name, directory, text;
 
     /// None of them has a byte 0, and names need not be UTF-8.
-    [[nodiscard]] std::string packed(std::uint32_t identity) const { return std::to_string(identity) + '\0' + name + '\0' + directory + '\0' + text; }
+    [[nodiscard]] std::string packed(std::uint32_t identity) const {
+        return std::to_string(identity) + '\0' + name + '\0' + directory + '\0' + text;
+    }
     static Spec_text unpacked(std::string_view message, std::uint32_t& identity) {
         const auto next = [&message] {
             std::string one(message.substr(0, message.find('\0')));
@@ -59,7 +61,8 @@ struct Spec_text {
 Spec_text load(const std::string& file) {
     constexpr std::uint64_t most = std::uint64_t{64} << 20;
     Source source = load_file(file, most);
-    if (source.content.find('\n') == std::string::npos) std::replace(source.content.begin(), source.content.end(), '\r', '\n');
+    if (source.content.find('\n') == std::string::npos)
+        std::replace(source.content.begin(), source.content.end(), '\r', '\n');
     for (const unsigned char c : source.content)
         if (c == 0) throw Input_error(Error_code::bad_input, source.name, 0, "is no text", "TOML");
     return {source.name, file == "-" ? "" : fs::path(file).parent_path().string(), source.content};
@@ -74,7 +77,11 @@ std::uint64_t bytes_of(const Sweep_call& a) {
 
 /// What may be in a directory whose journal is continued: all that depends on anything but the trials.
 std::string head_of(const Spec& spec) {
-    return Json{{"journal", "annulus sweep"}, {"version", ANNULUS_VERSION}, {"identity", spec.identity}, {"trials", spec.trials.size()}}.dump();
+    return Json{{"journal", "annulus sweep"},
+                {"version", ANNULUS_VERSION},
+                {"identity", spec.identity},
+                {"trials", spec.trials.size()}}
+        .dump();
 }
 
 /// Does the directory have the results of this sweep?
@@ -134,8 +141,8 @@ class Journal_place {
 /// At once, whatever the threads are at: what is done is in the journal.
 void stop_if_interrupted(const Coordinator& c, const Sweep_call& a) {
     if (!Interruption_guard::interrupted()) return;
-    std::fprintf(stderr, "annulus: interrupted: %zu of %s kept in %s, and the same command goes on from there\n", c.done(),
-                 c.all() == 1 ? "1 trial is" : (std::to_string(c.all()) + " trials are").c_str(),
+    std::fprintf(stderr, "annulus: interrupted: %zu of %s kept in %s, and the same command goes on from there\n",
+                 c.done(), c.all() == 1 ? "1 trial is" : (std::to_string(c.all()) + " trials are").c_str(),
                  a.common.output.c_str());
     Interruption_guard::end_if_interrupted();
 }
@@ -166,13 +173,16 @@ int run_first(const Sweep_call& a, Ranks& ranks) {
     const Spec_text text = load(a.file);
     const Spec spec = text.read();
     if (a.check) {
-        if (!a.common.quiet) std::printf("%s: %s, hardest %zu, seed %llu\n", text.name.c_str(), counted(spec.trials.size(), "trial").c_str(), spec.hardest,
-                    static_cast<unsigned long long>(spec.seed));
+        if (!a.common.quiet)
+            std::printf("%s: %s, hardest %zu, seed %llu\n", text.name.c_str(),
+                        counted(spec.trials.size(), "trial").c_str(), spec.hardest,
+                        static_cast<unsigned long long>(spec.seed));
         return done;
     }
     if (a.common.output.empty()) throw Error(Error_code::usage, "sweep needs --output DIR (or --check)");
     if (!a.common.force && is_done(a.common.output, spec)) {
-        if (!a.common.quiet) std::printf("%s has these results already; --force computes them anew\n", a.common.output.c_str());
+        if (!a.common.quiet)
+            std::printf("%s has these results already; --force computes them anew\n", a.common.output.c_str());
         return done;
     }
     Journal_place place(a, spec);
@@ -206,7 +216,8 @@ int run_other(const Sweep_call& a, Ranks& ranks) {
         const Spec_text text = Spec_text::unpacked(message, identity);
         const Spec spec = text.read();
         if (spec.identity != identity)
-            throw Input_error(Error_code::bad_input, text.name, 0, "files that it names are not the same for rank " + std::to_string(ranks.rank()),
+            throw Input_error(Error_code::bad_input, text.name, 0,
+                              "files that it names are not the same for rank " + std::to_string(ranks.rank()),
                               "the same for all ranks");
         ranks.work(spec, a.common.threads);
     } catch (...) {
@@ -222,7 +233,9 @@ Run add_sweep_command(CLI::App& app, const Invocation&) {
     const auto a = std::make_shared<Sweep_call>();
     sub->add_option("SPEC", a->file, "What to study: grids of experiments, in TOML (docs/formats.md)")->required();
     sub->add_flag("--check", a->check, "Read SPEC, say how many trials there are, and stop");
-    sub->add_option("--memory", a->memory, "Run so many experiments at a time as this holds, on each machine; default:\nfour fifths of what is to spare")
+    sub->add_option("--memory", a->memory,
+                    "Run so many experiments at a time as this holds, on each machine; default:\nfour fifths of what "
+                    "is to spare")
         ->type_name("GIB")
         ->check(number_within(0.001, 100000.0));
     add_common(*sub, a->common, "results.jsonl, sums.json, hard.jsonl, costs.jsonl and sweep.html");

@@ -34,7 +34,12 @@ std::optional<double> mean_of_finite(const std::vector<double>& values, double u
 template <class Moving>
 Tracker<Moving>::Tracker(std::string name, std::span<const Coordinates<d>> points, const Options& options,
                          double spacing, std::uint64_t iterations, std::uint64_t audit_every, bool measure)
-    : begun_(Clock::now()), dt_(points, options), spacing_(spacing), iterations_(iterations), audit_every_(audit_every), measure_(measure) {
+    : begun_(Clock::now()),
+      dt_(points, options),
+      spacing_(spacing),
+      iterations_(iterations),
+      audit_every_(audit_every),
+      measure_(measure) {
     record_.dimension = d;
     record_.strategy = std::move(name);
     record_.tolerance = std::string(name_of(options.tolerance));
@@ -88,11 +93,9 @@ std::vector<Index> Tracker<Moving>::follow(std::span<const Index> leave, std::sp
         report += one;
         return arrived;
     };
-    for (const Index i : leave)
-        (void)call([&](Move_report& one) { return dt_.remove(i, &one), none; }, false);
+    for (const Index i : leave) (void)call([&](Move_report& one) { return dt_.remove(i, &one), none; }, false);
     (void)call([&](Move_report& one) { return one = dt_.move_all(x), none; }, true);
-    for (const auto& p : arrive)
-        indices.push_back(call([&](Move_report& one) { return dt_.insert(p, &one); }, false));
+    for (const auto& p : arrive) indices.push_back(call([&](Move_report& one) { return dt_.insert(p, &one); }, false));
     record_step(report, seconds, motion_seconds, displacement_mean, displacement_max);
     cells_changed_ = cells_changed_ || !leave.empty() || !arrive.empty();
     return indices;

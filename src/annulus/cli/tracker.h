@@ -26,8 +26,9 @@ template <class Moving>
 class Tracker {
   public:
     static constexpr int d = Moving::dimension_of_space;
-    /// Lengths are recorded in units of `spacing`. `iterations` decides where measurements are taken: at the first 20,
-    /// then about 25 a decade, and the last. Construction and the first tolerances are timed apart from the steps, whatever the strategy.
+    /// Lengths are recorded in units of `spacing`. `iterations` decides where measurements are taken: at the first
+    /// 20, then about 25 a decade, and the last. Construction and the first tolerances are timed apart from the
+    /// steps, whatever the strategy.
     Tracker(std::string name, std::span<const Coordinates<d>> points, const Options& options, double spacing,
             std::uint64_t iterations, std::uint64_t audit_every, bool measure);
 
@@ -46,8 +47,9 @@ class Tracker {
     /// Follows one timestamp. Motion seconds and displacement are what the motion says of itself.
     void step(std::span<const Coordinates<d>> x, double motion_seconds, double displacement_mean,
               double displacement_max);
-    /// Follows one timestamp in which some vertices leave, the others move to x (by index), and then some arrive: removals,
-    /// one move_all, insertions. Returns the indices of those that arrived. Throws what the triangulation throws.
+    /// Follows one timestamp in which some vertices leave, the others move to x (by index), and then some arrive:
+    /// removals, one move_all, insertions. Returns the indices of those that arrived. Throws what the triangulation
+    /// throws.
     std::vector<Index> follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,
                               std::span<const Coordinates<d>> arrive, double motion_seconds, double displacement_mean,
                               double displacement_max);

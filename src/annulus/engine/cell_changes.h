@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/engine/move_report.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/cell_journal.h>
 
 #include <array>
@@ -21,7 +21,8 @@ class Cell_changes {
     Cell_changes(const Cell_changes&) = delete;
     Cell_changes& operator=(const Cell_changes&) = delete;
 
-    /// Writes report.changed and report.gone, sorted by their vertices. O(k log k) for k cells that were written to, or all n.
+    /// Writes report.changed and report.gone, sorted by their vertices. O(k log k) for k cells that were written to,
+    /// or all n.
     void list(std::span<const Coordinates<d>> x, Move_report& report);
 
   private:
@@ -30,7 +31,7 @@ class Cell_changes {
 
     Delaunay_mesh<d>& mesh_;
     Cell_journal<d>& journal_;
-    bool watched_;                ///< the table is: there are cells of dimension d
+    bool watched_;               ///< the table is: there are cells of dimension d
     std::vector<Sites> before_;  ///< all cells, where it is not
 };
 

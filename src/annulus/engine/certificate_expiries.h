@@ -13,7 +13,8 @@
 namespace annulus {
 
 // Facets and cells in one numbering.
-static_assert(Wide_horizons::cells <= Index{1} << 29, "the greatest corner, twice, is below the number that is nobody's");
+static_assert(Wide_horizons::cells <= Index{1} << 29,
+              "the greatest corner, twice, is below the number that is nobody's");
 [[nodiscard]] constexpr Certificate_id id_of_facet(Corner_index f) {
     return 2 * static_cast<Certificate_id>(f.value());
 }
@@ -27,11 +28,12 @@ static_assert(Wide_horizons::cells <= Index{1} << 29, "the greatest corner, twic
 
 /// At which readings certificates expire, each of its points: the truth, of which expiry lists hold hints.
 ///
-/// Everything is kept at the corners of the cells, nothing by facet, so that what a vertex has to look at on a tour is in its own
-/// cells: one cache line each in space. The certificate of facet f has the d + 2 points that bicell_sites(f) gives at most, infinity being none of them: the d
-/// of the facet, of which the first d - 1 are kept at f and the last at its twin, then the corner of twin(f), kept at the twin, and
-/// that of f, kept at f. 64 bytes a cell in space, 36 in the plane. What is kept of a cell or a facet that changes is to be written
-/// anew, as its certificate is to be evaluated anew.
+/// Everything is kept at the corners of the cells, nothing by facet, so that what a vertex has to look at on a tour
+/// is in its own cells: one cache line each in space. The certificate of facet f has the d + 2 points that
+/// bicell_sites(f) gives at most, infinity being none of them: the d of the facet, of which the first d - 1 are kept
+/// at f and the last at its twin, then the corner of twin(f), kept at the twin, and that of f, kept at f. 64 bytes a
+/// cell in space, 36 in the plane. What is kept of a cell or a facet that changes is to be written anew, as its
+/// certificate is to be evaluated anew.
 template <int d>
 class Certificate_expiries {
   public:
@@ -62,14 +64,15 @@ class Certificate_expiries {
         for (std::size_t k = 0; k < point.size(); ++k) e = point[k].vertex == v ? of_facet(f, twin, k) : e;
         return e;
     }
-    /// The same for the vertex of corner h of the cell that f is a corner of: nothing has to be searched. f may be the greater
-    /// half-facet in the plane, or when it is h.
+    /// The same for the vertex of corner h of the cell that f is a corner of: nothing has to be searched. f may be
+    /// the greater half-facet in the plane, or when it is h.
     [[nodiscard]] Expiry of_facet(const Cell_table<d>& t, Corner_index f, Corner_index h) const {
         if (h == f) return of_opposite(h);
         if constexpr (d == 2) {
             return h == Cell_table<2>::ccw(f) ? at(f).own[0] : at(t.twin(f)).own[0];
         } else {
-            const std::size_t k = place_facing[static_cast<std::size_t>(t.slot_of(f))][static_cast<std::size_t>(t.slot_of(h))];
+            const std::size_t k =
+                place_facing[static_cast<std::size_t>(t.slot_of(f))][static_cast<std::size_t>(t.slot_of(h))];
             return k < d - 1 ? at(f).own[k] : at(t.twin(f)).own[0];
         }
     }

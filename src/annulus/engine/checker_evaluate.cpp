@@ -19,8 +19,8 @@ namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-/// Entries whose certificates go through the ladder together, each with the positions of its points. On the stack, since threads
-/// evaluate side by side; few, since a single move asks for few.
+/// Entries whose certificates go through the ladder together, each with the positions of its points. On the stack,
+/// since threads evaluate side by side; few, since a single move asks for few.
 template <class S, class T>
 struct Batch {
     static constexpr std::size_t capacity = 64;

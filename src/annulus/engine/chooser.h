@@ -10,8 +10,8 @@
 
 namespace annulus {
 
-/// Whether `auto` rebuilds a timestamp or mends it: by what a few cells say before, what repair cost, and how it ended. No
-/// clock has a say in it, nor has it one in what is right.
+/// Whether `auto` rebuilds a timestamp or mends it: by what a few cells say before, what repair cost, and how it
+/// ended. No clock has a say in it, nor has it one in what is right.
 template <int d>
 class Chooser {
   public:
@@ -24,17 +24,16 @@ class Chooser {
     [[nodiscard]] static double most_generous_repair(std::size_t vertices) { return 4000.0 + most_repair(vertices); }
 
     /// What may be done to a part before all is built anew instead.
-    [[nodiscard]] static double most_generous_rebuild(std::size_t vertices) {
-        return 4000.0 + rebuild_price(vertices);
-    }
-    /// Of vertices that move one by one, `done` of them at a price so far: whether all `movers` are going to cost more than
-    /// a rebuild, by what these did. Not before they have cost a part of one, so that they tell something.
+    [[nodiscard]] static double most_generous_rebuild(std::size_t vertices) { return 4000.0 + rebuild_price(vertices); }
+    /// Of vertices that move one by one, `done` of them at a price so far: whether all `movers` are going to cost
+    /// more than a rebuild, by what these did. Not before they have cost a part of one, so that they tell something.
     [[nodiscard]] static bool is_too_dear_one_by_one(double price, std::size_t done, std::size_t movers,
                                                      std::size_t vertices) {
         const double rebuild = rebuild_price(vertices);
         return price > rebuild / 8.0 && price / static_cast<double>(done) * static_cast<double>(movers) > rebuild;
     }
-    /// The same where a strategy goes one by one: more than such moves cost where what they change is local, and a rebuild.
+    /// The same where a strategy goes one by one: more than such moves cost where what they change is local, and a
+    /// rebuild.
     [[nodiscard]] static bool is_too_dear_in_turn(double price, std::size_t done, std::size_t vertices) {
         return price > most_generous_rebuild(vertices) + 4.0 * Prices<d>::reinsertion * static_cast<double>(done);
     }
@@ -58,15 +57,16 @@ class Chooser {
         patience_ = std::max(patience_ / 2, std::uint32_t{1});
         tried_ = 0.0;
     }
-    /// Repair gave up: it is not tried again for a while, the longer the oftener that happens, unless the motion becomes calmer.
+    /// Repair gave up: it is not tried again for a while, the longer the oftener that happens, unless the motion
+    /// becomes calmer.
     void gave_up() {
         gave_up_at_ = tried_;
         wait_ = patience_;
         patience_ = std::min(2 * patience_, longest_wait);
     }
 
-    /// That, a vertex: as much as a rebuild, so that with the one that follows no step costs more than twice what was the
-    /// best (rent or buy), which is less than one and a half insertions of all points.
+    /// That, a vertex: as much as a rebuild, so that with the one that follows no step costs more than twice what was
+    /// the best (rent or buy), which is less than one and a half insertions of all points.
     static constexpr double share() { return Prices<d>::rebuild - (Prices<d>::signs - Prices<d>::cells); }
     static_assert(share() + Prices<d>::rebuild + (Prices<d>::signs - Prices<d>::cells) < 1.45 * Prices<d>::insertion);
 

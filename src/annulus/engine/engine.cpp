@@ -129,8 +129,8 @@ Move_report Engine<d>::settle() {
     return report;
 }
 
-/// Insertion and removal need Delaunay triangulations; tolerances that are not certified may have left another, or one at other
-/// positions.
+/// Insertion and removal need Delaunay triangulations; tolerances that are not certified may have left another, or
+/// one at other positions.
 template <int d>
 void Engine<d>::make_trusted(Move_report& report) {
     if (upkeep_->trusted()) return;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/engine/move_report.h>
 #include <annulus/engine/options.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/audit.h>
 #include <annulus/mesh/cell_journal.h>
 #include <annulus/mesh/mesh_cells.h>
@@ -60,7 +60,8 @@ class Engine {
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     template <class Call>
     void guarded(Call call, Index fresh = none);
-    /// The same, with the goals by index, all of them or those of the movers alone; a collision is thrown with the names of both vertices.
+    /// The same, with the goals by index, all of them or those of the movers alone; a collision is thrown with the
+    /// names of both vertices.
     template <class Call>
     void guarded_moves(std::span<const Index> movers, std::span<const Point> goals, Call call);
     void recover(std::size_t bound, Index fresh) noexcept;
@@ -70,8 +71,9 @@ class Engine {
     [[noreturn]] void throw_taken(const Point& p, std::size_t bound) const;
     void move_one(Index i, const Point& p, Move_report& report);
     void move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report);
-    [[nodiscard]] bool move_one_by_one(std::span<const std::pair<Index, std::size_t>> movers, std::span<const Point> points,
-                                       std::vector<std::pair<Index, Point>>& home, Move_report& report);
+    [[nodiscard]] bool move_one_by_one(std::span<const std::pair<Index, std::size_t>> movers,
+                                       std::span<const Point> points, std::vector<std::pair<Index, Point>>& home,
+                                       Move_report& report);
     static void count_movers(std::uint64_t movers, Move_counts& moves);
     void move_everything(std::span<const Point> points, Move_report& report);
     void move_in_turn(std::span<const Point> x, Move_report& report);
@@ -87,7 +89,7 @@ class Engine {
     std::vector<Index> vacant_;
     std::vector<Index> index_of_input_;
     std::unique_ptr<Cell_journal<d>> journal_;  // where changes are reported
-    bool whole_ = true;  // false: there are positions but no cells, because memory ran out twice
+    bool whole_ = true;                         // false: there are positions but no cells, because memory ran out twice
 };
 
 extern template class Engine<2>;

@@ -21,9 +21,8 @@ Move_report Engine<d>::move(Index i, const Point& p) {
     require_in_domain(p, "vertex", i);
     Move_report report;
     const Point goal = p;  // it may be one of positions(), which change on the way
-    guarded_moves(std::span(&i, 1), std::span(&goal, 1), [&] {
-        listing_changes(report, std::span(&i, 1), [&] { move_one(i, goal, report); });
-    });
+    guarded_moves(std::span(&i, 1), std::span(&goal, 1),
+                  [&] { listing_changes(report, std::span(&i, 1), [&] { move_one(i, goal, report); }); });
     return report;
 }
 
@@ -46,20 +45,20 @@ void Engine<d>::move_one(Index i, const Point& p, Move_report& report) {
 template <int d>
 Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Point> points) {
     if (indices.size() != points.size())
-        throw Error(Error_code::wrong_size, std::to_string(indices.size()) + " indices, and " + std::to_string(points.size()) + " points");
+        throw Error(Error_code::wrong_size,
+                    std::to_string(indices.size()) + " indices, and " + std::to_string(points.size()) + " points");
     for (const Index i : indices) require_vertex(i);
     for (std::size_t k = 0; k < points.size(); ++k) require_in_domain(points[k], "vertex", indices[k]);
     Move_report report;
     const std::vector<Point> goals(points.begin(), points.end());  // they may be positions(), which change on the way
-    guarded_moves(indices, goals, [&] {
-        listing_changes(report, indices, [&] { move_some(indices, goals, report); });
-    });
+    guarded_moves(indices, goals,
+                  [&] { listing_changes(report, indices, [&] { move_some(indices, goals, report); }); });
     return report;
 }
 
-/// One by one while they are few and what each changes is local, as a timestamp otherwise, or from when they have turned
-/// out to cost more than a rebuild. The last position of an index that is named twice holds. A vertex that stands where
-/// another goes, and goes itself, is no collision: then, too, it is a timestamp.
+/// One by one while they are few and what each changes is local, as a timestamp otherwise, or from when they have
+/// turned out to cost more than a rebuild. The last position of an index that is named twice holds. A vertex that
+/// stands where another goes, and goes itself, is no collision: then, too, it is a timestamp.
 template <int d>
 void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report) {
     constexpr std::size_t share = 64;
@@ -67,7 +66,9 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
     std::vector<std::pair<Index, std::size_t>> movers;
     for (std::size_t k = 0; k < indices.size(); ++k) movers.emplace_back(indices[k], k);
     std::sort(movers.begin(), movers.end(), std::greater<>());
-    movers.erase(std::unique(movers.begin(), movers.end(), [](const auto& l, const auto& r) { return l.first == r.first; }), movers.end());
+    movers.erase(
+        std::unique(movers.begin(), movers.end(), [](const auto& l, const auto& r) { return l.first == r.first; }),
+        movers.end());
     std::vector<std::pair<Index, Point>> home;  // of those that were moved, and of the one that was not
     const auto put_back = [&] {
         for (; !home.empty(); home.pop_back()) upkeep_->put_back(home.back().first, home.back().second);
@@ -151,9 +152,7 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
         movers.resize(points.size());
         std::iota(movers.begin(), movers.end(), Index{0});
     }
-    guarded_moves({}, points, [&] {
-        listing_changes(report, movers, [&] { move_everything(points, report); });
-    });
+    guarded_moves({}, points, [&] { listing_changes(report, movers, [&] { move_everything(points, report); }); });
     return report;
 }
 
@@ -173,8 +172,8 @@ void Engine<d>::rebuild_all(std::span<const Point> x, Move_report& report) {
     upkeep_->begin(x, report);
 }
 
-/// Vertices in an order in which each finds its place left by the one that is there, as far as there is one (not in a cycle).
-/// O(n log n).
+/// Vertices in an order in which each finds its place left by the one that is there, as far as there is one (not in a
+/// cycle). O(n log n).
 template <int d>
 void Engine<d>::order_by_blockers(std::span<const Point> x, std::vector<Index>& waiting) const {
     const auto now = positions();
@@ -200,8 +199,8 @@ void Engine<d>::order_by_blockers(std::span<const Point> x, std::vector<Index>& 
 }
 
 /// A timestamp under a strategy that moves one vertex at a time. A position that another vertex has yet to leave is
-/// no collision of the timestamp: such vertices are moved last, in an order that is sought once, and when that does not help (a
-/// cycle) all is rebuilt.
+/// no collision of the timestamp: such vertices are moved last, in an order that is sought once, and when that does
+/// not help (a cycle) all is rebuilt.
 template <int d>
 void Engine<d>::try_move_in_turn(std::span<const Point> x, Move_report& report) {
     std::vector<Index> waiting;
@@ -214,8 +213,9 @@ void Engine<d>::try_move_in_turn(std::span<const Point> x, Move_report& report) 
     for (bool progress = true; progress && !waiting.empty();) {
         refused.clear();
         for (const Index i : waiting) {
-            if (upkeep_->repairs() && (mesh_.dimension() != d ||
-                                           Chooser<d>::is_too_dear_in_turn(report.price - before, turns++, mesh_.vertices()))) {
+            if (upkeep_->repairs() &&
+                (mesh_.dimension() != d ||
+                 Chooser<d>::is_too_dear_in_turn(report.price - before, turns++, mesh_.vertices()))) {
                 // Single moves of a flat set are rebuilds, and may be as dear where much is on one sphere: all at once.
                 report.moves = {};
                 rebuild_all(x, report);

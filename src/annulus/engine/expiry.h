@@ -8,8 +8,8 @@
 
 namespace annulus {
 
-/// A reading of an odometer at which a certificate expires, rounded down: too low by 2^-20 of the reading at most, which
-/// costs an evaluation now and then, never an answer. Non-negative.
+/// A reading of an odometer at which a certificate expires, rounded down: too low by 2^-20 of the reading at most,
+/// which costs an evaluation now and then, never an answer. Non-negative.
 class Expiry {
   public:
     constexpr Expiry() = default;  // 0

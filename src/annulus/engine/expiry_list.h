@@ -17,10 +17,10 @@ using Certificate_id = std::uint32_t;
 
 /// The certificates of one vertex that expire first, at its odometer readings, and a bound for all others.
 ///
-/// For every certificate of the vertex, either it is listed with an expiry not above its own, or its expiry is at least
-/// `rest`. So nothing expires before `earliest()`, and while readings stay below `rest` only listed certificates have to
-/// be looked at: a full tour of the vertex' certificates is needed only beyond. Entries are hints; the record of the
-/// certificate is the truth.
+/// For every certificate of the vertex, either it is listed with an expiry not above its own, or its expiry is at
+/// least `rest`. So nothing expires before `earliest()`, and while readings stay below `rest` only listed
+/// certificates have to be looked at: a full tour of the vertex' certificates is needed only beyond. Entries are
+/// hints; the record of the certificate is the truth.
 ///
 /// Entries are kept sorted without branches: where one belongs is as good as random, and a wrong guess costs more than
 /// all of the moves.
@@ -53,7 +53,8 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
         std::copy_n(queue.begin() + static_cast<std::ptrdiff_t>(count), capacity, entry_.begin());
         for (std::size_t i = 0; i < count; ++i) visit(id_of(queue[i]));
     }
-    /// States that certificate `id` now expires at `expiry`. Most are neither listed nor below `rest`, which then speaks for them.
+    /// States that certificate `id` now expires at `expiry`. Most are neither listed nor below `rest`, which then
+    /// speaks for them.
     void put(Certificate_id id, Expiry expiry) {
         bool listed = false;
         for (const Entry e : entry_) listed |= id_of(e) == id;
@@ -77,8 +78,8 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
         rest_ = std::min(rest_, expiry_of(moving));
     }
 
-    /// The same for many certificates none of which is listed: sooner than one by one where most are for `rest`. A bound that
-    /// about `capacity` of them are below is found by counting, which no branch depends on.
+    /// The same for many certificates none of which is listed: sooner than one by one where most are for `rest`. A
+    /// bound that about `capacity` of them are below is found by counting, which no branch depends on.
     void put_new(std::span<const Expiry> expiry, std::span<const Certificate_id> id) {
         const std::uint32_t never = Expiry::never().bits();
         std::uint32_t low = never;
@@ -106,9 +107,10 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
     std::uint32_t stamp = 0;
 
   private:
-    friend struct Trace;           // trace.h
+    friend struct Trace;          // trace.h
     using Entry = std::uint64_t;  // expiry and id: the order is that of expiries
-    static constexpr Entry vacant = (Entry{Expiry::never().bits()} << 32) | 0xFFFFFFFFU;  // no certificate has that number
+    // No certificate has that number.
+    static constexpr Entry vacant = (Entry{Expiry::never().bits()} << 32) | 0xFFFFFFFFU;
 
     /// All ones or all zeros; compilers make branches of the conditional operator and of std::min.
     [[nodiscard]] static Entry mask(bool b) { return Entry{0} - static_cast<Entry>(b); }

@@ -12,16 +12,18 @@
 
 namespace annulus {
 
-/// Of vertices [first, last): those that left their tolerances, or, without tolerances, that move. False when a coordinate is outside
-/// the domain, be it at a vacant index.
+/// Of vertices [first, last): those that left their tolerances, or, without tolerances, that move. False when a
+/// coordinate is outside the domain, be it at a vacant index.
 template <int d>
 bool Filter<d>::find_failed(Step<d>& step, std::size_t first, std::size_t last, std::vector<Index>& failed) const {
     const auto x = step.x;
     if (odometers_.kept()) return odometers_.find_failed(x, first, last, failed);
     bool near = true;
     for (std::size_t v = first; v < last; ++v) {
-        for (const double c : x[v]) near &= std::fabs(c) <= coordinate_limit;  // no branch: this runs over all positions
-        if (x[v] != position_[v] && table_.corner_of(static_cast<Index>(v)) != no_corner) failed.push_back(static_cast<Index>(v));
+        // No branch: this runs over all positions.
+        for (const double c : x[v]) near &= std::fabs(c) <= coordinate_limit;
+        if (x[v] != position_[v] && table_.corner_of(static_cast<Index>(v)) != no_corner)
+            failed.push_back(static_cast<Index>(v));
     }
     return near;
 }
@@ -92,7 +94,8 @@ void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) 
         step.failed.push_back(v);
         ANNULUS_TRACED(tested(odometers_, step));
         step.budget.limit = Chooser<d>::most_generous_repair(mesh_.vertices());
-        process(step, [&] { return repair_.mend_one(step, position_); }, report);
+        process(
+            step, [&] { return repair_.mend_one(step, position_); }, report);
     } catch (const Error& e) {
         position_[at(v)] = old;
         if (e.code() == Error_code::collision) renew_renumbered(step);
@@ -124,7 +127,8 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
         over_ = std::move(step);
     } else {
         try {
-            process(step, [&] { return repair_.mend_all(step, position_); }, report);
+            process(
+                step, [&] { return repair_.mend_all(step, position_); }, report);
         } catch (const Error& e) {
             if (e.code() == Error_code::collision) renew_renumbered(step);
             throw;
@@ -135,8 +139,8 @@ void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report)
     end_timestamp(false, report);
 }
 
-/// Whether everything holds. When so many certificates have expired that their tolerances would cost more than repair may, signs are
-/// asked instead.
+/// Whether everything holds. When so many certificates have expired that their tolerances would cost more than repair
+/// may, signs are asked instead.
 template <int d>
 bool Filter<d>::examine(Step<d>& step) {
     repair_.begin(step);
@@ -153,8 +157,8 @@ bool Filter<d>::examine(Step<d>& step) {
     return repair_.evaluate_everything(step);
 }
 
-/// Examines, mends and commits. Positions are written last, so that whoever meets an exception on the way can build anew at them; a
-/// collision is met before anything is committed.
+/// Examines, mends and commits. Positions are written last, so that whoever meets an exception on the way can build
+/// anew at them; a collision is met before anything is committed.
 template <int d>
 template <class Mend>
 void Filter<d>::process(Step<d>& step, Mend mend, Move_report& report) {

@@ -17,9 +17,10 @@ namespace annulus {
 
 /// The strategies that repair the mesh: `filter`, `auto`, `filter-each`, `in-place`.
 ///
-/// A step goes from where vertices go to what is written down: who left its tolerance and which certificates expired (Odometers), or
-/// else all of them, or all of one vertex; their verdicts, flips and holding back (Repair); new expiries (Odometers again). What one
-/// stage finds reaches the next in a Step. Whether tolerances are kept is Tracking's to say, whether a timestamp is rebuilt Chooser's.
+/// A step goes from where vertices go to what is written down: who left its tolerance and which certificates expired
+/// (Odometers), or else all of them, or all of one vertex; their verdicts, flips and holding back (Repair); new
+/// expiries (Odometers again). What one stage finds reaches the next in a Step. Whether tolerances are kept is
+/// Tracking's to say, whether a timestamp is rebuilt Chooser's.
 template <int d>
 class Filter final : public Upkeep<d> {
   public:
@@ -46,8 +47,8 @@ class Filter final : public Upkeep<d> {
         repair_.set_threads(threads);
     }
 
-    /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh. When it
-    /// throws (bad_alloc), no position was written. O(n).
+    /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh.
+    /// When it throws (bad_alloc), no position was written. O(n).
     void settle(std::span<const Coordinates<d>> x, Move_report& report);
     /// The same; without tolerances nothing is evaluated: the first timestamps tell whether that pays.
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
@@ -56,9 +57,9 @@ class Filter final : public Upkeep<d> {
         if (!rebuilding_) refresh_all(report);
     }
 
-    /// Moves every vertex to x. Throws Error, with everything as it was: not_finite, out_of_domain, or collision when two
-    /// would coincide. Anything else that is thrown (bad_alloc, Error(too_large)) leaves positions() as they were and all else
-    /// unspecified: build anew there and settle. Precondition: begun in dimension d.
+    /// Moves every vertex to x. Throws Error, with everything as it was: not_finite, out_of_domain, or collision when
+    /// two would coincide. Anything else that is thrown (bad_alloc, Error(too_large)) leaves positions() as they were
+    /// and all else unspecified: build anew there and settle. Precondition: begun in dimension d.
     void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
 
@@ -90,7 +91,8 @@ class Filter final : public Upkeep<d> {
     }
     /// False while the motion is so fast that tolerances would not last a step and are not kept.
     [[nodiscard]] bool tracks() const { return odometers_.kept(); }
-    /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own; while tracks().
+    /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own; while
+    /// tracks().
     [[nodiscard]] std::optional<double> tolerance(Index v) const override {
         return odometers_.kept() ? std::optional(std::max(0.0, odometers_.slack(v))) : std::nullopt;
     }
@@ -109,7 +111,8 @@ class Filter final : public Upkeep<d> {
 
     // filter.cpp: a step.
     [[nodiscard]] bool find_failed(Step<d>& step) const;
-    [[nodiscard]] bool find_failed(Step<d>& step, std::size_t first, std::size_t last, std::vector<Index>& failed) const;
+    [[nodiscard]] bool find_failed(Step<d>& step, std::size_t first, std::size_t last,
+                                   std::vector<Index>& failed) const;
     void require_domain(std::span<const Coordinates<d>> x) const;
     [[nodiscard]] bool too_many_failed(const Step<d>& step) const;
     void move_one(Index v, const Coordinates<d>& p, Move_report& report);

@@ -87,7 +87,8 @@ void Filter<d>::resume() {
     refresh_all(nobody_asked);
 }
 
-/// In blocks that stay in the cache from the evaluation to what is written down; several threads want larger ones. The order is the same.
+/// In blocks that stay in the cache from the evaluation to what is written down; several threads want larger ones.
+/// The order is the same.
 template <int d>
 void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& report) {
     Checker<d>& checker = repair_.checker();
@@ -172,8 +173,8 @@ void Filter<d>::end_timestamp(bool each, Move_report& report) {
     tracking_.reconsider(table_, repair_.checker(), position_, each, report);
 }
 
-/// At the end of a timestamp that was mended by signs (after a rebuild nothing is settled), not the one that found out: at its beginning
-/// nobody knows whether a rebuild is to come. The two cost no more than a timestamp may.
+/// At the end of a timestamp that was mended by signs (after a rebuild nothing is settled), not the one that found
+/// out: at its beginning nobody knows whether a rebuild is to come. The two cost no more than a timestamp may.
 template <int d>
 void Filter<d>::settle_afterwards(Move_report& report) {
     static_assert(Chooser<d>::share() + Prices<d>::settling < 1.45 * Prices<d>::insertion);
@@ -190,14 +191,15 @@ void Filter<d>::settle_if_it_pays(Move_report& report) {
     settle(position_, report);
 }
 
-/// While timestamps are rebuilt, by what this one brings: whether it will pay to mend the next. This one is rebuilt all the
-/// same.
+/// While timestamps are rebuilt, by what this one brings: whether it will pay to mend the next. This one is rebuilt
+/// all the same.
 template <int d>
 bool Filter<d>::next_is_mended(std::span<const Coordinates<d>> x) {
     constexpr std::size_t most_cells = 512;
     constexpr std::size_t share = 16;
     const std::size_t cells = std::min(most_cells, 1 + x.size() / share);
-    return !chooser_.is_hopeless(sample_cells<d>(table_, x, cells / 8)) && chooser_.mends(sample_cells<d>(table_, x, cells));
+    return !chooser_.is_hopeless(sample_cells<d>(table_, x, cells / 8)) &&
+           chooser_.mends(sample_cells<d>(table_, x, cells));
 }
 
 template <int d>

@@ -25,8 +25,8 @@ struct Course {
     }
 };
 
-/// Vertices that are held back on their way, because a cell is inverted at their goals: half the way, then all of it. In
-/// the next round they go on from where they are (docs/theory.md 6.3).
+/// Vertices that are held back on their way, because a cell is inverted at their goals: half the way, then all of it.
+/// In the next round they go on from where they are (docs/theory.md 6.3).
 template <int d>
 class Held_back {
   public:

@@ -72,7 +72,8 @@ bool Mender<d>::flip_violated() {
     return true;
 }
 
-/// The cells at which it is stuck, and their vertices, with all vertices at their goals. The lists are empty afterwards.
+/// The cells at which it is stuck, and their vertices, with all vertices at their goals. The lists are empty
+/// afterwards.
 template <int d>
 void Mender<d>::note_stuck(std::vector<Cell_index>& seeds) {
     const auto seed = [&](Cell_index c) {

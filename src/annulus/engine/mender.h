@@ -23,9 +23,9 @@ struct Mending {
 /// Leads a table that is Delaunay where its vertices come from to the one that is Delaunay where they go, by flips.
 ///
 /// Where a cell is inverted at the goals one of its vertices is held back (Held_back). Violated facets of positive
-/// cells are flipped. Then those held back go on from where they are, through the triangulation in which what stood in their way has
-/// been flipped (docs/theory.md 6.3). At the hull, where half way is never outside, the cell that a vertex turns over by leaving goes.
-/// What is still stuck after that is rebuilt locally (Local_delaunay).
+/// cells are flipped. Then those held back go on from where they are, through the triangulation in which what stood
+/// in their way has been flipped (docs/theory.md 6.3). At the hull, where half way is never outside, the cell that a
+/// vertex turns over by leaving goes. What is still stuck after that is rebuilt locally (Local_delaunay).
 ///
 /// Nothing here is trusted: a certificate that is not known to hold is on a list of `signs` until it has been seen to
 /// hold, at the goals, and mending is done when the lists are empty. Only the table changes.

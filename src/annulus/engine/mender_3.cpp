@@ -8,8 +8,9 @@
 
 namespace annulus {
 
-/// Of the two triangulations of five points one is locally Delaunay: 2-3 where the edge of the opposite vertices crosses the facet, 3-2
-/// where it passes by one side. Where four of the points are coplanar, 4-4 if the two edges cross.
+/// Of the two triangulations of five points one is locally Delaunay: 2-3 where the edge of the opposite vertices
+/// crosses the facet, 3-2 where it passes by one side. Where four of the points are coplanar, 4-4 if the two edges
+/// cross.
 template <>
 bool Mender<3>::flip(Corner_index h) {
     const Cell_sites<3> x = facet_and_vertex(table_, h);
@@ -51,8 +52,8 @@ bool Mender<3>::flip(Corner_index h) {
     return true;
 }
 
-/// A cell at the hull that its vertex turned over by leaving: the facet of the hull that it crossed goes. Not beside another inverted
-/// cell: then more is wrong than this flip would tell.
+/// A cell at the hull that its vertex turned over by leaving: the facet of the hull that it crossed goes. Not beside
+/// another inverted cell: then more is wrong than this flip would tell.
 template <>
 bool Mender<3>::unfold(Cell_index c) {
     if (table_.is_infinite(c)) return false;

@@ -33,20 +33,21 @@ struct Move_counts {
 /// What a call of `move`, `move_all`, `insert` or `remove` did.
 struct Move_report {
     Move_counts moves;
-    Stage_counts arithmetic;         ///< stage that decided, per certificate evaluated
-    std::uint64_t evaluated = 0;     ///< certificates evaluated
-    std::uint64_t tours = 0;         ///< filter: failed vertices all of whose certificates had to be looked at
-    std::uint64_t requeued = 0;      ///< filter-each: vertices whose reference another vertex's failure renewed
-    std::uint64_t flips = 0;         ///< flips that stand
-    std::uint64_t undone_flips = 0;  ///< flips taken back because they led nowhere
+    Stage_counts arithmetic;            ///< stage that decided, per certificate evaluated
+    std::uint64_t evaluated = 0;        ///< certificates evaluated
+    std::uint64_t tours = 0;            ///< filter: failed vertices all of whose certificates had to be looked at
+    std::uint64_t requeued = 0;         ///< filter-each: vertices whose reference another vertex's failure renewed
+    std::uint64_t flips = 0;            ///< flips that stand
+    std::uint64_t undone_flips = 0;     ///< flips taken back because they led nowhere
     std::uint64_t tolerance_steps = 0;  ///< filters: timestamps that began with the tolerances
     std::uint64_t sign_steps = 0;       ///< filters: timestamps that began with the signs of all certificates
     std::uint64_t rebuild_steps = 0;    ///< auto: timestamps that were rebuilt at once
     std::uint64_t settlings = 0;        ///< filters: times that all tolerances were computed
     double price = 0.0;  ///< filters: what it cost, in cells looked at, by prices that were measured (prices.h)
-    /// On request (Options::report_changes): the cells that came and those that went, d + 1 vertices a cell, -1 for the one at infinity.
-    /// No cell is in both (one that was turned over is another one), but where all points are in a plane or on a line, before or after:
-    /// then they are every finite cell there is, and there was (padded with -2, `none`).
+    /// On request (Options::report_changes): the cells that came and those that went, d + 1 vertices a cell, -1 for
+    /// the one at infinity. No cell is in both (one that was turned over is another one), but where all points are in
+    /// a plane or on a line, before or after: then they are every finite cell there is, and there was (padded with
+    /// -2, `none`).
     std::vector<Index> changed, gone;
 
     Move_report& operator+=(const Move_report& o) {

@@ -20,14 +20,16 @@ template <int d, class Lives>
     for (std::size_t i = 0; i < x.size(); ++i)
         if (lives(static_cast<Index>(i))) all.push_back(static_cast<Index>(i));
     const auto place = [&](Index i) -> const Coordinates<d>& { return x[static_cast<std::size_t>(i)]; };
-    std::sort(all.begin(), all.end(), [&](Index l, Index r) { return place(l) != place(r) ? place(l) < place(r) : l < r; });
-    const auto twice = std::adjacent_find(all.begin(), all.end(), [&](Index l, Index r) { return place(l) == place(r); });
+    std::sort(all.begin(), all.end(),
+              [&](Index l, Index r) { return place(l) != place(r) ? place(l) < place(r) : l < r; });
+    const auto twice =
+        std::adjacent_find(all.begin(), all.end(), [&](Index l, Index r) { return place(l) == place(r); });
     if (twice == all.end()) return {};
     return std::pair(*twice, *(twice + 1));
 }
 
-/// A handler of errors of a call that was to bring vertices to `goals`: throws a collision anew with the names of both vertices, which who met it need
-/// not have known, and anything else as it is.
+/// A handler of errors of a call that was to bring vertices to `goals`: throws a collision anew with the names of
+/// both vertices, which who met it need not have known, and anything else as it is.
 template <int d, class Lives>
 [[noreturn]] void rethrow_naming(const Error& e, std::span<const Coordinates<d>> goals, Lives lives) {
     if (e.code() != Error_code::collision) throw;
@@ -36,8 +38,10 @@ template <int d, class Lives>
         return a != b && lives(static_cast<Index>(a)) && lives(static_cast<Index>(b)) &&
                goals[static_cast<std::size_t>(a)] == goals[static_cast<std::size_t>(b)];
     };
-    if (named.size() == 2 && is_true(named[0], named[1])) throw collision_of("vertices", "would have", named[0], named[1]);
-    if (const auto pair = coinciding<d>(goals, lives)) throw collision_of("vertices", "would have", pair->first, pair->second);
+    if (named.size() == 2 && is_true(named[0], named[1]))
+        throw collision_of("vertices", "would have", named[0], named[1]);
+    if (const auto pair = coinciding<d>(goals, lives))
+        throw collision_of("vertices", "would have", pair->first, pair->second);
     throw;
 }
 

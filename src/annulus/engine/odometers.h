@@ -2,8 +2,8 @@
 #pragma once
 
 #include <annulus/engine/certificate_expiries.h>
-#include <annulus/engine/displacement.h>
 #include <annulus/engine/checker.h>
+#include <annulus/engine/displacement.h>
 #include <annulus/engine/step.h>
 
 #include <algorithm>
@@ -14,13 +14,15 @@ namespace annulus {
 
 /// Who may still move how far: the tolerances of a mesh whose certificates were evaluated at different times.
 ///
-/// Every vertex has an odometer: `base` is an upper bound of the length of the path of its fixed positions since it was at 0, and
-/// its reading is base + |moving - fixed|. A certificate evaluated when its points read r_i and found to have tolerance s holds while
-/// every reading stays below its expiry r_i + s, because a reading bounds the distance travelled, hence the distance from where the
-/// point was when the certificate was evaluated. Different certificates have different references, which theory 1 allows: it asks that each holds now. A vertex
-/// keeps the earliest expiries among its certificates (Expiry_list), so its step test compares |moving - fixed|^2 with one number.
-/// When it fails its fixed position becomes the moving one (it is anchored), those of its certificates that expired are suspected, and
-/// once they have been evaluated (Repair) their points are anchored too and get new expiries. Soundness: docs/theory.md 5.
+/// Every vertex has an odometer: `base` is an upper bound of the length of the path of its fixed positions since it
+/// was at 0, and its reading is base + |moving - fixed|. A certificate evaluated when its points read r_i and found
+/// to have tolerance s holds while every reading stays below its expiry r_i + s, because a reading bounds the
+/// distance travelled, hence the distance from where the point was when the certificate was evaluated. Different
+/// certificates have different references, which theory 1 allows: it asks that each holds now. A vertex keeps the
+/// earliest expiries among its certificates (Expiry_list), so its step test compares |moving - fixed|^2 with one
+/// number. When it fails its fixed position becomes the moving one (it is anchored), those of its certificates that
+/// expired are suspected, and once they have been evaluated (Repair) their points are anchored too and get new
+/// expiries. Soundness: docs/theory.md 5.
 ///
 /// While none are kept all of it is void, and its memory given back.
 template <int d>
@@ -58,8 +60,8 @@ class Odometers {
         const Vertex_record<d>& r = vertex_[at(v)];
         return squared_distance<d>(p, r.fixed) < r.threshold.value() || p == r.fixed;
     }
-    /// The step test of vertices [first, last): appends those that left their tolerances. False, with the list unspecified, when a
-    /// coordinate is outside the domain, or is none at all, be it at a vacant index.
+    /// The step test of vertices [first, last): appends those that left their tolerances. False, with the list
+    /// unspecified, when a coordinate is outside the domain, or is none at all, be it at a vacant index.
     [[nodiscard]] bool find_failed(std::span<const Coordinates<d>> x, std::size_t first, std::size_t last,
                                    std::vector<Index>& failed) const;
 

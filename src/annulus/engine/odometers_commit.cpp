@@ -66,15 +66,15 @@ void Odometers<d>::commit_evaluated(const Checker<d>& checker, Step<d>* step) {
         const auto place_of = [&](std::size_t k) {
             return static_cast<std::size_t>(std::find(around.begin(), around.end(), s.point[k]) - around.begin());
         };
-        commit_points<fresh>(s, id_of_facet(s.id), [&](std::size_t k) -> Expiry& { return expiry_of(place_of(k)); }, step);
+        commit_points<fresh>(
+            s, id_of_facet(s.id), [&](std::size_t k) -> Expiry& { return expiry_of(place_of(k)); }, step);
     }
     for (const auto& s : checker.cells()) {
         if (!checker.exists(s)) continue;
         const auto expiry_of = [&](std::size_t k) -> Expiry& {
             return expiries_.of_cell(Cell_table<d>::corner(s.id, static_cast<int>(k)));
         };
-        if (s.kind != Facet_kind::nothing)
-            commit_points<fresh>(s, id_of_cell(s.id), expiry_of, step);
+        if (s.kind != Facet_kind::nothing) commit_points<fresh>(s, id_of_cell(s.id), expiry_of, step);
         else
             for (std::size_t k = 0; k < s.point.size(); ++k) expiry_of(k) = never;
     }
@@ -95,10 +95,7 @@ void Odometers<d>::rebase(Index v) {
         list.put(id, e);
     };
     for_each_certificate(
-        table_, v,
-        [&](Corner_index h) {
-            shift(expiries_.of_cell(h), id_of_cell(table_.cell_of(h)));
-        },
+        table_, v, [&](Corner_index h) { shift(expiries_.of_cell(h), id_of_cell(table_.cell_of(h))); },
         [&](Corner_index h) {
             const Corner_index f = table_.facet(h);
             const Facet_sites<d> point = bicell_sites(table_, f);

@@ -13,12 +13,14 @@ enum class Strategy : std::uint8_t {
     rebuild,         ///< from scratch at every call (Builder)
     relocate,        ///< one vertex at a time: remove, locate, insert (the paper's baseline)
     relocate_flips,  ///< one vertex at a time: only written where that needs no flip, else relocate (paper 3.1)
-    in_place,        ///< one vertex at a time: its certificates are evaluated, and flips where one is violated; no tolerances
-    filter,          ///< whole timestamps: only certificates whose tolerance expired are evaluated
-    filter_each,     ///< one vertex at a time, Delaunay after each
-    automatic,       ///< whole timestamps, `auto`: the cheapest of tolerances, signs with flips, and rebuilding, as counts tell
-    paper,           ///< the paper's filter (3.2), one vertex at a time: Options::tolerance says by which tolerances
-    paper_hybrid,    ///< rebuild until a sample stays within tolerance, then `paper` (paper 4.2)
+    /// One vertex at a time: its certificates are evaluated, and flips where one is violated; no tolerances.
+    in_place,
+    filter,       ///< whole timestamps: only certificates whose tolerance expired are evaluated
+    filter_each,  ///< one vertex at a time, Delaunay after each
+    /// Whole timestamps, `auto`: the cheapest of tolerances, signs with flips, and rebuilding, as counts tell.
+    automatic,
+    paper,         ///< the paper's filter (3.2), one vertex at a time: Options::tolerance says by which tolerances
+    paper_hybrid,  ///< rebuild until a sample stays within tolerance, then `paper` (paper 4.2)
 };
 
 [[nodiscard]] constexpr std::string_view name_of(Strategy s) {
@@ -42,7 +44,8 @@ enum class Strategy : std::uint8_t {
 /// What a caller may choose, as one value.
 struct Options {
     Strategy strategy = Strategy::automatic;
-    Tolerance_kind tolerance = Tolerance_kind::certified;  ///< others with `paper` and `paper_hybrid` alone, else Error(usage)
+    /// Others with `paper` and `paper_hybrid` alone, else Error(usage).
+    Tolerance_kind tolerance = Tolerance_kind::certified;
     int threads = 1;                ///< 1 or more, else Error(usage); results do not depend on it
     bool merge_duplicates = false;  ///< equal input points become one vertex instead of an error
     bool report_changes = false;    ///< list the cells that came and went in a call: Move_report::changed, gone

@@ -5,8 +5,9 @@
 
 namespace annulus {
 
-/// What things cost, in cells looked at (Signs::look_at): some 24 ns in space and 21 in the plane on one machine. Ratios measured there
-/// (bench/README.md); nothing here has a say in what is right, and the same input gives the same run whatever they are.
+/// What things cost, in cells looked at (Signs::look_at): some 24 ns in space and 21 in the plane on one machine.
+/// Ratios measured there (bench/README.md); nothing here has a say in what is right, and the same input gives the
+/// same run whatever they are.
 template <int d>
 struct Prices;
 
@@ -15,18 +16,18 @@ struct Prices<2> {
     // A vertex, of a timestamp:
     static constexpr double insertion = 22.5;  // of all points, one by one (cgal/): beside which no step is to be dear
     static constexpr double rebuild = 12.4;
-    static constexpr double cells = 2.0;     // the signs of everything: cells a vertex
-    static constexpr double signs = 2.45;    // with what is written for each vertex
+    static constexpr double cells = 2.0;   // the signs of everything: cells a vertex
+    static constexpr double signs = 2.45;  // with what is written for each vertex
     static constexpr double settling = 13.7;
     // Each, of cells that a sample shows:
     static constexpr double violated = 14.0;
     static constexpr double inverted = 112.0;
     static constexpr double unclear = 10.0;
     // Each, as it happens:
-    static constexpr double alone = 1.4;          // a cell looked at by itself, not with all others
-    static constexpr double flip = 12.0;          // besides the cells that are looked at
-    static constexpr double point = 230.0;        // of a region that is built anew
-    static constexpr double filter = 0.7;         // a sign by itself
+    static constexpr double alone = 1.4;    // a cell looked at by itself, not with all others
+    static constexpr double flip = 12.0;    // besides the cells that are looked at
+    static constexpr double point = 230.0;  // of a region that is built anew
+    static constexpr double filter = 0.7;   // a sign by itself
     static constexpr double interval = 10.0;
     static constexpr double exact = 70.0;
     static constexpr double reinsertion = 700.0;  // of a vertex, besides what is evaluated

@@ -110,8 +110,8 @@ std::size_t Repair<d>::turned_over(const Step<d>& step) {
                                                   [this](const auto& s) { return checker_.is_violated(s); }));
 }
 
-/// Of taking v out and putting it back in: the gap is filled with the triangulation of its neighbours, which in the plane
-/// takes the square of their number where it goes badly.
+/// Of taking v out and putting it back in: the gap is filled with the triangulation of its neighbours, which in the
+/// plane takes the square of their number where it goes badly.
 template <int d>
 double Repair<d>::reinsertion_price(Index v) const {
     constexpr double filled = d == 2 ? 22.5 : 100.0;
@@ -137,7 +137,8 @@ bool Repair<d>::reinsert(Step<d>& step, std::span<Coordinates<d>> x, const Coord
     std::erase_if(changed, gone);
     step.reinserted.assign(1, step.mover);
     checker_.clear();  // what was evaluated before may have the number of something else by now
-    // Without tolerances all others are where the mesh is Delaunay, as when a vertex is inserted, and nothing is written down.
+    // Without tolerances all others are where the mesh is Delaunay, as when a vertex is inserted, and nothing is
+    // written down.
     const bool with_tolerances = step.scope == Scope::expired;
     if (!with_tolerances) return true;
     checker_.add_cells(changed);

@@ -16,9 +16,9 @@ namespace annulus {
 /// the step.
 ///
 /// A caller names the certificates that are not known to hold there, to `checker()`, with all others proved. After
-/// `mend_all` or `mend_one` every certificate of the mesh holds, hence it is Delaunay (theory 1), and `checker()` lists
-/// every certificate that was evaluated or created, with its verdict. Nothing but signs is trusted on the way: flips are
-/// a heuristic that either ends with every certificate positive, or not.
+/// `mend_all` or `mend_one` every certificate of the mesh holds, hence it is Delaunay (theory 1), and `checker()`
+/// lists every certificate that was evaluated or created, with its verdict. Nothing but signs is trusted on the way:
+/// flips are a heuristic that either ends with every certificate positive, or not.
 template <int d>
 class Repair {
   public:
@@ -40,13 +40,13 @@ class Repair {
     ///
     /// Signs alone do not exclude a surface that winds several times (a pentagon permuted into a pentagram turns left
     /// everywhere). With all cells positive and the border locally convex, everything is embedded if and only if the
-    /// border turns once (docs/theory.md 1.2). Cells and ridges proved by tolerances keep it turning once, and so does
-    /// a single vertex that leaves its cells positive; so the border is walked, O(hull), only when many moved and a
-    /// cell or ridge had to be evaluated, or when cells with infinity changed. In space a ridge, whatever the cells, and
-    /// after flips only when they changed the border.
+    /// border turns once (docs/theory.md 1.2). Cells and ridges proved by tolerances keep it turning once, and so
+    /// does a single vertex that leaves its cells positive; so the border is walked, O(hull), only when many moved
+    /// and a cell or ridge had to be evaluated, or when cells with infinity changed. In space a ridge, whatever the
+    /// cells, and after flips only when they changed the border.
     [[nodiscard]] bool evaluate(Step<d>& step);
-    /// The same for every certificate of the mesh, none of which need be named, by signs alone: the checker stays empty.
-    /// Gives up, with false, when that exceeds the budget, or mending clearly would; it then refuses to mend.
+    /// The same for every certificate of the mesh, none of which need be named, by signs alone: the checker stays
+    /// empty. Gives up, with false, when that exceeds the budget, or mending clearly would; it then refuses to mend.
     [[nodiscard]] bool evaluate_everything(Step<d>& step);
     /// The same for every certificate that contains the mover of the step, without regard to the budget.
     [[nodiscard]] bool evaluate_star(Step<d>& step);

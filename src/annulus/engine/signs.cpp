@@ -109,8 +109,9 @@ bool Signs<d>::is_violated(Corner_index f) {
     return perturbed_sign(x) < 0;
 }
 
-/// Every facet is asked from both sides if both are looked at, because which side is to ask would be a branch that no processor
-/// predicts, dearer than the answer. Flattened: a call between two halves of a formula would spill every register.
+/// Every facet is asked from both sides if both are looked at, because which side is to ask would be a branch that no
+/// processor predicts, dearer than the answer. Flattened: a call between two halves of a formula would spill every
+/// register.
 template <int d>
 [[gnu::flatten]] void Signs<d>::look_at(Cell_index c, bool border, Found& found) const {
     const auto& t = table_;
@@ -128,7 +129,9 @@ template <int d>
         const Circumsphere<d> sphere(x_[at(v[i].vertex)]...);
         const Cell_sites<d> opposite{t.opposite(t.corner(c, static_cast<int>(i)))...};
         // At infinity a corner stands in, of which nothing can be said.
-        const auto beyond = [&](std::size_t k) -> const Coordinates<d>& { return x_[at(opposite[k].vertex == infinite ? v[0].vertex : opposite[k].vertex)]; };
+        const auto beyond = [&](std::size_t k) -> const Coordinates<d>& {
+            return x_[at(opposite[k].vertex == infinite ? v[0].vertex : opposite[k].vertex)];
+        };
         if (sphere.excludes_all(beyond(i)...)) [[likely]] {
             found.clear_halves += d + 3;
             return;
@@ -162,7 +165,8 @@ void Signs<d>::look_at_everything() {
     std::vector<Found> found((cells + run - 1) / run);
     for_each_run(cells, run, threads_, [&](std::size_t first, std::size_t last) {
         Found& here = found[first / run];
-        // The positions of a cell's neighbours are three loads away, each of which waits for the one before: begun for some cells ahead.
+        // The positions of a cell's neighbours are three loads away, each of which waits for the one before: begun
+        // for some cells ahead.
         constexpr Index ahead = 16;
         const Index end = static_cast<Index>(last);
         for (Index begin = static_cast<Index>(first); begin < end; begin += ahead) {
@@ -176,7 +180,8 @@ void Signs<d>::look_at_everything() {
         }
     });
     for (const Found& here : found) take(here);
-    // What does not hold is mostly seen from both sides. Comparing it would cost a step that is given up more than all else.
+    // What does not hold is mostly seen from both sides. Comparing it would cost a step that is given up more than
+    // all else.
     make_unique(found_.violated, table_.facet_bound());
 }
 
@@ -192,7 +197,8 @@ double Signs<d>::outlook() {
         const std::size_t stride = 1 + list.size() / sampled;
         std::size_t asked = 0, failed = 0;
         for (std::size_t k = 0; k < list.size(); k += stride, ++asked) failed += fails(list[k]) ? 1U : 0U;
-        return asked == 0 ? 0.0 : static_cast<double>(list.size()) * static_cast<double>(failed) / static_cast<double>(asked);
+        return asked == 0 ? 0.0
+                          : static_cast<double>(list.size()) * static_cast<double>(failed) / static_cast<double>(asked);
     };
     const auto folded = [this](Cell_index c) {
         budget_->charge(Prices<d>::filter);
@@ -202,7 +208,8 @@ double Signs<d>::outlook() {
         budget_->charge(Prices<d>::filter);
         return facet_kind(table_, f) == Facet_kind::empty_sphere && sphere_sign(f) < 0;
     };
-    return Prices<d>::inverted * failing(found_.inverted, folded) + Prices<d>::violated * failing(found_.violated, crossed);
+    return Prices<d>::inverted * failing(found_.inverted, folded) +
+           Prices<d>::violated * failing(found_.violated, crossed);
 }
 
 template class Signs<2>;

@@ -14,11 +14,12 @@
 
 namespace annulus {
 
-/// Which certificates hold at given positions, by signs alone: one circumsphere a cell, asked for the cell and its facets, and
-/// exact signs where that is not clear.
+/// Which certificates hold at given positions, by signs alone: one circumsphere a cell, asked for the cell and its
+/// facets, and exact signs where that is not clear.
 ///
-/// What is not clear of the cells looked at is on two lists, in which an entry may occur twice, or be gone; is_inverted and
-/// is_violated tell. Positions may change between calls; then what contains the vertex has to be looked at again.
+/// What is not clear of the cells looked at is on two lists, in which an entry may occur twice, or be gone;
+/// is_inverted and is_violated tell. Positions may change between calls; then what contains the vertex has to be
+/// looked at again.
 template <int d>
 class Signs {
   public:
@@ -27,7 +28,8 @@ class Signs {
     /// For look_at_everything(). What it finds does not depend on it.
     void set_threads(int threads) { threads_ = threads; }
 
-    /// Starts at positions x. These and the budget, which is charged with what is asked, must outlive the examination. O(1).
+    /// Starts at positions x. These and the budget, which is charged with what is asked, must outlive the
+    /// examination. O(1).
     void begin(std::span<const Coordinates<d>> x, Budget& budget);
 
     /// The same positions, elsewhere in memory.
@@ -43,8 +45,8 @@ class Signs {
     /// Every certificate that contains v.
     void look_around(Index v, bool border);
 
-    /// Exact. A cell with infinity is inverted when its facet faces away from the middle of the points: that is a hint, no
-    /// certificate.
+    /// Exact. A cell with infinity is inverted when its facet faces away from the middle of the points: that is a
+    /// hint, no certificate.
     [[nodiscard]] bool is_inverted(Cell_index c) { return sign(cell_sites(table_, c)) <= 0; }
     /// Exact; what is degenerate is decided by the perturbation, once its cells are positive.
     [[nodiscard]] bool is_violated(Corner_index f);
@@ -53,7 +55,8 @@ class Signs {
 
     [[nodiscard]] std::vector<Cell_index>& inverted() { return found_.inverted; }    ///< cells
     [[nodiscard]] std::vector<Corner_index>& violated() { return found_.violated; }  ///< facets
-    /// About what it will cost at least to mend what is on the lists: by a sample, of which the filter stage is asked what clearly fails.
+    /// About what it will cost at least to mend what is on the lists: by a sample, of which the filter stage is asked
+    /// what clearly fails.
     [[nodiscard]] double outlook();
     /// What was asked since begin(), or since this was called last, by stage.
     [[nodiscard]] Stage_counts take_counts() {

@@ -14,7 +14,8 @@
 
 namespace annulus {
 
-/// Which certificates a step evaluates: those that expired; without tolerances all those of the vertex that moves, or all.
+/// Which certificates a step evaluates: those that expired; without tolerances all those of the vertex that moves, or
+/// all.
 enum class Scope : std::uint8_t { expired, star, everything };
 
 /// A cache line, or one and a half: around a vertex are 12 certificates in the plane, 80 in space.
@@ -35,20 +36,20 @@ struct Step {
     Index mover = none;                 ///< the vertex that moves alone
     Coordinates<d> home{};              ///< where that was
     Scope scope = Scope::expired;
-    std::vector<Index> failed;          ///< those that left their tolerances; without tolerances those that move
-    std::vector<Before> before;         ///< of these
-    std::vector<Index> anchored;        ///< their fixed position is the goal by now
-    std::uint64_t tours = 0;            ///< vertices all of whose certificates were looked at
-    Budget budget;                      ///< of all that the step does
-    Move_report report;                 ///< what was evaluated and flipped
+    std::vector<Index> failed;    ///< those that left their tolerances; without tolerances those that move
+    std::vector<Before> before;   ///< of these
+    std::vector<Index> anchored;  ///< their fixed position is the goal by now
+    std::uint64_t tours = 0;      ///< vertices all of whose certificates were looked at
+    Budget budget;                ///< of all that the step does
+    Move_report report;           ///< what was evaluated and flipped
 
     // What Repair found and did.
-    bool hopeless = false;              ///< mending would cost far more than it may, by a sample
-    std::vector<Index> disturbed;       ///< points of violated certificates
-    std::vector<Index> reinserted;      ///< vertices around which cells were rebuilt
-    std::vector<Cell_index> renumbered; ///< the same cells as before a collision was found, with other numbers
+    bool hopeless = false;               ///< mending would cost far more than it may, by a sample
+    std::vector<Index> disturbed;        ///< points of violated certificates
+    std::vector<Index> reinserted;       ///< vertices around which cells were rebuilt
+    std::vector<Cell_index> renumbered;  ///< the same cells as before a collision was found, with other numbers
     bool rebuilt = false;
-    bool renumbered_all = false;        ///< the same of all cells
+    bool renumbered_all = false;  ///< the same of all cells
 
     /// These were asked: certificates or signs.
     void count(const Stage_counts& counts) {

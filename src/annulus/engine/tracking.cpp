@@ -13,7 +13,8 @@ namespace {
 constexpr std::uint64_t check_interval = 8;  // timestamps without tolerances, between looks whether they would pay
 }  // namespace
 
-/// So many failed, in this step and before, that with the signs of all certificates instead a settling would have been paid for.
+/// So many failed, in this step and before, that with the signs of all certificates instead a settling would have
+/// been paid for.
 template <int d>
 bool Tracking<d>::is_too_dear(std::size_t failures, std::size_t vertices) const {
     return overdraft_ + Prices<d>::failure * static_cast<double>(failures) >
@@ -42,8 +43,8 @@ void Tracking<d>::note_displacements(const Cell_table<d>& table, std::span<const
             for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) displacement_[v][k] = to[v][k] - from[v][k];
 }
 
-/// The share of the certificates that would expire at a step like this one, by a sample of facets: one of tolerance s expires after
-/// s / max |u| steps.
+/// The share of the certificates that would expire at a step like this one, by a sample of facets: one of tolerance s
+/// expires after s / max |u| steps.
 template <int d>
 double Tracking<d>::outlook(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x,
                             Move_report& report) const {
@@ -61,7 +62,8 @@ double Tracking<d>::outlook(const Cell_table<d>& table, Checker<d>& checker, std
         if (s.kind != Facet_kind::empty_sphere) continue;
         double fastest = 0.0;
         for (const auto& [v, label] : s.point)
-            fastest = std::max(fastest, squared_distance<d>(displacement_[static_cast<std::size_t>(v)], Coordinates<d>{}));
+            fastest =
+                std::max(fastest, squared_distance<d>(displacement_[static_cast<std::size_t>(v)], Coordinates<d>{}));
         const double way = std::sqrt(fastest);
         const double room = s.verdict.tolerance;
         sum += way < room ? way / room : way > 0.0 ? 1.0 : 0.0;
@@ -71,8 +73,8 @@ double Tracking<d>::outlook(const Cell_table<d>& table, Checker<d>& checker, std
 }
 
 template <int d>
-void Tracking<d>::reconsider(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x, bool each,
-                             Move_report& report) {
+void Tracking<d>::reconsider(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x,
+                             bool each, Move_report& report) {
     if (displacement_.empty()) return;
     double share = 0.0;
     try {

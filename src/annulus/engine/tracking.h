@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/prices.h>
 #include <annulus/engine/checker.h>
 #include <annulus/engine/move_report.h>
+#include <annulus/engine/prices.h>
 
 #include <cstdint>
 #include <span>
@@ -12,13 +12,13 @@
 
 namespace annulus {
 
-/// Whether `filter` keeps tolerances, or asks for signs alone: by what steps cost and what a sample promises, in cells looked at
-/// (prices.h). Nothing here has a say in what is right.
+/// Whether `filter` keeps tolerances, or asks for signs alone: by what steps cost and what a sample promises, in
+/// cells looked at (prices.h). Nothing here has a say in what is right.
 ///
-/// While so many certificates expire at every step (the first steps of an optimisation) that the signs of all of them cost less than
-/// the tolerances of these, tolerances are not kept at all. What they cost above what signs would have is added up; when that has come
-/// to what a settling costs they are given up (rent or buy). Without them every eighth timestamp a sample of certificates, and the
-/// displacements of that timestamp, tell whether they would last.
+/// While so many certificates expire at every step (the first steps of an optimisation) that the signs of all of them
+/// cost less than the tolerances of these, tolerances are not kept at all. What they cost above what signs would have
+/// is added up; when that has come to what a settling costs they are given up (rent or buy). Without them every
+/// eighth timestamp a sample of certificates, and the displacements of that timestamp, tell whether they would last.
 template <int d>
 class Tracking {
   public:
@@ -29,16 +29,19 @@ class Tracking {
         failures_ += failures;
         evaluated_ += evaluated;
     }
-    /// The end of a timestamp with tolerances; `each` when its vertices moved one by one. True when they are to be given up.
+    /// The end of a timestamp with tolerances; `each` when its vertices moved one by one. True when they are to be
+    /// given up.
     [[nodiscard]] bool end_tracked(bool each, std::size_t vertices);
     /// Of one without.
     void note_untracked() { ++untracked_; }
 
     /// Without tolerances: notes how far vertices go, if it is time to look.
-    void note_displacements(const Cell_table<d>& table, std::span<const Coordinates<d>> from, std::span<const Coordinates<d>> to);
+    void note_displacements(const Cell_table<d>& table, std::span<const Coordinates<d>> from,
+                            std::span<const Coordinates<d>> to);
     void forget_displacements() { displacement_.clear(); }
     /// Decides by these displacements whether to settle next; asks `checker` for a sample of tolerances at x.
-    void reconsider(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x, bool each, Move_report& report);
+    void reconsider(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x, bool each,
+                    Move_report& report);
     /// Whether tolerances would last, as the last timestamp was; once.
     [[nodiscard]] bool take_settling() { return std::exchange(settles_next_, false); }
 
@@ -53,14 +56,15 @@ class Tracking {
     void stopped();
 
   private:
-    [[nodiscard]] double outlook(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x, Move_report& report) const;
+    [[nodiscard]] double outlook(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x,
+                                 Move_report& report) const;
 
     std::vector<Coordinates<d>> displacement_;  // while it is considered whether tolerances would last
     std::uint64_t failures_ = 0;                // with tolerances, of this timestamp
     std::uint64_t evaluated_ = 0;               // certificates, for these
-    double overdraft_ = 0.0;          // by which tolerances cost more than signs since the last settling
-    std::uint64_t untracked_ = 0;     // timestamps since they were given up
-    std::uint64_t calm_moves_ = 0;    // since then, of vertices alone
+    double overdraft_ = 0.0;                    // by which tolerances cost more than signs since the last settling
+    std::uint64_t untracked_ = 0;               // timestamps since they were given up
+    std::uint64_t calm_moves_ = 0;              // since then, of vertices alone
     bool settles_next_ = false;
 };
 

@@ -13,8 +13,8 @@ namespace annulus {
 
 /// A strategy at work: owns the positions of the vertices and keeps the triangulation right at them.
 ///
-/// What throws leaves positions() as they were, unless it says otherwise; the triangulation and all else is then unspecified but
-/// after Error(collision), after which it is right. Engine builds anew after the others.
+/// What throws leaves positions() as they were, unless it says otherwise; the triangulation and all else is then
+/// unspecified but after Error(collision), after which it is right. Engine builds anew after the others.
 template <int d>
 class Upkeep {
   public:
@@ -27,7 +27,8 @@ class Upkeep {
     /// Whether the mesh is Delaunay at positions() for certain, so that a vertex may be inserted or removed there.
     [[nodiscard]] virtual bool trusted() const { return true; }
 
-    /// Takes the present triangulation and positions x as given and Delaunay. When it throws, no position was written. O(n).
+    /// Takes the present triangulation and positions x as given and Delaunay. When it throws, no position was
+    /// written. O(n).
     virtual void begin(std::span<const Coordinates<d>> x, Move_report& report) = 0;
     /// Makes every tolerance fresh, where any are kept. O(n).
     virtual void refresh_all(Move_report& report) = 0;
@@ -39,7 +40,8 @@ class Upkeep {
     [[nodiscard]] virtual const Coordinates<d>& fixed_position(Index v) const = 0;
     /// How far v may be from there while every other vertex is within its own tolerance; nothing while none are kept.
     [[nodiscard]] virtual std::optional<double> tolerance(Index v) const = 0;
-    /// Whether it repairs the mesh, for which there have to be cells of dimension d; others leave everything to the mesh.
+    /// Whether it repairs the mesh, for which there have to be cells of dimension d; others leave everything to the
+    /// mesh.
     [[nodiscard]] virtual bool repairs() const = 0;
 
     /// A timestamp to x is about to begin.
@@ -58,7 +60,8 @@ class Upkeep {
     virtual void place(Index v, const Coordinates<d>& p) = 0;
     /// After these cells were replaced by other hands (insertion, removal) at the present positions.
     virtual void refresh(std::span<const Cell_index> cells, Move_report& report) = 0;
-    /// Forgets what is at indices from this one on, or writes a position and nothing else; a rebuild and `begin` have to follow.
+    /// Forgets what is at indices from this one on, or writes a position and nothing else; a rebuild and `begin` have
+    /// to follow.
     virtual void cut(std::size_t bound) = 0;
     virtual void put_back(Index v, const Coordinates<d>& p) noexcept = 0;
 
@@ -70,7 +73,8 @@ class Upkeep {
     virtual void move_in_turn(Index v, const Coordinates<d>& p, Move_report& report) { move(v, p, report); }
     /// Positions, and what is kept with them, as noted.
     virtual void take_back() noexcept = 0;
-    /// The positions at which the triangulation is Delaunay; after take_back(), at which it is to be rebuilt, before the rest.
+    /// The positions at which the triangulation is Delaunay; after take_back(), at which it is to be rebuilt, before
+    /// the rest.
     [[nodiscard]] virtual std::span<const Coordinates<d>> standing() const { return positions(); }
     virtual void resume() = 0;
 

@@ -10,7 +10,7 @@ namespace annulus {
 template <int d>
 struct Vertex_record {
     Coordinates<d> fixed{};  ///< fixed position
-    High_word threshold;    ///< squared, compared with |moving - fixed|^2
+    High_word threshold;     ///< squared, compared with |moving - fixed|^2
 };
 
 }  // namespace annulus

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/experiment/schedule.h>
 #include <annulus/experiment/journal.h>
+#include <annulus/experiment/schedule.h>
 #include <annulus/experiment/spec.h>
 
 #include <algorithm>
@@ -18,13 +18,15 @@
 
 namespace annulus {
 
-/// Hands out the trials of a sweep and keeps what comes back in its journal. All members may be called from several threads at once.
+/// Hands out the trials of a sweep and keeps what comes back in its journal. All members may be called from several
+/// threads at once.
 class Coordinator {
   public:
     /// What the journal has is not done again. `threads` and `bytes` are those of each machine.
     Coordinator(const Spec& spec, Journal& journal, int threads, std::uint64_t bytes);
 
-    /// The next one for a thread of that machine; waits while there is no room for any. None when all are taken, or one has failed.
+    /// The next one for a thread of that machine; waits while there is no room for any. None when all are taken, or
+    /// one has failed.
     [[nodiscard]] std::optional<Schedule::Job> wait_for_job(int machine);
     /// For another process: what there is at once (Schedule::take). `over` is set where there will be nothing more.
     [[nodiscard]] std::vector<Schedule::Job> jobs(int machine, int threads_in_all, bool& over);
@@ -65,9 +67,10 @@ class Coordinator {
 /// run(), but an error that names no file says of which trial it is, and where threads cannot be had one does as well.
 [[nodiscard]] Trial_result run_named(const Trial& trial, std::size_t hardest, int threads);
 
-/// Threads of one process that compute what `take` gives them, until it gives nothing: take() -> optional<Job>, done(job, result),
-/// failed(job, exception). All three are called from these threads. Where the system does not give so many, fewer do as well: no more
-/// then than the machine has processors, so that what they need is left, addresses for one.
+/// Threads of one process that compute what `take` gives them, until it gives nothing: take() -> optional<Job>,
+/// done(job, result), failed(job, exception). All three are called from these threads. Where the system does not give
+/// so many, fewer do as well: no more then than the machine has processors, so that what they need is left, addresses
+/// for one.
 class Workers {
   public:
     template <class Take, class Done, class Failed>
@@ -75,7 +78,8 @@ class Workers {
         // Nobody begins before it is known how many there are, and before what others had is given back.
         std::promise<std::size_t> known;
         std::promise<void> begin;
-        const auto work = [=, &spec, count = known.get_future().share(), begun = begin.get_future().share()](std::size_t self) {
+        const auto work = [=, &spec, count = known.get_future().share(),
+                           begun = begin.get_future().share()](std::size_t self) {
             if (self >= count.get()) return;
             begun.wait();
             while (const std::optional<Schedule::Job> job = take()) {

@@ -14,8 +14,8 @@ namespace annulus {
 
 namespace {
 
-constexpr std::array names{Certificate_name::orientation_2, Certificate_name::empty_circle_2, Certificate_name::orientation_3,
-                           Certificate_name::empty_sphere_3};
+constexpr std::array names{Certificate_name::orientation_2, Certificate_name::empty_circle_2,
+                           Certificate_name::orientation_3, Certificate_name::empty_sphere_3};
 constexpr std::array stages{Stage::filter, Stage::interval, Stage::exact};
 
 std::size_t dimension_of(Certificate_name name) {

@@ -22,8 +22,8 @@ enum class Certificate_name : std::uint8_t { orientation_2, empty_circle_2, orie
 
 /// A certificate's points in the order in which it was evaluated, and how hard it was.
 struct Hard_input {
-    /// The less the harder. What the filter decided: its determinant over its error bound. What intervals or integers decided: width over
-    /// the largest difference of coordinates. Neither depends on the unit of length.
+    /// The less the harder. What the filter decided: its determinant over its error bound. What intervals or integers
+    /// decided: width over the largest difference of coordinates. Neither depends on the unit of length.
     double key = 0;
     std::vector<double> coordinates{};  ///< of point after point
     double tolerance = 0;               ///< half the width, certified lower bound, in the unit of the coordinates
@@ -35,8 +35,8 @@ struct Hard_input {
     }
 };
 
-/// The hardest inputs met, for each certificate and each stage that decided: no two with the same set of points. What is exactly
-/// degenerate (of which grids have all there is) is not among them.
+/// The hardest inputs met, for each certificate and each stage that decided: no two with the same set of points. What
+/// is exactly degenerate (of which grids have all there is) is not among them.
 ///
 /// Which are kept does not depend on the order in which they were met, nor on how they were divided and merged.
 class Hard_inputs {
@@ -54,8 +54,8 @@ class Hard_inputs {
     Hard_inputs merge(const Hard_inputs& other);
     [[nodiscard]] bool empty() const;
 
-    /// One object for each, in the order of certificates, stages and hardness: {"certificate", "stage", "key", "tolerance", "seed", "points"},
-    /// coordinates as hexadecimal doubles.
+    /// One object for each, in the order of certificates, stages and hardness: {"certificate", "stage", "key",
+    /// "tolerance", "seed", "points"}, coordinates as hexadecimal doubles.
     [[nodiscard]] std::vector<nlohmann::ordered_json> json() const;
     /// Adds one of those.
     void add(const nlohmann::ordered_json& json);

@@ -23,11 +23,14 @@ constexpr std::size_t mark = 9;  // eight digits and a space
 
 std::string mark_of(std::string_view text) {
     char digits[mark + 1];
-    std::snprintf(digits, sizeof digits, "%08lx ", ::crc32_z(0, reinterpret_cast<const unsigned char*>(text.data()), text.size()));
+    std::snprintf(digits, sizeof digits, "%08lx ",
+                  ::crc32_z(0, reinterpret_cast<const unsigned char*>(text.data()), text.size()));
     return digits;
 }
 /// The text of a line that is whole.
-bool is_whole(std::string_view line) { return line.size() >= mark && mark_of(line.substr(mark)) == line.substr(0, mark); }
+bool is_whole(std::string_view line) {
+    return line.size() >= mark && mark_of(line.substr(mark)) == line.substr(0, mark);
+}
 
 }  // namespace
 
@@ -54,11 +57,14 @@ void Journal::open_and_lock() {
         if (descriptor_ < 0) fail("cannot be opened");
         if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
             ::close(descriptor_);
-            throw Error(Error_code::bad_input, file_.parent_path().string() + ": another sweep is writing to it; expected one at a time");
+            throw Error(Error_code::bad_input,
+                        file_.parent_path().string() + ": another sweep is writing to it; expected one at a time");
         }
         // Whoever had it may have put its results in the place of the directory.
-        struct stat ours {}, there {};
-        if (::fstat(descriptor_, &ours) == 0 && ::stat(file_.c_str(), &there) == 0 && ours.st_ino == there.st_ino && ours.st_dev == there.st_dev)
+        struct stat ours {
+        }, there{};
+        if (::fstat(descriptor_, &ours) == 0 && ::stat(file_.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&
+            ours.st_dev == there.st_dev)
             return;
         ::close(descriptor_);
     }
@@ -70,10 +76,15 @@ void Journal::require_head(std::string_view line, const std::string& head, bool 
     if (ended ? line == wanted : wanted.starts_with(line)) return;
     const std::string place = file_.parent_path().string();
     if (is_whole(line))
-        throw Error(Error_code::bad_input, place + ": holds a sweep of another specification, or by another version, that is not done; expected "
-                                                   "the same, or another directory (or --force)");
-    throw Error(Error_code::bad_input, place + ": the journal of a sweep in it is damaged at its beginning, or is something else; expected a sweep "
-                                               "that is not done, or another directory (or --force)");
+        throw Error(Error_code::bad_input,
+                    place +
+                        ": holds a sweep of another specification, or by another version, that is not done; expected "
+                        "the same, or another directory (or --force)");
+    throw Error(
+        Error_code::bad_input,
+        place +
+            ": the journal of a sweep in it is damaged at its beginning, or is something else; expected a sweep "
+            "that is not done, or another directory (or --force)");
 }
 
 void Journal::read(const std::string& head) {
@@ -108,7 +119,8 @@ std::string Journal::entry(std::size_t i) const {
     std::string line(p.size + mark, '\0');
     std::size_t done = 0;
     while (done < line.size()) {
-        const ssize_t n = ::pread(descriptor_, line.data() + done, line.size() - done, static_cast<off_t>(p.begin - mark + done));
+        const ssize_t n =
+            ::pread(descriptor_, line.data() + done, line.size() - done, static_cast<off_t>(p.begin - mark + done));
         if (n < 0 && errno == EINTR) continue;
         if (n < 0) fail("cannot be read");
         if (n == 0) break;
@@ -129,7 +141,8 @@ void Journal::append(std::string_view text) {
 
 void Journal::write(std::string_view line) {
     for (std::string_view rest = line; !rest.empty();) {
-        const ssize_t n = ::pwrite(descriptor_, rest.data(), rest.size(), static_cast<off_t>(end_ + line.size() - rest.size()));
+        const ssize_t n =
+            ::pwrite(descriptor_, rest.data(), rest.size(), static_cast<off_t>(end_ + line.size() - rest.size()));
         if (n < 0 && errno == EINTR) continue;
         if (n < 0) fail("cannot be written");
         rest.remove_prefix(static_cast<std::size_t>(n));

@@ -12,13 +12,14 @@
 
 namespace annulus {
 
-/// Entries that outlive the process, however it ends: a file that only grows, each line its CRC-32 and its text. What a kill has left of a
-/// last line is recognised, and dropped when the journal is opened again; so is a line that was damaged. What is appended is on the disk a
-/// second later at the latest.
+/// Entries that outlive the process, however it ends: a file that only grows, each line its CRC-32 and its text. What
+/// a kill has left of a last line is recognised, and dropped when the journal is opened again; so is a line that was
+/// damaged. What is appended is on the disk a second later at the latest.
 class Journal {
   public:
-    /// Opens or makes it, and keeps others out. `head` says whose it is. Throws Error(bad_input) where another process has it open, or, unless
-    /// it is to `begin_anew`, where it is of another head or of something else; std::system_error for what the system cannot do.
+    /// Opens or makes it, and keeps others out. `head` says whose it is. Throws Error(bad_input) where another
+    /// process has it open, or, unless it is to `begin_anew`, where it is of another head or of something else;
+    /// std::system_error for what the system cannot do.
     Journal(std::filesystem::path file, const std::string& head, bool begin_anew);
     ~Journal();
     Journal(const Journal&) = delete;

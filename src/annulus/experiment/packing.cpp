@@ -31,7 +31,12 @@ std::vector<Schedule::Job> jobs_of(std::string_view text) {
 }
 
 std::string packed(std::size_t trial, const Trial_result& r) {
-    std::string text = nlohmann::ordered_json{{"trial", trial}, {"seconds", r.seconds}, {"peak_bytes", r.peak_bytes}, {"lines", r.lines.size()}}.dump();
+    std::string text = nlohmann::ordered_json{
+        {"trial", trial},
+        {"seconds", r.seconds},
+        {"peak_bytes", r.peak_bytes},
+        {"lines",
+         r.lines.size()}}.dump();
     for (const std::string& line : r.lines) text += "\n" + line;
     for (const auto& hard : r.hard.json()) text += "\n" + hard.dump();
     return text;

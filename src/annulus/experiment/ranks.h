@@ -10,12 +10,12 @@
 
 namespace annulus {
 
-/// The processes of a run under MPI, of which this is one; one alone where it was not started by mpirun, srun or the like. Only the thread
-/// that makes it may use it.
+/// The processes of a run under MPI, of which this is one; one alone where it was not started by mpirun, srun or the
+/// like. Only the thread that makes it may use it.
 class Ranks {
   public:
-    /// Begins MPI where this process was started as one of several. Throws Error(usage) where it was and this build has no MPI: it would
-    /// be one run for each process.
+    /// Begins MPI where this process was started as one of several. Throws Error(usage) where it was and this build
+    /// has no MPI: it would be one run for each process.
     Ranks();
     /// Ends MPI. Lets the others go where they have not been told anything yet.
     ~Ranks();
@@ -33,7 +33,8 @@ class Ranks {
     /// What the first has, all have: of the others' the argument is replaced.
     void share(std::string& text);
 
-    /// Of the first rank: answers the others until the sweep is over and all of them know. `poll` is called every few milliseconds.
+    /// Of the first rank: answers the others until the sweep is over and all of them know. `poll` is called every few
+    /// milliseconds.
     void serve(Coordinator& coordinator, int threads, const std::function<void()>& poll);
     /// Of any other: computes with so many threads what the first hands out, until it says that is all.
     void work(const Spec& spec, int threads);

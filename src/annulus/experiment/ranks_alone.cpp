@@ -11,9 +11,10 @@ struct Ranks::Messages {};
 
 Ranks::Ranks() {
     if (const int n = launched_processes(); n > 1)
-        throw Error(Error_code::usage, "started as one of " + std::to_string(n) +
-                                           " processes, but this build has no MPI: each would run all of the sweep (build it with "
-                                           "-DANNULUS_MPI=ON, or start it once, with --threads)");
+        throw Error(Error_code::usage,
+                    "started as one of " + std::to_string(n) +
+                        " processes, but this build has no MPI: each would run all of the sweep (build it with "
+                        "-DANNULUS_MPI=ON, or start it once, with --threads)");
 }
 Ranks::~Ranks() = default;
 bool Ranks::built_with_mpi() noexcept { return false; }

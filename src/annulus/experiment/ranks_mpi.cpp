@@ -56,12 +56,13 @@ struct Ranks::Messages {
     Launcher_watch watch{};
     std::vector<int> machines{};  ///< by rank
     bool shared = false;
-    std::set<int> told{};  ///< which of the others know that it is over, or have gone
+    std::set<int> told{};                          ///< which of the others know that it is over, or have gone
     std::map<int, std::set<std::size_t>> doing{};  ///< what they have been given
 
     static void send(int to, Tag tag, std::string_view text) {
         if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-            throw Error(Error_code::too_large, "a result of more than two gigabytes cannot be sent; keep fewer 'hardest' inputs");
+            throw Error(Error_code::too_large,
+                        "a result of more than two gigabytes cannot be sent; keep fewer 'hardest' inputs");
         MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, to, tag, MPI_COMM_WORLD);
     }
     /// A message, if there is one.
@@ -101,8 +102,10 @@ Ranks::Ranks() {
     if (size_ == 1) {
         MPI_Finalize();
         messages_.reset();
-        throw Error(Error_code::usage, "started as one of " + std::to_string(launched) +
-                                           " processes, of which MPI knows only this one: each would run all of the sweep (srun: try --mpi=pmix)");
+        throw Error(
+            Error_code::usage,
+            "started as one of " + std::to_string(launched) +
+                " processes, of which MPI knows only this one: each would run all of the sweep (srun: try --mpi=pmix)");
     }
     MPI_Comm here;
     MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &here);
@@ -166,7 +169,8 @@ void Ranks::serve(Coordinator& c, int threads, const std::function<void()>& poll
             messages_->doing[from].erase(trial);
             c.fail(trial, machine, fault_of(rest));
         } else {
-            for (const std::size_t trial : std::exchange(messages_->doing[from], {})) c.fail(trial, machine, fault_of(text));
+            for (const std::size_t trial : std::exchange(messages_->doing[from], {}))
+                c.fail(trial, machine, fault_of(text));
             c.stop(fault_of(text));
             messages_->told.insert(from);
         }
@@ -198,7 +202,9 @@ void Ranks::work(const Spec& spec, int threads) {
             return job;
         },
         [&leave](const Schedule::Job& job, const Trial_result& r) { leave(result, packed(job.trial, r)); },
-        [&leave](const Schedule::Job& job, const std::exception_ptr& why) { leave(fault, std::to_string(job.trial) + "\n" + packed(why)); });
+        [&leave](const Schedule::Job& job, const std::exception_ptr& why) {
+            leave(fault, std::to_string(job.trial) + "\n" + packed(why));
+        });
 
     // Before the threads are waited for, whatever happens.
     struct Closing {

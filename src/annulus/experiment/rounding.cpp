@@ -24,7 +24,8 @@ std::optional<T> number(std::string_view word) {
 /// By the decimal itself: x 10^k would be rounded once more.
 double rounded_to_digits(double x, int digits) {
     std::array<char, 400> text{};  // 309 digits before the point at most
-    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::fixed, digits);
+    const auto [end, error] =
+        std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::fixed, digits);
     if (error != std::errc()) return x;
     double value = x;
     std::from_chars(text.data(), end, value);
@@ -33,7 +34,8 @@ double rounded_to_digits(double x, int digits) {
 
 double rounded_to_float(double x) {
     const auto value = static_cast<double>(static_cast<float>(x));
-    if (std::isinf(value)) throw Error(Error_code::out_of_domain, "a coordinate is too large for a float: " + decimal(x));
+    if (std::isinf(value))
+        throw Error(Error_code::out_of_domain, "a coordinate is too large for a float: " + decimal(x));
     return value;
 }
 
@@ -52,7 +54,8 @@ std::optional<Rounding> rounding_named(std::string_view word) {
             return Rounding{name, Rounding::Kind::decimal, *digits, 0};
     } else if (kind == "grid") {
         const auto spacing = number<double>(value);
-        if (spacing && *spacing >= 1e-100 && *spacing <= 1e100) return Rounding{name, Rounding::Kind::grid, 0, *spacing};
+        if (spacing && *spacing >= 1e-100 && *spacing <= 1e100)
+            return Rounding{name, Rounding::Kind::grid, 0, *spacing};
     }
     return std::nullopt;
 }

@@ -31,7 +31,8 @@ struct Rounding {
 /// None where `word` is no rounding.
 [[nodiscard]] std::optional<Rounding> rounding_named(std::string_view word);
 
-/// The nearest number of that kind, as a double; ties as printf has them (decimal), and to even. A multiple of H is the double nearest to it.
+/// The nearest number of that kind, as a double; ties as printf has them (decimal), and to even. A multiple of H is
+/// the double nearest to it.
 /// Throws Error(out_of_domain) where there is no such float.
 [[nodiscard]] double rounded(double x, const Rounding& rounding);
 

@@ -5,7 +5,8 @@
 
 namespace annulus {
 
-Schedule::Schedule(std::span<const Trial> trials, const std::vector<std::size_t>& open, int threads, std::uint64_t bytes)
+Schedule::Schedule(std::span<const Trial> trials, const std::vector<std::size_t>& open, int threads,
+                   std::uint64_t bytes)
     : trials_(trials), threads_(threads), bytes_(bytes) {
     for (const std::size_t i : open) {
         open_.insert({trials[i].seconds, i});
@@ -19,7 +20,8 @@ std::optional<Schedule::Job> Schedule::take(int machine) {
     std::uint64_t& used = used_[machine];
     const auto fits = [&](std::uint64_t bytes) { return used == 0 || (used <= bytes_ && bytes <= bytes_ - used); };
     if (!fits(*open_bytes_.begin())) return std::nullopt;
-    const auto found = std::find_if(open_.begin(), open_.end(), [&](const auto& one) { return fits(trials_[one.second].bytes); });
+    const auto found =
+        std::find_if(open_.begin(), open_.end(), [&](const auto& one) { return fits(trials_[one.second].bytes); });
     const std::size_t i = found->second;
     const Trial& t = trials_[i];
     // Others have nothing to do while the last dear ones run: they help.

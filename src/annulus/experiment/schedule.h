@@ -13,8 +13,9 @@
 
 namespace annulus {
 
-/// Who computes which trial when: the dearest first, so that nobody is left with one at the end (list scheduling), and on each machine no
-/// more at a time than its memory is thought to hold. One that needs more than that runs alone. Results do not depend on any of it.
+/// Who computes which trial when: the dearest first, so that nobody is left with one at the end (list scheduling),
+/// and on each machine no more at a time than its memory is thought to hold. One that needs more than that runs
+/// alone. Results do not depend on any of it.
 class Schedule {
   public:
     struct Job {
@@ -27,8 +28,8 @@ class Schedule {
 
     /// One trial for a thread of that machine; none where nothing is left, or has room at present.
     [[nodiscard]] std::optional<Job> take(int machine);
-    /// Some, until they take that long, but no more than a fair share of what is left for so many threads in all: short ones are not worth a
-    /// message each.
+    /// Some, until they take that long, but no more than a fair share of what is left for so many threads in all:
+    /// short ones are not worth a message each.
     [[nodiscard]] std::vector<Job> take(int machine, double seconds, int threads_in_all);
     void finish(std::size_t trial, int machine);
 

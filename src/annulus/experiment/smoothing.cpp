@@ -29,10 +29,12 @@ Options options_with(int threads) {
 
 template <int d>
 void require_spanning(const Delaunay_mesh<d>& mesh) {
-    if (mesh.dimension() < d) throw Error(Error_code::too_few, "a motion that smooths needs points that span the space");
+    if (mesh.dimension() < d)
+        throw Error(Error_code::too_few, "a motion that smooths needs points that span the space");
 }
 
-/// Uniform ones, those on the sphere first: with h^3 of the ball to a point, its surface has room for as many as squares of a side h.
+/// Uniform ones, those on the sphere first: with h^3 of the ball to a point, its surface has room for as many as
+/// squares of a side h.
 std::vector<Coordinates<3>> points_of_ball(const Ball_3& ball, std::size_t n, std::uint64_t seed) {
     const double square = std::pow(ball.volume() / static_cast<double>(n), 2.0 / 3);
     const auto on_sphere = std::min(n, static_cast<std::size_t>(4 * std::numbers::pi / square));
@@ -51,7 +53,8 @@ std::vector<Coordinates<3>> points_of_ball(const Ball_3& ball, std::size_t n, st
 Lloyd_motion::Lloyd_motion(std::vector<Coordinates<2>> points, int threads)
     : lloyd_(unit_square(), Density::one, threads),
       mesh_(std::make_unique<Delaunay_mesh<2>>()),
-      engine_(std::make_unique<Engine<2>>(*mesh_, options_with(threads), make_strategy<2>(*mesh_, options_with(threads)))) {
+      engine_(
+          std::make_unique<Engine<2>>(*mesh_, options_with(threads), make_strategy<2>(*mesh_, options_with(threads)))) {
     engine_->build(points);
     require_spanning(*mesh_);
     target_.resize(engine_->index_bound());
@@ -66,7 +69,8 @@ void Lloyd_motion::step() {
 Nodt_motion::Nodt_motion(std::size_t n, std::uint64_t seed, int threads)
     : threads_(threads),
       mesh_(std::make_unique<Delaunay_mesh<3>>()),
-      engine_(std::make_unique<Engine<3>>(*mesh_, options_with(threads), make_strategy<3>(*mesh_, options_with(threads)))) {
+      engine_(
+          std::make_unique<Engine<3>>(*mesh_, options_with(threads), make_strategy<3>(*mesh_, options_with(threads)))) {
     engine_->build(points_of_ball(ball_, n, seed));
     require_spanning(*mesh_);
     target_.resize(engine_->index_bound());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/engine/engine.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/motion/ball_3.h>
 #include <annulus/motion/lloyd_2.h>
 #include <annulus/motion/nodt_3.h>
@@ -18,7 +18,8 @@ namespace annulus {
 /// Lloyd's iteration over the unit square, density 1.
 class Lloyd_motion {
   public:
-    /// Points are merged where they coincide. Throws Error(too_few) where fewer than three are left, or all are on a line.
+    /// Points are merged where they coincide. Throws Error(too_few) where fewer than three are left, or all are on a
+    /// line.
     Lloyd_motion(std::vector<Coordinates<2>> points, int threads);
     [[nodiscard]] std::span<const Coordinates<2>> points() const { return engine_->positions(); }
     void step();
@@ -32,8 +33,8 @@ class Lloyd_motion {
     std::vector<Coordinates<2>> target_;
 };
 
-/// Natural optimal Delaunay triangulation of the unit ball, sizing 1. It begins with uniform points, as many of them on the sphere as it
-/// has room for at their mean spacing.
+/// Natural optimal Delaunay triangulation of the unit ball, sizing 1. It begins with uniform points, as many of them
+/// on the sphere as it has room for at their mean spacing.
 class Nodt_motion {
   public:
     Nodt_motion(std::size_t points, std::uint64_t seed, int threads);

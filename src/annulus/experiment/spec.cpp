@@ -44,18 +44,22 @@ std::string names_of(const Families& families) {
 /// One [[grid]].
 class Grid_reader {
   public:
-    Grid_reader(const std::string& name, const toml::table& table, std::size_t number, const std::filesystem::path& directory, Spec& spec)
+    Grid_reader(const std::string& name, const toml::table& table, std::size_t number,
+                const std::filesystem::path& directory, Spec& spec)
         : t_(name, table), number_(number), directory_(directory), spec_(spec) {}
 
     void read() {
-        t_.allow({"name", "points", "dimension", "kind", "rounding", "motion", "seeds", "file", "frames", "every", "open"}, "[[grid]]");
+        t_.allow(
+            {"name", "points", "dimension", "kind", "rounding", "motion", "seeds", "file", "frames", "every", "open"},
+            "[[grid]]");
         common_.grid = number_;
         common_.grid_name = t_.text("name", "grid " + std::to_string(number_ + 1));
         for (const std::string& word : t_.texts("rounding", {"double"})) {
             const std::optional<Rounding> rounding = rounding_named(word);
             if (!rounding)
                 t_.fail("rounding", "'rounding' is " + shown(word),
-                        "double, float, decimal:DIGITS (0 to " + std::to_string(Rounding::most_digits) + ") or grid:SPACING");
+                        "double, float, decimal:DIGITS (0 to " + std::to_string(Rounding::most_digits) +
+                            ") or grid:SPACING");
             roundings_.push_back(*rounding);
         }
         if (t_.has("file")) read_file();
@@ -110,10 +114,13 @@ class Grid_reader {
     }
 
     std::vector<Trial_motion> read_motions(const std::vector<std::pair<std::string, Point_family>>& kinds,
-                                           const std::vector<std::uint64_t>& dimensions, const std::vector<std::uint64_t>& points) {
+                                           const std::vector<std::uint64_t>& dimensions,
+                                           const std::vector<std::uint64_t>& points) {
         const toml::node* const node = t_.find("motion");
         if (node == nullptr) return {};
-        if (!node->is_table()) t_.fail(node, "'motion' is " + shown_value(*node), "a table: { kind = \"walk\", pace = 0.01, steps = [0, 10] }");
+        if (!node->is_table())
+            t_.fail(node, "'motion' is " + shown_value(*node),
+                    "a table: { kind = \"walk\", pace = 0.01, steps = [0, 10] }");
         const std::string& file = t_.name();
         const Spec_table m(file, *node->as_table());
         m.allow({"kind", "pace", "steps"}, "motion");
@@ -128,21 +135,26 @@ class Grid_reader {
             if (word == "lloyd" || word == "nodt") {
                 const bool lloyd = word == "lloyd";
                 for (const std::uint64_t d : dimensions)
-                    if (d != (lloyd ? 2 : 3)) m.fail("kind", word + " moves points in " + (lloyd ? "the plane" : "space"), lloyd ? "dimension = 2" : "dimension = 3");
+                    if (d != (lloyd ? 2 : 3))
+                        m.fail("kind", word + " moves points in " + (lloyd ? "the plane" : "space"),
+                               lloyd ? "dimension = 2" : "dimension = 3");
                 for (const auto& kind : kinds)
-                    if (!lloyd && kind.first != "uniform") m.fail("kind", "nodt begins with uniform points of the ball", "kind = \"uniform\"");
+                    if (!lloyd && kind.first != "uniform")
+                        m.fail("kind", "nodt begins with uniform points of the ball", "kind = \"uniform\"");
                 if (const std::uint64_t least = lloyd ? 3 : 4; *std::min_element(points.begin(), points.end()) < least)
                     t_.fail("points", "'points' has fewer than " + word + " moves", std::to_string(least) + " or more");
                 motions.push_back({word, lloyd ? Trial_motion::Kind::lloyd : Trial_motion::Kind::nodt, {}, 0});
                 continue;
             }
             const auto family = family_named(motion_families, word);
-            if (!family) m.fail("kind", "'kind' is " + shown(word), "one of " + names_of(motion_families) + ", lloyd, nodt");
+            if (!family)
+                m.fail("kind", "'kind' is " + shown(word), "one of " + names_of(motion_families) + ", lloyd, nodt");
             any_generated = true;
             if (paces.empty()) paces = {0.01};
             for (const double pace : paces) motions.push_back({word, Trial_motion::Kind::generated, *family, pace});
         }
-        if (!any_generated && m.has("pace")) m.fail("pace", "'pace' is of no motion here", "it with " + names_of(motion_families));
+        if (!any_generated && m.has("pace"))
+            m.fail("pace", "'pace' is of no motion here", "it with " + names_of(motion_families));
         return motions;
     }
 
@@ -173,7 +185,8 @@ class Grid_reader {
     /// Enters the bytes of a file into the identity of the sweep.
     std::uint64_t note(const std::filesystem::path& path) {
         std::error_code ignored;
-        const bool regular = std::filesystem::is_regular_file(path, ignored);  // it is read twice, and a pipe would wait for ever
+        // It is read twice, and a pipe would wait for ever.
+        const bool regular = std::filesystem::is_regular_file(path, ignored);
         std::ifstream in;
         if (regular) in.open(path, std::ios::binary);
         std::array<char, 1 << 16> block{};
@@ -211,7 +224,8 @@ void require_shallow_keys(const std::string& name, std::string_view text) {
         if (c == '.') ++dots;
         else if (c == '\n' || c == ',') dots = 0;
         if (dots > most)
-            throw Input_error(Error_code::bad_input, name, line, "more than " + std::to_string(most) + " dots in one key", "a key");
+            throw Input_error(Error_code::bad_input, name, line,
+                              "more than " + std::to_string(most) + " dots in one key", "a key");
     }
 }
 
@@ -220,7 +234,8 @@ toml::table parsed(const std::string& name, std::string_view text) {
     try {
         return toml::parse(text, name);
     } catch (const toml::parse_error& e) {
-        throw Input_error(Error_code::bad_input, name, e.source().begin.line, "no TOML: " + std::string(e.description()), "TOML 1.0");
+        throw Input_error(Error_code::bad_input, name, e.source().begin.line,
+                          "no TOML: " + std::string(e.description()), "TOML 1.0");
     }
 }
 
@@ -248,7 +263,8 @@ Spec read_spec(const std::string& name, std::string_view text, const std::filesy
     const toml::array* const grids = t.find("grid")->as_array();
     if (grids == nullptr || grids->empty() || !grids->is_homogeneous(toml::node_type::table))
         t.fail("grid", "'grid' is " + shown_value(*t.find("grid")), "tables: [[grid]]");
-    for (std::size_t i = 0; i < grids->size(); ++i) Grid_reader(name, *(*grids)[i].as_table(), i, directory, spec).read();
+    for (std::size_t i = 0; i < grids->size(); ++i)
+        Grid_reader(name, *(*grids)[i].as_table(), i, directory, spec).read();
     return spec;
 }
 

@@ -48,8 +48,8 @@ void Spec_table::allow(std::initializer_list<std::string_view> keys, const std::
         if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
         std::string all;
         for (const std::string_view k : keys) all += (all.empty() ? "" : ", ") + std::string(k);
-        throw Input_error(Error_code::bad_input, name_, key.source().begin.line, "unknown key " + shown(key.str()) + " in " + where,
-                          "one of " + all);
+        throw Input_error(Error_code::bad_input, name_, key.source().begin.line,
+                          "unknown key " + shown(key.str()) + " in " + where, "one of " + all);
     }
 }
 
@@ -61,8 +61,10 @@ std::string Spec_table::read_text(std::string_view key, const toml::node& node) 
     if (!node.is_string()) fail(&node, quoted(key) + " is " + shown_value(node), "a text in quotes");
     return node.as_string()->get();
 }
-std::uint64_t Spec_table::read_whole(std::string_view key, const toml::node& node, std::uint64_t least, std::uint64_t most) const {
-    if (!node.is_integer() || node.as_integer()->get() < 0 || static_cast<std::uint64_t>(node.as_integer()->get()) < least ||
+std::uint64_t Spec_table::read_whole(std::string_view key, const toml::node& node, std::uint64_t least,
+                                     std::uint64_t most) const {
+    if (!node.is_integer() || node.as_integer()->get() < 0 ||
+        static_cast<std::uint64_t>(node.as_integer()->get()) < least ||
         static_cast<std::uint64_t>(node.as_integer()->get()) > most)
         fail(&node, quoted(key) + " is " + shown_value(node), range(least, most));
     return static_cast<std::uint64_t>(node.as_integer()->get());
@@ -72,7 +74,8 @@ double Spec_table::read_number(std::string_view key, const toml::node& node, dou
     if (node.is_integer()) x = static_cast<double>(node.as_integer()->get());
     else if (node.is_floating_point()) x = node.as_floating_point()->get();
     if (!(x >= least && x <= most))
-        fail(&node, quoted(key) + " is " + shown_value(node), "a number from " + decimal(least) + " to " + decimal(most));
+        fail(&node, quoted(key) + " is " + shown_value(node),
+             "a number from " + decimal(least) + " to " + decimal(most));
     return x;
 }
 
@@ -106,16 +109,18 @@ bool Spec_table::flag(std::string_view key) const {
     if (node != nullptr && !node->is_boolean()) fail(node, quoted(key) + " is " + shown_value(*node), "true or false");
     return node != nullptr && node->as_boolean()->get();
 }
-std::uint64_t Spec_table::whole(std::string_view key, std::uint64_t absent, std::uint64_t least, std::uint64_t most) const {
+std::uint64_t Spec_table::whole(std::string_view key, std::uint64_t absent, std::uint64_t least,
+                                std::uint64_t most) const {
     const toml::node* const node = find(key);
     return node == nullptr ? absent : read_whole(key, *node, least, most);
 }
 std::vector<std::string> Spec_table::texts(std::string_view key, std::vector<std::string> absent) const {
     return list<std::string>(key, std::move(absent), [&](const toml::node& node) { return read_text(key, node); });
 }
-std::vector<std::uint64_t> Spec_table::wholes(std::string_view key, std::vector<std::uint64_t> absent, std::uint64_t least,
-                                              std::uint64_t most) const {
-    return list<std::uint64_t>(key, std::move(absent), [&](const toml::node& node) { return read_whole(key, node, least, most); });
+std::vector<std::uint64_t> Spec_table::wholes(std::string_view key, std::vector<std::uint64_t> absent,
+                                              std::uint64_t least, std::uint64_t most) const {
+    return list<std::uint64_t>(key, std::move(absent),
+                               [&](const toml::node& node) { return read_whole(key, node, least, most); });
 }
 std::vector<double> Spec_table::numbers(std::string_view key, double least, double most) const {
     return list<double>(key, {}, [&](const toml::node& node) { return read_number(key, node, least, most); });

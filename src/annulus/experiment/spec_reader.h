@@ -14,8 +14,8 @@
 
 namespace annulus {
 
-/// One table of a TOML file whose keys are taken one by one, strictly: every fault is an Input_error with the line of what is wrong, and the
-/// key.
+/// One table of a TOML file whose keys are taken one by one, strictly: every fault is an Input_error with the line of
+/// what is wrong, and the key.
 class Spec_table {
   public:
     Spec_table(const std::string& name, const toml::table& table) : name_(name), table_(table) {}
@@ -28,11 +28,12 @@ class Spec_table {
 
     [[nodiscard]] std::string text(std::string_view key, std::string absent) const;
     [[nodiscard]] bool flag(std::string_view key) const;
-    [[nodiscard]] std::uint64_t whole(std::string_view key, std::uint64_t absent, std::uint64_t least, std::uint64_t most) const;
+    [[nodiscard]] std::uint64_t whole(std::string_view key, std::uint64_t absent, std::uint64_t least,
+                                      std::uint64_t most) const;
     /// A value or a list of values; `absent` where there is none. No value may be there twice.
     [[nodiscard]] std::vector<std::string> texts(std::string_view key, std::vector<std::string> absent) const;
-    [[nodiscard]] std::vector<std::uint64_t> wholes(std::string_view key, std::vector<std::uint64_t> absent, std::uint64_t least,
-                                                    std::uint64_t most) const;
+    [[nodiscard]] std::vector<std::uint64_t> wholes(std::string_view key, std::vector<std::uint64_t> absent,
+                                                    std::uint64_t least, std::uint64_t most) const;
     [[nodiscard]] std::vector<double> numbers(std::string_view key, double least, double most) const;
 
     /// The fault is at the node, or, where there is none, at the table.
@@ -47,7 +48,8 @@ class Spec_table {
     template <class T, class Read>
     [[nodiscard]] std::vector<T> list(std::string_view key, std::vector<T> absent, Read read) const;
     [[nodiscard]] std::string read_text(std::string_view key, const toml::node& node) const;
-    [[nodiscard]] std::uint64_t read_whole(std::string_view key, const toml::node& node, std::uint64_t least, std::uint64_t most) const;
+    [[nodiscard]] std::uint64_t read_whole(std::string_view key, const toml::node& node, std::uint64_t least,
+                                           std::uint64_t most) const;
     [[nodiscard]] double read_number(std::string_view key, const toml::node& node, double least, double most) const;
 
     const std::string& name_;

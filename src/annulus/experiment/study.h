@@ -19,8 +19,8 @@ struct Study {
     Tally tally{};          ///< "flat": 1 and nothing else where the points do not span the space
 };
 
-/// Triangulates points and looks at every certificate. `x` are distinct and in the domain, without -0; the hardest inputs go to `hard`,
-/// with the seed. `threads` look at certificates; what is found does not depend on it.
+/// Triangulates points and looks at every certificate. `x` are distinct and in the domain, without -0; the hardest
+/// inputs go to `hard`, with the seed. `threads` look at certificates; what is found does not depend on it.
 template <int d>
 [[nodiscard]] Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard, int threads);
 

@@ -7,7 +7,8 @@ namespace annulus {
 
 namespace {
 
-constexpr std::array common{"grid", "name", "kind", "file", "ignored", "dimension", "points", "rounding", "motion", "pace", "step", "frame"};
+constexpr std::array common{"grid",   "name",     "kind",   "file", "ignored", "dimension",
+                            "points", "rounding", "motion", "pace", "step",    "frame"};
 
 }  // namespace
 

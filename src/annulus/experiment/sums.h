@@ -15,7 +15,8 @@ struct Grid_point {
     Tally tally{};
 };
 
-/// Adds lines of results by grid point. Points are in the order in which they are met first; their sums do not depend on any order.
+/// Adds lines of results by grid point. Points are in the order in which they are met first; their sums do not depend
+/// on any order.
 class Sums {
   public:
     /// One experiment, as its line has it.

@@ -38,14 +38,9 @@ Json quantiles_json(const Tally& t) {
 }
 
 Json sums_json(const Spec& spec, const std::vector<Grid_point>& points) {
-    Json json{{"command", "annulus sweep"},
-              {"version", ANNULUS_VERSION},
-              {"identity", spec.identity},
-              {"title", spec.title},
-              {"seed", spec.seed},
-              {"hardest", spec.hardest},
-              {"trials", spec.trials.size()},
-              {"scales", scales_json()}};
+    Json json{{"command", "annulus sweep"},   {"version", ANNULUS_VERSION}, {"identity", spec.identity},
+              {"title", spec.title},          {"seed", spec.seed},          {"hardest", spec.hardest},
+              {"trials", spec.trials.size()}, {"scales", scales_json()}};
     Json& sums = json["sums"] = Json::array();
     for (const Grid_point& point : points) {
         Json& one = sums.emplace_back(point.where);
@@ -57,8 +52,8 @@ Json sums_json(const Spec& spec, const std::vector<Grid_point>& points) {
 
 }  // namespace
 
-void write_sweep(const Spec& spec, std::string_view text, const Journal& journal, const std::vector<std::optional<std::size_t>>& entry,
-                 const Hard_inputs& hard, Output_directory& out) {
+void write_sweep(const Spec& spec, std::string_view text, const Journal& journal,
+                 const std::vector<std::optional<std::size_t>>& entry, const Hard_inputs& hard, Output_directory& out) {
     Sums sums;
     {
         Text_output results(out.path_of("results.jsonl")), costs(out.path_of("costs.jsonl"));

@@ -15,10 +15,11 @@
 
 namespace annulus {
 
-/// Writes what a sweep has found: results.jsonl, sums.json, hard.jsonl, sweep.html, which depend on the specification alone; spec.toml, its
-/// `text`; and costs.jsonl, what each trial took. `entry` says where in the journal each trial is.
-void write_sweep(const Spec& spec, std::string_view text, const Journal& journal, const std::vector<std::optional<std::size_t>>& entry,
-                 const Hard_inputs& hard, Output_directory& out);
+/// Writes what a sweep has found: results.jsonl, sums.json, hard.jsonl, sweep.html, which depend on the specification
+/// alone; spec.toml, its `text`; and costs.jsonl, what each trial took. `entry` says where in the journal each trial
+/// is.
+void write_sweep(const Spec& spec, std::string_view text, const Journal& journal,
+                 const std::vector<std::optional<std::size_t>>& entry, const Hard_inputs& hard, Output_directory& out);
 
 /// The page.
 [[nodiscard]] std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points);

@@ -55,14 +55,18 @@ Table_row row_of(const Grid_point& point, std::size_t number) {
     const Tally& t = point.tally;
     const std::uint64_t bicells = count(t, "bicells.total"), vertices = count(t, "vertices");
     const auto least = t.least.find("bicells.width");
-    Table_row row{{std::to_string(number) + " &nbsp;" + escaped(label(point.where)), static_cast<double>(number)}, {grouped(count(t, "experiments")), static_cast<double>(count(t, "experiments"))}};
+    Table_row row{{std::to_string(number) + " &nbsp;" + escaped(label(point.where)), static_cast<double>(number)},
+                  {grouped(count(t, "experiments")), static_cast<double>(count(t, "experiments"))}};
     const double each = vertices == 0 ? 0.0 : static_cast<double>(bicells) / static_cast<double>(vertices);
     row.push_back({escaped(readable(each)), each});
-    for (const char* name : {"bicells.zero", "bicells.below.1e-9", "bicells.below.1e-3"}) row.push_back(share(count(t, name), bicells));
+    for (const char* name : {"bicells.zero", "bicells.below.1e-9", "bicells.below.1e-3"})
+        row.push_back(share(count(t, name), bicells));
     if (least == t.least.end()) row.push_back("–");
     else row.push_back({escaped(readable(least->second)), least->second});
-    for (const char* name : {"bicells.stage.interval", "bicells.stage.exact", "bicells.not_convex"}) row.push_back(share(count(t, name), bicells));
-    for (const char* name : {"tolerance.paper_above_exact", "tolerance.paper_unsound"}) row.push_back(share(count(t, name), vertices));
+    for (const char* name : {"bicells.stage.interval", "bicells.stage.exact", "bicells.not_convex"})
+        row.push_back(share(count(t, name), bicells));
+    for (const char* name : {"tolerance.paper_above_exact", "tolerance.paper_unsound"})
+        row.push_back(share(count(t, name), vertices));
     row.push_back({grouped(count(t, "flat")), static_cast<double>(count(t, "flat"))});
     return row;
 }
@@ -130,9 +134,10 @@ void append_widths(std::string& out, const std::vector<Grid_point>& points) {
         plots.push_back(std::move(plot));
     }
     append_plots(out, "Distributions", plots,
-                 points.size() <= most_curves
-                     ? "By rows of the table. Where a curve begins with a horizontal line, its share is below the scale, or exactly 0."
-                     : "The first " + std::to_string(most_curves) + " rows of the table, by their numbers; sums.json has all.");
+                 points.size() <= most_curves ? "By rows of the table. Where a curve begins with a horizontal line, "
+                                                "its share is below the scale, or exactly 0."
+                                              : "The first " + std::to_string(most_curves) +
+                                                    " rows of the table, by their numbers; sums.json has all.");
 }
 
 }  // namespace
@@ -150,20 +155,22 @@ std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) 
     out += "</table></div>\n<h2>What was found</h2>\n";
     std::vector<Table_row> rows;
     for (const Grid_point& point : points) rows.push_back(row_of(point, rows.size() + 1));
-    append_table(out,
-                 {"grid point", "experiments", "bi-cells a vertex", "exactly 0", "width &lt; 1e-9", "&lt; 1e-3", "least width", "by intervals",
-                  "by integers", "not convex", "paper above exact", "paper unsound", "flat"},
-                 rows, true);
+    append_table(
+        out,
+        {"grid point", "experiments", "bi-cells a vertex", "exactly 0", "width &lt; 1e-9", "&lt; 1e-3", "least width",
+         "by intervals", "by integers", "not convex", "paper above exact", "paper unsound", "flat"},
+        rows, true);
     out +=
-        "<figcaption>Each row adds the experiments that differ in their seed only. Widths in mean spacings; shares of bi-cells, in the last "
-        "columns of vertices. Flat: experiments whose points do not span the space, of which nothing is counted.</figcaption>\n";
+        "<figcaption>Each row adds the experiments that differ in their seed only. Widths in mean spacings; shares of "
+        "bi-cells, in the last columns of vertices. Flat: experiments whose points do not span the space, of which "
+        "nothing is counted.</figcaption>\n";
     append_widths(out, points);
     append_plots(out, "Which arithmetic decides",
                  {stages_plot("Bi-cells by theta", "theta (radians)", all, "theta_log"),
                   stages_plot("Bi-cells by width", "width (ulps of the largest coordinate)", all, "bicells.width_ulps"),
                   stages_plot("Cells by width", "width (ulps of the largest coordinate)", all, "cells.width_ulps")},
-                 "Of the certificates of all experiments in a bin, how many each stage decided. What is exactly degenerate has no place on a scale "
-                 "of widths.");
+                 "Of the certificates of all experiments in a bin, how many each stage decided. What is exactly "
+                 "degenerate has no place on a scale of widths.");
     return out + page_foot();
 }
 

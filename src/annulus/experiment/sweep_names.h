@@ -11,7 +11,7 @@ namespace annulus {
 inline constexpr const char* journal_name = ".sweep-journal";
 /// Those that a sweep writes.
 inline constexpr std::array<std::string_view, 6> sweep_results{"results.jsonl", "sums.json", "hard.jsonl",
-                                                                 "sweep.html",    "spec.toml", "costs.jsonl"};
+                                                               "sweep.html",    "spec.toml", "costs.jsonl"};
 /// One of these, or the journal.
 [[nodiscard]] inline bool is_sweep_file(std::string_view name) {
     return name == journal_name || std::find(sweep_results.begin(), sweep_results.end(), name) != sweep_results.end();

@@ -22,14 +22,17 @@ std::string with_stage(const std::string& name, Stage stage) { return name + "."
 std::vector<Scale_of> all_scales() {
     const Distribution lengths{};
     std::vector<Scale_of> all;
-    for (const char* name : {"bicells.width", "standard.width", "cells.width", "ridges.width", "tolerance.certified", "tolerance.paper"})
+    for (const char* name :
+         {"bicells.width", "standard.width", "cells.width", "ridges.width", "tolerance.certified", "tolerance.paper"})
         all.push_back({name, "mean spacings", lengths.histogram});
     all.push_back({"tolerance.paper_over_exact", "1", Vertex_counts{}.paper_ratio});
     all.push_back({"theta", "radians", Histogram::linear(0, std::numbers::pi / 2, 36)});
     for (const Stage stage : counted_stages) {
         all.push_back({with_stage("theta_log", stage), "radians", Histogram::log10(1e-12, 10, 52)});
-        all.push_back({with_stage("bicells.width_ulps", stage), "ulps of the largest coordinate", Histogram::log10(1e-8, 1e20, 112)});
-        all.push_back({with_stage("cells.width_ulps", stage), "ulps of the largest coordinate", Histogram::log10(1e-8, 1e20, 112)});
+        all.push_back({with_stage("bicells.width_ulps", stage), "ulps of the largest coordinate",
+                       Histogram::log10(1e-8, 1e20, 112)});
+        all.push_back({with_stage("cells.width_ulps", stage), "ulps of the largest coordinate",
+                       Histogram::log10(1e-8, 1e20, 112)});
     }
     return all;
 }
@@ -52,8 +55,10 @@ void add_widths(Tally& t, const std::string& name, const Width_counts& w, const 
 Tally& Tally::operator+=(const Tally& other) {
     for (const auto& [name, n] : other.counts) counts[name] += n;
     for (const auto& [name, from] : other.histograms) {
-        Bins& to = histograms.try_emplace(name, Bins{0, 0, std::vector<std::uint64_t>(from.in.size(), 0)}).first->second;
-        if (to.in.size() != from.in.size()) throw Error(Error_code::bad_input, "histograms '" + name + "' have different bins");
+        Bins& to =
+            histograms.try_emplace(name, Bins{0, 0, std::vector<std::uint64_t>(from.in.size(), 0)}).first->second;
+        if (to.in.size() != from.in.size())
+            throw Error(Error_code::bad_input, "histograms '" + name + "' have different bins");
         to.below += from.below;
         to.above += from.above;
         for (std::size_t i = 0; i < from.in.size(); ++i) to.in[i] += from.in[i];
@@ -89,7 +94,8 @@ double quantile(const Bins& bins, const Histogram& scale, double p) {
         const double n = static_cast<double>(bins.in[i]);
         if (n > 0 && rank <= passed + n) {
             const double t = (rank - passed) / n;
-            return scale.logarithmic() ? edges[i] * std::pow(edges[i + 1] / edges[i], t) : edges[i] * (1 - t) + edges[i + 1] * t;
+            return scale.logarithmic() ? edges[i] * std::pow(edges[i + 1] / edges[i], t)
+                                       : edges[i] * (1 - t) + edges[i + 1] * t;
         }
         passed += n;
     }
@@ -165,10 +171,11 @@ nlohmann::ordered_json tally_json(const Tally& t) {
         const auto some = [](std::uint64_t n) { return n != 0; };
         const auto first = std::find_if(bins.in.begin(), bins.in.end(), some);
         const auto last = std::find_if(bins.in.rbegin(), bins.in.rend(), some).base();
-        json["histograms"][name] = {{"below", bins.below},
-                                    {"above", bins.above},
-                                    {"first", first == bins.in.end() ? 0 : first - bins.in.begin()},
-                                    {"in", first == bins.in.end() ? std::vector<std::uint64_t>() : std::vector<std::uint64_t>(first, last)}};
+        json["histograms"][name] = {
+            {"below", bins.below},
+            {"above", bins.above},
+            {"first", first == bins.in.end() ? 0 : first - bins.in.begin()},
+            {"in", first == bins.in.end() ? std::vector<std::uint64_t>() : std::vector<std::uint64_t>(first, last)}};
     }
     return json;
 }

@@ -15,13 +15,14 @@ namespace annulus {
 
 /// Counts of samples in the bins of a Histogram.
 struct Bins {
-    std::uint64_t below = 0, above = 0;   ///< of the first edge, of the last
-    std::vector<std::uint64_t> in{};      ///< by bin
+    std::uint64_t below = 0, above = 0;  ///< of the first edge, of the last
+    std::vector<std::uint64_t> in{};     ///< by bin
     friend bool operator==(const Bins&, const Bins&) = default;
 };
 
-/// What experiments have found, as numbers that add exactly: counts, histograms with fixed edges, and least values. The sum of some of
-/// them does not depend on their order, nor on which were added first: integers are added, and a minimum is a minimum.
+/// What experiments have found, as numbers that add exactly: counts, histograms with fixed edges, and least values.
+/// The sum of some of them does not depend on their order, nor on which were added first: integers are added, and a
+/// minimum is a minimum.
 ///
 /// An empty one is neutral.
 struct Tally {
@@ -46,11 +47,12 @@ struct Scale_of {
 [[nodiscard]] const Histogram& scale(const std::string& name);
 [[nodiscard]] Bins bins_of(const Histogram& histogram);
 
-/// Below which value a share p of the samples is, by linear interpolation in its bin (of the logarithms on a logarithmic scale);
-/// the first or the last edge where it is beyond. NaN without samples.
+/// Below which value a share p of the samples is, by linear interpolation in its bin (of the logarithms on a
+/// logarithmic scale); the first or the last edge where it is beyond. NaN without samples.
 [[nodiscard]] double quantile(const Bins& bins, const Histogram& scale, double p);
 
-/// What `degeneracy` counted. What is told of every certificate (theta and width against the stage) is not in it: Certificate_tally.
+/// What `degeneracy` counted. What is told of every certificate (theta and width against the stage) is not in it:
+/// Certificate_tally.
 [[nodiscard]] Tally tally_of(const Degeneracy& found);
 
 /// Theta and width of certificates against the stage that decided them.
@@ -69,8 +71,8 @@ class Certificate_tally {
     double least_, least_positive_;
 };
 
-/// {"counts": {..}, "least": {..}, "histograms": {NAME: {"below", "above", "first", "in"}}}: of a histogram the bins from the first to the
-/// last that is not 0.
+/// {"counts": {..}, "least": {..}, "histograms": {NAME: {"below", "above", "first", "in"}}}: of a histogram the bins
+/// from the first to the last that is not 0.
 [[nodiscard]] nlohmann::ordered_json tally_json(const Tally& tally);
 /// The same back. Throws nlohmann's exceptions for what tally_json does not write.
 [[nodiscard]] Tally tally_of(const nlohmann::ordered_json& json);

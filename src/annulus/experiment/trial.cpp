@@ -26,7 +26,8 @@ class Lines {
   public:
     Lines(const Trial& trial, std::size_t hardest, int threads) : trial_(trial), threads_(threads), result_(hardest) {}
 
-    /// One experiment: `where` is {"step": ..} or {"frame": ..}. `merged`: points that are not in x since others are at their places.
+    /// One experiment: `where` is {"step": ..} or {"frame": ..}. `merged`: points that are not in x since others are
+    /// at their places.
     template <int d>
     void look(const Json& where, std::vector<Coordinates<d>> x, std::size_t merged = 0) {
         const std::size_t points = x.size() + merged;
@@ -166,7 +167,8 @@ void estimate(Trial& t, std::uint64_t points, int dimension) {
     const double look = dimension == 2 ? 7e-6 : 40e-6, step = dimension == 2 ? 1e-6 : 8e-6;
     const std::uint64_t each = dimension == 2 ? 700 : 2600;
     const double generated = t.motion && t.motion->kind == Trial_motion::Kind::generated ? 0.1 : 1;
-    const double looks = static_cast<double>(std::max<std::size_t>(1, t.file.empty() ? t.steps.size() : t.frames.size()));
+    const double looks =
+        static_cast<double>(std::max<std::size_t>(1, t.file.empty() ? t.steps.size() : t.frames.size()));
     const double steps = t.file.empty() ? static_cast<double>(t.steps.back()) : 0;
     t.seconds = static_cast<double>(points) * (look * looks + step * generated * steps);
     t.bytes = points * each + (std::uint64_t{1} << 20);

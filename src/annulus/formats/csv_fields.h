@@ -8,15 +8,15 @@
 
 namespace annulus {
 
-/// Splits a line at separators outside quotes; fields are without blanks and quotes around them. A quote counts in fields that begin with
-/// one. False where one is still open at the end.
+/// Splits a line at separators outside quotes; fields are without blanks and quotes around them. A quote counts in
+/// fields that begin with one. False where one is still open at the end.
 [[nodiscard]] bool split_csv(std::string_view line, char separator, std::vector<std::string_view>& fields);
 
 /// Tab, semicolon or comma: what separates the fields of this first line.
 [[nodiscard]] char csv_separator(std::string_view line);
 
-/// A header has names only; some may be empty, as that of the index which pandas writes. What begins like a number is none, so that
-/// `1 2` is not taken for the name of a column.
+/// A header has names only; some may be empty, as that of the index which pandas writes. What begins like a number is
+/// none, so that `1 2` is not taken for the name of a column.
 [[nodiscard]] bool is_csv_header(const std::vector<std::string_view>& fields);
 
 /// Goes to the next line that is not blank; false at the end.

@@ -8,8 +8,8 @@
 
 namespace annulus {
 
-/// Keeps other runs of annulus out of a directory while its files are replaced, or from replacing them while they are looked at.
-/// Waits its turn. Where there is no such directory, or the file system has no locks, it does nothing.
+/// Keeps other runs of annulus out of a directory while its files are replaced, or from replacing them while they are
+/// looked at. Waits its turn. Where there is no such directory, or the file system has no locks, it does nothing.
 class Directory_lock {
   public:
     enum class Use : std::uint8_t { reading, writing };

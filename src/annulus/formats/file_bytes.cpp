@@ -75,7 +75,8 @@ void File_bytes::fail(std::string fault, std::string expected) const {
     throw Input_error(Error_code::bad_input, name_, 0, std::move(fault), std::move(expected));
 }
 
-/// Reads the next block; false at the end. By blocks rather than by size: pipes have none, and a file may grow meanwhile.
+/// Reads the next block; false at the end. By blocks rather than by size: pipes have none, and a file may grow
+/// meanwhile.
 bool File_bytes::fill() {
     block_.resize(block_size);
     ssize_t got = 0;

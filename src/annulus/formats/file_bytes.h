@@ -11,8 +11,8 @@
 
 namespace annulus {
 
-/// The bytes of a file from first to last, `-` being standard input; where its name ends in .gz (either case), or it begins as
-/// gzip does, those that gzip packed in it, all members one after the other.
+/// The bytes of a file from first to last, `-` being standard input; where its name ends in .gz (either case), or it
+/// begins as gzip does, those that gzip packed in it, all members one after the other.
 ///
 /// Devices, which may have no end, are refused by any name but `-`. What foreign_kind knows is refused by what it is.
 ///
@@ -25,8 +25,8 @@ class File_bytes {
     File_bytes(const File_bytes&) = delete;
     File_bytes& operator=(const File_bytes&) = delete;
 
-    /// Appends the next bytes to `content`, 64 KiB at most; false at the end. Throws Input_error when the file cannot be
-    /// read further, what is packed in it is damaged or cut off, or it is of a foreign kind.
+    /// Appends the next bytes to `content`, 64 KiB at most; false at the end. Throws Input_error when the file cannot
+    /// be read further, what is packed in it is damaged or cut off, or it is of a foreign kind.
     bool more(std::string& content);
 
     /// "standard input", where it is that.

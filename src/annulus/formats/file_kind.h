@@ -19,8 +19,9 @@ struct Foreign_kind {
     std::string_view fault, expected;
 };
 
-/// By the first bytes, `telling_bytes` of them where there are as many: text in UTF-16 or UTF-32, with a byte order mark or
-/// without, what other programs have packed, and files of other programs that are met under the names of tables.
+/// By the first bytes, `telling_bytes` of them where there are as many: text in UTF-16 or UTF-32, with a byte order
+/// mark or without, what other programs have packed, and files of other programs that are met under the names of
+/// tables.
 [[nodiscard]] std::optional<Foreign_kind> foreign_kind(std::string_view bytes) noexcept;
 
 }  // namespace annulus

@@ -17,7 +17,7 @@ enum class Format { xyz, csv, lammps, off, obj, ply, stl, mesh, inr, pgm, png };
 
 /// Formats of files with frames, and of those that have points.
 inline constexpr std::array frame_formats{Format::xyz, Format::csv, Format::lammps};
-inline constexpr std::array point_formats{Format::xyz, Format::csv,  Format::lammps,
+inline constexpr std::array point_formats{Format::xyz, Format::csv, Format::lammps,
                                           Format::off, Format::ply, Format::mesh};
 inline constexpr std::array surface_formats{Format::off, Format::obj, Format::ply, Format::stl};
 inline constexpr std::array picture_formats{Format::png, Format::pgm};
@@ -26,9 +26,9 @@ inline constexpr std::array picture_formats{Format::png, Format::pgm};
 [[nodiscard]] std::string_view name_of(Format format);
 [[nodiscard]] std::vector<std::string> names_of(std::span<const Format> formats);
 
-/// The format of a file, which is one of `accepted`: what `asked` names, or without it the file's extension (either case,
-/// and before .gz). Throws Input_error where that is another or none, Error(usage) where `asked` is, and for standard input
-/// without `asked`, which has no extension.
+/// The format of a file, which is one of `accepted`: what `asked` names, or without it the file's extension (either
+/// case, and before .gz). Throws Input_error where that is another or none, Error(usage) where `asked` is, and for
+/// standard input without `asked`, which has no extension.
 [[nodiscard]] Format format_of(const std::filesystem::path& file, std::span<const Format> accepted,
                                std::string_view asked = {});
 

@@ -64,8 +64,7 @@ class Frame_reader {
     /// A line that says `what`, "Lattice", and means a periodic box: refuses it, or notes the first one.
     void meet_box(const std::string& what);
     void note(std::uint64_t line, const std::string& text);
-    static constexpr const char* x_may_be_an_id =
-        "column 1 has integers as ids are, and is taken for x; z is column 3";
+    static constexpr const char* x_may_be_an_id = "column 1 has integers as ids are, and is taken for x; z is column 3";
     /// Writes down where an id, if any is wanted, and coordinates are; once.
     void take_columns(Taken_columns columns) {
         if (columns_.empty()) columns_ = std::move(columns);
@@ -90,8 +89,8 @@ class Frame_reader {
 };
 
 /// XYZ: a count, a comment (extended XYZ is obeyed: xyz_comment.h), and that many rows. Without `Properties` a row is
-/// `[element] x y [z] ...`, as far as that is clear (xyz_guess.h). Where points are wanted a file may also be one frame of rows
-/// `x y [z]` alone.
+/// `[element] x y [z] ...`, as far as that is clear (xyz_guess.h). Where points are wanted a file may also be one
+/// frame of rows `x y [z]` alone.
 class Xyz_frames : public Frame_reader {
   public:
     Xyz_frames(File_bytes& bytes, Wanted wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
@@ -113,10 +112,10 @@ class Xyz_frames : public Frame_reader {
     std::uint64_t next_number_ = 0;
 };
 
-/// CSV: a header that names the columns frame, id, x, y and perhaps z, in either case and any order, and rows
-/// whose frame does not decrease. Where points are wanted, frame and id may be missing, and without a header the first
-/// columns are x, y and z, and there are no others. Lines that begin with # are comments before the first row, and rows after it; the header may be
-/// such a comment, as NumPy writes it.
+/// CSV: a header that names the columns frame, id, x, y and perhaps z, in either case and any order, and rows whose
+/// frame does not decrease. Where points are wanted, frame and id may be missing, and without a header the first
+/// columns are x, y and z, and there are no others. Lines that begin with # are comments before the first row, and
+/// rows after it; the header may be such a comment, as NumPy writes it.
 class Csv_frames : public Frame_reader {
   public:
     Csv_frames(File_bytes& bytes, Wanted wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
@@ -146,10 +145,11 @@ class Csv_frames : public Frame_reader {
     Header columns_;
 };
 
-/// LAMMPS dumps in text: ITEM: TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS and ATOMS with the names of its columns; UNITS and TIME
-/// are stepped over. Positions are x y z, without all three of them xu yu zu, and then xs ys zs or xsu ysu zsu, which are
-/// multiplied out in doubles; where nothing has a z a frame is of the plane. All frames have the same of these. A frame's number
-/// is its timestep. A box is periodic where a side of it is p, or nothing says how its sides are.
+/// LAMMPS dumps in text: ITEM: TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS and ATOMS with the names of its columns; UNITS
+/// and TIME are stepped over. Positions are x y z, without all three of them xu yu zu, and then xs ys zs or xsu ysu
+/// zsu, which are multiplied out in doubles; where nothing has a z a frame is of the plane. All frames have the same
+/// of these. A frame's number is its timestep. A box is periodic where a side of it is p, or nothing says how its
+/// sides are.
 class Lammps_frames : public Frame_reader {
   public:
     Lammps_frames(File_bytes& bytes, Wanted wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}

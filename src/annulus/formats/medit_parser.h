@@ -29,8 +29,8 @@ struct Medit_content {
     std::uint64_t last_line = 1;
 };
 
-/// Reads one record a line; sections other than vertices, edges, triangles and tetrahedra are stepped over. A missing End is
-/// accepted, since every section says how long it is. Throws Input_error.
+/// Reads one record a line; sections other than vertices, edges, triangles and tetrahedra are stepped over. A missing
+/// End is accepted, since every section says how long it is. Throws Input_error.
 [[nodiscard]] Medit_content parse_medit(const Source& source);
 
 }  // namespace annulus

@@ -49,7 +49,8 @@ void Motion_reader::require_same_kind() {
     ids_are_places_ = raw_.ids_are_places;
 }
 
-/// What was read, by id; equal ones are refused. The frames exchange their memory, so that none is asked for in the long run.
+/// What was read, by id; equal ones are refused. The frames exchange their memory, so that none is asked for in the
+/// long run.
 void Motion_reader::sort_by_id(Frame& frame) {
     frame.number = raw_.number;
     if (std::adjacent_find(raw_.id.begin(), raw_.id.end(), std::greater_equal<>()) == raw_.id.end()) {
@@ -86,8 +87,8 @@ bool Motion_reader::fills_gap(Frame& frame) {
     if (distance == *stride_) return false;
     if (absent_ == Absent_frames::refuse || distance < *stride_)
         fail(raw_.line,
-             "frame " + std::to_string(raw_.number) + " after frame " + std::to_string(*last_) +
-                 ", where others are " + std::to_string(*stride_) + " apart",
+             "frame " + std::to_string(raw_.number) + " after frame " + std::to_string(*last_) + ", where others are " +
+                 std::to_string(*stride_) + " apart",
              absent_ == Absent_frames::refuse
                  ? "frame " + std::to_string(*last_ + *stride_) + ", or --absent-frames empty or skip"
                  : "the first two frames of standard input to be no further apart, or --absent-frames skip");
@@ -125,7 +126,8 @@ std::optional<double> Motion_reader::share_read() const {
 
 bool is_flat(const std::filesystem::path& file, const Motion_options& options) {
     File_bytes bytes(file);
-    const auto frames = frames_of(bytes, format_of(file, frame_formats, options.format), Wanted::motion, {.ignored = true});
+    const auto frames =
+        frames_of(bytes, format_of(file, frame_formats, options.format), Wanted::motion, {.ignored = true});
     std::optional<double> z;
     Raw_frame raw;
     while (frames->next(raw)) {

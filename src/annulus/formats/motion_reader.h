@@ -14,7 +14,8 @@
 
 namespace annulus {
 
-/// What to do where numbers of frames are further apart than others of the file: a frame without points has no row in CSV.
+/// What to do where numbers of frames are further apart than others of the file: a frame without points has no row in
+/// CSV.
 enum class Absent_frames {
     refuse,  ///< an Input_error
     empty,   ///< one frame without points stands for those that are absent: all points disappear and appear again
@@ -28,21 +29,22 @@ struct Motion_options {
     Periodic_box box{};
 };
 
-/// A recorded motion, a frame at a time, by the extension of the file (format.h); `-` is standard input. No more than a frame
-/// is held, however many there are.
+/// A recorded motion, a frame at a time, by the extension of the file (format.h); `-` is standard input. No more than
+/// a frame is held, however many there are.
 ///
 /// `.xyz`: frames one after the other, see Xyz_frames; `.lammpstrj`: see Lammps_frames. A point's id is its `id` in
-/// Properties or ATOMS, in all frames or none; else its place in the frame, from 0. `.csv`: see Csv_frames; frames are numbered
-/// evenly, as far apart as the first two, or `absent` says what to do. Points appear and disappear by their id; frames may
-/// have no points.
+/// Properties or ATOMS, in all frames or none; else its place in the frame, from 0. `.csv`: see Csv_frames; frames
+/// are numbered evenly, as far apart as the first two, or `absent` says what to do. Points appear and disappear by
+/// their id; frames may have no points.
 ///
-/// Whoever reads gets Input_error for everything that is wrong with the file, when it comes to it; that includes having no
-/// point at all, two of one id in a frame, and a periodic box unless it is to be ignored.
+/// Whoever reads gets Input_error for everything that is wrong with the file, when it comes to it; that includes
+/// having no point at all, two of one id in a frame, and a periodic box unless it is to be ignored.
 class Motion_reader {
   public:
-    /// Throws Input_error where the file cannot be opened, Error(usage) for what is no format. With Absent_frames::empty the
-    /// distance of frames is the least there is, for which a CSV file is read once more; what cannot be read twice (standard
-    /// input) has that of its first two frames, and frames that are closer are refused.
+    /// Throws Input_error where the file cannot be opened, Error(usage) for what is no format. With
+    /// Absent_frames::empty the distance of frames is the least there is, for which a CSV file is read once more;
+    /// what cannot be read twice (standard input) has that of its first two frames, and frames that are closer are
+    /// refused.
     explicit Motion_reader(const std::filesystem::path& file, const Motion_options& options = {});
 
     /// The next frame, its points by id; false at the end. Linear but for sorting ids that do not ascend.
@@ -53,7 +55,8 @@ class Motion_reader {
     [[nodiscard]] const std::string& name() const { return bytes_->name(); }
     /// Of the points read so far: all or none.
     [[nodiscard]] bool has_z() const { return has_z_.value_or(false); }
-    /// What the file says and is not obeyed, or may mean something else, as far as it is read; each a line with the file's name.
+    /// What the file says and is not obeyed, or may mean something else, as far as it is read; each a line with the
+    /// file's name.
     [[nodiscard]] const std::vector<std::string>& notes() const { return frames_->notes(); }
     /// What was taken for what, by the first frame with points.
     [[nodiscard]] const Taken_columns& columns() const { return frames_->columns(); }
@@ -71,7 +74,7 @@ class Motion_reader {
     std::unique_ptr<File_bytes> bytes_;
     std::unique_ptr<Frame_reader> frames_;
     Absent_frames absent_;
-    Raw_frame raw_;          ///< the last one read
+    Raw_frame raw_;           ///< the last one read
     bool raw_waits_ = false;  ///< for a frame without points that comes before it
     std::optional<std::uint64_t> last_, stride_;
     std::optional<bool> has_z_, ids_are_places_;

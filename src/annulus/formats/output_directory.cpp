@@ -133,7 +133,8 @@ void Output_directory::look_at_what_is_there(bool may_hold_files) {
     one_by_one_ = one_by_one_ || target_ == fs::current_path(code) || is_mount_point(target_);
 }
 
-/// Another run may take away at any time what it has made: then some of them are missing, and making our own directory fails.
+/// Another run may take away at any time what it has made: then some of them are missing, and making our own
+/// directory fails.
 void Output_directory::make_parents() {
     if (path_.filename() == "." || path_.filename() == "..") refuse(path_, "is not there");
     target_ = fs::absolute(path_);

@@ -13,10 +13,11 @@ namespace annulus {
 
 /// The directory a run writes to: it appears as a whole on `commit()`, or not at all.
 ///
-/// Content goes to a fresh directory that nobody else can enter (mkdtemp), beside the one to be written where that can
-/// be. The commit renames it, in exchange for an older one. Where the directory that is there cannot be renamed (it is
-/// the working directory or a mount point, or holds other files, which stay), its files are replaced one by one, each at
-/// once: the first that was written is taken away first and comes last, so that where it is all others are.
+/// Content goes to a fresh directory that nobody else can enter (mkdtemp), beside the one to be written where that
+/// can be. The commit renames it, in exchange for an older one. Where the directory that is there cannot be renamed
+/// (it is the working directory or a mount point, or holds other files, which stay), its files are replaced one by
+/// one, each at once: the first that was written is taken away first and comes last, so that where it is all others
+/// are.
 ///
 /// Refusals throw Error(bad_input), what the system cannot do std::system_error; both say "PATH: ...".
 class Output_directory {
@@ -34,15 +35,17 @@ class Output_directory {
     /// Writes one file; `name` is a plain file name that was not written before.
     void write(std::string_view name, std::string_view content);
 
-    /// Where somebody else writes one file, which is to be there before the commit; `name` as above. For what is written bit by bit.
+    /// Where somebody else writes one file, which is to be there before the commit; `name` as above. For what is
+    /// written bit by bit.
     [[nodiscard]] std::filesystem::path path_of(std::string_view name);
-    /// Of earlier files this one is not taken away before all that was written is in place, and on the disk: a crash of the machine leaves the
-    /// one or the other.
+    /// Of earlier files this one is not taken away before all that was written is in place, and on the disk: a crash
+    /// of the machine leaves the one or the other.
     void goes_last(std::string name) { last_ = std::move(name); }
     /// Takes over what was written to another one, which has nothing left.
     void take(Output_directory& other);
 
-    /// Puts the directory in its place. A second call has nothing to do. When it throws, older results are as they were, but for those replaced one by one, which may be in part.
+    /// Puts the directory in its place. A second call has nothing to do. When it throws, older results are as they
+    /// were, but for those replaced one by one, which may be in part.
     void commit();
 
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
@@ -60,7 +63,7 @@ class Output_directory {
     std::filesystem::path path_;    ///< as it was given
     std::filesystem::path target_;  ///< absolute, without links
     Replaced replaced_;
-    std::string last_;      ///< of those that are replaced; none: empty
+    std::string last_;  ///< of those that are replaced; none: empty
     bool exists_ = false;
     bool one_by_one_ = false;
     std::vector<std::filesystem::path> made_;   ///< parents, outermost first

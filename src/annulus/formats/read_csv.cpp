@@ -37,7 +37,8 @@ Csv_frames::Header Csv_frames::header() const {
     return result;
 }
 
-/// A field that goes on in the next line is none of ours, and rows that are taken for parts of it, or the other way round, are points lost or found.
+/// A field that goes on in the next line is none of ours, and rows that are taken for parts of it, or the other way
+/// round, are points lost or found.
 void Csv_frames::split(std::string_view text) {
     if (!split_csv(text, separator_, fields_)) reader_.fail("a quoted field does not end", "its end in the same line");
 }

@@ -11,11 +11,12 @@ namespace annulus {
 /// Whether the name is that of a picture that `read_gray_image` takes: .png or .pgm, either case, also with .gz.
 [[nodiscard]] bool is_gray_image(const std::filesystem::path& file);
 
-/// Reads a picture as grey values: PGM, P2 and P5, of 8 or 16 bits; PNG of any kind, by libpng: values as they are in the file, whatever it says
-/// of gamma; colours become their luma (ITU-R BT.709), and what is transparent is laid on white.
+/// Reads a picture as grey values: PGM, P2 and P5, of 8 or 16 bits; PNG of any kind, by libpng: values as they are in
+/// the file, whatever it says of gamma; colours become their luma (ITU-R BT.709), and what is transparent is laid on
+/// white.
 ///
-/// Throws Input_error for everything that is wrong with the file. 2^26 pixels and 2^17 in a row at most. Memory is asked for when the file is
-/// long enough to hold the pixels that its header announces.
+/// Throws Input_error for everything that is wrong with the file. 2^26 pixels and 2^17 in a row at most. Memory is
+/// asked for when the file is long enough to hold the pixels that its header announces.
 [[nodiscard]] Gray_image read_gray_image(const std::filesystem::path& file);
 
 // One file each.

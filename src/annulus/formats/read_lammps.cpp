@@ -82,7 +82,8 @@ Lammps_frames::Box Lammps_frames::read_box() {
     return box;
 }
 
-/// What the names after ATOMS say: the first kind of position that is there in full. One without z is taken where there is no z.
+/// What the names after ATOMS say: the first kind of position that is there in full. One without z is taken where
+/// there is no z.
 Lammps_frames::Columns Lammps_frames::find_columns() const {
     const auto& words = reader_.fields();
     Columns result;

@@ -11,7 +11,8 @@ namespace annulus {
 
 namespace {
 
-/// libpng leaves by longjmp what it cannot read: no object is made in `header` and `pixels`, between setjmp and the end.
+/// libpng leaves by longjmp what it cannot read: no object is made in `header` and `pixels`, between setjmp and the
+/// end.
 class Png {
   public:
     explicit Png(const Source& source) : rest_(source.content) {

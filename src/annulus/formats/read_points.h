@@ -41,9 +41,9 @@ struct Point_file {
     }
 };
 
-/// Reads points by the extension of the file: .xyz, .csv, .lammpstrj, .off, .ply, .mesh (either case; format.h has more), and
-/// .gz after it; see point_formats.h and frame_readers.h. `-` is standard input. A file of several frames is refused, and one with
-/// a periodic box unless it is to be ignored.
+/// Reads points by the extension of the file: .xyz, .csv, .lammpstrj, .off, .ply, .mesh (either case; format.h has
+/// more), and .gz after it; see point_formats.h and frame_readers.h. `-` is standard input. A file of several frames
+/// is refused, and one with a periodic box unless it is to be ignored.
 ///
 /// Decimals are rounded correctly. d is 2 or 3. Throws Input_error for everything that is wrong with the file, which
 /// includes having no points, a z coordinate when d is 2 (unless ignored), and none when d is 3. Linear in the size of
@@ -55,8 +55,8 @@ template <int d>
 [[nodiscard]] std::variant<Point_file<2>, Point_file<3>> read_points_of_any_dimension(const std::filesystem::path& file,
                                                                                       const Read_options& options = {});
 
-/// The points of a file without repetitions, each where it stands first; no -0. Throws Input_error for a point outside the
-/// domain of the library and for fewer than `at_least` distinct ones. O(n log n).
+/// The points of a file without repetitions, each where it stands first; no -0. Throws Input_error for a point
+/// outside the domain of the library and for fewer than `at_least` distinct ones. O(n log n).
 template <int d>
 [[nodiscard]] std::vector<Coordinates<d>> distinct_points(const Point_file<d>& file, std::size_t at_least);
 

@@ -12,10 +12,11 @@
 
 namespace annulus {
 
-/// A tetrahedral mesh from a file: positive cells that meet in common facets, edges and corners only, and their boundary.
+/// A tetrahedral mesh from a file: positive cells that meet in common facets, edges and corners only, and their
+/// boundary.
 ///
-/// Points are finite, differ and are all used, in the order of the file. Not checked: that no part of the mesh lies within another without
-/// touching its boundary.
+/// Points are finite, differ and are all used, in the order of the file. Not checked: that no part of the mesh lies
+/// within another without touching its boundary.
 struct Tetrahedra_file {
     std::string name;
     std::vector<Coordinates<3>> points;
@@ -30,11 +31,12 @@ struct Tetrahedra_file {
     [[nodiscard]] Triangle_surface surface() const;
 };
 
-/// Reads a Medit mesh (ASCII, .mesh) of space. Equal points are merged, points without a cell dropped, cells turned where all are negative;
-/// triangles, edges and references of the file are not needed: the boundary is where there is a cell on one side only.
-/// Throws Input_error for everything that is wrong with the file, which includes cells without volume, cells inverted against others, a facet of
-/// more than two cells, hanging nodes, an edge in more than two facets of the boundary and a boundary that crosses or touches itself.
-/// O(n log n), and the pairs of boundary facets whose boxes meet.
+/// Reads a Medit mesh (ASCII, .mesh) of space. Equal points are merged, points without a cell dropped, cells turned
+/// where all are negative; triangles, edges and references of the file are not needed: the boundary is where there is
+/// a cell on one side only.
+/// Throws Input_error for everything that is wrong with the file, which includes cells without volume, cells inverted
+/// against others, a facet of more than two cells, hanging nodes, an edge in more than two facets of the boundary and
+/// a boundary that crosses or touches itself. O(n log n), and the pairs of boundary facets whose boxes meet.
 [[nodiscard]] Tetrahedra_file read_tetrahedra(const std::filesystem::path& file);
 
 }  // namespace annulus

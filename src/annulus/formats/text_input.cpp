@@ -49,8 +49,8 @@ void require_no_bomb(const File_bytes& bytes, std::uint64_t unpacked, std::uint6
                           "text, or the file as it is when unpacked");
 }
 
-/// What ends the lines of a text, by its first line, which is searched from a place on; 0 where it may still go on. CR ends
-/// them where no LF comes after it.
+/// What ends the lines of a text, by its first line, which is searched from a place on; 0 where it may still go on.
+/// CR ends them where no LF comes after it.
 char line_end_of(std::string_view text, std::size_t from, bool whole) {
     const std::size_t at = text.find_first_of("\r\n", from);
     if (at == std::string_view::npos) return whole ? '\n' : '\0';

@@ -23,12 +23,13 @@ struct Source {
 /// What a pipe may bring for a reader that holds all of it, and a bound for pictures: none has more pixels than fit.
 inline constexpr std::uint64_t most_of_a_pipe = std::uint64_t{1} << 30;
 
-/// How many bytes of it load_file takes that is told `most`: of what is no regular file, and may have no end, most_of_a_pipe at most.
+/// How many bytes of it load_file takes that is told `most`: of what is no regular file, and may have no end,
+/// most_of_a_pipe at most.
 [[nodiscard]] std::uint64_t bound_of(const File_bytes& bytes, std::uint64_t most);
 
-/// Reads a whole file, unpacked where it is packed. Throws Input_error when it is missing, a directory, unreadable
-/// or empty, when what is packed in it is damaged, cut off, or more than 64 MiB and a hundred times the file, and when it has
-/// more than bound_of(file, most) bytes.
+/// Reads a whole file, unpacked where it is packed. Throws Input_error when it is missing, a directory, unreadable or
+/// empty, when what is packed in it is damaged, cut off, or more than 64 MiB and a hundred times the file, and when
+/// it has more than bound_of(file, most) bytes.
 [[nodiscard]] Source load_file(const std::filesystem::path& file,
                                std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 [[nodiscard]] Source load_file(File_bytes& bytes, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
@@ -44,12 +45,13 @@ enum class Number_kind { finite, not_a_number, nan, too_large };
 /// The words of a line between blanks.
 void split_at_blanks(std::string_view line, std::vector<std::string_view>& words);
 
-/// Walks over the lines of a text and splits them into fields. LF and CRLF both end a line; CR alone, as old programs write it, in a
-/// text whose first line ends so. A text that ends some lines by CR and others by LF is a fault.
+/// Walks over the lines of a text and splits them into fields. LF and CRLF both end a line; CR alone, as old programs
+/// write it, in a text whose first line ends so. A text that ends some lines by CR and others by LF is a fault.
 ///
-/// The text is in memory, or a file that is read as lines are asked for: then no more of it is held than the line and a block,
-/// what File_bytes finds is a fault of the line that is due, and a line of more than 64 MiB is one. Every fault is reported by
-/// `fail` with the number of the current line; past the end it stays on the last line. The text must outlive the reader.
+/// The text is in memory, or a file that is read as lines are asked for: then no more of it is held than the line and
+/// a block, what File_bytes finds is a fault of the line that is due, and a line of more than 64 MiB is one. Every
+/// fault is reported by `fail` with the number of the current line; past the end it stays on the last line. The text
+/// must outlive the reader.
 class Line_reader {
   public:
     explicit Line_reader(const Source& source) : name_(source.name), rest_(source.content) {}
@@ -58,8 +60,8 @@ class Line_reader {
     Line_reader(const Line_reader&) = delete;  // views of its own text
     Line_reader& operator=(const Line_reader&) = delete;
 
-    /// What is read from here on is kept by the caller until this is called again: where it is packed, 64 MiB and a hundred
-    /// times the file are a bound for it.
+    /// What is read from here on is kept by the caller until this is called again: where it is packed, 64 MiB and a
+    /// hundred times the file are a bound for it.
     void begin_piece() noexcept { piece_ = unpacked_; }
 
     /// Goes to the next line; false at the end of the file, where the fields are empty.
@@ -89,9 +91,9 @@ class Line_reader {
     /// `text` as an integer of 0 or more that fits in 64 bits.
     [[nodiscard]] std::uint64_t whole(std::string_view text, std::string_view what) const;
 
-    /// How many of `count` records to make room for: no more than the rest of the file, as far as it is in memory, can hold at
-    /// `bytes` bytes each (end of line included), so that a wrong count never decides how much memory is asked for. Fails when
-    /// there are more than an Index can number.
+    /// How many of `count` records to make room for: no more than the rest of the file, as far as it is in memory,
+    /// can hold at `bytes` bytes each (end of line included), so that a wrong count never decides how much memory is
+    /// asked for. Fails when there are more than an Index can number.
     [[nodiscard]] std::size_t room_for(std::uint64_t count, std::uint64_t bytes, std::string_view noun) const;
 
     /// Goes to the next record, the one after `done` of `count`; fails when the file ends first.
@@ -103,11 +105,11 @@ class Line_reader {
 
     std::string name_;
     File_bytes* bytes_ = nullptr;
-    bool ended_ = false;           ///< nothing is left in bytes_
-    std::string buffer_;           ///< of bytes_, as far as it is read and not yet behind us; rest_ is its end
-    std::uint64_t unpacked_ = 0;   ///< bytes that bytes_ gave
-    std::uint64_t piece_ = 0;      ///< of these, before the piece began
-    char end_ = '\0';              ///< what ends a line, LF or CR; 0 before the first line has told
+    bool ended_ = false;          ///< nothing is left in bytes_
+    std::string buffer_;          ///< of bytes_, as far as it is read and not yet behind us; rest_ is its end
+    std::uint64_t unpacked_ = 0;  ///< bytes that bytes_ gave
+    std::uint64_t piece_ = 0;     ///< of these, before the piece began
+    char end_ = '\0';             ///< what ends a line, LF or CR; 0 before the first line has told
     std::string_view rest_;
     std::string_view line_;
     std::uint64_t number_ = 0;

@@ -63,7 +63,8 @@ Text_output::Text_output(const std::filesystem::path& file) : file_(file) {
     std::error_code ignored;
     errno = EISDIR;
     if (std::filesystem::is_directory(file, ignored)) fail();  // known at once, not when all is written
-    // Nobody's file and nobody's link is written through; one that a killed process left may have our number, as in containers.
+    // Nobody's file and nobody's link is written through; one that a killed process left may have our number, as in
+    // containers.
     int descriptor = -1;
     errno = EEXIST;
     for (int tries = 0; descriptor < 0 && errno == EEXIST && tries < 1000; ++tries) {

@@ -12,18 +12,20 @@
 
 namespace annulus {
 
-/// "a device", "a pipe", "a socket": what is at this place or where a link at it leads; empty for files, directories and nothing.
+/// "a device", "a pipe", "a socket": what is at this place or where a link at it leads; empty for files, directories
+/// and nothing.
 [[nodiscard]] std::string special_kind(const std::filesystem::path& path);
 
-/// Throws Error(bad_input) unless a file may come to this place: nothing is there, a file, or a link to one or to nothing. Devices, pipes
-/// and sockets are not replaced, nor links to them. `-` may be.
+/// Throws Error(bad_input) unless a file may come to this place: nothing is there, a file, or a link to one or to
+/// nothing. Devices, pipes and sockets are not replaced, nor links to them. `-` may be.
 void require_replaceable(const std::filesystem::path& file);
 
-/// A text that is written bit by bit: `-` is standard output; a file is written beside its name and gets it in the end, all of
-/// it or nothing; packed by gzip where the name ends in .gz. Memory does not depend on its length.
+/// A text that is written bit by bit: `-` is standard output; a file is written beside its name and gets it in the
+/// end, all of it or nothing; packed by gzip where the name ends in .gz. Memory does not depend on its length.
 class Text_output {
   public:
-    /// Throws std::system_error where no file can be made there, and what require_replaceable throws, also when it is committed.
+    /// Throws std::system_error where no file can be made there, and what require_replaceable throws, also when it is
+    /// committed.
     explicit Text_output(const std::filesystem::path& file);
     /// Leaves nothing behind that was not committed.
     ~Text_output();

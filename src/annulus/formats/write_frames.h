@@ -10,8 +10,9 @@
 
 namespace annulus {
 
-/// Appends a frame as its reader (frame_readers.h) has it; points have their indices for ids. Format is one of frame_formats;
-/// frames of one file are numbered from 0. Coordinates are the shortest decimals that read back as the same doubles.
+/// Appends a frame as its reader (frame_readers.h) has it; points have their indices for ids. Format is one of
+/// frame_formats; frames of one file are numbered from 0. Coordinates are the shortest decimals that read back as the
+/// same doubles.
 template <int d>
 void append_frame(std::string& out, Format format, std::uint64_t number, std::span<const Coordinates<d>> points);
 

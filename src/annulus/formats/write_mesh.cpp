@@ -73,7 +73,8 @@ std::string write_part(std::span<const Coordinates<3>> points, std::span<const s
     std::vector<Index> number(points.size(), none);
     for (const auto& c : cells)
         for (const Index v : c) {
-            if (v < 0 || static_cast<std::size_t>(v) >= points.size()) throw Error(Error_code::unknown_vertex, "write_part: a cell names no point");
+            if (v < 0 || static_cast<std::size_t>(v) >= points.size())
+                throw Error(Error_code::unknown_vertex, "write_part: a cell names no point");
             number[static_cast<std::size_t>(v)] = 0;
         }
     std::vector<Coordinates<3>> used;

@@ -19,8 +19,10 @@ template <int d>
 [[nodiscard]] std::string write_mesh(std::span<const Coordinates<d>> points,
                                      std::span<const std::array<Index, static_cast<std::size_t>(d) + 1>> cells);
 
-/// Some tetrahedra of a triangulation with the triangles around them, and no other points than their own, in their order.
-[[nodiscard]] std::string write_part(std::span<const Coordinates<3>> points, std::span<const std::array<Index, 4>> cells,
+/// Some tetrahedra of a triangulation with the triangles around them, and no other points than their own, in their
+/// order.
+[[nodiscard]] std::string write_part(std::span<const Coordinates<3>> points,
+                                     std::span<const std::array<Index, 4>> cells,
                                      std::span<const std::array<Index, 3>> boundary);
 
 extern template std::string write_mesh<2>(std::span<const Coordinates<2>>, std::span<const std::array<Index, 3>>);

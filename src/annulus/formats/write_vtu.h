@@ -18,8 +18,8 @@ struct Vtu_field {
     std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::uint64_t>> values;
 };
 
-/// The text of a VTK XML unstructured grid (.vtu) of triangles or tetrahedra, with data in base64, packed by zlib, in the
-/// byte order of this machine. In two dimensions z is 0. d is 2 or 3.
+/// The text of a VTK XML unstructured grid (.vtu) of triangles or tetrahedra, with data in base64, packed by zlib, in
+/// the byte order of this machine. In two dimensions z is 0. d is 2 or 3.
 ///
 /// Throws Error(wrong_size) when a field has not one value for every point or cell, Error(unknown_vertex) for an index
 /// that names no point. Linear.

@@ -27,9 +27,10 @@ struct Xyz_comment {
 
 /// Reads the reader's line as KEY=VALUE, KEY="VALUE" and words without a value; keys in either case.
 ///
-/// `Properties=NAME:TYPE:WIDTH:...` must have a `pos` of type R or I and width 2 or 3; an `id` counts where it is I:1. Any
-/// fault of it is the reader's at this line. Lattice without pbc is periodic; with pbc, where one of its values is true. So is what
-/// other programs write in its place: `cell` or `box` of 3, 6 or 9 numbers, and `CELL(abcABC): ..`.
+/// `Properties=NAME:TYPE:WIDTH:...` must have a `pos` of type R or I and width 2 or 3; an `id` counts where it is
+/// I:1. Any fault of it is the reader's at this line. Lattice without pbc is periodic; with pbc, where one of its
+/// values is true. So is what other programs write in its place: `cell` or `box` of 3, 6 or 9 numbers, and
+/// `CELL(abcABC): ..`.
 [[nodiscard]] Xyz_comment parse_xyz_comment(const Line_reader& reader);
 
 }  // namespace annulus

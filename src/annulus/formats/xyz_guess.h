@@ -8,8 +8,9 @@
 
 namespace annulus {
 
-/// Where the coordinates stand in rows of XYZ that nothing announces. Taken is only what can be nothing else: a first column is
-/// stepped over if it is an element in every row, and numbers beyond x, y and z only where x, y and z cannot be among others.
+/// Where the coordinates stand in rows of XYZ that nothing announces. Taken is only what can be nothing else: a first
+/// column is stepped over if it is an element in every row, and numbers beyond x, y and z only where x, y and z
+/// cannot be among others.
 class Xyz_guess {
   public:
     /// From the first row of a file without counts, `x y [z]`. Any fault is the reader's, at its line.

@@ -20,10 +20,10 @@ namespace annulus {
 /// Builds Delaunay triangulations from nothing, by incremental insertion (Bowyer, Watson) along a space-filling curve
 /// (Spatial_order, Inserter). Threads share the vertices of a round out by place (Shared_inserter).
 ///
-/// All decisions are exact: a filter on spheres that are kept with the cells (Kept_sphere), then the exact stage, then the
-/// symbolic perturbation where points are cospherical (perturbed_sign). So the cells are those that insertion one by one
-/// and repair give, and Cell_order puts them in one order whatever the number of threads. Buffers are kept from one build
-/// to the next: a rebuild touches no memory that is new.
+/// All decisions are exact: a filter on spheres that are kept with the cells (Kept_sphere), then the exact stage,
+/// then the symbolic perturbation where points are cospherical (perturbed_sign). So the cells are those that
+/// insertion one by one and repair give, and Cell_order puts them in one order whatever the number of threads.
+/// Buffers are kept from one build to the next: a rebuild touches no memory that is new.
 ///
 /// One call at a time.
 template <int d>

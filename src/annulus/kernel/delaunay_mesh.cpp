@@ -86,7 +86,8 @@ void Delaunay_mesh<d>::clear_cells() noexcept {
     dimension_ = -1;
 }
 
-/// The same under other numbers, all of which `made` receives: the table does not become smaller, since the engine may have noted some.
+/// The same under other numbers, all of which `made` receives: the table does not become smaller, since the engine
+/// may have noted some.
 template <int d>
 void Delaunay_mesh<d>::replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made) {
     if (!builder_->build(x, living())) throw std::logic_error("points that had cells are flat");

@@ -20,7 +20,8 @@ enum class Relocation { refused, kept, reinserted };
 /// A Delaunay triangulation of vertices, which indices name: who is in it, and its cells, which are a Cell_table and
 /// nothing else. It is built, inserted into and removed from here; the engine changes the table by flips.
 ///
-/// Positions are their owner's (Upkeep) and come with each call: `home` are those at which the triangulation is Delaunay.
+/// Positions are their owner's (Upkeep) and come with each call: `home` are those at which the triangulation is
+/// Delaunay.
 template <int d>
 class Delaunay_mesh {
   public:
@@ -51,8 +52,8 @@ class Delaunay_mesh {
     void build(std::span<const Coordinates<d>> x);
     /// Builds everything anew at x. Throws the same, with nothing changed.
     void rebuild(std::span<const Coordinates<d>> x);
-    /// The same after a call that failed half way: x has a position for every index there is to be, `fresh` (or `none`) is
-    /// one that the call inserted.
+    /// The same after a call that failed half way: x has a position for every index there is to be, `fresh` (or
+    /// `none`) is one that the call inserted.
     void restore(std::span<const Coordinates<d>> x, Index fresh);
     /// No cells, until a rebuild.
     void clear_cells() noexcept;
@@ -69,8 +70,8 @@ class Delaunay_mesh {
                               std::vector<Cell_index>& changed);
     /// Removes v, whose index becomes vacant.
     void remove(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed);
-    /// Takes v out and puts it back in at p; `changed` receives the new cells. False, with nothing changed, when the rest
-    /// would be flat. Throws Error(collision), with nothing changed, when another vertex is there.
+    /// Takes v out and puts it back in at p; `changed` receives the new cells. False, with nothing changed, when the
+    /// rest would be flat. Throws Error(collision), with nothing changed, when another vertex is there.
     [[nodiscard]] bool reinsert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p,
                                 std::vector<Cell_index>& changed);
 
@@ -79,8 +80,8 @@ class Delaunay_mesh {
     /// The same where a topological change is needed, else nothing but the position is written (paper 3.1).
     [[nodiscard]] Relocation relocate_in_place(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p);
 
-    /// Appends the vertices of every finite cell, at `home`, or of what is the largest there is of lower dimension (padded with
-    /// `none`).
+    /// Appends the vertices of every finite cell, at `home`, or of what is the largest there is of lower dimension
+    /// (padded with `none`).
     void list_cells(std::span<const Coordinates<d>> home, std::vector<Index>& vertices) const;
     /// The same, and those with infinity, where there are any of dimension d.
     void list_all_cells(std::span<const Coordinates<d>> home, std::vector<Index>& vertices) const;

@@ -60,12 +60,12 @@ Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>> home) const {
     return m;
 }
 
-#define ANNULUS_READINGS(d)                                                                        \
-    template void Delaunay_mesh<d>::list_cells(std::span<const Coordinates<d>>, std::vector<Index>&) const; \
+#define ANNULUS_READINGS(d)                                                                                     \
+    template void Delaunay_mesh<d>::list_cells(std::span<const Coordinates<d>>, std::vector<Index>&) const;     \
     template void Delaunay_mesh<d>::list_all_cells(std::span<const Coordinates<d>>, std::vector<Index>&) const; \
-    template Mesh_cells<d> Delaunay_mesh<d>::cells(std::span<const Coordinates<d>>, std::size_t) const;                            \
-    template double Delaunay_mesh<d>::star_tolerance(std::span<const Coordinates<d>>, Index) const; \
-    template double Delaunay_mesh<d>::theta(std::span<const Coordinates<d>>, Index) const;        \
+    template Mesh_cells<d> Delaunay_mesh<d>::cells(std::span<const Coordinates<d>>, std::size_t) const;         \
+    template double Delaunay_mesh<d>::star_tolerance(std::span<const Coordinates<d>>, Index) const;             \
+    template double Delaunay_mesh<d>::theta(std::span<const Coordinates<d>>, Index) const;                      \
     template Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>>) const;
 ANNULUS_READINGS(2)
 ANNULUS_READINGS(3)

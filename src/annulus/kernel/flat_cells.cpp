@@ -40,8 +40,8 @@ void segments(const std::vector<Index>& along, Flat_cells& out) {
 }
 
 /// With a point outside of the plane, the apex, every finite cell is the cone from there to a Delaunay triangle: its
-/// sphere cuts the plane in the circle of the triangle. So the triangles, and those with infinity, are the facets that the
-/// cells around the apex turn away from it.
+/// sphere cuts the plane in the circle of the triangle. So the triangles, and those with infinity, are the facets
+/// that the cells around the apex turn away from it.
 void triangles(std::span<const Coordinates<3>> x, std::vector<Index> vertices, std::size_t axis, Flat_cells& out) {
     std::vector<Coordinates<3>> with_apex(x.begin(), x.end());
     Coordinates<3> apex = x[static_cast<std::size_t>(vertices[0])];
@@ -76,7 +76,8 @@ template <int d>
 void require_distinct(std::span<const Coordinates<d>> x, std::vector<Index> vertices) {
     sort_by_position<d>(x, vertices);
     const auto at = [x](Index i) { return x[static_cast<std::size_t>(i)]; };
-    const auto twice = std::adjacent_find(vertices.begin(), vertices.end(), [&at](Index l, Index r) { return at(l) == at(r); });
+    const auto twice =
+        std::adjacent_find(vertices.begin(), vertices.end(), [&at](Index l, Index r) { return at(l) == at(r); });
     if (twice != vertices.end()) throw collision_of("points", "have", *twice, *(twice + 1));
 }
 
@@ -109,9 +110,9 @@ Flat_cells flat_cells(std::span<const Coordinates<d>> x, std::vector<Index> vert
     return out;
 }
 
-#define ANNULUS_FLAT(d)                                                                           \
-    template Flat_cells flat_cells<d>(std::span<const Coordinates<d>>, std::vector<Index>);       \
-    template void require_distinct<d>(std::span<const Coordinates<d>>, std::vector<Index>);       \
+#define ANNULUS_FLAT(d)                                                                     \
+    template Flat_cells flat_cells<d>(std::span<const Coordinates<d>>, std::vector<Index>); \
+    template void require_distinct<d>(std::span<const Coordinates<d>>, std::vector<Index>); \
     template bool spans_more<d>(std::span<const Coordinates<d>* const>, const Coordinates<d>&);
 ANNULUS_FLAT(2)
 ANNULUS_FLAT(3)

@@ -31,9 +31,9 @@ void require_distinct(std::span<const Coordinates<d>> x, std::vector<Index> vert
 template <int d>
 [[nodiscard]] bool spans_more(std::span<const Coordinates<d>* const> independent, const Coordinates<d>& p);
 
-#define ANNULUS_FLAT(d)                                                                                  \
-    extern template Flat_cells flat_cells<d>(std::span<const Coordinates<d>>, std::vector<Index>);       \
-    extern template void require_distinct<d>(std::span<const Coordinates<d>>, std::vector<Index>);       \
+#define ANNULUS_FLAT(d)                                                                            \
+    extern template Flat_cells flat_cells<d>(std::span<const Coordinates<d>>, std::vector<Index>); \
+    extern template void require_distinct<d>(std::span<const Coordinates<d>>, std::vector<Index>); \
     extern template bool spans_more<d>(std::span<const Coordinates<d>* const>, const Coordinates<d>&);
 ANNULUS_FLAT(2)
 ANNULUS_FLAT(3)

@@ -33,8 +33,8 @@ Local_delaunay<d>::Local_delaunay(Cell_table<d>& table) : table_(table), builder
 template <int d>
 Local_delaunay<d>::~Local_delaunay() = default;
 
-/// Corners but one, in the order that makes an even permutation of the cell with that one last; turned to a standard order, which is
-/// left of it or not.
+/// Corners but one, in the order that makes an even permutation of the cell with that one last; turned to a standard
+/// order, which is left of it or not.
 template <int d>
 template <class Cell>
 auto Local_delaunay<d>::side(const Sites& x, int slot, Cell cell) -> Side<Cell> {

@@ -14,10 +14,11 @@ class Builder;
 
 /// Builds a small part of a triangulation anew where flips are stuck.
 ///
-/// A region starts as some cells. The Delaunay triangulation of its vertices is computed; where a facet of the region's border is not
-/// in it, the cell beyond joins the region. When all are, the Delaunay cells behind the border take the region's place. If every cell
-/// outside is right this ends with the cells of the whole Delaunay triangulation there, since then the border consists of facets of
-/// it (docs/theory.md 6.5). Nothing is trusted: the caller looks at what came.
+/// A region starts as some cells. The Delaunay triangulation of its vertices is computed; where a facet of the
+/// region's border is not in it, the cell beyond joins the region. When all are, the Delaunay cells behind the border
+/// take the region's place. If every cell outside is right this ends with the cells of the whole Delaunay
+/// triangulation there, since then the border consists of facets of it (docs/theory.md 6.5). Nothing is trusted: the
+/// caller looks at what came.
 template <int d>
 class Local_delaunay {
   public:
@@ -26,9 +27,9 @@ class Local_delaunay {
     Local_delaunay(const Local_delaunay&) = delete;
     Local_delaunay& operator=(const Local_delaunay&) = delete;
 
-    /// Builds anew around these cells, at positions x; cells that touch are one region. `touched` receives what went and
-    /// what came. False when that takes more than `most` points to triangulate, the same ones again where a region grows,
-    /// or is not possible.
+    /// Builds anew around these cells, at positions x; cells that touch are one region. `touched` receives what went
+    /// and what came. False when that takes more than `most` points to triangulate, the same ones again where a
+    /// region grows, or is not possible.
     [[nodiscard]] bool rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, std::size_t most,
                                std::vector<Cell_index>& touched);
     /// The same without v, whose star these cells are.
@@ -61,7 +62,8 @@ class Local_delaunay {
     [[nodiscard]] bool rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region,
                                       std::size_t most, std::vector<Cell_index>& touched);
     [[nodiscard]] bool triangulate(std::span<const Coordinates<d>> x);
-    /// The Delaunay cells behind the border, in filled_. False when the border is not in them; `beyond` receives the cells that join.
+    /// The Delaunay cells behind the border, in filled_. False when the border is not in them; `beyond` receives the
+    /// cells that join.
     [[nodiscard]] bool fill(std::span<const Cell_index> region, std::vector<Cell_index>& beyond);
     [[nodiscard]] bool has_every_vertex() const;
     void mark(Cell_index c, char m) {

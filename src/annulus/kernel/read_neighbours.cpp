@@ -10,7 +10,8 @@ namespace annulus {
 namespace {
 
 /// Of vertices on a line: those before and after it.
-std::vector<std::array<Index, 2>> neighbours_on_a_line(const Delaunay_mesh<2>& mesh, std::span<const Coordinates<2>> x) {
+std::vector<std::array<Index, 2>> neighbours_on_a_line(const Delaunay_mesh<2>& mesh,
+                                                       std::span<const Coordinates<2>> x) {
     std::vector<std::array<Index, 2>> beside(mesh.vertex_bound(), {none, none});
     std::vector<Index> segments;
     mesh.list_cells(x, segments);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The boundary first: if every boundary triangle shows its inner side to a point o, the boundary is spread over the directions
-// seen from o as a covering that may branch at vertices only, and the number of its sheets is the number of triangles that any
-// one ray meets. One sheet: no branching, the boundary is star-shaped and embedded, and being convex at its edges it is convex.
-// Positive cells whose boundary it is cover every point inside once and none outside, because the number of cells at a point
-// that is on no facet is how often the boundary winds around it.
+// The boundary first: if every boundary triangle shows its inner side to a point o, the boundary is spread over the
+// directions seen from o as a covering that may branch at vertices only, and the number of its sheets is the number
+// of triangles that any one ray meets. One sheet: no branching, the boundary is star-shaped and embedded, and being
+// convex at its edges it is convex. Positive cells whose boundary it is cover every point inside once and none
+// outside, because the number of cells at a point that is on no facet is how often the boundary winds around it.
 #include <annulus/mesh/audit_judge_3.h>
 
 #include <unordered_map>

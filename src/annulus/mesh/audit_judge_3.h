@@ -18,8 +18,8 @@ class Judge_3 {
         return orientation(s_[at(a)], s_[at(b)], s_[at(c)], s_[at(e)]);
     }
 
-    /// Positive when e is strictly inside the sphere of the positive cell a b c d: the lifted 4 x 4 determinant, by its last
-    /// column.
+    /// Positive when e is strictly inside the sphere of the positive cell a b c d: the lifted 4 x 4 determinant, by
+    /// its last column.
     int inside(const Cell& v, Index e) {
         for (std::size_t i = 0; i < 4; ++i) {
             mpz_set_ui(lift_[i], 0);

@@ -128,8 +128,8 @@ void expect_chain(const std::vector<std::array<Index, k>>& cells, const std::vec
     if (expected != found) fault(r, r.topological_faults, "the edges do not join consecutive points of the line");
 }
 
-/// Points of a plane in space, seen from one of its sides: orientation and circles by integers. Lengths are those of space,
-/// so that circles are circles.
+/// Points of a plane in space, seen from one of its sides: orientation and circles by integers. Lengths are those of
+/// space, so that circles are circles.
 class Plane_judge {
   public:
     /// Sites with two coordinates to turn by, and any number more that only add to the squared lengths.

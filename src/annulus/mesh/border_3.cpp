@@ -12,8 +12,8 @@ namespace annulus {
 
 namespace {
 
-/// The first sign that is not 0 of the components z, y, x of (b - a) x (c - a): how that turns seen from (e^2, e, 1). Each
-/// component is an orientation in a coordinate plane.
+/// The first sign that is not 0 of the components z, y, x of (b - a) x (c - a): how that turns seen from (e^2, e, 1).
+/// Each component is an orientation in a coordinate plane.
 int turn(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c) {
     for (const auto& [i, j] : {std::pair{0U, 1U}, {2U, 0U}, {1U, 2U}}) {
         const Coordinates<2> p{a[i], a[j]};
@@ -40,11 +40,11 @@ bool between(const Coordinates<3>& u, const Coordinates<3>& v, const Coordinates
 
 }  // namespace
 
-/// The silhouette seen from (e^2, e, 1) are the edges of border facets that face there, beyond which the border faces away. The
-/// border, convex at its ridges, winds once if that is one closed polygon that turns left and once.
+/// The silhouette seen from (e^2, e, 1) are the edges of border facets that face there, beyond which the border faces
+/// away. The border, convex at its ridges, winds once if that is one closed polygon that turns left and once.
 bool border_winds_once(const Cell_table<3>& t, std::span<const Coordinates<3>> positions, std::size_t& seen) {
     const auto x = [&](Index v) -> const Coordinates<3>& { return positions[static_cast<std::size_t>(v)]; };
-    std::vector<Corner_index> outer;                  // half-facets at infinity
+    std::vector<Corner_index> outer;  // half-facets at infinity
     enum : char { not_met, away, viewer };
     By_cell<char> faces(t.cell_bound().offset(), not_met);  // the facet of an infinite cell
     const auto enter = [&](Cell_index c) {

@@ -14,9 +14,9 @@
 
 namespace annulus {
 
-/// What a Cell_table had, since begin(), in the places that were written to: the cells that went, however often their places were
-/// written to and whatever is there now. A table tells it before it writes. Room for a mark a cell of the table and for the cells that
-/// went; O(1) a place that is written to.
+/// What a Cell_table had, since begin(), in the places that were written to: the cells that went, however often their
+/// places were written to and whatever is there now. A table tells it before it writes. Room for a mark a cell of the
+/// table and for the cells that went; O(1) a place that is written to.
 template <int d>
 class Cell_journal {
   public:
@@ -34,8 +34,8 @@ class Cell_journal {
         replaced_ = failed_ = false;
     }
 
-    /// The place of cell c of this table is about to be written to. Never throws, since tables are emptied where nothing
-    /// may: see check().
+    /// The place of cell c of this table is about to be written to. Never throws, since tables are emptied where
+    /// nothing may: see check().
     template <class Table>
     void touch(Cell_index c, const Table& table) noexcept {
         if (replaced_ || failed_ || (marked_.has(c) && marked_[c] == call_)) return;

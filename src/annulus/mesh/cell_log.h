@@ -11,8 +11,8 @@
 
 namespace annulus {
 
-/// The places of a Cell_table that were written to since clear(): what a copy of the table has to look at to be the same
-/// again. Beyond a share of all places, or without memory, it says "everything" and costs nothing any more.
+/// The places of a Cell_table that were written to since clear(): what a copy of the table has to look at to be the
+/// same again. Beyond a share of all places, or without memory, it says "everything" and costs nothing any more.
 class Cell_log {
   public:
     void clear() noexcept {

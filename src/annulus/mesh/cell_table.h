@@ -24,10 +24,11 @@ namespace annulus {
 
 /// The combinatorics of a triangulation of S and infinity in flat arrays: what the filter walks over.
 ///
-/// Cell c has d + 1 corners h = 4c + i. Corner h carries a vertex and stands for the facet opposite to it, seen from c
-/// (a half-facet). `twin(h)` is the same facet seen from the other side, so `site(h)` and `opposite(h)` are the opposite
-/// corners of the bi-cell. A facet has the index of the lesser of its two half-facets, which changes with its
-/// cells; nothing is stored of it. Cells are positively oriented (certificate/ladder_3.h). All operations are O(1) unless they say otherwise.
+/// Cell c has d + 1 corners h = 4c + i. Corner h carries a vertex and stands for the facet opposite to it, seen from
+/// c (a half-facet). `twin(h)` is the same facet seen from the other side, so `site(h)` and `opposite(h)` are the
+/// opposite corners of the bi-cell. A facet has the index of the lesser of its two half-facets, which changes with
+/// its cells; nothing is stored of it. Cells are positively oriented (certificate/ladder_3.h). All operations are
+/// O(1) unless they say otherwise.
 template <int d>
 class Cell_table {
   public:
@@ -86,8 +87,8 @@ class Cell_table {
     }
     [[nodiscard]] int slot_of_infinity(Cell_index c) const { return slot(c, Site<d>(infinite)); }
 
-    /// Calls visit(h) for each corner h whose vertex is v, which may be `infinite`. O(degree); counter-clockwise in 2D, in
-    /// no particular order in 3D. `visit` must not change the table.
+    /// Calls visit(h) for each corner h whose vertex is v, which may be `infinite`. O(degree); counter-clockwise in
+    /// 2D, in no particular order in 3D. `visit` must not change the table.
     template <class Visit>
     void for_each_corner(Index v, Visit visit) const {
         if constexpr (d == 2) {
@@ -145,7 +146,8 @@ class Cell_table {
     }
     void set_vertex_bound(std::size_t vertices) { corner_of_vertex_.resize(vertices, no_corner); }
 
-    /// A new cell with no vertices or twins yet, hence not is_cell() before it has. Throws Error(too_large) when its corners would have no index.
+    /// A new cell with no vertices or twins yet, hence not is_cell() before it has. Throws Error(too_large) when its
+    /// corners would have no index.
     [[nodiscard]] Cell_index new_cell();
     void free_cell(Cell_index c);
     void set_site(Corner_index h, Site<d> s) {
@@ -189,8 +191,10 @@ class Cell_table {
         throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::cells) + " cells");
     }
     void touch(Cell_index c) noexcept {
-        if (journal_ != nullptr) [[unlikely]] journal_->touch(c, *this);
-        if (log_ != nullptr) [[unlikely]] log_->touch(c, twin_.size() / 4);
+        if (journal_ != nullptr) [[unlikely]]
+            journal_->touch(c, *this);
+        if (log_ != nullptr) [[unlikely]]
+            log_->touch(c, twin_.size() / 4);
     }
     void touch_everything() noexcept {
         if (journal_ != nullptr) journal_->touch_everything(*this);

@@ -54,9 +54,9 @@ template <int d>
     return v;
 }
 
-/// The points of a ridge, ordered so that their orientation is positive where the hull is strictly convex: an infinite cell with
-/// infinity replaced by `beyond`, the corner opposite to its facet `slot` in the other cell, and two points swapped (an infinite
-/// cell lies outside).
+/// The points of a ridge, ordered so that their orientation is positive where the hull is strictly convex: an
+/// infinite cell with infinity replaced by `beyond`, the corner opposite to its facet `slot` in the other cell, and
+/// two points swapped (an infinite cell lies outside).
 template <int d>
 [[nodiscard]] Cell_sites<d> ridge_sites(Cell_sites<d> cell, Site<d> beyond) {
     for (Site<d>& s : cell)
@@ -90,8 +90,9 @@ inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0
     return facet_and_vertex(t, t.is_infinite(t.cell_of(h)) ? t.twin(h) : h);
 }
 
-/// Turns the points of a ridge, an edge of the hull in space and a vertex in the plane, so that in space the two vertices of the
-/// ridge come first and in the plane its one comes last. `own` is the corner of the infinite cell opposite to the ridge, `beyond` that of the other.
+/// Turns the points of a ridge, an edge of the hull in space and a vertex in the plane, so that in space the two
+/// vertices of the ridge come first and in the plane its one comes last. `own` is the corner of the infinite cell
+/// opposite to the ridge, `beyond` that of the other.
 [[nodiscard]] inline Cell_sites<2> ridge_in_order(Cell_sites<2> x, Site<2> own, Site<2> beyond) {
     while (x[2] == own || x[2] == beyond) x = {x[1], x[2], x[0]};
     return x;
@@ -143,13 +144,13 @@ template <int d>
     f.point.fill(Site<d>(none));
     if (f.kind == Facet_kind::nothing && slabs) f.kind = Facet_kind::slab;
     if (f.kind == Facet_kind::nothing) return f;
-    const Cell_sites<d> x =
-        f.kind == Facet_kind::ridge ? ridge_vertex_last(t, h, ridge_sites(t, h)) : slab_sites(t, h);
+    const Cell_sites<d> x = f.kind == Facet_kind::ridge ? ridge_vertex_last(t, h, ridge_sites(t, h)) : slab_sites(t, h);
     std::copy(x.begin(), x.end(), f.point.begin());
     return f;
 }
 
-/// The certificate of the facet opposite to corner `slot` of a cell with these corners, `beyond` being that of the other cell.
+/// The certificate of the facet opposite to corner `slot` of a cell with these corners, `beyond` being that of the
+/// other cell.
 [[nodiscard]] inline Facet_sites<2> bicell_sites(const Cell_sites<2>& cell, std::size_t slot, Site<2> beyond) {
     return {cell[(slot + 1) % 3], cell[(slot + 2) % 3], beyond, cell[slot]};
 }
@@ -176,15 +177,15 @@ template <int d>
 
 /// The first k of `point`, where they are in x.
 template <int d, std::size_t k, std::size_t n>
-requires(k <= n)
-[[nodiscard]] Tuple<d, static_cast<int>(k)> tuple(const std::array<Site<d>, n>& point, std::span<const Coordinates<d>> x) {
+requires(k <= n) [[nodiscard]] Tuple<d, static_cast<int>(k)> tuple(const std::array<Site<d>, n>& point,
+                                                                   std::span<const Coordinates<d>> x) {
     Tuple<d, static_cast<int>(k)> t{};
     for (std::size_t i = 0; i < k; ++i) t[i] = &x[static_cast<std::size_t>(point[i].vertex)];
     return t;
 }
 
-/// Visits every certificate that contains v: on_cell(h) with the corner of v in each of its cells, then of that cell on_facet(k) with a
-/// half-facet of each facet whose bi-cell contains it, once. O(degree).
+/// Visits every certificate that contains v: on_cell(h) with the corner of v in each of its cells, then of that cell
+/// on_facet(k) with a half-facet of each facet whose bi-cell contains it, once. O(degree).
 template <class On_cell, class On_facet>
 void for_each_certificate(const Cell_table<2>& t, Index v, On_cell on_cell, On_facet on_facet) {
     t.for_each_corner(v, [&](Corner_index h) {

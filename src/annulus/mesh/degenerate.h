@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <array>
 
-// What decides a certificate whose determinant is 0 (docs/theory.md 6.7), for every dimension by overloads on the tuple.
+// What decides a certificate whose determinant is 0 (docs/theory.md 6.7), for every dimension by overloads on the
+// tuple.
 namespace annulus {
 
 /// Whether the sphere of a positive cell holds p, exactly; where it passes through p, by the perturbation.
@@ -22,8 +23,8 @@ template <int d>
     return (sign != 0 ? sign : perturbed_sign(x)) < 0;
 }
 
-/// A ridge of determinant 0 is convex enough unless the hull folds back there. In the plane x is {u, w, v}, v the vertex of
-/// the ridge: it lies between its neighbours.
+/// A ridge of determinant 0 is convex enough unless the hull folds back there. In the plane x is {u, w, v}, v the
+/// vertex of the ridge: it lies between its neighbours.
 [[nodiscard]] inline bool flat_ridge_holds(const Tuple<2, 3>& x) {
     return (precedes(x, 0, 2) && precedes(x, 2, 1)) || (precedes(x, 1, 2) && precedes(x, 2, 0));
 }

@@ -3,12 +3,13 @@
 
 #include <annulus/mesh/certificates.h>
 
-// One certificate at given positions, by the whole ladder: for what is read off a triangulation, not for what keeps it right.
-// Rounding mode to nearest; it is put back. Some hundred nanoseconds each.
+// One certificate at given positions, by the whole ladder: for what is read off a triangulation, not for what keeps
+// it right. Rounding mode to nearest; it is put back. Some hundred nanoseconds each.
 namespace annulus {
 
-/// The certificate of a facet, x[k] the position of its k-th point; where the determinant is 0 the perturbation decides, or how the
-/// hull goes on (degenerate.h). Positive and without limit for a border, which has none of its own.
+/// The certificate of a facet, x[k] the position of its k-th point; where the determinant is 0 the perturbation
+/// decides, or how the hull goes on (degenerate.h). Positive and without limit for a border, which has none of its
+/// own.
 [[nodiscard]] Verdict facet_verdict(Facet_kind kind, const std::array<Coordinates<2>, 4>& x);
 [[nodiscard]] Verdict facet_verdict(Facet_kind kind, const std::array<Coordinates<3>, 5>& x);
 

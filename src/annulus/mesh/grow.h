@@ -8,8 +8,9 @@
 
 namespace annulus {
 
-/// Makes an array that grows a little now and then longer: by a thirty-second part beyond what is asked for, where std::vector takes as much again.
-/// What it is given stays within 33/32 of what it needs, and it is copied O(log n) times.
+/// Makes an array that grows a little now and then longer: by a thirty-second part beyond what is asked for, where
+/// std::vector takes as much again. What it is given stays within 33/32 of what it needs, and it is copied O(log n)
+/// times.
 template <class T>
 void grow(std::vector<T>& x, std::size_t size, const T& value = T()) {
     if (size > x.capacity() && x.capacity() > 0) x.reserve(size + size / 32);

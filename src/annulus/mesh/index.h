@@ -11,8 +11,8 @@
 
 namespace annulus {
 
-/// The number of something of one kind: an Index that is taken for no other kind's, nor for a vertex', which is a plain Index as the
-/// caller has it. By default `none`, which names nothing.
+/// The number of something of one kind: an Index that is taken for no other kind's, nor for a vertex', which is a
+/// plain Index as the caller has it. By default `none`, which names nothing.
 template <class Tag>
 class Typed_index {
   public:
@@ -36,8 +36,8 @@ class Typed_index {
 
 /// A cell of a Cell_table.
 using Cell_index = Typed_index<struct Cell_tag>;
-/// A corner of a cell. It stands for the facet opposite to it as seen from there, a half-facet; a facet is named by the lesser of
-/// its two.
+/// A corner of a cell. It stands for the facet opposite to it as seen from there, a half-facet; a facet is named by
+/// the lesser of its two.
 using Corner_index = Typed_index<struct Corner_tag>;
 inline constexpr Cell_index no_cell;
 inline constexpr Corner_index no_corner;

@@ -28,7 +28,8 @@ void make_unique(std::vector<Typed_index<Tag>>& list, Typed_index<Tag> bound) {
     list.clear();
     for (std::size_t k = 0; k < marks.size(); ++k)
         for (std::uint64_t left = marks[k]; left != 0; left &= left - 1)
-            list.push_back(Typed_index<Tag>(static_cast<Index>(bits * k + static_cast<std::size_t>(std::countr_zero(left)))));
+            list.push_back(
+                Typed_index<Tag>(static_cast<Index>(bits * k + static_cast<std::size_t>(std::countr_zero(left)))));
 }
 
 }  // namespace annulus

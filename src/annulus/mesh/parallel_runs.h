@@ -14,7 +14,8 @@
 
 namespace annulus {
 
-/// Makes a call in which TBB has at most `threads` threads, that which calls among them; one, where the system does not give so many.
+/// Makes a call in which TBB has at most `threads` threads, that which calls among them; one, where the system does
+/// not give so many.
 template <class Call>
 void in_arena(int threads, const Call& call) {
     // Asking for more than the machine has gains nothing, and oneTBB warns about it on stderr.
@@ -35,9 +36,10 @@ void for_each_run(std::size_t n, std::size_t length, int threads, const Run& run
     in_arena(threads, [&] { oneapi::tbb::parallel_for(std::size_t{0}, runs, one); });
 }
 
-/// Fills slots by fill(slot) until it says false, calls work(slot) for each, on at most `threads` threads at once, and then take(slot), in
-/// the order in which they were filled. Of fill and take one call at a time runs, on any thread: what is taken adds up the same
-/// with any number of threads. There are a few slots for each thread, and they are filled again.
+/// Fills slots by fill(slot) until it says false, calls work(slot) for each, on at most `threads` threads at once,
+/// and then take(slot), in the order in which they were filled. Of fill and take one call at a time runs, on any
+/// thread: what is taken adds up the same with any number of threads. There are a few slots for each thread, and they
+/// are filled again.
 template <class Slot, class Fill, class Work, class Take>
 void for_each_in_order(int threads, const Fill& fill, const Work& work, const Take& take) {
     namespace tbb = oneapi::tbb;
@@ -51,7 +53,8 @@ void for_each_in_order(int threads, const Fill& fill, const Work& work, const Ta
     std::vector<Slot> slots(4 * static_cast<std::size_t>(std::min(threads, tbb::info::default_concurrency())));
     std::size_t filled = 0;
     const auto first = [&](tbb::flow_control& flow) -> Slot* {
-        Slot& slot = slots[filled++ % slots.size()];  // as many slots back all has been taken: what is under way is consecutive
+        // As many slots back all has been taken: what is under way is consecutive.
+        Slot& slot = slots[filled++ % slots.size()];
         if (fill(slot)) return &slot;
         flow.stop();
         return nullptr;
@@ -62,9 +65,10 @@ void for_each_in_order(int threads, const Fill& fill, const Work& work, const Ta
     };
     const auto third = [&](Slot* slot) { take(*slot); };
     in_arena(threads, [&] {
-        tbb::parallel_pipeline(slots.size(), tbb::make_filter<void, Slot*>(tbb::filter_mode::serial_in_order, first) &
-                                                 tbb::make_filter<Slot*, Slot*>(tbb::filter_mode::parallel, second) &
-                                                 tbb::make_filter<Slot*, void>(tbb::filter_mode::serial_in_order, third));
+        tbb::parallel_pipeline(slots.size(),
+                               tbb::make_filter<void, Slot*>(tbb::filter_mode::serial_in_order, first) &
+                                   tbb::make_filter<Slot*, Slot*>(tbb::filter_mode::parallel, second) &
+                                   tbb::make_filter<Slot*, void>(tbb::filter_mode::serial_in_order, third));
     });
 }
 

@@ -8,8 +8,9 @@
 
 namespace annulus {
 
-/// Puts the cells `fresh`, each with its vertices in positive order, infinity among them, in the place of the cells `old`; `made` receives
-/// the numbers of the new ones. Precondition: both have the same border, no facet of which is there twice.
+/// Puts the cells `fresh`, each with its vertices in positive order, infinity among them, in the place of the cells
+/// `old`; `made` receives the numbers of the new ones. Precondition: both have the same border, no facet of which is
+/// there twice.
 /// O(k log k) for k cells.
 template <int d>
 void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_sites<d>> fresh,

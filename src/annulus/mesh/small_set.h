@@ -11,8 +11,9 @@
 
 namespace annulus {
 
-/// The keys met on a walk around a vertex: no memory is asked for while they are few, and nothing is marked in what is walked
-/// over, so that walks may run side by side. `empty` is a key that never occurs. Open addressing; insertion is O(1) on average.
+/// The keys met on a walk around a vertex: no memory is asked for while they are few, and nothing is marked in what
+/// is walked over, so that walks may run side by side. `empty` is a key that never occurs. Open addressing; insertion
+/// is O(1) on average.
 template <class Key, class Hash>
 class Small_set {
   public:

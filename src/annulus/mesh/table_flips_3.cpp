@@ -89,14 +89,16 @@ std::optional<Flip_4_4> flip_4_4(const Cell_table<3>& t, Corner_index h, Corner_
     const Site<3> r = t.site(over_q);
     const Cell_index one = t.cell_of(over_q);
     const Cell_index other = t.cell_of(over_p);
-    if (r != t.site(over_p) || one == cell_p || one == other || other == cell_q || r == c || p == q) return std::nullopt;
+    if (r != t.site(over_p) || one == cell_p || one == other || other == cell_q || r == c || p == q)
+        return std::nullopt;
     if (t.cell_of(beyond(t, one, q)) != other) return std::nullopt;
     const std::array<Cell_index, 4> gone{cell_q, cell_p, one, other};
     for (const Cell_index cell : gone)
         for (const Site<3> v : {u, w})
             if (std::find(gone.begin(), gone.end(), t.cell_of(beyond(t, cell, v))) != gone.end()) return std::nullopt;
-    return Flip_4_4{gone,
-                    {Cell_sites<3>{w, c, p, q}, Cell_sites<3>{c, u, p, q}, Cell_sites<3>{r, w, p, q}, Cell_sites<3>{u, r, p, q}}};
+    return Flip_4_4{
+        gone,
+        {Cell_sites<3>{w, c, p, q}, Cell_sites<3>{c, u, p, q}, Cell_sites<3>{r, w, p, q}, Cell_sites<3>{u, r, p, q}}};
 }
 
 }  // namespace annulus

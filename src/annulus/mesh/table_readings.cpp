@@ -29,8 +29,7 @@ void for_each_verdict(const Cell_table<d>& t, std::span<const Coordinates<d>> x,
     for_each_certificate(
         t, v,
         [&](Corner_index h) {
-            if (on && !t.is_infinite(t.cell_of(h)))
-                on = visit(cell_verdict(places<d>(x, cell_sites(t, t.cell_of(h)))));
+            if (on && !t.is_infinite(t.cell_of(h))) on = visit(cell_verdict(places<d>(x, cell_sites(t, t.cell_of(h)))));
         },
         [&](Corner_index h) {
             if (!on) return;
@@ -92,10 +91,10 @@ Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
     return m;
 }
 
-#define ANNULUS_READINGS(d)                                                                                     \
-    template double star_tolerance<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);            \
-    template double star_theta<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                \
-    template bool star_holds<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);                  \
+#define ANNULUS_READINGS(d)                                                                          \
+    template double star_tolerance<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index); \
+    template double star_theta<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);     \
+    template bool star_holds<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);       \
     template Measures measure<d>(const Cell_table<d>&, std::span<const Coordinates<d>>);
 ANNULUS_READINGS(2)
 ANNULUS_READINGS(3)

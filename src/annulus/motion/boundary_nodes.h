@@ -26,7 +26,8 @@ void edge_nodes(const Coordinates<2>& a, const Coordinates<2>& b, const Gauss_ru
         }
 }
 
-/// The same along the arc around (0, 0) from a to b, with `rule` on every `longest` radians, an eighth of a turn at most.
+/// The same along the arc around (0, 0) from a to b, with `rule` on every `longest` radians, an eighth of a turn at
+/// most.
 ///
 /// For a trigonometric polynomial of degree k <= 6 the remainder of the 12-point rule on an angle s <= pi/4 is at most
 /// s^25 (12!)^4 / (25 (24!)^3) k^24 (Abramowitz and Stegun 25.4.30), below 1e-21 times its maximum for s = pi/4.

@@ -25,7 +25,8 @@ void join(std::span<const Facet> facets, std::vector<Index>& table, Cells_3& out
     while (size < 2 * facets.size()) size *= 2;
     table.assign(size, none);
     const auto hash = [size](const Facet& f) {
-        const auto key = static_cast<std::uint32_t>(f.middle) * 0x9E3779B1U ^ static_cast<std::uint32_t>(f.last) * 0x85EBCA77U;
+        const auto key =
+            static_cast<std::uint32_t>(f.middle) * 0x9E3779B1U ^ static_cast<std::uint32_t>(f.last) * 0x85EBCA77U;
         return static_cast<std::size_t>(key ^ (key >> 15)) & (size - 1);
     };
     for (std::size_t k = 0; k < facets.size(); ++k) {
@@ -70,7 +71,8 @@ Cells_3 linked(std::vector<std::array<Index, 4>> cells, std::size_t n, int threa
     for (std::size_t c = 0; c < out.size(); ++c)
         for (std::size_t i = 0; i < 4; ++i) {
             const auto v = ends(c, i);
-            facets[begin[static_cast<std::size_t>(v[0]) + 1]++] = {v[1], v[2], static_cast<Index>(c), static_cast<Index>(i)};
+            facets[begin[static_cast<std::size_t>(v[0]) + 1]++] = {v[1], v[2], static_cast<Index>(c),
+                                                                   static_cast<Index>(i)};
         }
     for_each_run(n, 1024, threads, [&](std::size_t first, std::size_t last) {
         std::vector<Index> table;
@@ -80,7 +82,8 @@ Cells_3 linked(std::vector<std::array<Index, 4>> cells, std::size_t n, int threa
     return out;
 }
 
-Cell_moment cell_moment(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c, const Coordinates<3>& d) {
+Cell_moment cell_moment(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c,
+                        const Coordinates<3>& d) {
     // With the origin at a: 12 V x = |b|² c×d + |c|² d×b + |d|² b×c, 6 V = b · (c×d).
     Coordinates<3> e[3];
     double square[3];

@@ -26,24 +26,26 @@ inline constexpr std::array<std::array<std::size_t, 3>, 4> facet_corners{{{1, 2,
 /// cells share a facet. O(n), by sorting facets on their least vertex.
 [[nodiscard]] Cells_3 linked(std::vector<std::array<Index, 4>> cells, std::size_t n, int threads = 1);
 
-/// The signed volume of a cell, and that times the vector from its first corner to its circumcentre. Without a division, so that flat
-/// cells, whose circumcentre is anywhere, have a value that is small like they are.
+/// The signed volume of a cell, and that times the vector from its first corner to its circumcentre. Without a
+/// division, so that flat cells, whose circumcentre is anywhere, have a value that is small like they are.
 struct Cell_moment {
     Coordinates<3> moment{};
     double volume = 0;
 };
 [[nodiscard]] Cell_moment cell_moment(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c,
                                       const Coordinates<3>& d);
-/// Whether the circumcentre of the cell with first corner a is in the domain. Not where it is no finite point in doubles.
+/// Whether the circumcentre of the cell with first corner a is in the domain. Not where it is no finite point in
+/// doubles.
 [[nodiscard]] bool is_inside(const Domain_3& domain, const Coordinates<3>& a, const Cell_moment& cell);
 
-/// Which cells are of the domain: those whose circumcentre it contains (the restricted Delaunay triangulation, as in the
-/// meshes of Mesh_3). A flat cell, whose circumcentre is no finite point in doubles, is not. The same for any number of
-/// threads.
+/// Which cells are of the domain: those whose circumcentre it contains (the restricted Delaunay triangulation, as in
+/// the meshes of Mesh_3). A flat cell, whose circumcentre is no finite point in doubles, is not. The same for any
+/// number of threads.
 [[nodiscard]] std::vector<char> cells_inside(const Domain_3& domain, const Cells_3& cells,
                                              std::span<const Coordinates<3>> position, int threads = 1);
 
-/// The facets between a cell with a flag and one without or infinity, counter-clockwise from outside, in the order of the cells.
+/// The facets between a cell with a flag and one without or infinity, counter-clockwise from outside, in the order of
+/// the cells.
 [[nodiscard]] std::vector<std::array<Index, 3>> surface_facets(const Cells_3& cells, std::span<const char> inside,
                                                                int threads = 1);
 

@@ -54,14 +54,17 @@ Ring without_repetitions(std::span<const Coordinates<2>> corners, double scale) 
 
 void require_area(const Ring& ring, std::size_t given, double scale) {
     if (ring.size() == 1 && given > 1)
-        throw Corner_error(0, "a polygon needs 3 corners that are not on a line; all its " + std::to_string(given) + " are at one place");
+        throw Corner_error(0, "a polygon needs 3 corners that are not on a line; all its " + std::to_string(given) +
+                                  " are at one place");
     if (given > 0 && !(scale >= 1e-100 && scale <= 1e100))
         throw Corner_error(0, "the largest coordinate of a polygon must lie between 1e-100 and 1e100");
     if (ring.size() < 3)
-        throw Corner_error(0, "a polygon needs 3 corners that are not on a line; different ones here: " + std::to_string(ring.size()));
+        throw Corner_error(
+            0, "a polygon needs 3 corners that are not on a line; different ones here: " + std::to_string(ring.size()));
     for (const Listed& c : ring)
         if (turn(ring[0], ring[1], c) != 0) return;
-    throw Corner_error(0, "a polygon needs 3 corners that are not on a line; all its " + std::to_string(given) + " are on one line");
+    throw Corner_error(
+        0, "a polygon needs 3 corners that are not on a line; all its " + std::to_string(given) + " are on one line");
 }
 
 /// Exact: a corner on the line of its neighbours is between them, and goes, or the list turns back at it.
@@ -141,10 +144,12 @@ void require_width(const Ring& ring, double scale) {
     }
     for (const Listed& c : ring) width = std::max(width, std::abs(cross(along, minus(c.p, from))) / length);
     if (width <= slack_at(scale) && width <= 1e-10 * length)
-        throw Corner_error(0, "a polygon needs 3 corners that are not on a line; as far as rounding tells these are on one line");
+        throw Corner_error(
+            0, "a polygon needs 3 corners that are not on a line; as far as rounding tells these are on one line");
 }
 
-/// Corners that all turn left go around as often as their direction comes from the lower half of all directions to the upper.
+/// Corners that all turn left go around as often as their direction comes from the lower half of all directions to
+/// the upper.
 void require_one_round(const Ring& ring) {
     const auto rises = [&](std::size_t i) {
         const Coordinates<2>& a = ring[i % ring.size()].p;

@@ -10,8 +10,9 @@
 
 namespace annulus {
 
-/// Natural ODT on the sharp edges of a surface: a vertex on a curve wants to go to the mean of the middles of the two pieces of the curve
-/// beside it, weighted with their lengths, which is the middle between its neighbours; a corner stays.
+/// Natural ODT on the sharp edges of a surface: a vertex on a curve wants to go to the mean of the middles of the two
+/// pieces of the curve beside it, weighted with their lengths, which is the middle between its neighbours; a corner
+/// stays.
 class Curve_motion {
   public:
     /// No sharp edges.
@@ -30,7 +31,8 @@ class Curve_motion {
     [[nodiscard]] bool is_corner(std::size_t v) const {
         return !places_.empty() && places_[v] == Feature_curves::Place::corner;
     }
-    /// What the vertices on curves want, each of which is on its curve up to rounding. O(k log k) for k of them and searches of their curves.
+    /// What the vertices on curves want, each of which is on its curve up to rounding. O(k log k) for k of them and
+    /// searches of their curves.
     [[nodiscard]] std::vector<Wish> wishes(std::span<const Coordinates<3>> position) const;
     /// Where it comes to when it goes from `at` towards `wanted` by this share of the way, but no farther than `most`.
     [[nodiscard]] Coordinates<3> place(const Wish& wish, double share, double most) const;

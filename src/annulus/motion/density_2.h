@@ -32,8 +32,8 @@ struct Smooth_density {
     std::function<double(const Coordinates<2>&)>
         at;           ///< at least 0, finite; may be called from several threads at once
     double most = 1;  ///< no less than the density anywhere in the domain
-    /// Along a line its k-th derivative is nowhere more than amplitude * rate^k, for k from 3 to 12. `sin2` has 1/2 and 2; a
-    /// sum of waves that are no shorter than a length l has 2 pi / l; exp(-x^2 / 2) has 1 and 2.4.
+    /// Along a line its k-th derivative is nowhere more than amplitude * rate^k, for k from 3 to 12. `sin2` has 1/2
+    /// and 2; a sum of waves that are no shorter than a length l has 2 pi / l; exp(-x^2 / 2) has 1 and 2.4.
     double amplitude = 1, rate = 1;
 };
 

@@ -19,7 +19,8 @@ bool any_equal(std::span<const Coordinates<3>> target) {
     std::vector<Index> table(size, none);
     for (std::size_t v = 0; v < target.size(); ++v) {
         std::uint64_t key = 0;
-        for (const double x : target[v]) key = (key ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;  // -0 is 0
+        // -0 is 0.
+        for (const double x : target[v]) key = (key ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;
         std::size_t h = static_cast<std::size_t>(key >> 20) & (size - 1);
         for (; table[h] != none; h = (h + 1) & (size - 1))
             if (target[at(table[h])] == target[v]) return true;

@@ -25,9 +25,9 @@ class Domain_2 {
     [[nodiscard]] static Domain_2 disc(double radius);
     /// The square [-half_side, half_side]^2, a polygon.
     [[nodiscard]] static Domain_2 square(double half_side);
-    /// The convex polygon with these corners, in order, either way round, the first one again at the end or not: see `convex_ring`, which
-    /// says what is dropped and throws Corner_error, an Error(bad_input) that knows at which corner. The same bits for every such list
-    /// of the same polygon. O(corners).
+    /// The convex polygon with these corners, in order, either way round, the first one again at the end or not: see
+    /// `convex_ring`, which says what is dropped and throws Corner_error, an Error(bad_input) that knows at which
+    /// corner. The same bits for every such list of the same polygon. O(corners).
     [[nodiscard]] static Domain_2 polygon(std::span<const Coordinates<2>> corners);
     /// The convex hull of points, not all on a line; every point is in it (see `contains`). O(n log n).
     [[nodiscard]] static Domain_2 convex_hull_of(std::span<const Coordinates<2>> points);
@@ -78,7 +78,8 @@ class Domain_2 {
     Extent_2 extent_;
 };
 
-/// Throws Error(usage) unless the density is one of the domain: an Image_density, that of a polygon in the image's rectangle.
+/// Throws Error(usage) unless the density is one of the domain: an Image_density, that of a polygon in the image's
+/// rectangle.
 void require_density(const Density_2& density, const Domain_2& domain);
 
 }  // namespace annulus

@@ -34,8 +34,8 @@ Gauss_rule legendre(int n) {
     return rule;
 }
 
-/// Radau's rule with n + 1 nodes for t f(t), which is 0 at its first node (Abramowitz and Stegun 25.4.31): zeros of P_n + P_(n+1), one
-/// between each two zeros of P_(n+1), because P_n changes its sign there.
+/// Radau's rule with n + 1 nodes for t f(t), which is 0 at its first node (Abramowitz and Stegun 25.4.31): zeros of
+/// P_n + P_(n+1), one between each two zeros of P_(n+1), because P_n changes its sign there.
 Gauss_rule radial(int n) {
     const auto sum = [n](Real x) { return legendre_p(n, x) + legendre_p(n + 1, x); };
     const std::vector<Real> between = zeros(n + 1);

@@ -7,8 +7,8 @@
 
 namespace annulus {
 
-/// Nodes and weights on [0, 1]: the sum of weight[i] f(node[i]), i < size, is the integral of f times the rule's weight function,
-/// exactly (up to rounding) for polynomials of degree 2 size - 1.
+/// Nodes and weights on [0, 1]: the sum of weight[i] f(node[i]), i < size, is the integral of f times the rule's
+/// weight function, exactly (up to rounding) for polynomials of degree 2 size - 1.
 struct Gauss_rule {
     static constexpr int max_size = 12;
     int size = 0;
@@ -16,7 +16,8 @@ struct Gauss_rule {
     std::array<double, max_size> weight{};
 };
 
-/// Gauss-Legendre, the weight function 1; 1 <= size <= 12. Nodes and weights are good to an ulp or two. The table is made once.
+/// Gauss-Legendre, the weight function 1; 1 <= size <= 12. Nodes and weights are good to an ulp or two. The table is
+/// made once.
 [[nodiscard]] const Gauss_rule& gauss_rule(int size);
 
 /// Gauss-Jacobi for the weight function t: along a ray, as area spreads. Otherwise the same.

@@ -22,8 +22,8 @@ inline constexpr std::array<std::pair<std::string_view, Motion_family>, 3> motio
 template <int d>
 class Generated_motion {
   public:
-    /// `pace`: how far points go at a step, in spacings: the standard deviation of a coordinate of a walk, the way of a point
-    /// at y = 1 in a shear, the way of each along its orbit for small ones.
+    /// `pace`: how far points go at a step, in spacings: the standard deviation of a coordinate of a walk, the way of
+    /// a point at y = 1 in a shear, the way of each along its orbit for small ones.
     Generated_motion(std::vector<Coordinates<d>> points, Motion_family family, double pace, std::uint64_t seed);
 
     [[nodiscard]] std::span<const Coordinates<d>> points() const { return points_; }

@@ -54,14 +54,15 @@ struct Field {
 
 using Triangulation = CGAL::Mesh_triangulation_3<Sharp_domain>::type;
 /// A class of this namespace, so that `dump_c3t3` below is found for it.
-struct Complex : CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Sharp_domain::Corner_index, Sharp_domain::Curve_index> {};
+struct Complex
+    : CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Sharp_domain::Corner_index, Sharp_domain::Curve_index> {};
 /// Mesh_3 writes a file named dump-bug before some of its failures. Not here: they are caught.
 [[maybe_unused]] void dump_c3t3(const Complex&, const std::string&) {}
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
-/// What is asked of shapes. Refinement for angles of facets and cells need not end next to sharp edges, which Mesh_3 does not
-/// know of: vertices come closer and closer, until points coincide and it throws. The last of these asks for sizes and
-/// distances only, so that every new vertex keeps a distance from the others.
+/// What is asked of shapes. Refinement for angles of facets and cells need not end next to sharp edges, which Mesh_3
+/// does not know of: vertices come closer and closer, until points coincide and it throws. The last of these asks for
+/// sizes and distances only, so that every new vertex keeps a distance from the others.
 struct Shapes {
     double angle;        ///< of facets, at least, in degrees
     double radius_edge;  ///< of cells, at most; 0 is any
@@ -114,8 +115,8 @@ Attempt mesh(const Domain_3& domain, const Sizing_3& sizing, double h, std::uint
              std::size_t most, const Feature_curves* sharp) {
     const Silence silence;
     std::atomic<bool> stop = false;
-    // Measured: 15 to 50 questions a vertex. Refinement that refuses each point that it thinks of asks for ever, and slowly,
-    // because everything is nearly degenerate there.
+    // Measured: 15 to 50 questions a vertex. Refinement that refuses each point that it thinks of asks for ever, and
+    // slowly, because everything is nearly degenerate there.
     const double unit = unit_of(domain);
     Sharp_domain mesh_domain(domain, unit, seed, 25 * std::uint64_t{most}, &stop);
     h /= unit;

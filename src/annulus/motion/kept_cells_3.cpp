@@ -41,7 +41,8 @@ void sort_cells(std::vector<std::array<Index, 4>>& cells, std::size_t n) {
     for (std::size_t v = 2; v < begin.size(); ++v) begin[v] += begin[v - 1];
     std::vector<std::array<Index, 4>> sorted(cells.size());
     for (const auto& c : cells) sorted[begin[at(c[0]) + 1]++] = c;
-    for (std::size_t v = 0; v < n; ++v) std::sort(sorted.begin() + offset(begin[v]), sorted.begin() + offset(begin[v + 1]));
+    for (std::size_t v = 0; v < n; ++v)
+        std::sort(sorted.begin() + offset(begin[v]), sorted.begin() + offset(begin[v + 1]));
     cells.swap(sorted);
 }
 
@@ -62,7 +63,8 @@ void Kept_cells_3::read(std::vector<std::array<Index, 4>> cells, std::size_t n, 
     moment_.resize(cells_.size());
 }
 
-/// A cell that is new differs from what had its number before. One that has but changed its number is both gone and fresh, and so neither.
+/// A cell that is new differs from what had its number before. One that has but changed its number is both gone and
+/// fresh, and so neither.
 void Kept_cells_3::find_changes(const Cell_table<3>& table) {
     gone_.clear();
     fresh_number_.clear();
@@ -99,8 +101,8 @@ void Kept_cells_3::read(const Cell_table<3>& table, int threads) {
     seen_ = std::move(seen);
 }
 
-/// Old cells keep their order, and what is known of them; the fresh ones go between. Two old cells are adjacent if they were; so only what is
-/// adjacent to a fresh one is asked of the table.
+/// Old cells keep their order, and what is known of them; the fresh ones go between. Two old cells are adjacent if
+/// they were; so only what is adjacent to a fresh one is asked of the table.
 void Kept_cells_3::merge(const Cell_table<3>& table) {
     std::vector<Cell> made;
     for (const Cell_index k : fresh_number_) made.push_back(in_order(seen_[k]));
@@ -162,7 +164,9 @@ void Kept_cells_3::link(const Cell_table<3>& table, Cell_index number) {
     const Index here = find(cell);
     for (int i = 0; i < 4; ++i) {
         const Corner_index h = table.corner(number, i), t = table.twin(h);
-        const auto slot = [](const Cell& c, Index v) { return static_cast<std::size_t>(std::find(c.begin(), c.end(), v) - c.begin()); };
+        const auto slot = [](const Cell& c, Index v) {
+            return static_cast<std::size_t>(std::find(c.begin(), c.end(), v) - c.begin());
+        };
         const Cell& beyond = seen_[table.cell_of(t)];
         Index& mine = cells_.adjacent[at(here)][slot(cell, table.vertex(h))];
         mine = none;
@@ -186,7 +190,8 @@ void Kept_cells_3::measure(const Domain_3& domain, std::span<const Coordinates<3
     for_each_run(cells_.size(), 1024, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c) {
             const Cell& v = cells_.vertex[c];
-            if (known_[c] != 0 && (moved_[at(v[0])] | moved_[at(v[1])] | moved_[at(v[2])] | moved_[at(v[3])]) == 0) continue;
+            if (known_[c] != 0 && (moved_[at(v[0])] | moved_[at(v[1])] | moved_[at(v[2])] | moved_[at(v[3])]) == 0)
+                continue;
             const Coordinates<3>& a = position[at(v[0])];
             moment_[c] = cell_moment(a, position[at(v[1])], position[at(v[2])], position[at(v[3])]);
             inside_[c] = is_inside(domain, a, moment_[c]) ? 1 : 0;

@@ -11,16 +11,19 @@
 
 namespace annulus {
 
-/// A positive cell with its least vertex first and the least of the others second: one of the orders that keep its orientation.
+/// A positive cell with its least vertex first and the least of the others second: one of the orders that keep its
+/// orientation.
 [[nodiscard]] std::array<Index, 4> in_order(std::array<Index, 4> cell);
 
 /// Sorts cells, each `in_order`, of vertices below n. O(n), as few cells have one least vertex.
 void sort_cells(std::vector<std::array<Index, 4>>& cells, std::size_t n);
 
-/// The finite cells of a triangulation, `in_order` and sorted, so in one order whatever its history, with their adjacency; and where
-/// their circumcentres are, and which of them are of a domain. Kept from step to step: what has not changed is not done again.
+/// The finite cells of a triangulation, `in_order` and sorted, so in one order whatever its history, with their
+/// adjacency; and where their circumcentres are, and which of them are of a domain. Kept from step to step: what has
+/// not changed is not done again.
 ///
-/// What is computed from them in their order is the same bit for bit under every strategy and for any number of threads.
+/// What is computed from them in their order is the same bit for bit under every strategy and for any number of
+/// threads.
 class Kept_cells_3 {
   public:
     /// Reads a table with infinite cells. Its cells are compared with those of the last reading: O(cells) with a small
@@ -28,8 +31,8 @@ class Kept_cells_3 {
     void read(const Cell_table<3>& table, int threads = 1);
     /// Reads a list of the finite cells, positive and in any order. Vertices are below n. O(n).
     void read(std::vector<std::array<Index, 4>> cells, std::size_t n, int threads = 1);
-    /// Circumcentres of all cells, and flags like those of `cells_inside`. What is known of cells none of whose vertices have moved since
-    /// they were measured last is kept. O(cells).
+    /// Circumcentres of all cells, and flags like those of `cells_inside`. What is known of cells none of whose
+    /// vertices have moved since they were measured last is kept. O(cells).
     void measure(const Domain_3& domain, std::span<const Coordinates<3>> position, int threads = 1);
 
     [[nodiscard]] const Cells_3& cells() const { return cells_; }
@@ -45,11 +48,11 @@ class Kept_cells_3 {
     void link(const Cell_table<3>& table, Cell_index number);
     [[nodiscard]] Index find(const Cell& cell) const;
 
-    Cells_3 cells_, before_;            // before_: room for the next ones
-    By_cell<Cell> seen_;                // by number in the table, at the last reading; corners as they stood there
-    std::vector<Cell> gone_, fresh_;    // cells that differ, sorted
+    Cells_3 cells_, before_;                // before_: room for the next ones
+    By_cell<Cell> seen_;                    // by number in the table, at the last reading; corners as they stood there
+    std::vector<Cell> gone_, fresh_;        // cells that differ, sorted
     std::vector<Cell_index> fresh_number_;  // in the table
-    std::vector<Index> new_place_;      // by old place
+    std::vector<Index> new_place_;          // by old place
     std::vector<Cell_moment> moment_, moment_before_;
     std::vector<char> inside_, inside_before_;
     std::vector<char> known_, known_before_;  // whether the two are there

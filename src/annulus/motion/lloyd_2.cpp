@@ -25,9 +25,9 @@ struct Partial {
     std::size_t count = 0, kept = 0;
 };
 
-/// How far a cell's corners are from the first, at most. A cell that contains its vertex is about as large as its centroid
-/// is far. One that is a point up to rounding belongs to a vertex outside of the domain and touches it there, and so
-/// may the cell of a neighbour: both vertices would go to one place.
+/// How far a cell's corners are from the first, at most. A cell that contains its vertex is about as large as its
+/// centroid is far. One that is a point up to rounding belongs to a vertex outside of the domain and touches it
+/// there, and so may the cell of a neighbour: both vertices would go to one place.
 double reach(const Cell_2& cell) {
     double most = 0;
     for (const Corner_2& corner : cell.corners)
@@ -46,7 +46,8 @@ bool wish_of(const Voronoi_cell_2& cell_of, const Cell_2& cell, const Coordinate
              const Density_2& density, Wish& wish) {
     Coordinates<2> offset;
     if (cell_of.plump()) {
-        // Nothing can go wrong here, and lengths are those of the domain: no need to look for where the centroid is, nor for hypot.
+        // Nothing can go wrong here, and lengths are those of the domain: no need to look for where the centroid is,
+        // nor for hypot.
         const Moments_2 m = moments(density, cell.origin, cell.corners);
         if (!(m.mass > 0)) return false;
         offset = {m.first[0] / m.mass, m.first[1] / m.mass};
@@ -101,8 +102,8 @@ Lloyd_2::Lloyd_2(Domain_2 domain, Density_2 density, int threads)
     if (threads < 1) throw Error(Error_code::usage, "Lloyd needs at least 1 thread");
 }
 
-/// `way` is left with how far it is for each vertex, negative for those that stay; remembered(v) means that it is there already, and
-/// the target as well.
+/// `way` is left with how far it is for each vertex, negative for those that stay; remembered(v) means that it is
+/// there already, and the target as well.
 template <class Lists, class Remembered>
 Lloyd_step Lloyd_2::step_over(const Lists& lists, std::span<const Coordinates<2>> position,
                               std::span<Coordinates<2>> target, std::vector<double>& way, Remembered remembered) const {

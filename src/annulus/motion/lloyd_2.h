@@ -22,8 +22,8 @@ struct Lloyd_step {
     std::size_t kept = 0;  ///< vertices whose cell has no mass in the domain: they stay where they are
 };
 
-/// What one step leaves for the next: a vertex whose star is the same, and neither it nor a neighbour of it has moved, wants to go where
-/// it wanted to go before. For steps of one Lloyd_2 over one Stars_2.
+/// What one step leaves for the next: a vertex whose star is the same, and neither it nor a neighbour of it has
+/// moved, wants to go where it wanted to go before. For steps of one Lloyd_2 over one Stars_2.
 class Lloyd_memory {
     friend class Lloyd_2;
     std::vector<Coordinates<2>> position_, target_;
@@ -36,7 +36,8 @@ class Lloyd_memory {
 /// cell, cut to a convex domain, under a density. Immutable; `step` may be called from several threads at once.
 class Lloyd_2 {
   public:
-    /// Throws what `require_density` does. `threads` >= 1, else Error(usage), is how many work on a step, or fewer where the machine has fewer.
+    /// Throws what `require_density` does. `threads` >= 1, else Error(usage), is how many work on a step, or fewer
+    /// where the machine has fewer.
     Lloyd_2(Domain_2 domain, Density_2 density, int threads = 1);
 
     /// Sets target[v] to the centroid of (Voronoi cell of v, cut to the domain) for every v. The vertices with an empty

@@ -40,7 +40,7 @@ class Mesh_domain_3 {
 
     /// Mesh_3 sees lengths in `unit`, a power of two. Sets `stop` after that many questions.
     Mesh_domain_3(const Domain_3& domain, double unit, std::uint64_t seed, std::uint64_t questions,
-                std::atomic<bool>* stop)
+                  std::atomic<bool>* stop)
         : domain_(domain), unit_(unit), seed_(seed), left_(questions), stop_(stop) {}
 
     [[nodiscard]] Coordinates<3> outside(const Point_3& p) const {

@@ -9,7 +9,8 @@ namespace annulus {
 
 namespace {
 
-/// c . e, and |e|^2, of the quadratic form that the density is: at c + t e it is form(c, c) + 2 t form(c, e) + t^2 form(e, e).
+/// c . e, and |e|^2, of the quadratic form that the density is: at c + t e it is form(c, c) + 2 t form(c, e) + t^2
+/// form(e, e).
 template <Density density>
 double form(const Coordinates<2>& c, const Coordinates<2>& e) {
     if constexpr (density == Density::x2) return c[0] * e[0];
@@ -46,10 +47,11 @@ At_corner at_corner(const Coordinates<2>& c, const Coordinates<2>& e) {
     return {e, linear, square, linear * (1.0 / 12) + square * (1.0 / 30)};
 }
 
-/// Sum over the cones from c to the pieces of the boundary. On a straight edge from a to b cross(e, de) is constant and the rest of
-/// the integrand at most cubic: Simpson's rule is exact, and its nodes at corners serve two edges. With m = a + b, twice the middle:
-/// the integrals over the edge of 1, e, form(c, e), form(e, e), form(c, e) e and form(e, e) e are 1, m / 2, (ca + cb) / 2,
-/// (aa + bb + mm) / 6, (ca a + cb b + cm m) / 6 and (aa a + bb b + mm m / 2) / 6.
+/// Sum over the cones from c to the pieces of the boundary. On a straight edge from a to b cross(e, de) is constant
+/// and the rest of the integrand at most cubic: Simpson's rule is exact, and its nodes at corners serve two edges.
+/// With m = a + b, twice the middle: the integrals over the edge of 1, e, form(c, e), form(e, e), form(c, e) e and
+/// form(e, e) e are 1, m / 2, (ca + cb) / 2, (aa + bb + mm) / 6, (ca a + cb b + cm m) / 6 and (aa a + bb b + mm
+/// m / 2) / 6.
 template <Density density>
 Moments_2 cone_moments(const Coordinates<2>& c, std::span<const Corner_2> corners) {
     Moments_2 sum;

@@ -25,12 +25,12 @@ struct Moments_2 {
 ///   cones from the origin to its edges; along a ray the integral of a quadratic is in closed form, and along an edge
 ///   what remains is a cubic, which Simpson's rule integrates exactly. On an arc 12 nodes per eighth of a turn leave
 ///   less than 1e-20 of the radius' power.
-/// * `sin2`: 1e-9, plus the effect of one rounding of |origin| on the argument of the sine, which moves the centroid by a
-///   few roundings of its coordinates. Proof in moments_smooth.h. O(corners), and where h > 1 O(h * perimeter).
-/// * Smooth_density: the same where the mean density in the region is more than a hundredth of its amplitude; where it is
-///   less, 1e-11 of amplitude times area; with rate * h in place of 2 h.
-/// * Image_density: 1e-12 for cells no smaller than a pixel, and that times the pixel over h for smaller ones; straight edges
-///   only. O(rows and columns of pixels that the edges cross). See moments_image.h.
+/// * `sin2`: 1e-9, plus the effect of one rounding of |origin| on the argument of the sine, which moves the centroid
+///   by a few roundings of its coordinates. Proof in moments_smooth.h. O(corners), and where h > 1 O(h * perimeter).
+/// * Smooth_density: the same where the mean density in the region is more than a hundredth of its amplitude; where
+///   it is less, 1e-11 of amplitude times area; with rate * h in place of 2 h.
+/// * Image_density: 1e-12 for cells no smaller than a pixel, and that times the pixel over h for smaller ones;
+///   straight edges only. O(rows and columns of pixels that the edges cross). See moments_image.h.
 ///
 /// No allocation. Thread-safe.
 [[nodiscard]] Moments_2 moments(Density density, const Coordinates<2>& origin, std::span<const Corner_2> corners);

@@ -65,7 +65,8 @@ class Cones {
                 while (n <= most_nodes && !(errors[static_cast<std::size_t>(n)] * area <= promise * mass)) ++n;
                 return n;
             };
-            // How many are needed depends on the mass. A guess at it; where nothing suffices for that, few nodes find a better one.
+            // How many are needed depends on the mass. A guess at it; where nothing suffices for that, few nodes find
+            // a better one.
             double here = 0;
             density_.values(&c_[0], &c_[1], &here, 1);
             int n = enough(least_nodes, size_.area, size_.area * here / 2);
@@ -82,7 +83,8 @@ class Cones {
     }
 
   private:
-    /// Starts again, with `nodes` on edges or pieces of them and `pieces` of rays, each with `rule`; `lengths` tells that it is a rule for t f.
+    /// Starts again, with `nodes` on edges or pieces of them and `pieces` of rays, each with `rule`; `lengths` tells
+    /// that it is a rule for t f.
     void add(int pieces, int nodes, const Gauss_rule& rule, bool lengths) {
         sum_ = {};
         area_ = 0;
@@ -175,11 +177,12 @@ struct Sin2 {
     static V value(const V& x, const V& y) {
         using std::sqrt;
         const V r = sqrt(x * x + y * y);
-        // Less half turns, whose number is rounded by what its sum with a large number has room for; pi in three parts of 33 bits, so
-        // that their products are exact (Cody and Waite).
+        // Less half turns, whose number is rounded by what its sum with a large number has room for; pi in three
+        // parts of 33 bits, so that their products are exact (Cody and Waite).
         const V turns = (r * std::numbers::inv_pi + 0x1.8p52) - 0x1.8p52;
         const V s = ((r - turns * 0x1.921fb544p+1) - turns * 0x1.0b4611a6p-33) - turns * 0x1.3198a2ep-68, z = s * s;
-        // Taylor's series up to s^15 as products of 1 - z / (2k (2k + 1)) within each other; for |s| <= pi / 2 it leaves out 7e-12.
+        // Taylor's series up to s^15 as products of 1 - z / (2k (2k + 1)) within each other; for |s| <= pi / 2 it
+        // leaves out 7e-12.
         static constexpr double part[] = {1. / 6, 1. / 20, 1. / 42, 1. / 72, 1. / 110, 1. / 156, 1. / 210};
         V series = 1 - z * part[6];
         for (int k = 5; k >= 0; --k) series = 1 - series * (z * part[k]);
@@ -217,7 +220,8 @@ Moments_2 smooth_moments(const Smooth_density& density, const Coordinates<2>& or
 
 Moments_2 sin2_moments(const Coordinates<2>& origin, std::span<const Corner_2> corners) {
     if (corners.empty()) return {};
-    if (norm(origin) + size_of(origin, corners).radius < Sin2::farthest) return Cones(Sin2{}, origin, corners).moments();
+    if (norm(origin) + size_of(origin, corners).radius < Sin2::farthest)
+        return Cones(Sin2{}, origin, corners).moments();
     const auto at = [](const Coordinates<2>& p) { return density_at(Density::sin2, p); };
     static const Smooth_density sin2{at, 1, Sin2::amplitude, Sin2::rate};
     return smooth_moments(sin2, origin, corners);

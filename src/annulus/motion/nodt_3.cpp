@@ -2,9 +2,9 @@
 #include <annulus/motion/nodt_3.h>
 
 #include <annulus/arithmetic/error.h>
+#include <annulus/mesh/parallel_runs.h>
 #include <annulus/motion/dihedral.h>
 #include <annulus/motion/distinct_targets.h>
-#include <annulus/mesh/parallel_runs.h>
 #include <annulus/motion/surface_stars.h>
 #include <annulus/motion/vectors_3.h>
 
@@ -63,8 +63,10 @@ Coordinates<3> towards(const Coordinates<3>& p, const Coordinates<3>& q, double 
     return between(p, q, share * way > most ? most / way : share);
 }
 
-/// The foot of q in the plane through p whose normal is the mean of those of the facets around p, weighted with area; q where these are none.
-Coordinates<3> in_tangent_plane(const Coordinates<3>& p, const Coordinates<3>& q, std::span<const std::array<Index, 2>> around,
+/// The foot of q in the plane through p whose normal is the mean of those of the facets around p, weighted with area;
+/// q where these are none.
+Coordinates<3> in_tangent_plane(const Coordinates<3>& p, const Coordinates<3>& q,
+                                std::span<const std::array<Index, 2>> around,
                                 std::span<const Coordinates<3>> position) {
     Coordinates<3> normal{};
     for (const auto& [a, b] : around) {
@@ -101,7 +103,11 @@ std::vector<char> vertices_on_surface(const Domain_3& domain, std::span<const Co
 
 Nodt_3::Nodt_3(const Domain_3& domain, Sizing_3 sizing, std::vector<char> on_surface,
                std::optional<double> lock_degrees, int threads, Curve_motion sharp)
-    : domain_(domain), sizing_(sizing), on_surface_(std::move(on_surface)), threads_(threads), sharp_(std::move(sharp)) {
+    : domain_(domain),
+      sizing_(sizing),
+      on_surface_(std::move(on_surface)),
+      threads_(threads),
+      sharp_(std::move(sharp)) {
     if (threads < 1) throw Error(Error_code::usage, "natural ODT needs at least 1 thread");
     if (!lock_degrees) return;
     if (!(*lock_degrees > 0 && *lock_degrees < 70.5))
@@ -124,22 +130,22 @@ struct Nodt_3::Sums {
 
 Nodt_step Nodt_3::step(const Cells_3& cells, std::span<const char> inside, std::span<const Coordinates<3>> position,
                        std::span<Coordinates<3>> target) const {
-    if (inside.size() != cells.size())
-        throw Error(Error_code::wrong_size, "natural ODT needs a flag for every cell");
+    if (inside.size() != cells.size()) throw Error(Error_code::wrong_size, "natural ODT needs a flag for every cell");
     std::vector<Cell_moment> moments(cells.size());
     for_each_run(cells.size(), run_length, threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c) {
             const auto& v = cells.vertex[c];
             if (inside[c] != 0)
-                moments[c] = cell_moment(position[at(v[0])], position[at(v[1])], position[at(v[2])], position[at(v[3])]);
+                moments[c] =
+                    cell_moment(position[at(v[0])], position[at(v[1])], position[at(v[2])], position[at(v[3])]);
         }
     });
     Nodt_memory memory;
     return step_of({cells, inside, moments}, position, target, memory);
 }
 
-Nodt_step Nodt_3::step(const Kept_cells_3& cells, std::span<const Coordinates<3>> position, std::span<Coordinates<3>> target,
-                       Nodt_memory& memory) const {
+Nodt_step Nodt_3::step(const Kept_cells_3& cells, std::span<const Coordinates<3>> position,
+                       std::span<Coordinates<3>> target, Nodt_memory& memory) const {
     return step_of({cells.cells(), cells.inside(), cells.moments()}, position, target, memory);
 }
 
@@ -165,15 +171,18 @@ bool Nodt_3::is_good(const std::array<Index, 4>& v, std::span<const Coordinates<
     return std::all_of(cosines.begin(), cosines.end(), [&](double x) { return std::abs(x) <= *lock_cosine_; });
 }
 
-/// Every thread has a range of vertices and looks at all cells, in their order: so sums do not depend on how many there are.
-void Nodt_3::sum_cells(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<const double> mu, Sums& sums) const {
+/// Every thread has a range of vertices and looks at all cells, in their order: so sums do not depend on how many
+/// there are.
+void Nodt_3::sum_cells(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<const double> mu,
+                       Sums& sums) const {
     const std::size_t n = position.size(), cells = mesh.cells.size();
     std::vector<char> good(lock_cosine_ ? cells : 0, 1);
     for_each_run(good.size(), run_length, threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c)
             if (mesh.inside[c] != 0) good[c] = is_good(mesh.cells.vertex[c], position) ? 1 : 0;
     });
-    const std::size_t range = std::max<std::size_t>(1, (n + static_cast<std::size_t>(threads_) - 1) / static_cast<std::size_t>(threads_));
+    const std::size_t range =
+        std::max<std::size_t>(1, (n + static_cast<std::size_t>(threads_) - 1) / static_cast<std::size_t>(threads_));
     for_each_run(n, range, threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = 0; c < cells; ++c) {
             if (mesh.inside[c] == 0) continue;
@@ -220,7 +229,8 @@ Nodt_step Nodt_3::step_of(const Mesh& mesh, std::span<const Coordinates<3>> posi
 
     const auto stride = [&](Index v) {
         double nearest = std::numeric_limits<double>::infinity();
-        for (const auto& [a, b] : surface.around(v)) nearest = std::min(nearest, distance(position[at(v)], position[at(a)]));
+        for (const auto& [a, b] : surface.around(v))
+            nearest = std::min(nearest, distance(position[at(v)], position[at(a)]));
         return surface_stride * nearest;
     };
     const auto locked = [&](std::size_t v) { return lock_cosine_ && sums.bad[v] == 0; };

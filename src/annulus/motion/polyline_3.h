@@ -9,7 +9,8 @@
 
 namespace annulus {
 
-/// A curve of straight segments, with its places told apart by how far along it they are, in the caller's unit of length.
+/// A curve of straight segments, with its places told apart by how far along it they are, in the caller's unit of
+/// length.
 class Polyline_3 {
   public:
     /// At least two points, neighbours differ. Where the first is the last the curve is closed. O(points).
@@ -18,8 +19,9 @@ class Polyline_3 {
     [[nodiscard]] const std::vector<Coordinates<3>>& points() const { return points_; }
     [[nodiscard]] bool closed() const { return points_.front() == points_.back(); }
     [[nodiscard]] double length() const { return up_to_.back(); }
-    /// Where one is after so long a way from the first point, on a segment up to rounding; a coordinate that both its ends share is kept
-    /// exactly. Ways beyond the ends go to the ends, or around where the curve is closed. O(log points).
+    /// Where one is after so long a way from the first point, on a segment up to rounding; a coordinate that both its
+    /// ends share is kept exactly. Ways beyond the ends go to the ends, or around where the curve is closed. O(log
+    /// points).
     [[nodiscard]] Coordinates<3> at(double way) const;
     /// How far along the point nearest to p is; the first of several. O(points / 32) where the curve is not wound up.
     [[nodiscard]] double nearest(const Coordinates<3>& p) const;

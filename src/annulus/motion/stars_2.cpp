@@ -14,14 +14,15 @@ constexpr Index absent = none;
 
 void Stars_2::mark(const Triangle& t) {
     for (const Index v : t) {
-        if (v < 0 || static_cast<std::size_t>(v) >= marked_.size() || marked_[static_cast<std::size_t>(v)] != 0) continue;
+        if (v < 0 || static_cast<std::size_t>(v) >= marked_.size() || marked_[static_cast<std::size_t>(v)] != 0)
+            continue;
         marked_[static_cast<std::size_t>(v)] = 1;
         changed_.push_back(v);
     }
 }
 
-/// A star changes only with its triangles, and a triangle that is new differs from what had its number before. That it has but changed
-/// its number or turned costs a look.
+/// A star changes only with its triangles, and a triangle that is new differs from what had its number before. That
+/// it has but changed its number or turned costs a look.
 void Stars_2::find_changed(const Cell_table<2>& table) {
     const Cell_index bound = table.cell_bound();
     for (Cell_index c = bound; triangle_.has(c); ++c) mark(triangle_[c]);
@@ -29,7 +30,8 @@ void Stars_2::find_changed(const Cell_table<2>& table) {
     for (Cell_index c(0); c < bound; ++c) {
         Triangle now{absent, absent, absent};
         if (table.is_cell(c))
-            now = {table.vertex(table.corner(c, 0)), table.vertex(table.corner(c, 1)), table.vertex(table.corner(c, 2))};
+            now = {table.vertex(table.corner(c, 0)), table.vertex(table.corner(c, 1)),
+                   table.vertex(table.corner(c, 2))};
         if (now == triangle_[c]) continue;
         mark(triangle_[c]);
         mark(now);

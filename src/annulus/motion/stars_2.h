@@ -12,15 +12,15 @@
 
 namespace annulus {
 
-/// The finite neighbours of every vertex of a triangulation of the plane, as in Neighbours_2, kept from step to step: only the lists of
-/// vertices whose triangles have changed are read again.
+/// The finite neighbours of every vertex of a triangulation of the plane, as in Neighbours_2, kept from step to step:
+/// only the lists of vertices whose triangles have changed are read again.
 ///
-/// Lists have one order whatever the history of the triangulation: a cyclic one begins with its least index, an open one behind infinity.
-/// So what is computed from them is the same bit for bit under every strategy.
+/// Lists have one order whatever the history of the triangulation: a cyclic one begins with its least index, an open
+/// one behind infinity. So what is computed from them is the same bit for bit under every strategy.
 class Stars_2 {
   public:
-    /// Reads a table. Its triangles are compared with those of the last reading: O(cells), and O(degree) for each vertex
-    /// of a cell that differs. All vacant where the points are on a line, because there are no cells then.
+    /// Reads a table. Its triangles are compared with those of the last reading: O(cells), and O(degree) for each
+    /// vertex of a cell that differs. All vacant where the points are on a line, because there are no cells then.
     void read(const Cell_table<2>& table);
     /// Reads lists, all of them. O(n).
     void read(const Neighbours_2& lists);
@@ -49,12 +49,12 @@ class Stars_2 {
     void mark(const Triangle& t);
     void put(std::size_t v, bool open, std::size_t start);
 
-    std::vector<Place> place_;        // by vertex
-    std::vector<Index> pool_;         // the lists, with gaps
-    By_cell<Triangle> triangle_;      // by cell of the table, at the last reading
-    std::vector<char> marked_;        // by vertex
-    std::vector<Index> changed_;      // vertices
-    std::vector<Index> ring_;         // the list being read
+    std::vector<Place> place_;    // by vertex
+    std::vector<Index> pool_;     // the lists, with gaps
+    By_cell<Triangle> triangle_;  // by cell of the table, at the last reading
+    std::vector<char> marked_;    // by vertex
+    std::vector<Index> changed_;  // vertices
+    std::vector<Index> ring_;     // the list being read
     std::uint64_t readings_ = 0;
 };
 

@@ -17,7 +17,8 @@ struct Gray_image {
     std::vector<std::uint16_t> value;
 };
 
-/// A picture as dots: Voronoi stippling (Secord, Weighted Voronoi stippling, 2002). Ink is what is dark, or, inverted, what is bright.
+/// A picture as dots: Voronoi stippling (Secord, Weighted Voronoi stippling, 2002). Ink is what is dark, or,
+/// inverted, what is bright.
 class Stippling {
   public:
     /// Throws Error(bad_input) where there is no ink, and Error(usage) where the picture is none. O(pixels).
@@ -33,9 +34,9 @@ class Stippling {
     /// Where points begin, and how large dots are: the ink of each pixel, from 0 to `full()`.
     [[nodiscard]] Image_density ink() const;
     [[nodiscard]] double full() const { return image_.white; }
-    /// What Lloyd's iterations go by: the square of the ink. Where they end there are points in proportion to the square root of
-    /// their density (Gersho's conjecture in the plane; Du, Faber and Gunzburger, Centroidal Voronoi tessellations, 1999, 6.4), so in
-    /// proportion to the ink, as where they began.
+    /// What Lloyd's iterations go by: the square of the ink. Where they end there are points in proportion to the
+    /// square root of their density (Gersho's conjecture in the plane; Du, Faber and Gunzburger, Centroidal Voronoi
+    /// tessellations, 1999, 6.4), so in proportion to the ink, as where they began.
     [[nodiscard]] Image_density density() const;
 
   private:

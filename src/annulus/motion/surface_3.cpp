@@ -34,8 +34,8 @@ using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
 
 bool is_finite(const Coordinates<3>& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
-/// A kernel in which the point of a triangle nearest to a point is always one: where the triangle is so thin, or some of its
-/// coordinates so small, that CGAL's construction ends in a quotient of zeros, it is a corner.
+/// A kernel in which the point of a triangle nearest to a point is always one: where the triangle is so thin, or some
+/// of its coordinates so small, that CGAL's construction ends in a quotient of zeros, it is a corner.
 struct Guarded_kernel : K {
     struct Construct_projected_point_3 {
         Point_3 operator()(const Triangle_3& t, const Point_3& p) const {
@@ -65,7 +65,8 @@ struct Listing {
         double reach;
     };
     static double gap(const Query& ball, const CGAL::Bbox_3& b) {
-        return std::sqrt(squared_gap(ball.centre, std::array{b.xmin(), b.ymin(), b.zmin()}, std::array{b.xmax(), b.ymax(), b.zmax()}));
+        return std::sqrt(squared_gap(ball.centre, std::array{b.xmin(), b.ymin(), b.zmin()},
+                                     std::array{b.xmax(), b.ymax(), b.zmax()}));
     }
     [[nodiscard]] static constexpr bool go_further() { return true; }
     [[nodiscard]] bool do_intersect(const Query& ball, const CGAL::AABB_node<Aabb_traits>& node) const {
@@ -89,9 +90,9 @@ std::string shortened(double x) {
     return {digits, std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, 4).ptr};
 }
 
-/// CGAL makes quotients of high powers of coordinates, so these must be neither too large nor too small; and the surface be
-/// near enough to the origin that they tell the corners of small triangles apart. What is 1e-30 times as small as the
-/// surface is long becomes 0: far below what positions in doubles can tell.
+/// CGAL makes quotients of high powers of coordinates, so these must be neither too large nor too small; and the
+/// surface be near enough to the origin that they tell the corners of small triangles apart. What is 1e-30 times as
+/// small as the surface is long becomes 0: far below what positions in doubles can tell.
 Triangle_surface in_sane_lengths(Triangle_surface s) {
     double longest = 0, farthest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -258,11 +259,13 @@ std::optional<Coordinates<3>> Surface_3::crossing(const Coordinates<3>& a, const
     if (!hit) return std::nullopt;
     if (const K::Point_3* p = alternative<K::Point_3>(hit->first)) {
         Coordinates<3> c = ours(*p);
-        // That they meet is exact, where they do is not: nearly in the plane of the triangle it may be anywhere or no number.
+        // That they meet is exact, where they do is not: nearly in the plane of the triangle it may be anywhere or no
+        // number.
         for (std::size_t k = 0; k < 3; ++k)
             c[k] =
                 std::isnan(c[k]) ? 0.5 * (a[k] + b[k]) : std::clamp(c[k], std::min(a[k], b[k]), std::max(a[k], b[k]));
-        // On a segment that is long compared with the surface the rounding of a crossing is, too: back onto the surface.
+        // On a segment that is long compared with the surface the rounding of a crossing is, too: back onto the
+        // surface.
         return project(c);
     }
     if (const K::Segment_3* s = alternative<K::Segment_3>(hit->first))

@@ -22,8 +22,8 @@ struct Edge_fault {
 /// whose triangle is first. Precondition: indices name points. O(n log n).
 [[nodiscard]] std::optional<Edge_fault> edge_fault(const std::vector<std::array<Index, 3>>& triangles);
 
-/// The first triangle whose corners are on a line; nothing when there is none. Exact. Precondition: indices name points,
-/// which are finite.
+/// The first triangle whose corners are on a line; nothing when there is none. Exact. Precondition: indices name
+/// points, which are finite.
 [[nodiscard]] std::optional<std::size_t> flat_triangle(const Triangle_surface& surface);
 
 /// The first two triangles that meet elsewhere than in corners and edges that they share; nothing when there are none.

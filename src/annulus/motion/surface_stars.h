@@ -16,8 +16,8 @@ class Surface_stars {
     /// Facets are vertex numbers below n, all oriented to one side. Linear.
     Surface_stars(std::span<const std::array<Index, 3>> facets, std::size_t n);
 
-    /// Whether the facets around v are one closed fan: a disc with v inside. Not where there are none, where the surface
-    /// ends, or where sheets of it touch. Quadratic in the number of facets around v.
+    /// Whether the facets around v are one closed fan: a disc with v inside. Not where there are none, where the
+    /// surface ends, or where sheets of it touch. Quadratic in the number of facets around v.
     [[nodiscard]] bool disc(Index v) const;
     /// The other corners of the facets around v, in their order; interior edges of a disc come twice.
     [[nodiscard]] std::span<const std::array<Index, 2>> around(Index v) const;

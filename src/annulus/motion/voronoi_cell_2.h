@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/mesh/neighbours.h>
 #include <annulus/motion/cell_2.h>
 #include <annulus/motion/domain_2.h>
-#include <annulus/mesh/neighbours.h>
 
 #include <span>
 #include <vector>
@@ -29,8 +29,9 @@ class Voronoi_cell_2 {
     const Cell_2& operator()(const Coordinates<2>& site, std::span<const Index> neighbours,
                              std::span<const Coordinates<2>> position, bool cyclic);
 
-    /// Of the last cell: its corners are circumcentres well inside of the domain, and its area is more than 1e-6 of the greatest
-    /// square of a corner's offset. Its centroid is then in it, under any density, and in the domain, by far more than rounding.
+    /// Of the last cell: its corners are circumcentres well inside of the domain, and its area is more than 1e-6 of
+    /// the greatest square of a corner's offset. Its centroid is then in it, under any density, and in the domain, by
+    /// far more than rounding.
     [[nodiscard]] bool plump() const { return plump_; }
 
   private:

@@ -16,11 +16,12 @@ namespace annulus {
 /// The paper's filtering algorithm (its 3.2), one vertex at a time: the strategy `paper`; and `paper-hybrid`, which
 /// rebuilds until the motion is slow enough for it (4.2).
 ///
-/// Every vertex has a fixed position f, a moving position m, a tolerance eps and D = |m - f|. A vertex with D < eps is
-/// only written. One that fails enters a queue; each vertex h taken from it goes to f = m with D = 0: in place where all
-/// its certificates hold there, in the plane by flips where no triangle around it turns over (3.1), else it is taken out
-/// and put back in. The certificates that it then has lower the eps of their points, and those that no longer have
-/// D < eps enter the queue. Every vertex enters at most once a call (its D is 0 from then on), so the queue ends.
+/// Every vertex has a fixed position f, a moving position m, a tolerance eps and D = |m - f|. A vertex with D < eps
+/// is only written. One that fails enters a queue; each vertex h taken from it goes to f = m with D = 0: in place
+/// where all its certificates hold there, in the plane by flips where no triangle around it turns over (3.1), else it
+/// is taken out and put back in. The certificates that it then has lower the eps of their points, and those that no
+/// longer have D < eps enter the queue. Every vertex enters at most once a call (its D is 0 from then on), so the
+/// queue ends.
 ///
 /// The mesh is Delaunay at the fixed positions at all times, and at the moving ones if tolerances are certified. One
 /// that is too large gives a wrong answer at the moving positions, and never breaks the mesh. In space those of the

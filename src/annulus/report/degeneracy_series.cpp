@@ -100,8 +100,9 @@ std::string degeneracy_html(const Degeneracy_series& series) {
     Plot unsound{
         "Vertices at which the paper's tolerance is unsound", frames, {"vertices", Scale::linear, 0., {}, false}, {}};
     unsound.series.push_back(over_frames("", series, [](const Numbers& n) { return n.paper_unsound; }));
-    std::string out =
-        page_head(series.file + ": " + grouped(series.rows.size()) + (series.rows.size() == 1 ? " frame" : " frames") + ", how degenerate", series.command);
+    std::string out = page_head(series.file + ": " + grouped(series.rows.size()) +
+                                    (series.rows.size() == 1 ? " frame" : " frames") + ", how degenerate",
+                                series.command);
     append_warnings(out, series.input.warnings);
     if (!series.input.columns.empty()) out += "<p>" + escaped(listed(series.input.columns)) + ".</p>\n";
     append_plots(out, "Widths and tolerances",

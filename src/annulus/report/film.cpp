@@ -65,9 +65,10 @@ std::string Film::html() const {
                "</figcaption></figure>\n";
     out += "<p hidden><label>Frame <input type=\"range\" min=\"0\" max=\"" + std::to_string(pictures_.size() - 1) +
            "\" value=\"0\" step=\"1\"/></label></p>\n</div>\n<figcaption>";
-    out += pictures_.size() == frames_ ? (frames_ == 1 ? "The one frame is shown" : "All " + grouped(frames_) + " frames are shown")
-                                       : grouped(pictures_.size()) + " of " + grouped(frames_) +
-                                             " frames are shown: one in " + grouped(stride_) + ", and the last";
+    out += pictures_.size() == frames_
+               ? (frames_ == 1 ? "The one frame is shown" : "All " + grouped(frames_) + " frames are shown")
+               : grouped(pictures_.size()) + " of " + grouped(frames_) + " frames are shown: one in " +
+                     grouped(stride_) + ", and the last";
     if (parts)
         out += "; of each a window in the middle, chosen when there were more than " + grouped(most_vertices) +
                " vertices";

@@ -10,8 +10,9 @@
 
 namespace annulus {
 
-/// Pictures of a run whose length nobody knows, for a page with a slider: every frame, then every second one, every fourth .., so that there
-/// are never more than most_pictures; of many vertices a part in the middle. What it holds does not grow with the run.
+/// Pictures of a run whose length nobody knows, for a page with a slider: every frame, then every second one, every
+/// fourth .., so that there are never more than most_pictures; of many vertices a part in the middle. What it holds
+/// does not grow with the run.
 class Film {
   public:
     static constexpr std::size_t most_pictures = 40;
@@ -23,7 +24,8 @@ class Film {
     void add(std::uint64_t number, Picture picture, bool last = false);
 
     [[nodiscard]] bool empty() const { return pictures_.empty(); }
-    /// The film as a part of a page: pictures in one frame, a slider, and what is shown of what. Without scripts they stand one below the other.
+    /// The film as a part of a page: pictures in one frame, a slider, and what is shown of what. Without scripts they
+    /// stand one below the other.
     [[nodiscard]] std::string html() const;
 
   private:

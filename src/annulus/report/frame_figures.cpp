@@ -54,7 +54,7 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
                   over_steps("largest", [](const auto& s) { return std::optional(s.displacement_max); })}));
         if (run.moves.rebuilt == 0)  // a rebuild has none
             motion.panels.push_back(plot("Flips", "step", "flips in a step",
-                                     {over_steps("", [](const auto& s) { return std::optional(s.flips); })}));
+                                         {over_steps("", [](const auto& s) { return std::optional(s.flips); })}));
     }
     if (std::any_of(frames.begin(), frames.end(), [&](const auto& f) { return f.points != frames.front().points; }))
         motion.panels.push_back(plot("Points", "frame", "points",

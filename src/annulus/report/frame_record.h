@@ -28,7 +28,8 @@ struct Frame_record {
     std::optional<Voronoi> voronoi{};
 };
 
-/// Curves over the frames, of what is there and is not the same throughout. With `steps` those of the run's steps too: how far points go, flips.
+/// Curves over the frames, of what is there and is not the same throughout. With `steps` those of the run's steps
+/// too: how far points go, flips.
 [[nodiscard]] std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const Run_record& run,
                                                 bool steps);
 

@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-// The parts of which every HTML page of the tool is made. What is called HTML is taken as it is, all other text is escaped.
+// The parts of which every HTML page of the tool is made. What is called HTML is taken as it is, all other text is
+// escaped.
 namespace annulus {
 
 /// Everything before the content: head, style sheet, title and the command, if there is one.

@@ -117,7 +117,8 @@ void append_comparison(std::string& out, const Comparison_record& comparison) {
                  rows, true);
     append_plots(out, "Cumulative time", comparison_plots(comparison),
                  "Time for keeping the triangulation and its tolerances right, without the motion and without the "
-                 "construction of the first triangulation and its tolerances, summed over the iterations. A curve that flattens belongs to a strategy that gains from small displacements.");
+                 "construction of the first triangulation and its tolerances, summed over the iterations. A curve that "
+                 "flattens belongs to a strategy that gains from small displacements.");
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ struct Report {
     std::vector<std::string> notes;  ///< paragraphs at the end
 };
 
-/// The report as one HTML file that needs nothing else: no network, no other file; a script for the slider of a film only. Linear in
-/// its content.
+/// The report as one HTML file that needs nothing else: no network, no other file; a script for the slider of a film
+/// only. Linear in its content.
 [[nodiscard]] std::string report_html(const Report& report);
 
 }  // namespace annulus

@@ -68,7 +68,8 @@ stroke-dasharray:none!important}
 .c6{stroke:var(--c6);stroke-dasharray:14 5}
 .plot .name.c0{fill:var(--c0)}.plot .name.c1{fill:var(--c1)}.plot .name.c2{fill:var(--c2)}
 .plot .name.c3{fill:var(--c3)}.plot .name.c4{fill:var(--c4)}.plot .name.c5{fill:var(--c5)}.plot .name.c6{fill:var(--c6)}
-@media(max-width:600px){main{padding:24px 14px 40px}h1{font-size:1.35rem}.panels{gap:24px}.plot .tl,.plot .al{font-size:15px}}
+@media(max-width:600px){main{padding:24px 14px 40px}h1{font-size:1.35rem}.panels{gap:24px})css"
+                                            R"css(.plot .tl,.plot .al{font-size:15px}}
 @media print{:root{--bg:#fff}main{padding:0}h2{break-after:avoid}figure{break-inside:avoid}}
 )css";
 

@@ -11,8 +11,9 @@
 
 namespace annulus {
 
-/// Wall-clock seconds of a run. `triangulation` is the sum over its steps of the time spent keeping the triangulation and its tolerances
-/// right, and nothing else: the first triangulation and its tolerances are in no step, but in `construction`.
+/// Wall-clock seconds of a run. `triangulation` is the sum over its steps of the time spent keeping the triangulation
+/// and its tolerances right, and nothing else: the first triangulation and its tolerances are in no step, but in
+/// `construction`.
 struct Seconds_record {
     double triangulation = 0;
     double motion = 0;

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/report/run_record.h>
 #include <annulus/formats/write_csv.h>
+#include <annulus/report/run_record.h>
 
 #include <nlohmann/json.hpp>
 
 namespace annulus {
 
-/// The content of summary.json: what every run states, in a fixed order, then memory and the unit of length. Only the one
-/// of an interrupted run has `interrupted`.
+/// The content of summary.json: what every run states, in a fixed order, then memory and the unit of length. Only the
+/// one of an interrupted run has `interrupted`.
 [[nodiscard]] nlohmann::ordered_json summary_json(const Run_record& run);
 
 /// Adds the keys `columns` and `ignored`, where there is something to say.
 void append_input(nlohmann::ordered_json& json, const Input_record& input);
 
-/// The content of compare.json: `command`, `version`, `agree`, `strategies` by name, and `ratios` "a/b", the triangulation seconds of a over
-/// those of b, for every ordered pair (null when b took no time), then any `disagreements`. An interrupted one has
-/// `interrupted` in place of `agree` and `ratios`. Throws Error(usage) when
+/// The content of compare.json: `command`, `version`, `agree`, `strategies` by name, and `ratios` "a/b", the
+/// triangulation seconds of a over those of b, for every ordered pair (null when b took no time), then any
+/// `disagreements`. An interrupted one has `interrupted` in place of `agree` and `ratios`. Throws Error(usage) when
 /// two runs have the same strategy.
 [[nodiscard]] nlohmann::ordered_json compare_json(const Comparison_record& comparison);
 

@@ -45,7 +45,8 @@ std::size_t letters(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// Names of curves stand right of the frame, so it ends where the longest begins; and it begins where the longest number ends.
+/// Names of curves stand right of the frame, so it ends where the longest begins; and it begins where the longest
+/// number ends.
 Frame frame_for(const Plot& plot, const Axis_range& ys) {
     std::size_t longest = 0;
     for (const Series& s : plot.series)
@@ -137,12 +138,15 @@ std::optional<Pixel> draw_curve(std::string& out, const Series& series, std::siz
 }
 
 /// Draws the bars of errors. On a logarithmic scale one that reaches below 0 goes to the border.
-void draw_errors(std::string& out, const Series& series, std::size_t index, const Frame& frame, const Axis_range& xs, const Axis_range& ys) {
+void draw_errors(std::string& out, const Series& series, std::size_t index, const Frame& frame, const Axis_range& xs,
+                 const Axis_range& ys) {
     std::string path;
     for (std::size_t i = 0; i < std::min({series.x.size(), series.y.size(), series.error.size()}); ++i) {
         const double y = series.y[i], error = series.error[i];
         if (!(error > 0) || !xs.can_show(series.x[i]) || !ys.can_show(y) || !ys.can_show(y + error)) continue;
-        const auto place = [&](double end) { return frame.y(ys.can_show(end) ? std::clamp(ys.place(end), 0.0, 1.0) : 0.0); };
+        const auto place = [&](double end) {
+            return frame.y(ys.can_show(end) ? std::clamp(ys.place(end), 0.0, 1.0) : 0.0);
+        };
         const std::string left = number(frame.x(std::clamp(xs.place(series.x[i]), 0.0, 1.0)) - 3);
         const std::string low = number(place(y - error)), high = number(place(y + error));
         path += "M" + left + " " + low + "h6m-3 0V" + high + "m-3 0h6";

@@ -26,7 +26,8 @@ struct Series {
     std::vector<double> x;
     std::vector<double> y;
     bool steps = false;  ///< a histogram: x are the bin edges, one more than y
-    std::vector<double> error{};  ///< by point, how far its bar reaches to either side; none where it is not positive, or missing
+    /// By point, how far its bar reaches to either side; none where it is not positive, or missing.
+    std::vector<double> error{};
 };
 
 struct Plot {
@@ -36,7 +37,8 @@ struct Plot {
     std::vector<Series> series;
 };
 
-/// The outline of a histogram from its first bin with samples to its last and an empty one before and after them, as shares of all samples in percent.
+/// The outline of a histogram from its first bin with samples to its last and an empty one before and after them, as
+/// shares of all samples in percent.
 [[nodiscard]] Series histogram_series(std::string name, const Histogram& histogram);
 
 /// The plot as one SVG element, 520 by 360 units, that scales with its container. Colours and fonts come from CSS

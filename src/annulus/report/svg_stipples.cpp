@@ -30,8 +30,8 @@ std::string svg_stipples(std::size_t width, std::size_t height, std::span<const 
     const std::string paper = white_on_black ? "#000" : "#fff", ink = white_on_black ? "#fff" : "#000";
     std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h +
                       "\" viewBox=\"0 0 " + w + " " + h + "\">\n<title>" + std::to_string(points.size()) +
-                      (points.size() == 1 ? " stipple" : " stipples") + "</title>\n<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"" + paper +
-                      "\"/>\n<g fill=\"" + ink + "\">\n";
+                      (points.size() == 1 ? " stipple" : " stipples") + "</title>\n<rect width=\"" + w +
+                      "\" height=\"" + h + "\" fill=\"" + paper + "\"/>\n<g fill=\"" + ink + "\">\n";
     for (std::size_t i = 0; i < points.size(); ++i)
         out += "<circle cx=\"" + number(points[i][0], fine) + "\" cy=\"" +
                number(static_cast<double>(height) - points[i][1], fine) + "\" r=\"" +

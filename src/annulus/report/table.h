@@ -20,9 +20,9 @@ struct Table_cell {
 };
 using Table_row = std::vector<Table_cell>;
 
-/// A wide table that scrolls sideways where the window is narrow. The first cell of a row is its heading. With `sortable` the
-/// page sorts the rows by a column when its heading is pressed, least first, and the other way round when it is pressed
-/// again; cells without a number come last.
+/// A wide table that scrolls sideways where the window is narrow. The first cell of a row is its heading. With
+/// `sortable` the page sorts the rows by a column when its heading is pressed, least first, and the other way round
+/// when it is pressed again; cells without a number come last.
 void append_table(std::string& out, const std::vector<std::string>& head, const std::vector<Table_row>& rows,
                   bool sortable = false);
 

@@ -19,7 +19,8 @@ Point cross(const Point& a, const Point& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Exactly: is the certificate of these points no longer what it must be? A cell of a bi-cell that is not positive is a failure too.
+/// Exactly: is the certificate of these points no longer what it must be? A cell of a bi-cell that is not positive is
+/// a failure too.
 bool fails(std::span<const Point> x) {
     const auto positive = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t e) {
         return orientation_exact(Tuple<3, 4>{&x[a], &x[b], &x[c], &x[e]}).sign > 0;
@@ -29,7 +30,8 @@ bool fails(std::span<const Point> x) {
            !positive(1, 0, 2, 3);
 }
 
-/// Ways for points: along way[i], whichever its length, in the sense that brings the two sides of an annulus or a slab together.
+/// Ways for points: along way[i], whichever its length, in the sense that brings the two sides of an annulus or a
+/// slab together.
 using Ways = std::vector<Point>;
 
 /// The annulus with three of the points on one sphere and two on the other: they go towards its middle.

@@ -92,10 +92,12 @@ template <class Value>
     return out;
 }
 /// At which share of moves within tolerance the printed filter begins to pay; `claimed` is the paper's.
-[[nodiscard]] Claim switch_claim(const std::vector<const Race_record*>& races, const char* figure, const char* where, double claimed);
+[[nodiscard]] Claim switch_claim(const std::vector<const Race_record*>& races, const char* figure, const char* where,
+                                 double claimed);
 /// Why a filter is as fast as it is.
 [[nodiscard]] inline std::string few_fail(const std::vector<const Race_record*>& races) {
-    return "Of all moves " + range(of_each(races, [](const auto& x) { return failed_share(x, "paper-printed"); }), percent) +
+    return "Of all moves " +
+           range(of_each(races, [](const auto& x) { return failed_share(x, "paper-printed"); }), percent) +
            " failed, and only these are relocated.";
 }
 [[nodiscard]] inline Claim_verdict agree_if(bool yes) { return yes ? Claim_verdict::agrees : Claim_verdict::differs; }

@@ -23,7 +23,8 @@ std::vector<Claim> claims_of(const Reproduction& reproduction) {
     append_mesh_speed_claims(reproduction, out);
     append_mesh_claims(reproduction, out);
     append_quality_claims(reproduction, out);
-    // Movers are random points at a pace of their own, for some steps; what the paper says of 1,000 iterations is not of them.
+    // Movers are random points at a pace of their own, for some steps; what the paper says of 1,000 iterations is not
+    // of them.
     const bool brief = std::any_of(reproduction.races.begin(), reproduction.races.end(), [](const auto& entry) {
         return !entry.first.starts_with("movers-") && entry.second.steps < 1000;
     });

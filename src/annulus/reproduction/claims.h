@@ -24,12 +24,12 @@ struct Claim {
     bool of_long_runs = false;                    ///< it says nothing of fewer than 1,000 iterations
 };
 
-/// All of them, in the paper's order, whatever was run. A verdict follows from numbers by the rule that stands beside it in the code; none depends on a clock
-/// but those of speed.
+/// All of them, in the paper's order, whatever was run. A verdict follows from numbers by the rule that stands beside
+/// it in the code; none depends on a clock but those of speed.
 [[nodiscard]] std::vector<Claim> claims_of(const Reproduction& reproduction);
 
-/// Its parts, appended: whether tolerances are right, what relocating costs, how stable tolerances are; Lloyd; meshes, how fast, their
-/// statistics, and what becomes of them.
+/// Its parts, appended: whether tolerances are right, what relocating costs, how stable tolerances are; Lloyd;
+/// meshes, how fast, their statistics, and what becomes of them.
 void append_soundness_claims(const Reproduction& reproduction, std::vector<Claim>& out);
 void append_relocation_claims(const Reproduction& reproduction, std::vector<Claim>& out);
 void append_stability_claims(const Reproduction& reproduction, std::vector<Claim>& out);

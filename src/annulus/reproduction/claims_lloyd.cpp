@@ -20,16 +20,16 @@ void append_speed(const Reproduction& r, std::vector<Claim>& out) {
     Claim c = claim("figure-7", "Filtering Lloyd iterations is up to so many times faster than rebuilding.", "up to 6");
     if (!plane.empty()) {
         const auto x = of_each(plane, theirs);
-        c.theirs = range(x, times) + " after " + grouped(plane.front()->steps) +
-                   " iterations; at the last tenth of them " +
-                   range(of_each(plane,
-                                 [](const auto& race) {
-                                     return speed_up_between(race, "rebuild", "paper-printed",
-                                                             race.steps - race.steps / 10, race.steps);
-                                 }),
-                         times) +
-                   "; with a test in place (3.1) before relocation " +
-                   range(of_each(plane, [](const auto& race) { return speed_up(race, "rebuild", "paper-in-place"); }), times);
+        c.theirs =
+            range(x, times) + " after " + grouped(plane.front()->steps) + " iterations; at the last tenth of them " +
+            range(of_each(plane,
+                          [](const auto& race) {
+                              return speed_up_between(race, "rebuild", "paper-printed", race.steps - race.steps / 10,
+                                                      race.steps);
+                          }),
+                  times) +
+            "; with a test in place (3.1) before relocation " +
+            range(of_each(plane, [](const auto& race) { return speed_up(race, "rebuild", "paper-in-place"); }), times);
         c.ours = ours(plane, "rebuild");
         c.verdict = at_least(most(x), 6);
         c.of_long_runs = true;

@@ -4,9 +4,12 @@
 // Section 4.2 and the conclusion of the paper: how fast the filter is in space, and where it begins to pay.
 namespace annulus {
 
-Claim switch_claim(const std::vector<const Race_record*>& races, const char* figure, const char* where, double claimed) {
-    Claim c = claim(figure, std::string("Switching to the filter pays when so many vertices stay within their tolerance, ") + where + ".",
-                    percent(claimed));
+Claim switch_claim(const std::vector<const Race_record*>& races, const char* figure, const char* where,
+                   double claimed) {
+    Claim c = claim(
+        figure,
+        std::string("Switching to the filter pays when so many vertices stay within their tolerance, ") + where + ".",
+        percent(claimed));
     const auto points = [&](const char* name) {
         std::vector<double> found;
         for (const Race_record* race : races)
@@ -39,15 +42,21 @@ double mean(const std::vector<double>& x) {
 }
 
 void append_hybrid(const Reproduction& r, std::vector<Claim>& out) {
-    Claim c = claim("figure-12",
-                    "Rebuilding first, and filtering once a sample of 40 stays within tolerance, gains so much on an organ.", "10 %");
+    Claim c =
+        claim("figure-12",
+              "Rebuilding first, and filtering once a sample of 40 stays within tolerance, gains so much on an organ.",
+              "10 %");
     if (const Race_record* organ = r.race("nodt-liver")) {
-        const auto gain_of = [&](const char* filter, const char* hybrid) { return 1 - share(1, speed_up(*organ, filter, hybrid)); };
+        const auto gain_of = [&](const char* filter, const char* hybrid) {
+            return 1 - share(1, speed_up(*organ, filter, hybrid));
+        };
         const double gain = gain_of("paper-printed", "paper-printed-hybrid");
         const Racer_record* hybrid = racer_of(*organ, "paper-printed-hybrid");
         c.theirs = percent(gain) + " of the filter's time; " +
-                   (hybrid && hybrid->switched_at > 0 ? "it switched before step " + grouped(hybrid->switched_at) : "it never switched") +
-                   ", and sampling took " + percent(hybrid ? share(hybrid->sampling_seconds, total_seconds(*organ, "paper-printed-hybrid")) : 0);
+                   (hybrid && hybrid->switched_at > 0 ? "it switched before step " + grouped(hybrid->switched_at)
+                                                      : "it never switched") +
+                   ", and sampling took " +
+                   percent(hybrid ? share(hybrid->sampling_seconds, total_seconds(*organ, "paper-printed-hybrid")) : 0);
         c.ours = "with our repair " + percent(gain_of("paper", "paper-hybrid"));
         c.of_long_runs = true;
         c.verdict = gain >= 0.2 ? Claim_verdict::further : agree_if(gain > 0.05);
@@ -70,12 +79,16 @@ void append_start(const Reproduction& r, std::vector<Claim>& out) {
             return x ? share(x->precompute_seconds, total_seconds(race, name) + more) : 0;
         };
         const auto x = of_each(all, [&](const auto& race) { return cost(race, "paper-printed", 0); });
-        const auto moved = of_each(all, [&](const auto& race) { return cost(race, "paper-printed", race.motion_seconds); });
-        c.theirs = range(x, percent) + " of the triangulation's time, " + range(moved, percent) + " of that and the motion's";
+        const auto moved =
+            of_each(all, [&](const auto& race) { return cost(race, "paper-printed", race.motion_seconds); });
+        c.theirs =
+            range(x, percent) + " of the triangulation's time, " + range(moved, percent) + " of that and the motion's";
         c.ours = range(of_each(all, [&](const auto& race) { return cost(race, "filter", 0); }), percent) + " (filter)";
         c.verdict = agree_if(most(x) < 0.0013 || most(moved) < 0.0013);
         c.of_long_runs = true;
-        c.reason = "Which time the paper means it does not say. The faster the steps, the larger the share of the same beginning.";
+        c.reason =
+            "Which time the paper means it does not say. The faster the steps, the larger the share of the same "
+            "beginning.";
     }
     out.push_back(c);
 }
@@ -117,7 +130,12 @@ void append_mesh_speed_claims(const Reproduction& r, std::vector<Claim>& out) {
         c.theirs = "steps at which the filter takes longer than a rebuild: " + listed(space, slower, percent) +
                    "; in the first tenth of the steps it is " +
                    listed(
-                       space, [](const auto& race) { return speed_up_between(race, "rebuild", "paper-printed", 0, std::max<std::uint64_t>(1, race.steps / 10)); }, times) +
+                       space,
+                       [](const auto& race) {
+                           return speed_up_between(race, "rebuild", "paper-printed", 0,
+                                                   std::max<std::uint64_t>(1, race.steps / 10));
+                       },
+                       times) +
                    " times as fast";
         c.ours = "of auto: " + listed(
                                    space, [](const auto& race) { return slower_steps(race, "auto"); }, percent);

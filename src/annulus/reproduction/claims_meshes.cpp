@@ -76,17 +76,19 @@ void append_mesh_claims(const Reproduction& r, std::vector<Claim>& out) {
     out.push_back(c);
 
     const auto failing = [&](const char* name, const Race_record* race, const char* claimed, double value) {
-        Claim f = claim("figure-11", std::string("Share of moves that fail at the 1,000th iteration: ") + name + ".", claimed);
+        Claim f = claim("figure-11", std::string("Share of moves that fail at the 1,000th iteration: ") + name + ".",
+                        claimed);
         if (race) {
             const double x = failures_at(*race, "paper-printed", race->steps);
-            f.theirs = percent(x) + " over iterations " + grouped(race->steps - race->steps / 10) + " to " + grouped(race->steps);
+            f.theirs = percent(x) + " over iterations " + grouped(race->steps - race->steps / 10) + " to " +
+                       grouped(race->steps);
             f.ours = percent(failures_at(*race, "filter-each", race->steps)) + " (filter-each)";
             f.of_long_runs = true;
             f.verdict = agree_if(x > value / 1.5 && x < 1.5 * value);
             if (const auto step = first_step_below(*race, "paper-printed", value))
                 f.reason = "Our motion has the paper's share at iteration " + grouped(*step) +
-                           " already: it comes to rest sooner. At the last one points go " + readable(race->displacement.back()) +
-                           " spacings in the mean.";
+                           " already: it comes to rest sooner. At the last one points go " +
+                           readable(race->displacement.back()) + " spacings in the mean.";
             else f.reason = "Our motion does not come to rest so far.";
         }
         out.push_back(f);
@@ -110,17 +112,22 @@ void append_mesh_claims(const Reproduction& r, std::vector<Claim>& out) {
         c.ours = "updates a failure " + readable(updates_at(*bunny, "filter-each", bunny->steps)) + ", " +
                  readable(updates_at(*sphere, "filter-each", sphere->steps)) + ", " +
                  readable(updates_at(*x2, "filter-each", x2->steps));
-        c.verdict =
-            agree_if(failures_at(*bunny, "paper-printed", bunny->steps) > failures_at(*sphere, "paper-printed", sphere->steps) &&
-                     updates(*bunny) > updates(*x2));
+        c.verdict = agree_if(failures_at(*bunny, "paper-printed", bunny->steps) >
+                                 failures_at(*sphere, "paper-printed", sphere->steps) &&
+                             updates(*bunny) > updates(*x2));
         c.reason = "Ours evaluates the certificates that expired, not all around a vertex.";
     }
     out.push_back(c);
 
-    c = claim("figure-11", "Some cases stay nearly degenerate and fail many times in a row, but their amount is rather small, in space.", "small");
+    c = claim(
+        "figure-11",
+        "Some cases stay nearly degenerate and fail many times in a row, but their amount is rather small, in space.",
+        "small");
     const auto in_a_row = [](const Race_record& race, std::size_t k) {
         const Racer_record* x = racer_of(race, "paper-printed");
-        return x && k < x->streaks.size() ? share(static_cast<double>(x->streaks[k]), static_cast<double>(race.vertices)) : 0;
+        return x && k < x->streaks.size()
+                   ? share(static_cast<double>(x->streaks[k]), static_cast<double>(race.vertices))
+                   : 0;
     };
     if (!space.empty()) {
         std::string words;

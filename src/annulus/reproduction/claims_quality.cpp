@@ -24,7 +24,8 @@ void append_improvement(const Reproduction& r, std::vector<Claim>& out) {
             if (!a || !z) continue;
             const std::string name = race->name.substr(5);
             fewer += (fewer.empty() ? "" : ", ") + name + " " + grouped(a->slivers) + " to " + grouped(z->slivers);
-            wider += (wider.empty() ? "" : ", ") + name + " " + readable(small_angle(*a)) + " to " + readable(small_angle(*z));
+            wider += (wider.empty() ? "" : ", ") + name + " " + readable(small_angle(*a)) + " to " +
+                     readable(small_angle(*z));
             better += z->slivers < a->slivers && small_angle(*z) >= small_angle(*a) ? 1U : 0U;
         }
         c.theirs = "slivers: " + fewer + "; a hundredth of the dihedral angles are below, in degrees: " + wider;
@@ -39,7 +40,8 @@ void append_improvement(const Reproduction& r, std::vector<Claim>& out) {
 
 void append_slivers(const Reproduction& r, std::vector<Claim>& out) {
     Claim c = claim("slivers", "With variable sizing that leaves so many slivers less.", "15 %");
-    const auto spheres = present(r, {"graded-sphere", "graded-sphere-2", "graded-sphere-3", "graded-sphere-4", "graded-sphere-5"}),
+    const auto spheres = present(
+                   r, {"graded-sphere", "graded-sphere-2", "graded-sphere-3", "graded-sphere-4", "graded-sphere-5"}),
                bunny = present(r, {"graded-bunny"});
     const auto early = [](const Race_record& race) { return slivers(quality_at(race, 100)); };
     const auto late = [](const Race_record& race) { return slivers(quality_at(race, race.steps)); };
@@ -56,16 +58,18 @@ void append_slivers(const Reproduction& r, std::vector<Claim>& out) {
         for (const double y : x) squares += (y - mean) * (y - mean);
         const double deviation = n > 1 ? std::sqrt(squares / (n - 1)) : 0;
         c.theirs = grouped(x.size()) + " spheres: " + grouped(static_cast<std::uint64_t>(before)) + " slivers to " +
-                   grouped(static_cast<std::uint64_t>(after)) + " in all, " + range(x, percent) + " less, in the mean " +
-                   percent(mean) + " with a standard deviation of " + percent(deviation);
+                   grouped(static_cast<std::uint64_t>(after)) + " in all, " + range(x, percent) +
+                   " less, in the mean " + percent(mean) + " with a standard deviation of " + percent(deviation);
         if (!bunny.empty())
             c.theirs += "; bunny " + grouped(static_cast<std::uint64_t>(early(*bunny.front()))) + " to " +
                         grouped(static_cast<std::uint64_t>(late(*bunny.front())));
         c.ours = "the same motion";
         c.verdict = agree_if(mean + deviation >= 0.15);
         c.of_long_runs = true;
-        c.reason = "A sliver has a dihedral angle below 10 or above 170 degrees. So few are left after 100 iterations that one more or less is " +
-                   percent(share(n, before)) + " of a sphere's: too few to tell 15 % from none.";
+        c.reason =
+            "A sliver has a dihedral angle below 10 or above 170 degrees. So few are left after 100 iterations that "
+            "one more or less is " +
+            percent(share(n, before)) + " of a sphere's: too few to tell 15 % from none.";
     }
     out.push_back(c);
 }
@@ -77,14 +81,16 @@ void append_locks(const Reproduction& r, std::vector<Claim>& out) {
     if (!locked.empty()) {
         std::string more;
         for (const Race_record* race : others)
-            more += (more.empty() ? "" : ", ") + race->name.substr(race->name.rfind('-') + 1) + " degrees " + percent(resting(*race));
-        c.theirs = "locks of 15 degrees: " + listed(locked, resting, percent) + (more.empty() ? "" : "; sphere with others: " + more);
+            more += (more.empty() ? "" : ", ") + race->name.substr(race->name.rfind('-') + 1) + " degrees " +
+                    percent(resting(*race));
+        c.theirs = "locks of 15 degrees: " + listed(locked, resting, percent) +
+                   (more.empty() ? "" : "; sphere with others: " + more);
         c.ours = "the same motion";
         c.verdict = agree_if(most(of_each(locked, resting)) >= 0.9);
         c.of_long_runs = true;
         c.reason =
-            "Locked where the dihedral angles of all cells are between so many degrees and 180 less them. The paper does not say "
-            "which angles it takes, and on that the share depends; it refines meanwhile, which we do not.";
+            "Locked where the dihedral angles of all cells are between so many degrees and 180 less them. The paper "
+            "does not say which angles it takes, and on that the share depends; it refines meanwhile, which we do not.";
     }
     out.push_back(c);
 }
@@ -99,7 +105,8 @@ void append_quality_claims(const Reproduction& r, std::vector<Claim>& out) {
     if (const auto space = meshes(r); !space.empty()) {
         c.theirs = c.ours = "pictures of " + grouped(space.size()) + (space.size() == 1 ? " body" : " bodies");
         c.verdict = Claim_verdict::agrees;
-        c.reason = space.size() < 4 ? "The others need --surfaces." : "CGAL's liver in place of the heart, and CGAL's man.";
+        c.reason =
+            space.size() < 4 ? "The others need --surfaces." : "CGAL's liver in place of the heart, and CGAL's man.";
     }
     out.push_back(c);
 }

@@ -22,23 +22,25 @@ double early_gain(const Race_record& race, const char* slow, const char* quick) 
 /// The weaker version of 3.1, alone and under the filter.
 void append_in_place(const Reproduction& r, std::vector<Claim>& out) {
     const auto plane = lloyds(r), space = meshes(r);
-    Claim c = claim("figure-7",
-                    "Relocating only where cells have to change, and else writing the new place, pays where moves are small, in "
-                    "the plane and in space.",
-                    "pays off");
+    Claim c = claim(
+        "figure-7",
+        "Relocating only where cells have to change, and else writing the new place, pays where moves are small, in "
+        "the plane and in space.",
+        "pays off");
     Claim f = claim("figure-12", "Together with the filter that is definitely a good option.", "yes");
     if (!plane.empty() && !space.empty()) {
         const auto early = [](const Race_record& race) { return early_gain(race, "relocate", "relocate-in-place"); };
         const auto late = [](const Race_record& race) { return late_gain(race, "relocate", "relocate-in-place"); };
         c.theirs = "times as fast as relocation, in the first tenth of the steps and in the last: " +
-                   range(of_each(plane, early), times) + " and " + range(of_each(plane, late), times) + " in the plane, " +
-                   range(of_each(space, early), times) + " and " + range(of_each(space, late), times) + " in space";
+                   range(of_each(plane, early), times) + " and " + range(of_each(plane, late), times) +
+                   " in the plane, " + range(of_each(space, early), times) + " and " +
+                   range(of_each(space, late), times) + " in space";
         c.ours = "every strategy tests in place first";
         c.verdict = agree_if(least(of_each(plane, late)) > 1 && least(of_each(space, late)) > 1);
         c.reason = "Relocation is timed at some steps, on copies.";
         const auto both = [](const Race_record& race) { return speed_up(race, "paper-printed", "paper-in-place"); };
-        f.theirs = "the filter with it is " + range(of_each(plane, both), times) + " times as fast as without in the plane, " +
-                   range(of_each(space, both), times) + " times in space";
+        f.theirs = "the filter with it is " + range(of_each(plane, both), times) +
+                   " times as fast as without in the plane, " + range(of_each(space, both), times) + " times in space";
         f.ours = "as above";
         f.verdict = agree_if(least(of_each(plane, both)) > 1 && least(of_each(space, both)) > 1);
         f.reason = "Of the moves whose tolerance failed most change no cell.";
@@ -49,8 +51,11 @@ void append_in_place(const Reproduction& r, std::vector<Claim>& out) {
 
 /// When only some move.
 void append_movers(const Reproduction& r, std::vector<Claim>& out) {
-    Claim c = claim("movers", "When only a fraction of the points moves, rebuilding is not the best: relocating costs O(m).", "m < n");
-    const auto some = present(r, {"movers-plane-1", "movers-space-1"}), more = present(r, {"movers-plane-10", "movers-space-10"}),
+    Claim c =
+        claim("movers", "When only a fraction of the points moves, rebuilding is not the best: relocating costs O(m).",
+              "m < n");
+    const auto some = present(r, {"movers-plane-1", "movers-space-1"}),
+               more = present(r, {"movers-plane-10", "movers-space-10"}),
                all = present(r, {"movers-plane-100", "movers-space-100"});
     if (some.size() == 2 && more.size() == 2 && all.size() == 2) {
         const auto cost = [](const char* name) {
@@ -65,7 +70,8 @@ void append_movers(const Reproduction& r, std::vector<Claim>& out) {
             };
             return at(0) + " rebuilds in the plane and " + at(1) + " in space";
         };
-        c.theirs = "with 1, 10 and 100 % moving, relocation takes " + words("relocate") + "; the filter " + words("paper-printed");
+        c.theirs = "with 1, 10 and 100 % moving, relocation takes " + words("relocate") + "; the filter " +
+                   words("paper-printed");
         c.ours = "filter-each " + words("filter-each") + "; auto " + words("auto");
         c.verdict = agree_if(most(of_each(some, cost("relocate"))) < 1 && least(of_each(all, cost("relocate"))) > 1);
         c.reason = "Random points, moves of a twentieth of a spacing, so that most of them leave their tolerance.";
@@ -75,8 +81,9 @@ void append_movers(const Reproduction& r, std::vector<Claim>& out) {
 
 void append_removal(const Reproduction& r, std::vector<Claim>& out) {
     const auto plane = lloyds(r), space = meshes(r);
-    Claim c = claim("figure-12", "Removal is dramatically slower in space, and a vertex is in five times as many bi-cells.",
-                    "slower; 5 times");
+    Claim c =
+        claim("figure-12", "Removal is dramatically slower in space, and a vertex is in five times as many bi-cells.",
+              "slower; 5 times");
     if (!plane.empty() && !space.empty()) {
         const auto cells = [](const Race_record& race) {
             const Survey_record* s = survey_at(race, 1);
@@ -84,10 +91,12 @@ void append_removal(const Reproduction& r, std::vector<Claim>& out) {
         };
         const double ratio = share(least(of_each(space, cells)), most(of_each(plane, cells)));
         c.theirs = "a removal takes " + range(of_each(plane, removal), times) + " µs in the plane and " +
-                   range(of_each(space, removal), times) + " µs in space, an insertion " + range(of_each(plane, insertion), times) +
-                   " and " + range(of_each(space, insertion), times) + " µs; bi-cells " + times(ratio) + " times as many at least";
+                   range(of_each(space, removal), times) + " µs in space, an insertion " +
+                   range(of_each(plane, insertion), times) + " and " + range(of_each(space, insertion), times) +
+                   " µs; bi-cells " + times(ratio) + " times as many at least";
         c.ours = "flips and tests in place stand in for nearly all removals";
-        c.verdict = agree_if(least(of_each(space, removal)) > 5 * most(of_each(plane, removal)) && ratio > 4.5 && ratio < 6);
+        c.verdict =
+            agree_if(least(of_each(space, removal)) > 5 * most(of_each(plane, removal)) && ratio > 4.5 && ratio < 6);
         c.reason = "CGAL's, a tenth of the vertices one after another, at the end of each run.";
     }
     out.push_back(c);
@@ -106,7 +115,8 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
         const auto slower = [](const Race_record& race) { return speed_up(race, "relocate", "rebuild"); };
         c.theirs = "relocation takes " + range(of_each(plane, slower), times) + " rebuilds in the plane, " +
                    range(of_each(space, slower), times) + " in space";
-        c.ours = "auto takes " + range(of_each(all, [](const auto& x) { return share(1, speed_up(x, "rebuild", "auto")); }), times) +
+        c.ours = "auto takes " +
+                 range(of_each(all, [](const auto& x) { return share(1, speed_up(x, "rebuild", "auto")); }), times) +
                  " rebuilds";
         c.verdict = agree_if(least(of_each(all, slower)) > 1);
     }
@@ -119,7 +129,8 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
         c.ours = speeds(plane, "relocate", {"filter-each"});
         c.verdict = agree_if(least(x) >= 1.6 && most(x) <= 3);
         c.reason = "CGAL's move_if_no_collision, timed at some steps, on copies. A removal takes " +
-                   range(of_each(plane, removal), times) + " µs and an insertion " + range(of_each(plane, insertion), times) +
+                   range(of_each(plane, removal), times) + " µs and an insertion " +
+                   range(of_each(plane, insertion), times) +
                    " µs here: what flips save depends on the first, and the paper's CGAL was 3.3.";
     }
     out.push_back(c);
@@ -140,11 +151,14 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
 
     c = claim("figure-7", "Testing the safe region when the tolerance failed saves no time.", "none");
     if (!plane.empty()) {
-        const auto x = of_each(plane, [](const auto& race) { return speed_up(race, "paper-safe-region", "paper-printed"); });
+        const auto x =
+            of_each(plane, [](const auto& race) { return speed_up(race, "paper-safe-region", "paper-printed"); });
         c.theirs = "with the test " + range(x, times) + " times as long in the plane";
         c.verdict = agree_if(least(x) >= 0.97);
-        c.reason = least(x) >= 0.97 ? "A vertex beyond its tolerance and within its safe region keeps its reference, and is tested again at each further step."
-                                    : "It spares relocations, which are dear beside the test of some twelve circles; tests in place spare more.";
+        c.reason = least(x) >= 0.97 ? "A vertex beyond its tolerance and within its safe region keeps its reference, "
+                                      "and is tested again at each further step."
+                                    : "It spares relocations, which are dear beside the test of some twelve circles; "
+                                      "tests in place spare more.";
     }
     out.push_back(c);
     append_removal(r, out);

@@ -6,7 +6,9 @@ namespace annulus {
 
 namespace {
 
-double part_of(std::uint64_t part, std::uint64_t all) { return share(static_cast<double>(part), static_cast<double>(all)); }
+double part_of(std::uint64_t part, std::uint64_t all) {
+    return share(static_cast<double>(part), static_cast<double>(all));
+}
 double last_of(const Race_record& r, double (*value)(const Degeneracy_count_record&)) {
     return r.degeneracies.empty() ? 0 : value(r.degeneracies.back());
 }
@@ -74,8 +76,8 @@ void append_soundness_claims(const Reproduction& r, std::vector<Claim>& out) {
                    " unsound certificates along these runs fail by moves that all stay within the paper's tolerances; "
                    "the exact audit refuted " +
                    grouped(refuted) + " of the " + grouped(audited) + " of them it was shown";
-        c.ours =
-            "proved; " + grouped(audits.ours_failed) + " of " + grouped(audits.ours) + " audits of certified runs failed";
+        c.ours = "proved; " + grouped(audits.ours_failed) + " of " + grouped(audits.ours) +
+                 " audits of certified runs failed";
         c.verdict = accepted > 0 ? Claim_verdict::wrong : Claim_verdict::agrees;
         c.reason =
             "Where the segment between the opposite vertices misses the facet, another partition of the five points "
@@ -116,7 +118,9 @@ void append_soundness_claims(const Reproduction& r, std::vector<Claim>& out) {
     }
     out.push_back(c);
 
-    c = claim("unsound", "Tolerances in plain double are wrong in special configurations only, and such runs stay right.", "seldom");
+    c = claim("unsound",
+              "Tolerances in plain double are wrong in special configurations only, and such runs stay right.",
+              "seldom");
     const Rounding rounding = rounding_of(r);
     if (audits.theirs > 0 && rounding.bicells > 0) {
         c.theirs = percent(part_of(rounding.above, rounding.bicells)) + " of " + grouped(rounding.bicells) +
@@ -126,8 +130,8 @@ void append_soundness_claims(const Reproduction& r, std::vector<Claim>& out) {
         c.ours = grouped(audits.ours_failed) + " of " + grouped(audits.ours) + " audits failed";
         c.verdict = agree_if(audits.theirs_failed == 0 && rounding.most < 1e-6);
         c.reason =
-            "Wrong by rounding is the rule, wrong by much is not met. No audit failed although tolerances are unsound: these "
-            "motions do not move five points against each other as an adversary does.";
+            "Wrong by rounding is the rule, wrong by much is not met. No audit failed although tolerances are "
+            "unsound: these motions do not move five points against each other as an adversary does.";
     }
     out.push_back(c);
 }

@@ -44,16 +44,19 @@ std::string words(const Errors& e) {
 }
 
 void append_growth(const std::vector<const Race_record*>& races, const char* where, std::vector<Claim>& out) {
-    Claim c = claim("unsound", std::string("Tolerances become numerically more stable along such runs: theta grows, ") + where + ".", "grows");
+    Claim c = claim(
+        "unsound",
+        std::string("Tolerances become numerically more stable along such runs: theta grows, ") + where + ".", "grows");
     if (!races.empty()) {
         const auto grown = [](const Race_record& race) { return last_theta(race) > first_theta(race); };
         const auto n = std::count_if(races.begin(), races.end(), [&](const auto* race) { return grown(*race); });
-        c.theirs = "the hundredth of theta grew in " + grouped(static_cast<std::uint64_t>(n)) + " of " + grouped(races.size()) +
-                   " runs: " + listed(races, first_theta, readable) + " at the start, " + listed(races, last_theta, readable) +
-                   " at the end";
+        c.theirs = "the hundredth of theta grew in " + grouped(static_cast<std::uint64_t>(n)) + " of " +
+                   grouped(races.size()) + " runs: " + listed(races, first_theta, readable) + " at the start, " +
+                   listed(races, last_theta, readable) + " at the end";
         c.ours = "the ladder of arithmetic does not depend on it";
         c.verdict = agree_if(static_cast<std::size_t>(n) == races.size());
-        if (c.verdict == Claim_verdict::differs) c.reason = "The motion keeps the surface of a body with thin features, and flat bi-cells along it.";
+        if (c.verdict == Claim_verdict::differs)
+            c.reason = "The motion keeps the surface of a body with thin features, and flat bi-cells along it.";
     }
     out.push_back(c);
 }
@@ -63,16 +66,19 @@ void append_growth(const std::vector<const Race_record*>& races, const char* whe
 void append_stability_claims(const Reproduction& r, std::vector<Claim>& out) {
     const auto plane = lloyds(r), space = meshes(r);
     for (const auto& [races, where] : {std::pair(&plane, "in the plane"), std::pair(&space, "in space")}) {
-        Claim c = claim("unsound", std::string("Numerical stability is proportional to theta, ") + where + ".", "error like 1/theta");
+        Claim c = claim("unsound", std::string("Numerical stability is proportional to theta, ") + where + ".",
+                        "error like 1/theta");
         const Errors e = errors_of(*races);
         if (e.theta.size() > 1) {
             c.theirs = words(e);
             c.ours = "certified: the error is bounded, whatever theta is";
             c.verdict = agree_if(slope(e) < -0.5 && slope(e) > -1.5);
-            c.reason = "Plain double against integers, all bi-cells at the start and at the end, two bins of theta a decade.";
+            c.reason =
+                "Plain double against integers, all bi-cells at the start and at the end, two bins of theta a decade.";
             if (c.verdict == Claim_verdict::differs)
-                c.reason += " The half width is a determinant over a sum of norms, and nothing there is divided by theta: its error "
-                            "follows how small the determinant is.";
+                c.reason +=
+                    " The half width is a determinant over a sum of norms, and nothing there is divided by theta: its "
+                    "error follows how small the determinant is.";
         }
         out.push_back(c);
     }

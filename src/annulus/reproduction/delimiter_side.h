@@ -9,9 +9,9 @@
 
 namespace annulus {
 
-/// Whether p, where vertex v of the bi-cell goes, is on the side of the standard delimiter that v has to keep (paper 2.3): inside
-/// for a vertex of the facet, outside for an opposite one; beside the middle line of a slab. The delimiter is that of the
-/// positions x. Plain double.
+/// Whether p, where vertex v of the bi-cell goes, is on the side of the standard delimiter that v has to keep (paper
+/// 2.3): inside for a vertex of the facet, outside for an opposite one; beside the middle line of a slab. The
+/// delimiter is that of the positions x. Plain double.
 [[nodiscard]] inline bool keeps_its_side(const Facet_certificate<2>& f, std::span<const Coordinates<2>> x, Index v,
                                          const Coordinates<2>& p) {
     const auto place = [&](std::size_t k) -> const Coordinates<2>& {

@@ -42,8 +42,8 @@ void append_cost_pages(const Reproduction& reproduction, std::vector<Page_conten
 /// "after 1,000 iterations, cut across x".
 [[nodiscard]] std::string caption_of(const Picture_record& picture);
 
-/// The plot as a panel, with its curves as a table of that name: a column for what is on the x axis and one for each curve, a row for
-/// each x of any of them.
+/// The plot as a panel, with its curves as a table of that name: a column for what is on the x axis and one for each
+/// curve, a row for each x of any of them.
 void append_plot(Page_content& page, std::vector<Panel>& panels, const Plot& plot, const std::string& csv,
                  std::string caption = "");
 

@@ -98,8 +98,9 @@ Plot movers_plot(const Reproduction& r, const char* where) {
               {"points that move (%)", Scale::log10, {}, {}, true},
               {"time of a timestamp (rebuilds)", Scale::log10, {}, {}, false},
               {}};
-    for (const auto& [racer, words] : {std::pair("relocate", "relocation"), std::pair("paper-printed", "paper's filter"),
-                                       std::pair("filter-each", "one by one"), std::pair("auto", "auto")}) {
+    for (const auto& [racer, words] :
+         {std::pair("relocate", "relocation"), std::pair("paper-printed", "paper's filter"),
+          std::pair("filter-each", "one by one"), std::pair("auto", "auto")}) {
         Series s{words, {}, {}};
         for (const char* share : {"1", "10", "100"})
             if (const Race_record* race = r.race(std::string("movers-") + where + "-" + share))
@@ -132,10 +133,10 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
     }
     if (!eleven.sections.empty())
         eleven.notes.push_back(
-            "Means over steps a twelfth apart. Where few moves fail, updates a failure scatter. Of the printed algorithm an update is a new "
-            "bi-cell, of the certified one a certificate that expired; "
-            "certified tolerances are not smaller in the plane; filter-each turns to signs where no tolerances pay, and a move then counts "
-            "as failed.");
+            "Means over steps a twelfth apart. Where few moves fail, updates a failure scatter. Of the printed "
+            "algorithm an update is a new bi-cell, of the certified one a certificate that expired; certified "
+            "tolerances are not smaller in the plane; filter-each turns to signs where no tolerances pay, and a move "
+            "then counts as failed.");
     out.push_back(std::move(eleven));
 
     Page_content twelve{"figure-12", "Figure 12: speed-up against rebuilding",
@@ -161,15 +162,16 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
             "is timed at every fourth and relocation at every 50th, on a copy that is built at the positions before "
             "it: over all of them it would take far longer than all else.");
         twelve.notes.push_back(
-            "The paper's algorithm as printed (3.2) relocates each vertex that fails: CGAL inserts it at its new place and "
-            "removes it from the old one. Its 3.1 tests in place beforehand, and relocates only where cells have to change. "
-            "Neither flips in space. Our repair, which flips, is no part of the paper.");
+            "The paper's algorithm as printed (3.2) relocates each vertex that fails: CGAL inserts it at its new "
+            "place and removes it from the old one. Its 3.1 tests in place beforehand, and relocates only where cells "
+            "have to change. Neither flips in space. Our repair, which flips, is no part of the paper.");
     }
     out.push_back(std::move(twelve));
 
-    Page_content movers{"movers", "When only some points move",
-                        "The paper says that rebuilding is not best when only a fraction of the points moves, since relocating m of them "
-                        "costs O(m). Uniform random points, of which a share goes a twentieth of a mean spacing at each step."};
+    Page_content movers{
+        "movers", "When only some points move",
+        "The paper says that rebuilding is not best when only a fraction of the points moves, since relocating m of "
+        "them costs O(m). Uniform random points, of which a share goes a twentieth of a mean spacing at each step."};
     std::vector<Panel> panels;
     for (const char* where : {"plane", "space"})
         append_plot(movers, panels, movers_plot(r, where), std::string("movers-") + where + ".csv");

@@ -9,13 +9,17 @@
 
 namespace annulus {
 
-/// Uniform random points of the unit square or cube, of which a share goes at each step, drawn anew: each in a direction of its own by `pace`
-/// mean spacings. The others stay where they are.
+/// Uniform random points of the unit square or cube, of which a share goes at each step, drawn anew: each in a
+/// direction of its own by `pace` mean spacings. The others stay where they are.
 template <int d>
 class Movers_scene final : public Scene<d> {
   public:
     Movers_scene(std::size_t points, double share, double pace, std::uint64_t seed)
-        : begin_(generate<d>(Point_family::uniform, points, seed)), x_(begin_), share_(share), pace_(pace), random_(seed + 1) {}
+        : begin_(generate<d>(Point_family::uniform, points, seed)),
+          x_(begin_),
+          share_(share),
+          pace_(pace),
+          random_(seed + 1) {}
 
     [[nodiscard]] const std::vector<Coordinates<d>>& points() const override { return begin_; }
     [[nodiscard]] double spacing() const override { return std::pow(static_cast<double>(x_.size()), -1.0 / d); }

@@ -5,8 +5,9 @@
 
 namespace annulus {
 
-/// What CGAL takes to remove a vertex and to insert one where a neighbour is known, means over a tenth of the vertices, which are taken out one
-/// after another and then put back; the rest is never far from what it was. Of one thread's processor.
+/// What CGAL takes to remove a vertex and to insert one where a neighbour is known, means over a tenth of the
+/// vertices, which are taken out one after another and then put back; the rest is never far from what it was. Of one
+/// thread's processor.
 template <int d>
 [[nodiscard]] Operation_record time_operations(const Moving_of<d>& dt);
 

@@ -40,7 +40,8 @@ Parts::Parts(std::filesystem::path directory, const std::string& what) : directo
             if (::pwrite(head_, line.data(), line.size(), 0) != static_cast<ssize_t>(line.size()))
                 throw std::system_error(errno, std::generic_category(), (directory_ / head).string());
         } else if (there != what + "\n") {
-            throw Error(Error_code::usage, directory_.string() + " holds parts of another reproduction (" + there.substr(0, there.find('\n')) +
+            throw Error(Error_code::usage, directory_.string() + " holds parts of another reproduction (" +
+                                               there.substr(0, there.find('\n')) +
                                                "); take it away, or name another directory");
         }
     } catch (...) {
@@ -56,17 +57,22 @@ void Parts::open_and_lock() {
     while (true) {
         if (!fs::exists(file) && fs::exists(directory_) && !fs::is_empty(directory_))
             throw Error(Error_code::usage,
-                        directory_.string() + " is there and holds no parts of a reproduction; take it away, or name another directory");
+                        directory_.string() +
+                            " is there and holds no parts of a reproduction; take it away, or name another directory");
         fs::create_directories(directory_);
         head_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
         if (head_ < 0 && errno == ENOENT) continue;  // another one has just taken the directory away
         if (head_ < 0) throw std::system_error(errno, std::generic_category(), file.string());
         if (::flock(head_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
             ::close(head_);
-            throw Error(Error_code::bad_input, directory_.string() + ": another reproduction is writing to it; expected one at a time");
+            throw Error(Error_code::bad_input,
+                        directory_.string() + ": another reproduction is writing to it; expected one at a time");
         }
-        struct stat ours {}, there {};
-        if (::fstat(head_, &ours) == 0 && ::stat(file.c_str(), &there) == 0 && ours.st_ino == there.st_ino && ours.st_dev == there.st_dev) return;
+        struct stat ours {
+        }, there{};
+        if (::fstat(head_, &ours) == 0 && ::stat(file.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&
+            ours.st_dev == there.st_dev)
+            return;
         ::close(head_);
     }
 }

@@ -9,13 +9,13 @@
 
 namespace annulus {
 
-/// The finished parts of a reproduction that is not finished: a directory with a file for each race, and one that says what all are parts of. A file
-/// is complete or absent.
+/// The finished parts of a reproduction that is not finished: a directory with a file for each race, and one that
+/// says what all are parts of. A file is complete or absent.
 class Parts {
   public:
-    /// Makes the directory, or finds what is there, and keeps other processes out. `what` is one line, all that results depend on. Throws
-    /// Error(usage) where the parts that are there are of something else, Error(bad_input) where another process is at it,
-    /// std::system_error for what the system cannot do.
+    /// Makes the directory, or finds what is there, and keeps other processes out. `what` is one line, all that
+    /// results depend on. Throws Error(usage) where the parts that are there are of something else, Error(bad_input)
+    /// where another process is at it, std::system_error for what the system cannot do.
     Parts(std::filesystem::path directory, const std::string& what);
     ~Parts();
     Parts(const Parts&) = delete;

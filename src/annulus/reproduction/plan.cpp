@@ -17,8 +17,8 @@ Options options_of(Strategy strategy, Tolerance_kind kind = Tolerance_kind::cert
 
 using Kind = Racer_plan::Kind;
 
-Racer_plan printed(const char* name, const Printed_choice& choice, std::uint64_t audit_every, Kind kind = Kind::follower,
-                   std::uint64_t every = 1) {
+Racer_plan printed(const char* name, const Printed_choice& choice, std::uint64_t audit_every,
+                   Kind kind = Kind::follower, std::uint64_t every = 1) {
     return {name, kind, {}, every, audit_every, choice};
 }
 
@@ -28,7 +28,8 @@ std::vector<Racer_plan> paper_racers(std::uint64_t audit_every) {
             printed("paper-printed-hybrid", {}, 0, Kind::hybrid)};
 }
 
-/// What everybody is compared with, the paper's algorithms, and ours. `cgal_every`, `copy_every`: what is timed at some steps only.
+/// What everybody is compared with, the paper's algorithms, and ours. `cgal_every`, `copy_every`: what is timed at
+/// some steps only.
 std::vector<Racer_plan> racers(std::uint64_t cgal_every, std::uint64_t copy_every, std::uint64_t audit_every) {
     std::vector<Racer_plan> out{
         {"rebuild", Kind::cgal, {}, cgal_every, 0},
@@ -148,7 +149,8 @@ void add_bodies(const Reproduction_size& size, std::vector<Part_plan>& out) {
     }
 }
 
-/// Motions that nobody races on: what the mesh becomes. Of the sphere, which is cheap to sample, several: other first meshes, other locks.
+/// Motions that nobody races on: what the mesh becomes. Of the sphere, which is cheap to sample, several: other first
+/// meshes, other locks.
 void add_qualities(const Reproduction_size& size, std::vector<Part_plan>& out) {
     for (const Body& b : bodies) {
         const std::string name = b.name;
@@ -200,8 +202,8 @@ void add_movers(const Reproduction_size& size, std::vector<Part_plan>& out) {
 }  // namespace
 
 const std::vector<std::string>& reproduction_topics() {
-    static const std::vector<std::string> topics{"fig5",  "fig6",  "fig7",  "fig8",    "fig9",
-                                                 "fig10", "fig11", "fig12", "slivers", "locked", "movers"};
+    static const std::vector<std::string> topics{"fig5",  "fig6",  "fig7",    "fig8",   "fig9",  "fig10",
+                                                 "fig11", "fig12", "slivers", "locked", "movers"};
     return topics;
 }
 

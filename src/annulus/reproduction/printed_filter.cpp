@@ -221,9 +221,8 @@ class Printed_filter<d>::Work {
         Pieces::append_star(tr_, handle_[at(h)], fresh_);
         bool holds = true;
         if constexpr (d == 2)
-            for_each_fresh_facet([&](Cell c, int i) {
-                return holds = keeps_its_side(certificate(c, i), fixed_, h, moving_[at(h)]);
-            });
+            for_each_fresh_facet(
+                [&](Cell c, int i) { return holds = keeps_its_side(certificate(c, i), fixed_, h, moving_[at(h)]); });
         else holds = false;
         return holds;
     }

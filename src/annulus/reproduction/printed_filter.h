@@ -12,18 +12,20 @@ namespace annulus {
 
 /// Which of the paper's dynamic algorithms.
 struct Printed_choice {
-    bool tolerances = true;    ///< 3.2: who stays within its tolerance is only written. Otherwise the relocation algorithm
+    /// 3.2: who stays within its tolerance is only written. Otherwise the relocation algorithm.
+    bool tolerances = true;
     bool in_place = false;     ///< 3.1, the "weaker version": who fails is relocated only where cells have to change
     bool flips = false;        ///< 3.1, the plane: flips where no cell around a vertex inverts. Without tolerances only
     bool safe_region = false;  ///< 3.2: who fails and is within its safe region is only written. In the plane
 };
 
-/// The paper's algorithms as it prints them, on nothing but CGAL's triangulation: a vertex is relocated by CGAL's insertion at its new
-/// position, from its old one, and CGAL's removal of the old one. There are no flips of our own, no table, no ladder;
-/// tolerances are in plain double, and in space they are unsound (docs/theory.md 3). What it does does not depend on addresses.
+/// The paper's algorithms as it prints them, on nothing but CGAL's triangulation: a vertex is relocated by CGAL's
+/// insertion at its new position, from its old one, and CGAL's removal of the old one. There are no flips of our own,
+/// no table, no ladder; tolerances are in plain double, and in space they are unsound (docs/theory.md 3). What it
+/// does does not depend on addresses.
 ///
-/// Of three the work is cheaper than the text: squares are compared, a queue holds a vertex once, and a timestamp's vertices
-/// follow each other in the order of their indices.
+/// Of three the work is cheaper than the text: squares are compared, a queue holds a vertex once, and a timestamp's
+/// vertices follow each other in the order of their indices.
 template <int d>
 class Printed_filter {
   public:
@@ -33,7 +35,8 @@ class Printed_filter {
 
     /// Every tolerance, at the fixed positions; the constructor did so. O(n).
     void precompute();
-    /// Each vertex in turn. Throws Error(collision), after which it is good for nothing, as where points come to lie in a plane.
+    /// Each vertex in turn. Throws Error(collision), after which it is good for nothing, as where points come to lie
+    /// in a plane.
     Move_report move_all(std::span<const Coordinates<d>> target);
     /// Those whose tolerance did not let the last move pass, each once.
     [[nodiscard]] std::span<const Index> failed() const;

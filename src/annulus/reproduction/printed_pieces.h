@@ -31,8 +31,8 @@ struct Printed_pieces<2> {
         while (++c != end);
     }
     static bool is_positive(const Triangulation& tr, Cell c) {
-        return tr.is_infinite(c) ||
-               CGAL::orientation(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point()) == CGAL::LEFT_TURN;
+        return tr.is_infinite(c) || CGAL::orientation(c->vertex(0)->point(), c->vertex(1)->point(),
+                                                      c->vertex(2)->point()) == CGAL::LEFT_TURN;
     }
     /// Of a cell that may be infinite; cocircular points are told apart as CGAL does.
     static bool sphere_holds(const Triangulation& tr, Cell c, Vertex v) {
@@ -53,7 +53,8 @@ struct Printed_pieces<2> {
         const auto enter = [&](Cell f) {
             for (const auto& b : border)
                 if (b.first == f) return;
-            if (std::find(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(), f) == out.end()) out.push_back(f);
+            if (std::find(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(), f) == out.end())
+                out.push_back(f);
         };
         for (const auto& [f, i] : border) enter(f->neighbor(i));
         for (std::size_t k = first; k < out.size(); ++k)
@@ -81,8 +82,8 @@ struct Printed_pieces<3> {
         tr.incident_cells(v, std::back_inserter(out));
     }
     static bool is_positive(const Triangulation& tr, Cell c) {
-        return tr.is_infinite(c) || CGAL::orientation(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
-                                                      c->vertex(3)->point()) == CGAL::POSITIVE;
+        return tr.is_infinite(c) || CGAL::orientation(c->vertex(0)->point(), c->vertex(1)->point(),
+                                                      c->vertex(2)->point(), c->vertex(3)->point()) == CGAL::POSITIVE;
     }
     static bool sphere_holds(const Triangulation& tr, Cell c, Vertex v) {
         return tr.side_of_sphere(c, v->point(), true) == CGAL::ON_BOUNDED_SIDE;

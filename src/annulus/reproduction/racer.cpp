@@ -13,8 +13,8 @@ namespace annulus {
 
 namespace {
 
-/// Seconds of CGAL's insertion of a range into an empty triangulation. That the points are made beforehand, and the object is
-/// destroyed afterwards, is not counted.
+/// Seconds of CGAL's insertion of a range into an empty triangulation. That the points are made beforehand, and the
+/// object is destroyed afterwards, is not counted.
 template <int d>
 double range_insertion(std::span<const Coordinates<d>> x) {
     using Moving = Moving_of<d>;
@@ -127,7 +127,8 @@ void Racer<d>::follow_hybrid(std::uint64_t step, std::span<const Coordinates<d>>
     note(step, seconds + processor_seconds() - begin, report);
 }
 
-/// The tolerances of the sample are timed; that the triangulation with numbered vertices is built is not: whoever rebuilds has one.
+/// The tolerances of the sample are timed; that the triangulation with numbered vertices is built is not: whoever
+/// rebuilds has one.
 template <int d>
 bool Racer<d>::sample_stays(std::span<const Coordinates<d>> before, std::span<const Coordinates<d>> target) {
     constexpr int sample = 40;

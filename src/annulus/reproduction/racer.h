@@ -20,14 +20,17 @@ struct Racer_plan {
         cgal,      ///< CGAL's insertion of a range: the paper's rebuilding
         follower,  ///< a triangulation that goes all the way
         copy,      ///< one that is built at the positions before each step that it follows: for what is slow
-        hybrid,    ///< the paper's variant (4.2): CGAL's insertion of a range until a sample stays within tolerance, then the filter
+        /// The paper's variant (4.2): CGAL's insertion of a range until a sample stays within tolerance, then the
+        /// filter.
+        hybrid,
     };
     std::string name;
     Kind kind = Kind::follower;
     Options options{};
     std::uint64_t every = 1;        ///< steps; others are not followed. 1 for followers
     std::uint64_t audit_every = 0;  ///< steps; 0: at the end alone
-    std::optional<Printed_choice> printed{};  ///< one of the paper's algorithms as it prints them, in place of `options`
+    /// One of the paper's algorithms as it prints them, in place of `options`.
+    std::optional<Printed_choice> printed{};
 };
 
 /// One of them under way. Times are of one thread's processor; what a follower needs to be built is timed apart.

@@ -14,14 +14,15 @@ namespace annulus {
 /// Null where there is none of that name.
 [[nodiscard]] const Racer_record* racer_of(const Race_record& race, const std::string& name);
 
-/// Seconds up to the end of each step that was followed. A step that was not followed counts as the next one that was. Tolerances of the
-/// beginning come first.
+/// Seconds up to the end of each step that was followed. A step that was not followed counts as the next one that
+/// was. Tolerances of the beginning come first.
 [[nodiscard]] std::vector<std::pair<std::uint64_t, double>> cumulated(const Racer_record& racer);
 /// Of all steps.
 [[nodiscard]] double total_seconds(const Race_record& race, const std::string& racer);
 /// Times that `quick` is faster than `slow` over the whole race; 0 where one is missing.
 [[nodiscard]] double speed_up(const Race_record& race, const std::string& slow, const std::string& quick);
-/// The same of some steps in the middle of each decade or so: mean seconds a step of `slow` over those of `quick` in (from, to].
+/// The same of some steps in the middle of each decade or so: mean seconds a step of `slow` over those of `quick` in
+/// (from, to].
 [[nodiscard]] double speed_up_between(const Race_record& race, const std::string& slow, const std::string& quick,
                                       std::uint64_t from, std::uint64_t to);
 
@@ -37,13 +38,15 @@ namespace annulus {
 /// Share of moves that failed, a mean over a tenth of the steps up to `step`.
 [[nodiscard]] double failures_at(const Race_record& race, const std::string& racer, std::uint64_t step);
 /// The first step from which on a tenth more steps have so small a share of failures, in the mean.
-[[nodiscard]] std::optional<std::uint64_t> first_step_below(const Race_record& race, const std::string& racer, double share);
+[[nodiscard]] std::optional<std::uint64_t> first_step_below(const Race_record& race, const std::string& racer,
+                                                            double share);
 /// Certificates evaluated for each of them.
 [[nodiscard]] double updates_at(const Race_record& race, const std::string& racer, std::uint64_t step);
 /// The most vertices whose reference was renewed in one timestamp, in vertices.
 [[nodiscard]] double most_renewals(const Race_record& race, const std::string& racer);
 
-/// Share of moves within tolerance from which on a filter takes no longer than rebuilding; absent where it never does, or always.
+/// Share of moves within tolerance from which on a filter takes no longer than rebuilding; absent where it never
+/// does, or always.
 [[nodiscard]] std::optional<double> switch_point(const Race_record& race, const std::string& racer);
 
 /// A hundredth of the dihedral angles are below, in degrees: linear in its bin.

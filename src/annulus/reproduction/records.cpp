@@ -24,16 +24,17 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Operation_record, step, vertices, removal, in
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Quality_record, step, vertices, locked, cells, slivers, dihedral_min, dihedral_max,
                                    dihedral)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Picture_record, step, caption, svg, x, y)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Race_record, name, title, dimension, vertices, steps, spacing, seconds, motion_seconds, load,
-                                   displacement, racers, surveys, widths, degeneracies, adversaries, stabilities,
-                                   operations, qualities, pictures, notes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Race_record, name, title, dimension, vertices, steps, spacing, seconds,
+                                   motion_seconds, load, displacement, racers, surveys, widths, degeneracies,
+                                   adversaries, stabilities, operations, qualities, pictures, notes)
 
 namespace {
 
 /// Whoever reads a record takes its lists to be of one length.
 bool is_sound(const Race_record& race) {
     for (const Racer_record& r : race.racers)
-        for (const std::size_t n : {r.seconds.size(), r.asked.size(), r.failed.size(), r.requeued.size(), r.changed.size(), r.evaluated.size()})
+        for (const std::size_t n : {r.seconds.size(), r.asked.size(), r.failed.size(), r.requeued.size(),
+                                    r.changed.size(), r.evaluated.size()})
             if (n != r.step.size()) return false;
     for (const Racer_record& r : race.racers)
         if (!r.streaks.empty() && r.streaks.size() != std::size(streak_lengths)) return false;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-// What runs of the reproduction measured, as values: stored as the parts of an unfinished reproduction, and all that its pages are made
-// from. Lengths are in mean spacings, seconds those of one thread's processor.
+// What runs of the reproduction measured, as values: stored as the parts of an unfinished reproduction, and all that
+// its pages are made from. Lengths are in mean spacings, seconds those of one thread's processor.
 namespace annulus {
 
 /// One strategy along a race. The vectors have an entry for each step that was followed.
@@ -25,7 +25,8 @@ struct Racer_record {
     std::string first_fault;
     std::uint64_t switched_at = 0;  ///< hybrids: the first step that was not rebuilt; 0: none
     double sampling_seconds = 0;    ///< hybrids: of these seconds, looking at samples
-    /// Vertices that failed at the last step and at the streak_lengths[k] - 1 before it. Of the paper's printed algorithm; else empty.
+    /// Vertices that failed at the last step and at the streak_lengths[k] - 1 before it. Of the paper's printed
+    /// algorithm; else empty.
     std::vector<std::uint64_t> streaks;
 };
 inline constexpr std::uint64_t streak_lengths[] = {1, 2, 5, 10, 25, 50, 100};

@@ -95,7 +95,8 @@ std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
         "<p>" + escaped(r.machine) + ". " + grouped(r.races.size()) + " runs, " + duration(seconds) + " by the clock; ";
     out += "load of the machine at the end of each " + readable(least_load) + " to " + readable(most_load) +
            ". Seconds on these pages are those of one thread's processor, and strategies take turns, so that others "
-           "delay all alike; such times still vary from run to run. Verdicts about speed rest on them, no other does.</p>\n";
+           "delay all alike; such times still vary from run to run. Verdicts about speed rest on them, no other "
+           "does.</p>\n";
     if (r.size.quick)
         out +=
             "<p class=\"verdict\">A quick run: few points, few iterations. Ratios mean little; the paper's runs have "
@@ -142,9 +143,12 @@ nlohmann::ordered_json json_of(const Reproduction& r, const std::vector<Claim>& 
                                  {"reason", c.reason}});
     out["runs"] = nlohmann::ordered_json::object();
     for (const auto& [name, race] : r.races) {
-        nlohmann::ordered_json run{{"title", race.title},       {"dimension", race.dimension},
-                                   {"vertices", race.vertices}, {"iterations", race.steps},
-                                   {"spacing", race.spacing},   {"load", race.load},
+        nlohmann::ordered_json run{{"title", race.title},
+                                   {"dimension", race.dimension},
+                                   {"vertices", race.vertices},
+                                   {"iterations", race.steps},
+                                   {"spacing", race.spacing},
+                                   {"load", race.load},
                                    {"motion_seconds", race.motion_seconds}};
         for (const Racer_record& x : race.racers) {
             std::uint64_t asked = 0, failed = 0;

@@ -29,7 +29,8 @@ struct Result_file {
     std::string name, content;
 };
 
-/// index.html with the claims of the paper beside ours, a page for each figure with the numbers beside it, reproduction.json.
+/// index.html with the claims of the paper beside ours, a page for each figure with the numbers beside it,
+/// reproduction.json.
 [[nodiscard]] std::vector<Result_file> reproduction_files(const Reproduction& reproduction);
 
 }  // namespace annulus

@@ -11,8 +11,8 @@
 
 namespace annulus {
 
-/// A motion that the paper measured, as whoever makes it shows it: where points begin, and where they go at each step, whoever
-/// follows them.
+/// A motion that the paper measured, as whoever makes it shows it: where points begin, and where they go at each
+/// step, whoever follows them.
 template <int d>
 class Scene {
   public:

@@ -43,7 +43,8 @@ Stability_record measure_stability(const Moving_of<d>& dt) {
         std::array<Coordinates<d>, static_cast<std::size_t>(d) + 2> y;
         for (std::size_t k = 0; k < y.size(); ++k) y[k] = *points[k];
         const auto after = std::upper_bound(r.edges.begin(), r.edges.end() - 1, bicell_theta(y));
-        if (exact > 0) errors[static_cast<std::size_t>(after - r.edges.begin()) - 1].push_back(std::fabs(plain - exact) / exact);
+        if (exact > 0)
+            errors[static_cast<std::size_t>(after - r.edges.begin()) - 1].push_back(std::fabs(plain - exact) / exact);
     }
     for (std::vector<double>& e : errors) {
         r.counts.push_back(e.size());

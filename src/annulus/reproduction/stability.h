@@ -5,8 +5,9 @@
 
 namespace annulus {
 
-/// How far the paper's half widths in plain double are from the exact ones, for every finite bi-cell of `dt`, a paper_triangulation:
-/// exact integers say so. The paper expects their stability to be proportional to theta. Some microseconds a bi-cell.
+/// How far the paper's half widths in plain double are from the exact ones, for every finite bi-cell of `dt`, a
+/// paper_triangulation: exact integers say so. The paper expects their stability to be proportional to theta. Some
+/// microseconds a bi-cell.
 template <int d>
 [[nodiscard]] Stability_record measure_stability(const Moving_of<d>& dt);
 

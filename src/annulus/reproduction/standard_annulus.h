@@ -20,8 +20,8 @@ namespace annulus {
 }
 [[nodiscard]] inline double standard_half_width(const Tuple<3, 5>& x) { return paper_annulus(x); }
 
-/// The points of a facet's annulus or slab in the one order that does not depend on which of its cells was looked at, nor on the order
-/// of their corners.
+/// The points of a facet's annulus or slab in the one order that does not depend on which of its cells was looked at,
+/// nor on the order of their corners.
 inline void put_in_order(Facet_certificate<2>& f) {
     auto& x = f.point;
     if (f.kind == Facet_kind::empty_sphere && x[3] < x[2]) {

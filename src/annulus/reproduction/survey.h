@@ -18,8 +18,8 @@ using Moving_of = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_
 template <int d>
 [[nodiscard]] Moving_of<d> paper_triangulation(std::span<const Coordinates<d>> x);
 
-/// What certificates and tolerances are at the positions of `dt`, a paper_triangulation, before points go to `next`. With `widths`
-/// their distribution too. O(n).
+/// What certificates and tolerances are at the positions of `dt`, a paper_triangulation, before points go to `next`.
+/// With `widths` their distribution too. O(n).
 template <int d>
 [[nodiscard]] Survey_record survey(const Moving_of<d>& dt, std::span<const Coordinates<d>> next, double spacing,
                                    Width_record* widths = nullptr);

@@ -108,9 +108,11 @@ Page_content unsound_page(const Reproduction& r) {
     if (!panels.empty()) page.sections.emplace_back("Along the runs", std::move(panels));
     panels.clear();
     for (const int dimension : {2, 3})
-        append_plot(page, panels, stability_plot(r, dimension), dimension == 2 ? "unsound.rounding-plane.csv" : "unsound.rounding-space.csv",
+        append_plot(page, panels, stability_plot(r, dimension),
+                    dimension == 2 ? "unsound.rounding-plane.csv" : "unsound.rounding-space.csv",
                     "At the start; bins of theta with twenty bi-cells at least.");
-    if (!panels.empty()) page.sections.emplace_back("Plain double against integers (the paper's figure 4)", std::move(panels));
+    if (!panels.empty())
+        page.sections.emplace_back("Plain double against integers (the paper's figure 4)", std::move(panels));
     page.tables.emplace_back("unsound.csv", counts_table(r));
     page.notes.push_back(
         "The adversary takes each unsound certificate (2,000 at most, spread evenly) of a run at the steps of the "

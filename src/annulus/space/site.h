@@ -7,8 +7,8 @@
 
 namespace annulus {
 
-/// A corner of a cell as geometry sees it: a vertex, and which of its images it is. Corners are told from one another by
-/// their sites. A vertex does not become a site unless it is said, since that names no image.
+/// A corner of a cell as geometry sees it: a vertex, and which of its images it is. Corners are told from one another
+/// by their sites. A vertex does not become a site unless it is said, since that names no image.
 template <class Label>
 struct Site_of {
     Index vertex;

@@ -106,8 +106,9 @@ struct Bicell_batch : Certificate_batch<d, Corner_index, Tuple<d, d + 2>> {
     std::vector<Bicell_half_widths> all{};
     std::vector<Below> below_standard{};  ///< in space
     std::vector<double> theta{};
-    std::vector<int> convex{};  ///< where the line through p and q meets the facet: inside (1), outside (-1), or on its border (0)
-    Stage_counts convexity{};   ///< stages of these signs
+    /// Where the line through p and q meets the facet: inside (1), outside (-1), or on its border (0).
+    std::vector<int> convex{};
+    Stage_counts convexity{};  ///< stages of these signs
 
     void find(std::span<const Threshold> thresholds) {
         this->judge();
@@ -121,7 +122,8 @@ struct Bicell_batch : Certificate_batch<d, Corner_index, Tuple<d, d + 2>> {
         for (std::size_t i = 0; i < n; ++i) {
             const auto exactly = [&] { return enclose_exactly(this->tuple[i]); };
             this->below.emplace_back(all[i].least, thresholds, true, [&] { return exactly().least; });
-            if (d == 3) below_standard.emplace_back(all[i].standard, thresholds, false, [&] { return exactly().standard; });
+            if (d == 3)
+                below_standard.emplace_back(all[i].standard, thresholds, false, [&] { return exactly().standard; });
             this->half.push_back(all[i].least);
             theta.push_back(theta_of(this->tuple[i]));
         }
@@ -135,7 +137,8 @@ struct Bicell_batch : Certificate_batch<d, Corner_index, Tuple<d, d + 2>> {
         signs_.resize(sides_.size());
         convexity = evaluate(std::span<const Tuple<d, d + 1>>(sides_), Mode::floating, signs_);
         convex.clear();
-        for (std::size_t i = 0; i < this->id.size(); ++i) convex.push_back(convexity_of(std::span<const Verdict>(signs_).subspan(i * d, d)));
+        for (std::size_t i = 0; i < this->id.size(); ++i)
+            convex.push_back(convexity_of(std::span<const Verdict>(signs_).subspan(i * d, d)));
     }
     std::vector<Tuple<d, d + 1>> sides_{};
     std::vector<Verdict> signs_{};
@@ -153,7 +156,8 @@ struct Simplex_batch : Certificate_batch<d, Id, Tuple<d, d + 1>> {
         enclose(std::span<const Simplex>(this->tuple), Width::least, std::span(this->half));
         this->below.clear();
         for (std::size_t i = 0; i < this->id.size(); ++i)
-            this->below.emplace_back(this->half[i], thresholds, true, [&] { return enclose_exactly(this->tuple[i], Width::least); });
+            this->below.emplace_back(this->half[i], thresholds, true,
+                                     [&] { return enclose_exactly(this->tuple[i], Width::least); });
     }
     void find_paper(Width which) {
         paper.resize(this->id.size());

@@ -63,7 +63,8 @@ Circumcentre_3<T> terms(const std::array<std::array<T, 3>, 3>& v) {
     return {v[0], v[1], v[2]};
 }
 
-/// numerator / denominator * 2^exponent, two roundings off at most (one to 64 bits, one to a double), where nothing underflows.
+/// numerator / denominator * 2^exponent, two roundings off at most (one to 64 bits, one to a double), where nothing
+/// underflows.
 double quotient(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
     if (sgn(numerator) == 0) return 0;
     const auto bits = [](const mpz_class& x) { return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2)); };
@@ -97,11 +98,12 @@ template <int d>
 
 }  // namespace
 
-// Errors in doubles, counted in u per term; what is of second order is in the larger constants that are used. A difference of two
-// coordinates has 1 (scaling by a power of two none). In the plane: a square 2+1, a sum of two squares 4; times a coordinate 6; a
-// difference of two 7 of the magnitude: 8 is used; denominator 3 and 1: 4, 6 is used. In space: a sum of three squares 5, a minor 2+1+1 = 4,
-// times a sum of squares 10, sums of three 12 of the magnitude: 16 is used; denominator 4+1+1+2 = 8: 10 is used. The magnitudes are
-// themselves computed, too small by as many u at most, which the larger constants cover as well.
+// Errors in doubles, counted in u per term; what is of second order is in the larger constants that are used. A
+// difference of two coordinates has 1 (scaling by a power of two none). In the plane: a square 2+1, a sum of two
+// squares 4; times a coordinate 6; a difference of two 7 of the magnitude: 8 is used; denominator 3 and 1: 4, 6 is
+// used. In space: a sum of three squares 5, a minor 2+1+1 = 4, times a sum of squares 10, sums of three 12 of the
+// magnitude: 16 is used; denominator 4+1+1+2 = 8: 10 is used. The magnitudes are themselves computed, too small by as
+// many u at most, which the larger constants cover as well.
 //
 // With N and D computed, eN and eD their errors and d = D - eD > 0 below the true denominator,
 //     |N / 2D - truth| <= (eN + |N / D| eD) / 2d,

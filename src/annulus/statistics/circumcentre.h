@@ -18,19 +18,21 @@ struct Circumcentre {
 template <int d>
 using Corners = std::array<Coordinates<d>, static_cast<std::size_t>(d + 1)>;
 
-/// The circumcentre of a cell in the unit 1/scale, in which no coordinate of the cell may be above 1; scale is a power of two.
+/// The circumcentre of a cell in the unit 1/scale, in which no coordinate of the cell may be above 1; scale is a
+/// power of two.
 ///
-/// In doubles with a bound of their error, while that is below 2^-40 times the shortest edge of the cell; else exactly, rounded, with
-/// an error of 2^-51 times the circumradius at most. O(1): some 30 ns in doubles, some microseconds exactly.
-/// Preconditions: rounding to nearest, corners in the coordinate domain. Throws Error(bad_input) for a cell that is not positive.
+/// In doubles with a bound of their error, while that is below 2^-40 times the shortest edge of the cell; else
+/// exactly, rounded, with an error of 2^-51 times the circumradius at most. O(1): some 30 ns in doubles, some
+/// microseconds exactly. Preconditions: rounding to nearest, corners in the coordinate domain. Throws
+/// Error(bad_input) for a cell that is not positive.
 template <int d>
 [[nodiscard]] Circumcentre<d> circumcentre(const Corners<d>& x, double scale);
 
 extern template Circumcentre<2> circumcentre(const Corners<2>&, double);
 extern template Circumcentre<3> circumcentre(const Corners<3>&, double);
 
-/// The circumcentre is numerator / (2 * denominator), seen from the corner that the others are given relative to. One formula for doubles
-/// and for integers; numerator and denominator both change sign with the orientation.
+/// The circumcentre is numerator / (2 * denominator), seen from the corner that the others are given relative to. One
+/// formula for doubles and for integers; numerator and denominator both change sign with the orientation.
 template <class T>
 struct Circumcentre_2 {
     std::array<T, 2> numerator;

@@ -27,7 +27,8 @@ Five_points five_points(double height, double radius) {
     return {{0, 0, height}, {0, 0, -height}, {radius, 0, 0}, {x, y, 0}, {x, -y, 0}};
 }
 
-/// The three facets at a b with their opposite vertices, and the three cells around a b: the triangulation before the move.
+/// The three facets at a b with their opposite vertices, and the three cells around a b: the triangulation before the
+/// move.
 std::array<Tuple<3, 5>, 3> facets_at_ab(const Five_points& x) {
     return {{{&x.a, &x.b, &x.p, &x.q, &x.r}, {&x.a, &x.b, &x.q, &x.r, &x.p}, {&x.a, &x.b, &x.r, &x.p, &x.q}}};
 }

@@ -5,8 +5,8 @@
 
 namespace annulus {
 
-/// Five points of space at which the paper's tolerance is too large (docs/theory.md 3), moved by less than it: a and b on the axis,
-/// inside the unit sphere by delta, p, q and r around them at 120 degrees.
+/// Five points of space at which the paper's tolerance is too large (docs/theory.md 3), moved by less than it: a and
+/// b on the axis, inside the unit sphere by delta, p, q and r around them at 120 degrees.
 struct Counterexample {
     double delta;
     double move;       ///< 0.7 delta, as asked for: a and b outward, p, q and r inward

@@ -47,7 +47,12 @@ template <int d>
 class Survey {
   public:
     Survey(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Degeneracy_options<d>& options)
-        : t_(t), x_(x), options_(options), tolerance_(x.size(), infinity), marks_(x.size(), 0), paper_(t, x.size(), options.threads) {
+        : t_(t),
+          x_(x),
+          options_(options),
+          tolerance_(x.size(), infinity),
+          marks_(x.size(), 0),
+          paper_(t, x.size(), options.threads) {
         if (options.threads < 1)
             throw Error(Error_code::usage, "threads must be 1 or more, not " + std::to_string(options.threads));
         r_.dimension = d;
@@ -100,7 +105,8 @@ class Survey {
         if (!ridges_.id.empty()) return give(Kind::ridges, ridges_, slot.facets);
         if (!border_.id.empty()) return give(Kind::border, border_, slot.facets);
         for (; next_cell_ != t_.cell_bound() && cells_.id.size() < batch; ++next_cell_)
-            if (t_.is_cell(next_cell_) && !t_.is_infinite(next_cell_)) cells_.append(next_cell_, cell_sites(t_, next_cell_), x_);
+            if (t_.is_cell(next_cell_) && !t_.is_infinite(next_cell_))
+                cells_.append(next_cell_, cell_sites(t_, next_cell_), x_);
         return !cells_.id.empty() && give(Kind::cells, cells_, slot.cells);
     }
     void append(Corner_index h) {
@@ -129,13 +135,15 @@ class Survey {
             case Kind::bicells: enter_bicells(slot.bicells); break;
             case Kind::ridges:
                 enter_certificates(slot.facets, Raw_certificate<d>::Kind::ridge, r_.ridges, width_samples_[2]);
-                for (std::size_t i = 0; i < slot.facets.id.size(); ++i) paper_.note_ridge(slot.facets.id[i], slot.facets.half[i]);
+                for (std::size_t i = 0; i < slot.facets.id.size(); ++i)
+                    paper_.note_ridge(slot.facets.id[i], slot.facets.half[i]);
                 enter_paper(slot.facets);
                 break;
             case Kind::border: enter_paper(slot.facets); break;
             case Kind::cells:
                 enter_certificates(slot.cells, Raw_certificate<d>::Kind::cell, r_.cells, width_samples_[1]);
-                for (std::size_t i = 0; i < slot.cells.id.size(); ++i) paper_.note_cell(slot.cells.id[i], slot.cells.half[i]);
+                for (std::size_t i = 0; i < slot.cells.id.size(); ++i)
+                    paper_.note_cell(slot.cells.id[i], slot.cells.half[i]);
                 break;
         }
     }
@@ -156,8 +164,8 @@ class Survey {
 
     /// Certificates: the stages that decided, widths as they are, tolerances at the points that they limit.
     template <class Batch>
-    void enter_certificates(const Batch& b, typename Raw_certificate<d>::Kind kind, Certificate_counts& counts, Samples& samples,
-                            std::span<const double> theta = {}) {
+    void enter_certificates(const Batch& b, typename Raw_certificate<d>::Kind kind, Certificate_counts& counts,
+                            Samples& samples, std::span<const double> theta = {}) {
         counts.arithmetic += b.arithmetic;
         for (std::size_t i = 0; i < b.id.size(); ++i) {
             const Half_width& h = b.half[i];
@@ -204,7 +212,8 @@ class Survey {
         v.paper_unsound = p.unsound;
         v.unsound_certificates = p.certificates;
         v.paper = relative(p.tolerance);
-        for (std::size_t i = 0; i < p.exact.size(); ++i) v.paper_ratio.add(p.tolerance[i] / p.exact[i]);  // 0 / 0 is no number
+        // 0 / 0 is no number.
+        for (std::size_t i = 0; i < p.exact.size(); ++i) v.paper_ratio.add(p.tolerance[i] / p.exact[i]);
         if (options_.unsound)
             for (const auto& points : p.points) options_.unsound(points);
     }

@@ -55,12 +55,13 @@ struct Vertex_counts {
 
     /// The paper's tolerance is greater than the distance to degeneracy of a certificate that contains the vertex.
     std::uint64_t paper_above_exact = 0;
-    /// There is such a certificate at every point of which the paper's tolerance is greater: its points may go to where it fails
-    /// and all stay within their tolerances.
+    /// There is such a certificate at every point of which the paper's tolerance is greater: its points may go to
+    /// where it fails and all stay within their tolerances.
     std::uint64_t paper_unsound = 0;
     std::uint64_t unsound_certificates = 0;
-    /// The paper's tolerance over the least half width of the certificates that contain the vertex, ours: above 1 it is no tolerance of
-    /// that certificate. Both from lower ends, so good to 2^-9. Overflow where only the latter is 0; where both are there is no sample.
+    /// The paper's tolerance over the least half width of the certificates that contain the vertex, ours: above 1 it
+    /// is no tolerance of that certificate. Both from lower ends, so good to 2^-9. Overflow where only the latter is
+    /// 0; where both are there is no sample.
     Histogram paper_ratio = Histogram::log10(1e-2, 1e6, 320);
 };
 
@@ -107,7 +108,8 @@ struct Degeneracy_options {
     static constexpr std::size_t most_thresholds = 30;
     /// Distributions have quantiles, for which all samples are kept until the end: eight bytes each.
     bool quantiles = true;
-    /// That work on it at once (TBB), 1 or more, else Error(usage). Nothing that is found depends on it, nor the order in which `raw` is told.
+    /// That work on it at once (TBB), 1 or more, else Error(usage). Nothing that is found depends on it, nor the
+    /// order in which `raw` is told.
     int threads = 1;
     /// Told of every certificate, where there is anybody: of one at a time, by any of the threads.
     std::function<void(const Raw_certificate<d>&)> raw{};
@@ -115,8 +117,8 @@ struct Degeneracy_options {
     std::function<void(std::span<const Index>)> unsound{};
 };
 
-/// Precondition: t is a Delaunay triangulation of the points x, which are in the coordinate domain and span the space. A bi-cell costs a
-/// microsecond, a degenerate one ten or more.
+/// Precondition: t is a Delaunay triangulation of the points x, which are in the coordinate domain and span the
+/// space. A bi-cell costs a microsecond, a degenerate one ten or more.
 [[nodiscard]] Degeneracy degeneracy(const Cell_table<2>& t, std::span<const Coordinates<2>> x,
                                     const Degeneracy_options<2>& options = {});
 [[nodiscard]] Degeneracy degeneracy(const Cell_table<3>& t, std::span<const Coordinates<3>> x,

@@ -7,17 +7,17 @@
 
 namespace annulus {
 
-/// The most memory of this process that was in RAM at a time, in bytes; 0 where the system does not say. Never throws; a few
-/// tens of microseconds.
+/// The most memory of this process that was in RAM at a time, in bytes; 0 where the system does not say. Never
+/// throws; a few tens of microseconds.
 ///
-/// From /proc/self/status (Linux), because what getrusage says includes the process that started this one: 300 MB of a Python
-/// script where there is one of ours.
+/// From /proc/self/status (Linux), because what getrusage says includes the process that started this one: 300 MB of
+/// a Python script where there is one of ours.
 [[nodiscard]] std::uint64_t peak_resident_memory() noexcept;
 /// The same from a file of the form of /proc/self/status.
 [[nodiscard]] std::uint64_t peak_resident_memory(const char* status) noexcept;
 
-/// The memory that processes may still take before the machine swaps, in bytes; 0 where the system does not say. From /proc/meminfo
-/// (Linux), and no more than the limit of the control group (cgroup v2) leaves.
+/// The memory that processes may still take before the machine swaps, in bytes; 0 where the system does not say. From
+/// /proc/meminfo (Linux), and no more than the limit of the control group (cgroup v2) leaves.
 [[nodiscard]] std::uint64_t available_memory() noexcept;
 /// The same from files of the form of /proc/meminfo, and memory.max and memory.current of a control group.
 [[nodiscard]] std::uint64_t available_memory(const char* meminfo, const char* most, const char* used) noexcept;

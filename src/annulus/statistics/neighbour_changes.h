@@ -18,17 +18,20 @@ struct Neighbour_change {
     friend bool operator==(const Neighbour_change&, const Neighbour_change&) = default;
 };
 
-/// Who became whose neighbour, from the cells that came and went (Move_report::changed and gone): an edge of those that went is an edge
-/// still if and only if one of those that came has it, since where some cells around an edge go and others stay, one that comes
-/// is beside one that stays. So nothing that did not change is looked at. In the plane a flip is one pair broken and one made, a T1 transition.
+/// Who became whose neighbour, from the cells that came and went (Move_report::changed and gone): an edge of those
+/// that went is an edge still if and only if one of those that came has it, since where some cells around an edge go
+/// and others stay, one that comes is beside one that stays. So nothing that did not change is looked at. In the
+/// plane a flip is one pair broken and one made, a T1 transition.
 ///
-/// Between two calls of take() a pair that was made and broken again does not count. Points have ids, which outlive their indices.
+/// Between two calls of take() a pair that was made and broken again does not count. Points have ids, which outlive
+/// their indices.
 template <int d>
 class Neighbour_changes {
   public:
     /// From now on vertex v is the point of this id.
     void name(Index v, std::uint64_t id);
-    /// A call of the triangulation: d + 1 vertices a cell; those at infinity are to be there, those with `none` may. O(k log k) for k cells.
+    /// A call of the triangulation: d + 1 vertices a cell; those at infinity are to be there, those with `none` may.
+    /// O(k log k) for k cells.
     void note(std::span<const Index> came, std::span<const Index> gone);
     /// What has changed since it was asked last, by ids.
     [[nodiscard]] std::vector<Neighbour_change> take();

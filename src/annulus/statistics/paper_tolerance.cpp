@@ -26,7 +26,8 @@ constexpr std::size_t runs_of(std::size_t n) { return (n + run_length - 1) / run
 void lower(double& least, double y) {
     const std::atomic_ref shared(least);
     double seen = shared.load(std::memory_order_relaxed);
-    while (y < seen && !shared.compare_exchange_weak(seen, y, std::memory_order_relaxed)) {}
+    while (y < seen && !shared.compare_exchange_weak(seen, y, std::memory_order_relaxed)) {
+    }
 }
 void mark(char& one) { std::atomic_ref(one).store(1, std::memory_order_relaxed); }
 
@@ -41,18 +42,21 @@ Facet_certificate<d> certificate_of(const Cell_table<d>& t, Corner_index f) {
 template <int d>
 template <class Visit>
 void Paper_tolerance<d>::for_each_facet(const Visit& visit) const {
-    for_each_run(static_cast<std::size_t>(t_.facet_bound().value()), run_length, threads_, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            if (const Corner_index f(static_cast<Index>(i)); t_.is_facet(f)) visit(first / run_length, f);
-    });
+    for_each_run(static_cast<std::size_t>(t_.facet_bound().value()), run_length, threads_,
+                 [&](std::size_t first, std::size_t last) {
+                     for (std::size_t i = first; i < last; ++i)
+                         if (const Corner_index f(static_cast<Index>(i)); t_.is_facet(f)) visit(first / run_length, f);
+                 });
 }
 template <int d>
 template <class Visit>
 void Paper_tolerance<d>::for_each_finite_cell(const Visit& visit) const {
-    for_each_run(static_cast<std::size_t>(t_.cell_bound().value()), run_length, threads_, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            if (const Cell_index c(static_cast<Index>(i)); t_.is_cell(c) && !t_.is_infinite(c)) visit(first / run_length, c);
-    });
+    for_each_run(static_cast<std::size_t>(t_.cell_bound().value()), run_length, threads_,
+                 [&](std::size_t first, std::size_t last) {
+                     for (std::size_t i = first; i < last; ++i)
+                         if (const Cell_index c(static_cast<Index>(i)); t_.is_cell(c) && !t_.is_infinite(c))
+                             visit(first / run_length, c);
+                 });
 }
 
 /// The paper's tolerance of every vertex from what is known of facets.
@@ -69,8 +73,8 @@ void Paper_tolerance<d>::take_least() {
     });
 }
 
-/// Calls visit(run, half width, points, exactly) for each certificate whose half width is not the paper's own number; exactly(x)
-/// computes it with integers. By all threads: runs are numbered below runs().
+/// Calls visit(run, half width, points, exactly) for each certificate whose half width is not the paper's own number;
+/// exactly(x) computes it with integers. By all threads: runs are numbered below runs().
 template <int d>
 template <class Visit>
 void Paper_tolerance<d>::for_each_certificate(const Visit& visit) {
@@ -82,9 +86,10 @@ void Paper_tolerance<d>::for_each_certificate(const Visit& visit) {
                 return enclose_exactly(tuple<d, d + 2>(p.point, x)).least;
             });
         } else if (p.kind == Facet_kind::ridge) {
-            visit(run, facet_[f], std::span<const Site<d>>(p.point).first(d + 1), [&](std::span<const Coordinates<d>> x) {
-                return enclose_exactly(tuple<d, d + 1>(p.point, x), Width::least);
-            });
+            visit(run, facet_[f], std::span<const Site<d>>(p.point).first(d + 1),
+                  [&](std::span<const Coordinates<d>> x) {
+                      return enclose_exactly(tuple<d, d + 1>(p.point, x), Width::least);
+                  });
         }
     });
     const std::size_t behind = runs_of(static_cast<std::size_t>(t_.facet_bound().value()));
@@ -96,10 +101,12 @@ void Paper_tolerance<d>::for_each_certificate(const Visit& visit) {
 }
 template <int d>
 std::size_t Paper_tolerance<d>::runs() const {
-    return runs_of(static_cast<std::size_t>(t_.facet_bound().value())) + runs_of(static_cast<std::size_t>(t_.cell_bound().value()));
+    return runs_of(static_cast<std::size_t>(t_.facet_bound().value())) +
+           runs_of(static_cast<std::size_t>(t_.cell_bound().value()));
 }
 
-/// Integers for what the enclosures leave open: the certificate, and the paper's numbers that may be the least of such a vertex.
+/// Integers for what the enclosures leave open: the certificate, and the paper's numbers that may be the least of
+/// such a vertex.
 template <int d>
 void Paper_tolerance<d>::refine(std::span<const Coordinates<d>> x) {
     std::vector<char> open(vertices_, 0);
@@ -168,7 +175,8 @@ Paper_verdict Paper_tolerance<d>::verdict(std::span<const Coordinates<d>> x) {
         }
     });
     Paper_verdict out;
-    for (std::vector<std::vector<Index>>& points : points_of_run) std::move(points.begin(), points.end(), std::back_inserter(out.points));
+    for (std::vector<std::vector<Index>>& points : points_of_run)
+        std::move(points.begin(), points.end(), std::back_inserter(out.points));
     out.certificates = out.points.size();
     out.above_exact = static_cast<std::uint64_t>(std::count(above.begin(), above.end(), 1));
     out.unsound = static_cast<std::uint64_t>(std::count(unsound.begin(), unsound.end(), 1));

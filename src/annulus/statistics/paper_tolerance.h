@@ -17,15 +17,16 @@ struct Paper_verdict {
     std::uint64_t above_exact = 0;   ///< vertices whose tolerance is above the half width of a certificate they are in
     std::uint64_t unsound = 0;       ///< vertices of the certificates below
     std::uint64_t certificates = 0;  ///< whose half width is below the tolerances of all their points
-    std::vector<std::vector<Index>> points;  ///< theirs, as the ladder takes them: d + 2 of a bi-cell, d + 1 of a cell or a ridge
+    /// Theirs, as the ladder takes them: d + 2 of a bi-cell, d + 1 of a cell or a ridge.
+    std::vector<std::vector<Index>> points;
 };
 
 /// Compares the paper's tolerances with the half widths of certificates, both enclosed.
 ///
-/// The paper's list: the standard annulus of every finite bi-cell, a slab for every border facet and every hull ridge; nothing of
-/// cells. A vertex has the least of those whose points it is among. Ours: annuli of bi-cells, cells, ridges; half their
-/// width is the least displacement that makes the certificate 0. What is counted is certain: a difference below one unit in
-/// the last place, as between equal numbers of two kinds, is not.
+/// The paper's list: the standard annulus of every finite bi-cell, a slab for every border facet and every hull
+/// ridge; nothing of cells. A vertex has the least of those whose points it is among. Ours: annuli of bi-cells,
+/// cells, ridges; half their width is the least displacement that makes the certificate 0. What is counted is
+/// certain: a difference below one unit in the last place, as between equal numbers of two kinds, is not.
 template <int d>
 class Paper_tolerance {
   public:

@@ -45,7 +45,8 @@ class Exact_star {
     }
 
     [[nodiscard]] double volume() {
-        // Points of one magnitude need the first of these; a sum that is 0 for cells that are not Delaunay would need more than any.
+        // Points of one magnitude need the first of these; a sum that is 0 for cells that are not Delaunay would need
+        // more than any.
         for (mp_bitcnt_t q = 16;; q = 2 * q + 48) {
             round_circumcentres(q);
             sum_terms();
@@ -126,8 +127,8 @@ class Exact_star {
             const std::size_t j = (k + 2) % 3;
             sum_ += n[k] * (from[i] * to[j] - from[j] * to[i]);
         }
-        // n . ((from + r) x (to + s)) with coordinates of r and s below 1: |from x s| and |r x to| are in each coordinate
-        // at most a sum of two coordinates, |r x s| at most 2.
+        // n . ((from + r) x (to + s)) with coordinates of r and s below 1: |from x s| and |r x to| are in each
+        // coordinate at most a sum of two coordinates, |r x s| at most 2.
         bound_ += size(n) * (size(from) + size(to) + 2);
     }
 

@@ -142,8 +142,8 @@ std::vector<Cell_index> Kept_voronoi_volumes<d>::all_cells() const {
     return out;
 }
 
-/// Every cell with one of these corners, infinite ones too, ascending: from star to star while these are few, in one look at all cells
-/// otherwise.
+/// Every cell with one of these corners, infinite ones too, ascending: from star to star while these are few, in one
+/// look at all cells otherwise.
 template <int d>
 std::vector<Cell_index> Kept_voronoi_volumes<d>::cells_around(std::span<const Index> vertices) const {
     std::vector<Cell_index> out;
@@ -196,8 +196,8 @@ void Kept_voronoi_volumes<d>::find_circumcentres(std::span<const Cell_index> cel
     }
 }
 
-/// Volumes of these vertices, around which there are these cells and perhaps others that are not asked for. What is added to other
-/// vertices' sums on the way is never looked at.
+/// Volumes of these vertices, around which there are these cells and perhaps others that are not asked for. What is
+/// added to other vertices' sums on the way is never looked at.
 template <int d>
 void Kept_voronoi_volumes<d>::add_up(std::span<const Index> vertices, std::span<const Cell_index> around) {
     const double unit = scale();

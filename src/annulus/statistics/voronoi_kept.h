@@ -11,13 +11,15 @@
 
 namespace annulus {
 
-/// The Voronoi volumes of one mesh, brought up to date when they are asked for: what is computed anew is concerned by a vertex that
-/// moved or a cell that changed, and the result is, bit for bit, that of voronoi_volumes of the mesh's cells.
+/// The Voronoi volumes of one mesh, brought up to date when they are asked for: what is computed anew is concerned by
+/// a vertex that moved or a cell that changed, and the result is, bit for bit, that of voronoi_volumes of the mesh's
+/// cells.
 ///
-/// Why: a volume is a sum over the cells around its vertex in the order of their places in the table. Cells stay at their places while
-/// they last, and a table that is built anew says that everything changed. So the terms of a vertex whose cells and their corners are
-/// the same are the same, in the same order; and those of another are added up from the first to the last, by the loop that
-/// voronoi_volumes has, over all cells around it. A change of the unit, too, is everything.
+/// Why: a volume is a sum over the cells around its vertex in the order of their places in the table. Cells stay at
+/// their places while they last, and a table that is built anew says that everything changed. So the terms of a
+/// vertex whose cells and their corners are the same are the same, in the same order; and those of another are added
+/// up from the first to the last, by the loop that voronoi_volumes has, over all cells around it. A change of the
+/// unit, too, is everything.
 template <int d>
 class Kept_voronoi_volumes {
   public:
@@ -27,10 +29,11 @@ class Kept_voronoi_volumes {
     Kept_voronoi_volumes(const Kept_voronoi_volumes&) = delete;
     Kept_voronoi_volumes& operator=(const Kept_voronoi_volumes&) = delete;
 
-    /// Volumes by vertex index, where positions are x, at which the cells of the mesh are positive; valid until the next call. Infinity
-    /// for a vertex that is alone. O(k log k) for k cells around those concerned, and one comparison a vertex.
-    /// Throws as voronoi_volumes does, and bad_alloc where there are no cells because there was no memory for them; then the next call
-    /// computes all.
+    /// Volumes by vertex index, where positions are x, at which the cells of the mesh are positive; valid until the
+    /// next call. Infinity for a vertex that is alone. O(k log k) for k cells around those concerned, and one
+    /// comparison a vertex.
+    /// Throws as voronoi_volumes does, and bad_alloc where there are no cells because there was no memory for them;
+    /// then the next call computes all.
     std::span<const double> update(std::span<const Coordinates<d>> x);
     /// How many volumes the last update computed.
     [[nodiscard]] std::size_t computed() const { return computed_; }

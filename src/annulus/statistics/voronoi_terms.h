@@ -51,7 +51,8 @@
 
 namespace annulus {
 
-/// What is added up of a Voronoi cell, times 4 in the plane and 12 in space, and a bound of its error, in the unit of circumcentre().
+/// What is added up of a Voronoi cell, times 4 in the plane and 12 in space, and a bound of its error, in the unit of
+/// circumcentre().
 struct Voronoi_sum {
     double volume = 0, error = 0;
 
@@ -73,11 +74,13 @@ template <int d>
     return std::min(std::ldexp(sum.volume / parts, d * exponent), std::numeric_limits<double>::max());
 }
 
-/// Facets' terms, cell by cell. It refers to arrays of others: positions by vertex, circumcentres by cell, sums by vertex.
+/// Facets' terms, cell by cell. It refers to arrays of others: positions by vertex, circumcentres by cell, sums by
+/// vertex.
 ///
-/// `Cells` has the table or list of cells: corner(c, i), a vertex; beyond(c, i), the cell beyond the facet opposite to it, below c where it is
-/// none; is_finite(c) of such a cell. One way through all of them in ascending order gives every vertex its terms in an order that
-/// depends on the cells around it alone: so does a way through some cells, if these are among them, bit for bit.
+/// `Cells` has the table or list of cells: corner(c, i), a vertex; beyond(c, i), the cell beyond the facet opposite
+/// to it, below c where it is none; is_finite(c) of such a cell. One way through all of them in ascending order gives
+/// every vertex its terms in an order that depends on the cells around it alone: so does a way through some cells, if
+/// these are among them, bit for bit.
 template <int d>
 class Voronoi_terms {
   public:

@@ -108,7 +108,8 @@ class Fresh_volumes {
         for (std::size_t c = 0; c < cells_.vertices.size(); ++c) terms.add_facets(cells, static_cast<Index>(c));
     }
 
-    /// Takes the unit back where a sum is good enough, computes what is not from exact circumcentres, and says what is unbounded or no cell.
+    /// Takes the unit back where a sum is good enough, computes what is not from exact circumcentres, and says what
+    /// is unbounded or no cell.
     std::vector<double> finish(Voronoi_counts& counts) {
         std::vector<double> volume(x_.size());
         std::vector<Index> poor;

@@ -18,34 +18,39 @@ struct Voronoi_counts {
     std::size_t exact = 0;    ///< of these, those for which doubles were not good enough
 };
 
-/// The areas (d = 2) or volumes (d = 3) of the Voronoi cells of a Delaunay triangulation, by vertex index, in the caller's unit of
-/// length to the d-th power. Infinity where the Voronoi cell is unbounded: at every vertex of the hull, those within its edges and
-/// facets included, and everywhere where all points are in a plane or on a line. NaN for an index that no cell names: a vacant one, and
-/// a vertex that is the only one.
+/// The areas (d = 2) or volumes (d = 3) of the Voronoi cells of a Delaunay triangulation, by vertex index, in the
+/// caller's unit of length to the d-th power. Infinity where the Voronoi cell is unbounded: at every vertex of the
+/// hull, those within its edges and facets included, and everywhere where all points are in a plane or on a line. NaN
+/// for an index that no cell names: a vacant one, and a vertex that is the only one.
 ///
-/// Each number has a relative error of at most voronoi_volume_error, 1.2e-10 (most have 1e-13), whatever the points: near-cospherical, slivers, and at
-/// any scale. A number above the largest double is that one, so that infinity always means unbounded; one below the smallest normal double
-/// has an absolute error of 2^-1074 besides.
+/// Each number has a relative error of at most voronoi_volume_error, 1.2e-10 (most have 1e-13), whatever the points:
+/// near-cospherical, slivers, and at any scale. A number above the largest double is that one, so that infinity
+/// always means unbounded; one below the smallest normal double has an absolute error of 2^-1074 besides.
 ///
-/// How: a volume is a sum over facets of terms in circumcentres (voronoi_terms.h), in doubles, each with a bound of its error;
-/// circumcentres for which doubles are not good enough are computed exactly and rounded, and so, from exact circumcentres, are
-/// sums whose bounds in the end are too large. Results are a function of points and cells, in their order.
+/// How: a volume is a sum over facets of terms in circumcentres (voronoi_terms.h), in doubles, each with a bound of
+/// its error; circumcentres for which doubles are not good enough are computed exactly and rounded, and so, from
+/// exact circumcentres, are sums whose bounds in the end are too large. Results are a function of points and cells,
+/// in their order.
 ///
-/// O(n): a microsecond a vertex in space, 0.1 ms for one that is computed exactly; 32 bytes a cell meanwhile (24 in the plane).
-/// Preconditions: the cells are a Delaunay triangulation of the points they name, as Moving_mesh::cells() gives it. Where they are positive but not Delaunay
-/// (tolerances that are not certified) volumes are those of signed sums. What stands in `points` at an index that no cell names is not looked at.
-/// Throws Error: unknown_vertex for an index outside `points`, not_finite and out_of_domain for positions, wrong_size unless each cell
-/// has neighbours, bad_input for neighbours that are none and for cells that are not positive, environment, and what new throws.
+/// O(n): a microsecond a vertex in space, 0.1 ms for one that is computed exactly; 32 bytes a cell meanwhile (24 in
+/// the plane). Preconditions: the cells are a Delaunay triangulation of the points they name, as Moving_mesh::cells()
+/// gives it. Where they are positive but not Delaunay (tolerances that are not certified) volumes are those of signed
+/// sums. What stands in `points` at an index that no cell names is not looked at.
+/// Throws Error: unknown_vertex for an index outside `points`, not_finite and out_of_domain for positions, wrong_size
+/// unless each cell has neighbours, bad_input for neighbours that are none and for cells that are not positive,
+/// environment, and what new throws.
 template <int d>
 [[nodiscard]] std::vector<double> voronoi_volumes(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells,
                                                   Voronoi_counts* counts = nullptr);
 
-/// How many Voronoi cells touch that of each vertex, which is its number of neighbours in the triangulation; by vertex index below n, 0 where
-/// no cell names it. Where d + 2 points are cospherical some of them touch in less than a facet, and which do is the triangulation's choice.
+/// How many Voronoi cells touch that of each vertex, which is its number of neighbours in the triangulation; by
+/// vertex index below n, 0 where no cell names it. Where d + 2 points are cospherical some of them touch in less than
+/// a facet, and which do is the triangulation's choice.
 ///
-/// In one pass that counts: around an inner vertex the neighbours of a vertex with c cells number c in the plane and c/2 + 2 in space
-/// (Euler); at a vertex of the hull with b facets in the hull they number c + b/2 and (c + b)/2 + 1. O(n); where all points are in a plane or on a line, edges are
-/// sorted, O(n log n). Throws unknown_vertex for an index outside [0, n), wrong_size unless each cell has neighbours.
+/// In one pass that counts: around an inner vertex the neighbours of a vertex with c cells number c in the plane and
+/// c/2 + 2 in space (Euler); at a vertex of the hull with b facets in the hull they number c + b/2 and (c + b)/2 + 1.
+/// O(n); where all points are in a plane or on a line, edges are sorted, O(n log n). Throws unknown_vertex for an
+/// index outside [0, n), wrong_size unless each cell has neighbours.
 template <int d>
 [[nodiscard]] std::vector<Index> voronoi_neighbour_counts(std::size_t n, const Mesh_cells<d>& cells);
 

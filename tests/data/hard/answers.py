@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Exact answers for one certificate, from its points and their definitions alone: integers, rational numbers and their square roots.
+"""Exact answers for one certificate, from its points and their definitions alone: integers, rational numbers and their
+square roots.
 
-Nothing here comes from the library, nor from its formulas: signs are determinants by elimination; widths are distances of parallel lines and
-planes and of concentric circles and spheres, found by solving for their centres.
+Nothing here comes from the library, nor from its formulas: signs are determinants by elimination; widths are distances
+of parallel lines and planes and of concentric circles and spheres, found by solving for their centres.
 """
 
 import math
@@ -14,7 +15,7 @@ POINTS = {"orientation_2": 3, "empty_circle_2": 4, "orientation_3": 4, "empty_sp
 DIMENSION = {name: int(name[-1]) for name in POINTS}
 
 
-# ---- Numbers ---------------------------------------------------------------------------------------------------------------------------
+# ---- Numbers -------------------------------------------------------------------------------------------------------
 
 def exponent(x):
     """The least e with x an integer times 2^e, for a double x that is not 0."""
@@ -61,7 +62,7 @@ def double_near(x):
     return x.numerator / x.denominator
 
 
-# ---- Widths ----------------------------------------------------------------------------------------------------------------------------
+# ---- Widths --------------------------------------------------------------------------------------------------------
 
 class Slab:
     """Two parallel lines or planes; their distance squared."""
@@ -108,7 +109,8 @@ def slab(normal, along):
 
 
 def slabs_of_simplex(x):
-    """All slabs that the certificate of a cell can be lost in: a facet and its vertex, in space two opposite edges too."""
+    """All slabs that the certificate of a cell can be lost in: a facet and its vertex, in space two opposite edges
+    too."""
     d = len(x[0])
     all = []
     for i in range(d + 1):
@@ -123,7 +125,8 @@ def slabs_of_simplex(x):
 
 
 def solve(rows, right):
-    """The solution of a square system of integers as numerators and their common denominator; nothing where it is singular."""
+    """The solution of a square system of integers as numerators and their common denominator; nothing where it is
+    singular."""
     d = determinant(rows)
     if d == 0:
         return None
@@ -131,7 +134,8 @@ def solve(rows, right):
 
 
 def annulus(one, other):
-    """Of the circles or spheres of one centre through `one` and through `other`: (Annulus or Slab, does `one` lie on the inner one?)."""
+    """Of the circles or spheres of one centre through `one` and through `other`: (Annulus or Slab, does `one` lie on
+    the inner one?)."""
     rows, right = [], []
     for group in (one, other):
         for x in group[1:]:  # |x - c| = |group[0] - c|
@@ -163,12 +167,13 @@ def obstacles(name, x):
         found, inner = annulus(one, other)
         all.append(found)
         forward = forward and inner
-    if not forward:  # an annulus that has the wrong side inside is none as long as both cells are positive: so they have to stay so
+    # An annulus that has the wrong side inside is none as long as both cells are positive: so they have to stay so.
+    if not forward:
         all += slabs_of_simplex([b, a, c, p]) + slabs_of_simplex([a, b, c, q])
     return [o for o in all if o]
 
 
-# ---- Answers ---------------------------------------------------------------------------------------------------------------------------
+# ---- Answers -------------------------------------------------------------------------------------------------------
 
 def greatest_double(is_at_least, near):
     """The largest double that the truth is not below."""
@@ -185,7 +190,8 @@ def hexadecimal(n):
 
 
 def answer(name, points):
-    """What is exactly true of the certificate `name` of these points, tuples of doubles, as the columns of the files have it."""
+    """What is exactly true of the certificate `name` of these points, tuples of doubles, as the columns of the files
+    have it."""
     shift = min((exponent(c) for p in points for c in p if c != 0), default=0)
     unit = Q(2) ** shift
     x = [[int(Q(c) / unit) for c in p] for p in points]
@@ -202,8 +208,9 @@ def answer(name, points):
         n, e = n >> zeros if n > 0 else -(-n >> zeros), e + zeros
     else:
         e = 0
-    row = {"sign": str(sign), "determinant": hexadecimal(n), "exponent": str(e), "tolerance": float.hex(0.0), "tolerance_decimal": "0",
-           "width_lower": float.hex(0.0), "width_upper": float.hex(0.0), "width_squared": "0x0/0x1" if sign == 0 else ""}
+    row = {"sign": str(sign), "determinant": hexadecimal(n), "exponent": str(e), "tolerance": float.hex(0.0),
+           "tolerance_decimal": "0", "width_lower": float.hex(0.0), "width_upper": float.hex(0.0),
+           "width_squared": "0x0/0x1" if sign == 0 else ""}
     if sign <= 0:
         if sign < 0:
             row["width_lower"] = row["width_upper"] = ""
@@ -216,7 +223,8 @@ def answer(name, points):
     near = min(o.near() for o in found) * unit
     tolerance = greatest_double(lambda y: is_at_least(2 * y), near / 2)
     lower = greatest_double(is_at_least, near)
-    exact = any(o.near() and o.is_at_least(Q(lower) / unit) and not strictly_above(o, Q(lower) / unit) for o in found) if lower else False
+    exact = (any(o.near() and o.is_at_least(Q(lower) / unit) and not strictly_above(o, Q(lower) / unit) for o in found)
+             if lower else False)
     row["tolerance"], row["tolerance_decimal"] = tolerance.hex(), repr(tolerance)
     row["width_lower"] = lower.hex()
     row["width_upper"] = (lower if exact else next_up(lower)).hex()
