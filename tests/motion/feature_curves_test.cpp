@@ -143,7 +143,7 @@ TEST_CASE("a curve may end at the corner where it begins", "[motion][features]")
 TEST_CASE("the nearest point of a polyline is that of a look at every segment", "[motion][features]") {
     std::mt19937_64 bits(7);
     const auto number = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53; };
-    for (const std::size_t n : {2, 3, 33, 34, 200}) {
+    for (const std::size_t n : {2U, 3U, 33U, 34U, 200U}) {
         Points points{{0, 0, 0}};
         while (points.size() < n) {
             const auto& p = points.back();
@@ -188,7 +188,7 @@ TEST_CASE("places are those of points, whatever their order", "[motion][features
     CHECK(static_cast<Index>(place[3]) >= 0);
     CHECK(place[3] != place[1]);
     CHECK(place[6] == place[1]);
-    for (const std::size_t i : {4, 5, 7}) CHECK(place[i] == Place::off);
+    for (const std::size_t i : {4U, 5U, 7U}) CHECK(place[i] == Place::off);
     std::reverse(points.begin(), points.end());
     std::reverse(place.begin(), place.end());
     CHECK(sharp.places(points, 1e-9) == place);

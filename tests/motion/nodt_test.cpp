@@ -104,8 +104,9 @@ Points targets_by_definition(const Domain_3& domain, const std::vector<char>& on
     std::vector<Vector> normal(x.size(), Vector{});
     std::vector<std::map<Index, std::set<Index>>> link(x.size());
     std::vector<std::size_t> around(x.size(), 0);
-    for (const auto& [f, count] : facets) {
+    for (const auto& [facet, count] : facets) {
         if (count != 1) continue;
+        const auto& f = facet;  // lambdas of clang before 16 cannot name what a structured binding does
         const std::vector<Index> t(f.begin(), f.end());
         for (std::size_t k = 0; k < 3; ++k) {
             const Index a = t[(k + 1) % 3], b = t[(k + 2) % 3];

@@ -107,11 +107,11 @@ class Nearest_search {
 
     void look_at(std::int32_t number, const Coordinates<3>& p, Best& best) const {
         const auto& t = tree_.triangle(number);
-        Coordinates<3> lower, upper;
-        for (int k = 0; k < 3; ++k) {
-            lower[static_cast<std::size_t>(k)] = std::min({t[0][k], t[1][k], t[2][k]});
-            upper[static_cast<std::size_t>(k)] = std::max({t[0][k], t[1][k], t[2][k]});
-        }
+        // By literals: an index is an int to CGAL and a size to arrays.
+        const auto [x, right] = std::minmax({t[0][0], t[1][0], t[2][0]});
+        const auto [y, back] = std::minmax({t[0][1], t[1][1], t[2][1]});
+        const auto [z, top] = std::minmax({t[0][2], t[1][2], t[2][2]});
+        const Coordinates<3> lower{x, y, z}, upper{right, back, top};
         if (squared_gap(p, lower, upper) > best.squared * (1 + 1e-14)) return;
         Coordinates<3> q = tree_.project(t, p);
         for (std::size_t k = 0; k < 3; ++k) q[k] = std::clamp(q[k], lower[k], upper[k]);
