@@ -5,6 +5,7 @@
 // audit and brute force say of it. Shared by the fuzz target and a property test.
 
 #include "brute_force.h"
+#include "bytes.h"
 
 #include <annulus/mesh/audit.h>
 
@@ -13,23 +14,6 @@
 #include <sstream>
 
 namespace annulus::oracle {
-
-/// A list of bytes that ends in zeros.
-class Bytes {
-  public:
-    explicit Bytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-    [[nodiscard]] bool empty() const { return bytes_.empty(); }
-    std::uint8_t next() {
-        if (bytes_.empty()) return 0;
-        const std::uint8_t b = bytes_.front();
-        bytes_ = bytes_.subspan(1);
-        return b;
-    }
-    std::size_t below(std::size_t n) { return n == 0 ? 0 : next() % n; }
-
-  private:
-    std::span<const std::uint8_t> bytes_;
-};
 
 template <int d>
 struct Audit_case {

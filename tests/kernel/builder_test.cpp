@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The kernel's cells are CGAL's: every family of the benchmarks, small sets on and near what is degenerate, scales from
 // one end of the domain to the other.
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <annulus/arithmetic/horizons.h>
 #include <annulus/kernel/builder.h>
 #include <annulus/mesh/certificates.h>
@@ -14,68 +10,19 @@
 #include <support/repeats.h>
 #include <support/small_sets.h>
 
+#include "common/cgal_cells.h"
+
 #include "../../bench/motions/families.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <set>
-#include <utility>
 
 using namespace annulus;
 using namespace annulus::testing;
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-template <int d>
-using Cell_set = std::set<Cell_vertices<d>>;
-
-/// Cells as sets of vertices, those at infinity too.
-template <int d>
-Cell_set<d> cells_of(const Cell_table<d>& t) {
-    Cell_set<d> cells;
-    for (const Cell_index c : t.cells()) {
-        auto v = cell_vertices(t, c);
-        std::sort(v.begin(), v.end());
-        cells.insert(v);
-    }
-    return cells;
-}
-
-/// Dimension and cells of CGAL's triangulation; no cells where that is flat.
-template <int d>
-std::pair<int, Cell_set<d>> by_cgal(const std::vector<Coordinates<d>>& x) {
-    Cell_set<d> cells;
-    std::map<Coordinates<d>, Index> index;
-    for (std::size_t i = 0; i < x.size(); ++i) index.emplace(x[i], static_cast<Index>(i));
-    const auto list = [&](const auto& tr, auto cell) {
-        Cell_vertices<d> v{};
-        for (int k = 0; k <= d; ++k) {
-            const auto w = cell->vertex(k);
-            Coordinates<d> p{};
-            for (int c = 0; c < d && !tr.is_infinite(w); ++c) p[static_cast<std::size_t>(c)] = w->point()[c];
-            v[static_cast<std::size_t>(k)] = tr.is_infinite(w) ? infinite : index.at(p);
-        }
-        std::sort(v.begin(), v.end());
-        cells.insert(v);
-    };
-    if constexpr (d == 2) {
-        CGAL::Delaunay_triangulation_2<Kernel> tr;
-        for (const auto& p : x) tr.insert(Kernel::Point_2(p[0], p[1]));
-        if (tr.dimension() == d)
-            for (auto f = tr.all_faces_begin(); f != tr.all_faces_end(); ++f) list(tr, f);
-        return {tr.dimension(), cells};
-    } else {
-        CGAL::Delaunay_triangulation_3<Kernel> tr;
-        for (const auto& p : x) tr.insert(Kernel::Point_3(p[0], p[1], p[2]));
-        if (tr.dimension() == d)
-            for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c) list(tr, c);
-        return {tr.dimension(), cells};
-    }
-}
 
 template <int d>
 void distinct(std::vector<Coordinates<d>>& x) {
@@ -88,13 +35,13 @@ void check(Builder<d>& builder, const std::vector<Coordinates<d>>& x) {
     std::vector<Index> order(x.size());
     std::iota(order.begin(), order.end(), Index{0});
     const bool full = builder.build(x, order);
-    const auto [dimension, cells] = by_cgal<d>(x);
+    const auto [dimension, cells] = oracle::cells_by_cgal<d>({x.begin(), x.end()});
     REQUIRE(full == (dimension == d));
     if (!full) return;
     Cell_table<d> table;
     builder.copy_to(table, x.size());
     REQUIRE(glued(table));
-    REQUIRE(cells_of(table) == cells);
+    REQUIRE(oracle::cells_of(table) == cells);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <annulus/kernel/builder.h>
 #include <annulus/mesh/certificates.h>
 
+#include "common/table_cells.h"
+
 #include <support/catch.h>
 
 #include <algorithm>
@@ -14,21 +16,7 @@
 
 namespace annulus::testing {
 
-/// Twins are mutual and share their vertices.
-template <int d>
-bool glued(const Cell_table<d>& t) {
-    for (const Cell_index c : t.cells())
-        for (int i = 0; i <= d; ++i) {
-            const Corner_index h = t.corner(c, i), k = t.twin(h);
-            if (t.twin(k) != h) return false;
-            auto a = cell_sites(t, c), b = cell_sites(t, t.cell_of(k));
-            a[static_cast<std::size_t>(t.slot_of(h))] = b[static_cast<std::size_t>(t.slot_of(k))] = Site<d>(none);
-            std::sort(a.begin(), a.end());
-            std::sort(b.begin(), b.end());
-            if (a != b) return false;
-        }
-    return true;
-}
+using oracle::glued;
 
 /// What `builder` builds of the points x, which are in general position: for each corner of each cell its vertex, and
 /// the corner beyond the facet opposite to it; for each vertex, and infinity, a corner.
