@@ -59,11 +59,11 @@ void Cgal_view<Traits>::forget(Index v) noexcept {
 template <class Traits>
 void Cgal_view<Traits>::outdate(Index v) noexcept {
     constexpr std::size_t share = 16;
-    current_ = false;
-    if (all_moved_) return;
-    if (share * moved_.size() > handle_.size()) return outdate();
+    state_.current = false;
+    if (moved_.all) return;
+    if (share * moved_.vertices.size() > handle_.size()) return outdate();
     try {
-        moved_.push_back(v);
+        moved_.vertices.push_back(v);
     } catch (const std::bad_alloc&) {
         outdate();
     }
@@ -71,9 +71,9 @@ void Cgal_view<Traits>::outdate(Index v) noexcept {
 
 template <class Traits>
 auto Cgal_view<Traits>::update(std::span<const Coordinates<d>> x) const -> const Triangulation& {
-    if (current_.load(std::memory_order_acquire)) return tr_;
-    const std::lock_guard lock(updating_);
-    if (current_.load(std::memory_order_relaxed)) return tr_;
+    if (state_.current.load(std::memory_order_acquire)) return tr_;
+    const std::lock_guard lock(state_.updating);
+    if (state_.current.load(std::memory_order_relaxed)) return tr_;
     try {
         update_cells(x);
     } catch (...) {
@@ -82,9 +82,9 @@ auto Cgal_view<Traits>::update(std::span<const Coordinates<d>> x) const -> const
     }
     log_.clear();
     update_points(x);
-    moved_.clear();
-    all_moved_ = false;
-    current_.store(true, std::memory_order_release);
+    moved_.vertices.clear();
+    moved_.all = false;
+    state_.current.store(true, std::memory_order_release);
     return tr_;
 }
 
@@ -101,10 +101,10 @@ void Cgal_view<Traits>::update_points(std::span<const Coordinates<d>> x) const {
     const auto show = [&](std::size_t v) {
         if (v < handle_.size() && handle_[v] != Vertex_handle()) handle_[v]->set_point(point(x[v]));
     };
-    if (all_moved_)
+    if (moved_.all)
         for (std::size_t v = 0; v < handle_.size(); ++v) show(v);
     else
-        for (const Index v : moved_) show(at(v));
+        for (const Index v : moved_.vertices) show(at(v));
 }
 
 /// Its vertices and neighbours, all of which have a cell of CGAL's.

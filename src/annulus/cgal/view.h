@@ -43,11 +43,11 @@ class Cgal_view {
     /// (bad_alloc), the next call begins again.
     const Triangulation& update(std::span<const Coordinates<d>> x) const;
     /// Cells are about to change, and vertex v, or all vertices, to move.
-    void outdate_cells() noexcept { current_ = false; }
+    void outdate_cells() noexcept { state_.current = false; }
     void outdate(Index v) noexcept;
     void outdate() noexcept {
-        all_moved_ = true;
-        current_ = false;
+        moved_.all = true;
+        state_.current = false;
     }
 
     /// Null for a vacant index.
@@ -89,16 +89,23 @@ class Cgal_view {
     bool audit_vertices(std::span<const Coordinates<d>> x, Audit_result& result) const;
     void audit_adjacency(Audit_result& result) const;
 
+    struct Moved {
+        std::vector<Index> vertices;
+        bool all = true;
+    };
+    struct State {
+        std::atomic<bool> current = false;
+        std::mutex updating;
+    };
+
     Delaunay_mesh<d>& mesh_;
     mutable Triangulation tr_;
     std::vector<Vertex_handle> handle_;  // by vertex; default for a vacant index
     Vertex_handle spare_;                // of reserve_vertex()
     mutable By_cell<Cell_handle> cell_;  // by cell of the mesh
     mutable Cell_log log_;
-    mutable std::vector<Index> moved_;
-    mutable bool all_moved_ = true;
-    mutable std::atomic<bool> current_ = false;
-    mutable std::mutex updating_;
+    mutable Moved moved_;
+    mutable State state_;
 };
 
 }  // namespace annulus

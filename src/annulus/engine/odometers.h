@@ -102,10 +102,11 @@ class Odometers {
     std::vector<List> list_;  // by vertex
     Certificate_expiries<d> expiries_;
     std::uint32_t stamp_ = 0;  // of Expiry_list::stamp
-    // Of one tour:
-    std::vector<std::uint32_t> certificates_;  // 2 half-facet, or 2 corner + 1
-    std::vector<Expiry> listed_;               // not reached
-    std::vector<Certificate_id> listed_id_;
+    struct Tour {
+        std::vector<std::uint32_t> certificates;  // 2 half-facet, or 2 corner + 1
+        std::vector<Expiry> listed;               // not reached
+        std::vector<Certificate_id> listed_id;
+    } tour_;
 };
 
 extern template class Odometers<2>;

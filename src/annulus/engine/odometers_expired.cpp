@@ -45,18 +45,18 @@ void Odometers<d>::tour(Index v, Step<d>& step, Checker<d>& checker) {
     List& list = list_[at(v)];
     ++step.tours;
     list.clear();
-    certificates_.clear();
-    listed_.clear();
-    listed_id_.clear();
+    tour_.certificates.clear();
+    tour_.listed.clear();
+    tour_.listed_id.clear();
     for_each_certificate(
         table_, v,
         [&](Corner_index h) {
             expiries_.prefetch(table_.cell_of(h));
-            certificates_.push_back(2 * static_cast<std::uint32_t>(h.value()) + 1);
+            tour_.certificates.push_back(2 * static_cast<std::uint32_t>(h.value()) + 1);
         },
-        [&](Corner_index h) { certificates_.push_back(2 * static_cast<std::uint32_t>(h.value())); });
+        [&](Corner_index h) { tour_.certificates.push_back(2 * static_cast<std::uint32_t>(h.value())); });
     Corner_index own;  // of v, in the cell of the facets that follow its certificate
-    for (const std::uint32_t k : certificates_) {
+    for (const std::uint32_t k : tour_.certificates) {
         const Corner_index h(static_cast<Index>(k >> 1));
         Certificate_id id = id_of_cell(table_.cell_of(h));
         Expiry expiry;
@@ -70,11 +70,11 @@ void Odometers<d>::tour(Index v, Step<d>& step, Checker<d>& checker) {
         if (expiry.reached(list.base)) {
             look_at(id, v, checker);
         } else {
-            listed_.push_back(expiry);
-            listed_id_.push_back(id);
+            tour_.listed.push_back(expiry);
+            tour_.listed_id.push_back(id);
         }
     }
-    list.put_new(listed_, listed_id_);
+    list.put_new(tour_.listed, tour_.listed_id);
     ANNULUS_TRACED(toured(*this, v));
 }
 

@@ -24,30 +24,20 @@ Delaunay_mesh<d>::~Delaunay_mesh() = default;
 
 template <int d>
 void Delaunay_mesh<d>::build(std::span<const Coordinates<d>> x) {
-    present_.assign(x.size(), 1);
-    vertices_ = x.size();
+    vertices_.assign(x.size());
     rebuild(x);
     builder_->release();  // some are never rebuilt
 }
 
 template <int d>
-std::vector<Index> Delaunay_mesh<d>::living() const {
-    std::vector<Index> vertices;
-    vertices.reserve(vertices_);
-    for (std::size_t v = 0; v < present_.size(); ++v)
-        if (present_[v] != 0) vertices.push_back(static_cast<Index>(v));
-    return vertices;
-}
-
-template <int d>
 void Delaunay_mesh<d>::rebuild(std::span<const Coordinates<d>> x) {
-    if (builder_->build(x, living(), threads_)) {
+    if (builder_->build(x, vertices_.list(), threads_)) {
         builder_->copy_to(table_, x.size(), threads_);
         basis_.clear();
         dimension_ = d;
         return;
     }
-    require_distinct<d>(x, living());
+    require_distinct<d>(x, vertices_.list());
     table_.reserve(x.size(), 0);
     table_.clear(x.size());
     find_basis(x);
@@ -66,16 +56,15 @@ template <int d>
 void Delaunay_mesh<d>::find_basis(std::span<const Coordinates<d>> x) {
     basis_.clear();
     basis_.reserve(static_cast<std::size_t>(d));
-    for (std::size_t v = 0; v < present_.size(); ++v)
-        if (present_[v] != 0 && spans_more(x, x[v])) basis_.push_back(static_cast<Index>(v));
+    for (std::size_t v = 0; v < vertices_.bound(); ++v)
+        if (has(static_cast<Index>(v)) && spans_more(x, x[v])) basis_.push_back(static_cast<Index>(v));
     dimension_ = static_cast<int>(basis_.size()) - 1;
 }
 
 template <int d>
 void Delaunay_mesh<d>::restore(std::span<const Coordinates<d>> x, Index fresh) {
-    if (fresh != none && at(fresh) < present_.size()) present_[at(fresh)] = 0;
-    present_.resize(x.size(), 0);
-    vertices_ = static_cast<std::size_t>(std::count(present_.begin(), present_.end(), char{1}));
+    if (fresh != none && at(fresh) < vertices_.bound() && has(fresh)) vertices_.erase(fresh);
+    vertices_.set_bound(x.size());
     rebuild(x);
 }
 
@@ -90,7 +79,7 @@ void Delaunay_mesh<d>::clear_cells() noexcept {
 /// may have noted some.
 template <int d>
 void Delaunay_mesh<d>::replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made) {
-    if (!builder_->build(x, living())) throw std::logic_error("points that had cells are flat");
+    if (!builder_->build(x, vertices_.list())) throw std::logic_error("points that had cells are flat");
     std::vector<Cell_sites<d>> cells;
     builder_->for_each_cell([&cells](const Cell_sites<d>& cell) { cells.push_back(cell); });
     std::vector<Cell_index> old;
@@ -124,7 +113,7 @@ void Delaunay_mesh<d>::restore_cells(std::span<const Coordinates<d>> home, std::
 template <int d>
 Cell_index Delaunay_mesh<d>::locate(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index own) {
     const auto lives = [this](Index v) { return has(v) && table_.corner_of(v) != no_corner; };
-    const Index near = landmarks_.near(home, present_.size(), p, own, lives);
+    const Index near = landmarks_.near(home, vertices_.bound(), p, own, lives);
     std::size_t steps = 0;
     const Corner_index start = near != none ? table_.corner_of(near) : table_.corner_of_infinity();
     const Cell_index c = walk_to<d>(Table_walker<d>(table_, home), p, table_.cell_of(start), steps);
@@ -135,8 +124,8 @@ Cell_index Delaunay_mesh<d>::locate(std::span<const Coordinates<d>> home, const 
 template <int d>
 bool Delaunay_mesh<d>::is_taken(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index but) {
     if (dimension_ < d) {
-        for (std::size_t v = 0; v < present_.size(); ++v)
-            if (present_[v] != 0 && static_cast<Index>(v) != but && home[v] == p) return true;
+        for (std::size_t v = 0; v < vertices_.bound(); ++v)
+            if (has(static_cast<Index>(v)) && static_cast<Index>(v) != but && home[v] == p) return true;
         return false;
     }
     return is_at_corner(home, p, locate(home, p, but), but);
@@ -169,7 +158,7 @@ void Delaunay_mesh<d>::attach(std::span<Coordinates<d>> home, Index v, const Coo
 /// False, with nothing changed, when the rest would be flat.
 template <int d>
 bool Delaunay_mesh<d>::detach(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed) {
-    if (dimension_ != d || vertices_ <= d + 1U) return false;
+    if (dimension_ != d || vertices() <= d + 1U) return false;
     std::vector<Cell_index> star;
     table_.for_each_corner(v, [&](Corner_index h) { star.push_back(table_.cell_of(h)); });
     const std::size_t first = changed.size();
@@ -185,15 +174,13 @@ bool Delaunay_mesh<d>::insert(std::span<Coordinates<d>> home, Index v, const Coo
     const bool flat = dimension_ < d;
     const Cell_index place = flat ? no_cell : locate(home, p, none);
     if (flat ? is_taken(home, p, none) : is_at_corner(home, p, place, none)) return false;
-    if (at(v) >= present_.size()) present_.resize(at(v) + 1, 0);
-    present_[at(v)] = 1;
-    ++vertices_;
+    vertices_.insert(v);
     if (flat) {
         home[at(v)] = p;
         insert_flat(home, v);
         return true;
     }
-    table_.set_vertex_bound(present_.size());
+    table_.set_vertex_bound(vertices_.bound());
     attach(home, v, p, place, changed);
     return true;
 }
@@ -206,18 +193,14 @@ void Delaunay_mesh<d>::insert_flat(std::span<const Coordinates<d>> home, Index v
         basis_.push_back(v);
         ++dimension_;
     }
-    table_.set_vertex_bound(present_.size());
+    table_.set_vertex_bound(vertices_.bound());
 }
 
 template <int d>
 void Delaunay_mesh<d>::remove(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed) {
-    if (detach(home, v, changed)) {
-        present_[at(v)] = 0;
-        --vertices_;
-        return;
-    }
-    present_[at(v)] = 0;
-    --vertices_;
+    const bool detached = detach(home, v, changed);
+    vertices_.erase(v);
+    if (detached) return;
     if (dimension_ == d) rebuild(home);
     else if (std::find(basis_.begin(), basis_.end(), v) != basis_.end()) find_basis(home);
 }

@@ -3,6 +3,7 @@
 
 #include <annulus/kernel/flat_cells.h>
 #include <annulus/kernel/local_delaunay.h>
+#include <annulus/kernel/vertex_set.h>
 #include <annulus/mesh/cell_table.h>
 #include <annulus/mesh/landmarks.h>
 #include <annulus/mesh/measures.h>
@@ -34,13 +35,13 @@ class Delaunay_mesh {
     [[nodiscard]] Cell_table<d>& table() { return table_; }
     [[nodiscard]] const Cell_table<d>& table() const { return table_; }
     /// Number of vertices in the triangulation, infinity not counted.
-    [[nodiscard]] std::size_t vertices() const { return vertices_; }
+    [[nodiscard]] std::size_t vertices() const { return vertices_.size(); }
     /// One more than the largest index in use.
-    [[nodiscard]] std::size_t vertex_bound() const { return present_.size(); }
+    [[nodiscard]] std::size_t vertex_bound() const { return vertices_.bound(); }
     /// Affine dimension of the vertices, -1 when there are none.
     [[nodiscard]] int dimension() const { return dimension_; }
     /// Whether v is in the triangulation. Precondition: v is below the bound.
-    [[nodiscard]] bool has(Index v) const { return present_[at(v)] != 0; }
+    [[nodiscard]] bool has(Index v) const { return vertices_.has(v); }
 
     /// Where insertions and moves begin to look for their place, and how far they have walked.
     [[nodiscard]] const Landmarks<d>& landmarks() const { return landmarks_; }
@@ -89,7 +90,7 @@ class Delaunay_mesh {
     [[nodiscard]] Mesh_cells<d> cells(std::span<const Coordinates<d>> home, std::size_t bound) const;
     /// What there is where the vertices lie in a hyperplane. O(n log n). Precondition: dimension() < d.
     [[nodiscard]] Flat_cells flat_cells(std::span<const Coordinates<d>> home) const {
-        return annulus::flat_cells<d>(home, living());
+        return annulus::flat_cells<d>(home, vertices_.list());
     }
     /// Least tolerance of the certificates of v, certified. Precondition: dimension d.
     [[nodiscard]] double star_tolerance(std::span<const Coordinates<d>> home, Index v) const;
@@ -101,14 +102,13 @@ class Delaunay_mesh {
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-    [[nodiscard]] std::vector<Index> living() const;
     [[nodiscard]] bool spans_more(std::span<const Coordinates<d>> home, const Coordinates<d>& p) const;
     void find_basis(std::span<const Coordinates<d>> x);
     void insert_flat(std::span<const Coordinates<d>> home, Index v);
     void replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made);
     void keep_present(std::vector<Cell_index>& cells, std::size_t first) const;
     /// More than that is not built anew in part.
-    [[nodiscard]] std::size_t everything() const { return vertices_ + 64; }
+    [[nodiscard]] std::size_t everything() const { return vertices_.size() + 64; }
     void attach(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, Cell_index place,
                 std::vector<Cell_index>& changed);
     [[nodiscard]] bool detach(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed);
@@ -119,11 +119,10 @@ class Delaunay_mesh {
                                     Index but) const;
 
     Cell_table<d> table_;
-    std::vector<char> present_;  // by vertex; 0 for a vacant index
-    std::size_t vertices_ = 0;
+    Vertex_set vertices_;
     int dimension_ = -1;
-    std::vector<Index>
-        basis_;  // affinely independent vertices that span what all do, where that is a hyperplane or less
+    // Affinely independent vertices that span what all do, where that is a hyperplane or less.
+    std::vector<Index> basis_;
     int threads_ = 1;
     std::unique_ptr<Builder<d>> builder_;
     Local_delaunay<d> local_{table_};

@@ -56,7 +56,7 @@ template <int d>
 Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>> home) const {
     if (dimension_ == d) return annulus::measure<d>(table_, home);
     Measures m;
-    m.tolerance.assign(present_.size(), std::numeric_limits<double>::infinity());
+    m.tolerance.assign(vertices_.bound(), std::numeric_limits<double>::infinity());
     return m;
 }
 

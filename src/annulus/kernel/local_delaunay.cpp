@@ -55,53 +55,53 @@ template <int d>
 bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, std::size_t most,
                                 std::vector<Cell_index>& touched) {
     points_ = 0;
-    for (const Cell_index c : marked_) mark_[c] = 0;  // those of a call that threw or gave up
-    grow(mark_, table_.cell_bound());                 // there may be fewer
-    marked_.clear();
+    for (const Cell_index c : marks_.cells) marks_.of[c] = 0;  // those of a call that threw or gave up
+    grow(marks_.of, table_.cell_bound());                      // there may be fewer
+    marks_.cells.clear();
     for (const Cell_index c : cells) mark(c, 1);
     std::vector<Cell_index> region;
     for (const Cell_index first : cells) {
         // Cells that were marked and are still there have not been met in an earlier region.
-        if (!mark_.has(first) || mark_[first] != 1 || !table_.is_cell(first)) continue;
+        if (!marks_.of.has(first) || marks_.of[first] != 1 || !table_.is_cell(first)) continue;
         region.assign(1, first);
         mark(first, 2);
         for (std::size_t k = 0; k < region.size(); ++k)
             for (int i = 0; i <= d; ++i) {
                 const Cell_index n = table_.cell_of(table_.twin(table_.corner(region[k], i)));
-                if (mark_[n] != 1) continue;
+                if (marks_.of[n] != 1) continue;
                 mark(n, 2);
                 region.push_back(n);
             }
         const bool built = rebuild_region(x, region, most, touched);
         if (points_ > many) builder_->release();
         if (!built) return false;
-        grow(mark_, table_.cell_bound());
+        grow(marks_.of, table_.cell_bound());
     }
     return true;
 }
 
-/// mark_ is 2 in the region.
+/// marks_.of is 2 in the region.
 template <int d>
 bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region,
                                        std::size_t most, std::vector<Cell_index>& touched) {
     std::vector<Cell_index> beyond;
     for (int round = 0; round < most_rounds; ++round) {
-        vertices_.clear();
-        at_infinity_ = false;
+        region_.vertices.clear();
+        region_.at_infinity = false;
         for (const Cell_index c : region)
             for (const Index v : cell_vertices(table_, c))
-                if (v != infinite) vertices_.push_back(v);
-                else at_infinity_ = true;
-        make_unique(vertices_);
-        if (goes_ != none) std::erase(vertices_, goes_);
-        if (points_ + vertices_.size() > most) return false;
-        points_ += vertices_.size();
-        cells_.clear();
+                if (v != infinite) region_.vertices.push_back(v);
+                else region_.at_infinity = true;
+        make_unique(region_.vertices);
+        if (region_.without != none) std::erase(region_.vertices, region_.without);
+        if (points_ + region_.vertices.size() > most) return false;
+        points_ += region_.vertices.size();
+        made_.cells.clear();
         beyond.clear();
         if (triangulate(x) && fill(region, beyond)) {
             std::vector<Cell_index> made;
             replace_cells<d>(table_, region, filled_, made);
-            for (const Cell_index c : region) mark_[c] = 0;
+            for (const Cell_index c : region) marks_.of[c] = 0;
             touched.insert(touched.end(), region.begin(), region.end());
             touched.insert(touched.end(), made.begin(), made.end());
             return true;
@@ -111,7 +111,7 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
                 for (int i = 0; i <= d; ++i) beyond.push_back(table_.cell_of(table_.twin(table_.corner(c, i))));
         const std::size_t before = region.size();
         for (const Cell_index c : beyond) {
-            if (mark_[c] == 2) continue;
+            if (marks_.of[c] == 2) continue;
             mark(c, 2);
             region.push_back(c);
         }
@@ -123,7 +123,7 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
 template <int d>
 bool Local_delaunay<d>::remove(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
                                std::size_t most, std::vector<Cell_index>& touched) {
-    const Named named(goes_, v);
+    const Named named(region_.without, v);
     return rebuild(x, cells, most, touched);
 }
 
@@ -131,25 +131,25 @@ bool Local_delaunay<d>::remove(std::span<const Coordinates<d>> x, std::span<cons
 template <int d>
 bool Local_delaunay<d>::triangulate(std::span<const Coordinates<d>> x) {
     try {
-        if (!builder_->build(x, vertices_)) return false;
+        if (!builder_->build(x, region_.vertices)) return false;
     } catch (const Error& e) {
         if (e.code() != Error_code::collision) throw;
         return false;
     }
-    builder_->for_each_cell([this](const Sites& cell) { cells_.push_back(cell); });
+    builder_->for_each_cell([this](const Sites& cell) { made_.cells.push_back(cell); });
     return true;
 }
 
 template <int d>
 bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cell_index>& beyond) {
     const auto precedes = [](const auto& l, const auto& r) { return l.precedes(r); };
-    sides_.clear();
-    for (Small_index c(0); cells_.has(c); ++c)
-        for (int i = 0; i <= d; ++i) sides_.push_back(side(cells_[c], i, c));
-    std::sort(sides_.begin(), sides_.end(), precedes);
+    made_.sides.clear();
+    for (Small_index c(0); made_.cells.has(c); ++c)
+        for (int i = 0; i <= d; ++i) made_.sides.push_back(side(made_.cells[c], i, c));
+    std::sort(made_.sides.begin(), made_.sides.end(), precedes);
     border_.clear();
     std::vector<Small_index> behind;
-    Indexed<Small_index, char> met(cells_.size(), 0);
+    Indexed<Small_index, char> met(made_.cells.size(), 0);
     const auto enter = [&](Small_index c) {
         if (met[c] != 0) return;
         met[c] = 1;
@@ -158,10 +158,10 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
     for (const Cell_index c : region)
         for (int i = 0; i <= d; ++i) {
             const Cell_index out = table_.cell_of(table_.twin(table_.corner(c, i)));
-            if (mark_[out] == 2) continue;
+            if (marks_.of[out] == 2) continue;
             border_.push_back(side(cell_sites(table_, c), i, out));
-            const auto it = std::lower_bound(sides_.begin(), sides_.end(), border_.back(), precedes);
-            if (it == sides_.end() || precedes(border_.back(), *it)) {
+            const auto it = std::lower_bound(made_.sides.begin(), made_.sides.end(), border_.back(), precedes);
+            if (it == made_.sides.end() || precedes(border_.back(), *it)) {
                 beyond.push_back(out);
                 continue;
             }
@@ -169,7 +169,7 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
         }
     if (!beyond.empty()) return false;
     if (border_.empty()) {  // the region is everything
-        filled_ = cells_;
+        filled_ = made_.cells;
         return has_every_vertex();
     }
     std::sort(border_.begin(), border_.end(), precedes);
@@ -181,7 +181,7 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
     if (!beyond.empty()) return false;
     filled_.clear();
     for (std::size_t k = 0; k < behind.size(); ++k) {
-        const Sites& x = cells_[behind[k]];
+        const Sites& x = made_.cells[behind[k]];
         filled_.push_back(x);
         for (int i = 0; i <= d; ++i) {
             Side<Small_index> own = side(x, i, behind[k]);
@@ -193,8 +193,8 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
                 beyond.push_back(turned->cell);
                 return false;
             }
-            const auto it = std::lower_bound(sides_.begin(), sides_.end(), own, precedes);
-            if (it == sides_.end() || precedes(own, *it)) return false;
+            const auto it = std::lower_bound(made_.sides.begin(), made_.sides.end(), own, precedes);
+            if (it == made_.sides.end() || precedes(own, *it)) return false;
             enter(it->cell);
         }
     }
@@ -210,7 +210,7 @@ bool Local_delaunay<d>::has_every_vertex() const {
             if (v != infinite) found.push_back(v);
             else at_infinity = true;
     make_unique(found);
-    return found.size() == vertices_.size() && at_infinity == at_infinity_;
+    return found.size() == region_.vertices.size() && at_infinity == region_.at_infinity;
 }
 
 template class Local_delaunay<2>;

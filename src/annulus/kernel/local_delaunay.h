@@ -67,20 +67,32 @@ class Local_delaunay {
     [[nodiscard]] bool fill(std::span<const Cell_index> region, std::vector<Cell_index>& beyond);
     [[nodiscard]] bool has_every_vertex() const;
     void mark(Cell_index c, char m) {
-        marked_.push_back(c);
-        mark_[c] = m;
+        marks_.cells.push_back(c);
+        marks_.of[c] = m;
     }
+
+    struct Marks {
+        By_cell<char> of;               // 1 to be built anew, 2 in the region
+        std::vector<Cell_index> cells;  // where it may not be 0
+    };
+    /// What is to be triangulated.
+    struct Region {
+        std::vector<Index> vertices;
+        bool at_infinity = false;  // and infinity
+        Index without = none;      // one that is not to be in it any more
+    };
+    /// The Delaunay triangulation of its vertices.
+    struct Triangulated {
+        Indexed<Small_index, Sites> cells;
+        std::vector<Side<Small_index>> sides;  // sorted
+    };
 
     Cell_table<d>& table_;
     std::unique_ptr<Builder<d>> builder_;
     std::size_t points_ = 0;
-    By_cell<char> mark_;                    // 1 to be built anew, 2 in the region
-    std::vector<Cell_index> marked_;        // where it may not be 0
-    std::vector<Index> vertices_;           // of the region
-    bool at_infinity_ = false;              // and infinity
-    Index goes_ = none;                     // one that is not to be in it any more
-    Indexed<Small_index, Sites> cells_;     // Delaunay, of the vertices
-    std::vector<Side<Small_index>> sides_;  // of these, sorted
+    Marks marks_;
+    Region region_;
+    Triangulated made_;
     std::vector<Side<Cell_index>> border_;  // of the region, seen from inside, sorted; the cell is the one outside
     std::vector<Sites> filled_;
 };

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/mesh/index.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace annulus {
+
+/// Which indices are vertices; the others below the bound are vacant.
+class Vertex_set {
+  public:
+    /// One more than the largest index there has been.
+    [[nodiscard]] std::size_t bound() const { return has_.size(); }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    /// Precondition: v is below the bound.
+    [[nodiscard]] bool has(Index v) const { return has_[at(v)] != 0; }
+
+    /// All indices below n, and no others.
+    void assign(std::size_t n) {
+        has_.assign(n, 1);
+        size_ = n;
+    }
+    /// New indices are vacant; vertices above the bound go.
+    void set_bound(std::size_t n) {
+        has_.resize(n, 0);
+        size_ = static_cast<std::size_t>(std::count(has_.begin(), has_.end(), char{1}));
+    }
+    /// Precondition: v is no vertex.
+    void insert(Index v) {
+        if (at(v) >= has_.size()) has_.resize(at(v) + 1, 0);
+        has_[at(v)] = 1;
+        ++size_;
+    }
+    /// Precondition: v is a vertex.
+    void erase(Index v) {
+        has_[at(v)] = 0;
+        --size_;
+    }
+    /// In ascending order.
+    [[nodiscard]] std::vector<Index> list() const {
+        std::vector<Index> vertices;
+        vertices.reserve(size_);
+        for (std::size_t v = 0; v < has_.size(); ++v)
+            if (has_[v] != 0) vertices.push_back(static_cast<Index>(v));
+        return vertices;
+    }
+
+  private:
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+    std::vector<char> has_;
+    std::size_t size_ = 0;
+};
+
+}  // namespace annulus
