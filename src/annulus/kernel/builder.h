@@ -35,10 +35,11 @@ class Builder {
     [[nodiscard]] bool build(std::span<const Coordinates<d>> x, std::span<const Index> vertices, int threads = 1);
     /// The vertices in the order of insertion.
     [[nodiscard]] std::span<const Index> order() const { return order_; }
-    /// Calls visit(sites in positive order) for each cell that build() made, those at infinity too. The order is the
-    /// same in each run with one thread.
+    /// Calls visit(number, sites in positive order, what is across as 4 * number + slot) for each cell that build()
+    /// made, those at infinity too. Numbers are below cell_bound(). The order is the same in each run with one thread.
     template <class Visit>
     void for_each_cell(Visit visit) const;
+    [[nodiscard]] std::size_t cell_bound() const { return cells_.used; }
     /// Makes it the table's, whose vertices are below `bound`, in an order that depends on the triangulation and on the
     /// order of insertion alone (Cell_order). When it throws (bad_alloc, Error(too_large)), the table is as it was.
     void copy_to(Cell_table<d>& table, std::size_t bound, int threads = 1);
@@ -86,7 +87,7 @@ template <int d>
 template <class Visit>
 void Builder<d>::for_each_cell(Visit visit) const {
     for (Cell c = 0; c < cells_.used; ++c)
-        if (cells_.is_cell(c)) visit(sites_of<d>(named(cells_.cells[c].vertex)));
+        if (cells_.is_cell(c)) visit(c, sites_of<d>(named(cells_.cells[c].vertex)), cells_.cells[c].across);
 }
 
 extern template class Builder<2>;

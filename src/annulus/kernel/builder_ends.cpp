@@ -96,18 +96,16 @@ void Builder<d>::first_cells() {
             std::swap(w[d - 1], w[d]);
         }
     }
-    const auto facet = [&cells](Cell c, std::size_t slot) {
-        auto w = cells[c].vertex;
-        w[slot] = -1;
-        std::sort(w.begin(), w.end());
-        return w;
+    // Any two of them share the facet without the corner that only the one has.
+    const auto slot_but = [&cells](Cell c, Cell other) {
+        const auto& there = cells[other].vertex;
+        std::size_t i = 0;
+        while (std::find(there.begin(), there.end(), cells[c].vertex[i]) != there.end()) ++i;
+        return static_cast<std::uint32_t>(i);
     };
     for (Cell c = 0; c < cells_.used; ++c) {
         for (Cell other = 0; other < cells_.used; ++other)
-            for (std::size_t i = 0; i <= d; ++i)
-                for (std::size_t j = 0; j <= d; ++j)
-                    if (c != other && facet(c, i) == facet(other, j))
-                        cells[c].across[i] = 4 * other + static_cast<std::uint32_t>(j);
+            if (c != other) cells[c].across[slot_but(c, other)] = 4 * other + slot_but(other, c);
         const Coordinates<d>& p = cells_.at(cells[c].vertex[0]);
         std::array<Lifted<d>, static_cast<std::size_t>(d)> l;
         for (std::size_t k = 0; k < d; ++k) l[k] = cells_.lifted(cells[c].vertex[k + 1], p);

@@ -81,7 +81,7 @@ template <int d>
 void Delaunay_mesh<d>::replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made) {
     if (!builder_->build(x, vertices_.list())) throw std::logic_error("points that had cells are flat");
     std::vector<Cell_sites<d>> cells;
-    builder_->for_each_cell([&cells](const Cell_sites<d>& cell) { cells.push_back(cell); });
+    builder_->for_each_cell([&cells](std::uint32_t, const Cell_sites<d>& cell, const auto&) { cells.push_back(cell); });
     std::vector<Cell_index> old;
     for (const Cell_index c : table_.cells()) old.push_back(c);
     replace_cells<d>(table_, old, cells, made);

@@ -4,7 +4,6 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/kernel/builder.h>
 #include <annulus/mesh/make_unique.h>
-#include <annulus/mesh/replace_cells.h>
 
 #include <algorithm>
 
@@ -12,6 +11,7 @@ namespace annulus {
 
 namespace {
 constexpr int most_rounds = 40;
+constexpr std::uint32_t nothing = ~std::uint32_t{0};
 constexpr std::size_t many = 1U << 14;  // points: memory for so many is not kept
 
 /// A vertex that is named for the length of a call, however that ends.
@@ -32,24 +32,6 @@ Local_delaunay<d>::Local_delaunay(Cell_table<d>& table) : table_(table), builder
 
 template <int d>
 Local_delaunay<d>::~Local_delaunay() = default;
-
-/// Corners but one, in the order that makes an even permutation of the cell with that one last; turned to a standard
-/// order, which is left of it or not.
-template <int d>
-template <class Cell>
-auto Local_delaunay<d>::side(const Sites& x, int slot, Cell cell) -> Side<Cell> {
-    Side<Cell> s{{}, false, cell, slot};
-    bool odd = (d - slot) % 2 != 0;  // the swaps that bring the corner to the end
-    for (int k = 0, n = 0; k <= d; ++k)
-        if (k != slot) s.sites[static_cast<std::size_t>(n++)] = x[static_cast<std::size_t>(k)];
-    for (std::size_t i = 1; i < s.sites.size(); ++i)
-        for (std::size_t j = i; j > 0 && s.sites[j] < s.sites[j - 1]; --j) {
-            std::swap(s.sites[j], s.sites[j - 1]);
-            odd = !odd;
-        }
-    s.left = !odd;
-    return s;
-}
 
 template <int d>
 bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, std::size_t most,
@@ -96,11 +78,10 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
         if (region_.without != none) std::erase(region_.vertices, region_.without);
         if (points_ + region_.vertices.size() > most) return false;
         points_ += region_.vertices.size();
-        made_.cells.clear();
         beyond.clear();
         if (triangulate(x) && fill(region, beyond)) {
             std::vector<Cell_index> made;
-            replace_cells<d>(table_, region, filled_, made);
+            replace_cells<d>(table_, region, filled_.sites, filled_.neighbours, made);
             for (const Cell_index c : region) marks_.of[c] = 0;
             touched.insert(touched.end(), region.begin(), region.end());
             touched.insert(touched.end(), made.begin(), made.end());
@@ -136,76 +117,97 @@ bool Local_delaunay<d>::triangulate(std::span<const Coordinates<d>> x) {
         if (e.code() != Error_code::collision) throw;
         return false;
     }
-    builder_->for_each_cell([this](const Sites& cell) { made_.cells.push_back(cell); });
+    small_.assign(builder_->cell_bound(), {});
+    builder_->for_each_cell([this](std::uint32_t number, const Sites& sites, const auto& across) {
+        small_[number] = {sites, across, {}, {}, 0};
+    });
     return true;
 }
 
 template <int d>
+std::vector<std::uint32_t> Local_delaunay<d>::match_border() {
+    std::vector<std::uint32_t> inside(border_.size(), nothing);
+    builder_->for_each_cell([&](std::uint32_t number, const Sites& sites, const auto&) {
+        for (int i = 0; i <= d; ++i) {
+            const Facet_side<d> side(sites, i);
+            border_.for_each_alike(side, [&](std::size_t k) {
+                const bool is_inside = border_[k].side.left == side.left;
+                if (is_inside) inside[k] = number;
+                (is_inside ? small_[number].inside : small_[number].outside)[static_cast<std::size_t>(i)] =
+                    static_cast<std::uint32_t>(k + 1);
+            });
+        }
+    });
+    return inside;
+}
+
+template <int d>
 bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cell_index>& beyond) {
-    const auto precedes = [](const auto& l, const auto& r) { return l.precedes(r); };
-    made_.sides.clear();
-    for (Small_index c(0); made_.cells.has(c); ++c)
-        for (int i = 0; i <= d; ++i) made_.sides.push_back(side(made_.cells[c], i, c));
-    std::sort(made_.sides.begin(), made_.sides.end(), precedes);
+    const auto cell_beyond = [this](std::size_t k) { return table_.cell_of(border_[k].beyond); };
     border_.clear();
-    std::vector<Small_index> behind;
-    Indexed<Small_index, char> met(made_.cells.size(), 0);
-    const auto enter = [&](Small_index c) {
-        if (met[c] != 0) return;
-        met[c] = 1;
-        behind.push_back(c);
-    };
-    for (const Cell_index c : region)
+    for (const Cell_index c : region) {
+        const Sites sites = cell_sites(table_, c);
         for (int i = 0; i <= d; ++i) {
-            const Cell_index out = table_.cell_of(table_.twin(table_.corner(c, i)));
-            if (marks_.of[out] == 2) continue;
-            border_.push_back(side(cell_sites(table_, c), i, out));
-            const auto it = std::lower_bound(made_.sides.begin(), made_.sides.end(), border_.back(), precedes);
-            if (it == made_.sides.end() || precedes(border_.back(), *it)) {
-                beyond.push_back(out);
-                continue;
-            }
-            enter(it->cell);
+            const Corner_index twin = table_.twin(table_.corner(c, i));
+            if (marks_.of[table_.cell_of(twin)] != 2) border_.add(Facet_side<d>(sites, i), twin);
         }
-    if (!beyond.empty()) return false;
-    if (border_.empty()) {  // the region is everything
-        filled_ = made_.cells;
-        return has_every_vertex();
     }
-    std::sort(border_.begin(), border_.end(), precedes);
-    for (std::size_t i = 1; i < border_.size(); ++i)
-        if (border_[i].same_facet(border_[i - 1])) {  // twice, or from both sides: the region bends back to itself
-            beyond.push_back(border_[i].cell);
-            beyond.push_back(border_[i - 1].cell);
-        }
+    std::vector<Cell_index> twice;  // or from both sides: the region bends back to itself
+    border_.index([&](std::size_t k, std::size_t j) {
+        twice.push_back(cell_beyond(k));
+        twice.push_back(cell_beyond(j));
+    });
+    filled_.cells.clear();
+    const std::vector<std::uint32_t> inside = match_border();
+    for (std::size_t k = 0; k < border_.size(); ++k)
+        if (inside[k] == nothing) beyond.push_back(cell_beyond(k));
+        else enter(inside[k]);
+    if (beyond.empty()) beyond = twice;
     if (!beyond.empty()) return false;
-    filled_.clear();
-    for (std::size_t k = 0; k < behind.size(); ++k) {
-        const Sites& x = made_.cells[behind[k]];
-        filled_.push_back(x);
-        for (int i = 0; i <= d; ++i) {
-            Side<Small_index> own = side(x, i, behind[k]);
-            const auto border = std::lower_bound(border_.begin(), border_.end(), own, precedes);
-            if (border != border_.end() && !precedes(own, *border)) continue;
-            own.left = !own.left;
-            const auto turned = std::lower_bound(border_.begin(), border_.end(), own, precedes);
-            if (turned != border_.end() && !precedes(own, *turned)) {  // from outside: the border folds
-                beyond.push_back(turned->cell);
+    if (border_.size() == 0)  // the region is everything
+        builder_->for_each_cell([this](std::uint32_t number, const auto&, const auto&) { enter(number); });
+    for (std::size_t k = 0; k < filled_.cells.size(); ++k) {
+        const Small_cell& c = small_[filled_.cells[k]];
+        for (std::size_t i = 0; i <= d; ++i) {
+            if (c.inside[i] != 0) continue;
+            if (c.outside[i] != 0) {  // from outside: the border folds
+                beyond.push_back(cell_beyond(c.outside[i] - 1));
                 return false;
             }
-            const auto it = std::lower_bound(made_.sides.begin(), made_.sides.end(), own, precedes);
-            if (it == made_.sides.end() || precedes(own, *it)) return false;
-            enter(it->cell);
+            enter(c.across[i] / 4);
         }
     }
+    link_filled();
     return has_every_vertex();
+}
+
+template <int d>
+void Local_delaunay<d>::enter(std::uint32_t small) {
+    if (small_[small].place != 0) return;
+    filled_.cells.push_back(small);
+    small_[small].place = static_cast<std::uint32_t>(filled_.cells.size());
+}
+
+template <int d>
+void Local_delaunay<d>::link_filled() {
+    filled_.sites.clear();
+    filled_.neighbours.clear();
+    for (const std::uint32_t small : filled_.cells) {
+        const Small_cell& c = small_[small];
+        filled_.sites.push_back(c.sites);
+        auto& n = filled_.neighbours.emplace_back();
+        for (std::size_t i = 0; i <= d; ++i)
+            n[i] = c.inside[i] != 0
+                       ? Fresh_neighbour{0, border_[c.inside[i] - 1].beyond}
+                       : Fresh_neighbour{4 * (small_[c.across[i] / 4].place - 1) + c.across[i] % 4, no_corner};
+    }
 }
 
 template <int d>
 bool Local_delaunay<d>::has_every_vertex() const {
     std::vector<Index> found;
     bool at_infinity = false;
-    for (const Sites& x : filled_)
+    for (const Sites& x : filled_.sites)
         for (const auto& [v, label] : x)
             if (v != infinite) found.push_back(v);
             else at_infinity = true;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/certificates.h>
+#include <annulus/kernel/border_facets.h>
+#include <annulus/mesh/replace_cells.h>
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -40,37 +42,6 @@ class Local_delaunay {
 
   private:
     using Sites = Cell_sites<d>;
-    /// A cell of the Delaunay triangulation of the region's vertices.
-    using Small_index = Typed_index<struct Small_tag>;
-    /// A facet of a cell, its corners in a standard order, with the side that the cell is on.
-    template <class Cell>
-    struct Side {
-        std::array<Site<d>, static_cast<std::size_t>(d)> sites;
-        bool left;
-        Cell cell;
-        int slot;
-        template <class Other>
-        [[nodiscard]] bool precedes(const Side<Other>& o) const {
-            return sites != o.sites ? sites < o.sites : left < o.left;
-        }
-        [[nodiscard]] bool same_facet(const Side& o) const { return sites == o.sites; }
-    };
-
-    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    template <class Cell>
-    [[nodiscard]] static Side<Cell> side(const Sites& x, int slot, Cell cell);
-    [[nodiscard]] bool rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region,
-                                      std::size_t most, std::vector<Cell_index>& touched);
-    [[nodiscard]] bool triangulate(std::span<const Coordinates<d>> x);
-    /// The Delaunay cells behind the border, in filled_. False when the border is not in them; `beyond` receives the
-    /// cells that join.
-    [[nodiscard]] bool fill(std::span<const Cell_index> region, std::vector<Cell_index>& beyond);
-    [[nodiscard]] bool has_every_vertex() const;
-    void mark(Cell_index c, char m) {
-        marks_.cells.push_back(c);
-        marks_.of[c] = m;
-    }
-
     struct Marks {
         By_cell<char> of;               // 1 to be built anew, 2 in the region
         std::vector<Cell_index> cells;  // where it may not be 0
@@ -81,20 +52,46 @@ class Local_delaunay {
         bool at_infinity = false;  // and infinity
         Index without = none;      // one that is not to be in it any more
     };
-    /// The Delaunay triangulation of its vertices.
-    struct Triangulated {
-        Indexed<Small_index, Sites> cells;
-        std::vector<Side<Small_index>> sides;  // sorted
+    /// A cell of the Delaunay triangulation of that; there are none at some numbers below the bound.
+    struct Small_cell {
+        Sites sites;
+        std::array<std::uint32_t, static_cast<std::size_t>(d + 1)> across;  // 4 * cell + slot
+        // By slot: whether it is a facet of the border, of which the cell is inside or outside, counted from 1.
+        std::array<std::uint32_t, static_cast<std::size_t>(d + 1)> inside, outside;
+        std::uint32_t place;  // in what is filled, counted from 1; 0: not in it
     };
+    /// What takes the place of the region.
+    struct Filled {
+        std::vector<std::uint32_t> cells;  // small ones
+        std::vector<Sites> sites;
+        std::vector<Fresh_neighbours<d>> neighbours;
+    };
+
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] bool rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region,
+                                      std::size_t most, std::vector<Cell_index>& touched);
+    [[nodiscard]] bool triangulate(std::span<const Coordinates<d>> x);
+    /// The Delaunay cells behind the border, in filled_. False when the border is not in them; `beyond` receives the
+    /// cells that join.
+    [[nodiscard]] bool fill(std::span<const Cell_index> region, std::vector<Cell_index>& beyond);
+    /// Small cells on either side of the facets of the border; of each the one inside, or none.
+    [[nodiscard]] std::vector<std::uint32_t> match_border();
+    void enter(std::uint32_t small);
+    void link_filled();
+    [[nodiscard]] bool has_every_vertex() const;
+    void mark(Cell_index c, char m) {
+        marks_.cells.push_back(c);
+        marks_.of[c] = m;
+    }
 
     Cell_table<d>& table_;
     std::unique_ptr<Builder<d>> builder_;
     std::size_t points_ = 0;
     Marks marks_;
     Region region_;
-    Triangulated made_;
-    std::vector<Side<Cell_index>> border_;  // of the region, seen from inside, sorted; the cell is the one outside
-    std::vector<Sites> filled_;
+    std::vector<Small_cell> small_;
+    Border_facets<d> border_;  // seen from inside
+    Filled filled_;
 };
 
 extern template class Local_delaunay<2>;

@@ -8,6 +8,9 @@
 #include <annulus/mesh/small_set.h>
 #include <annulus/mesh/walk.h>
 
+#include <optional>
+#include <utility>
+
 namespace annulus {
 
 namespace {
@@ -50,6 +53,47 @@ class Conflicts {
     const Coordinates<d>& p_;
 };
 
+/// Finds neighbours among the cells {v, facet of the border}: two of them share a facet where their facets share a
+/// ridge, of d - 1 corners.
+template <int d>
+class Ridge_pairs {
+  public:
+    explicit Ridge_pairs(std::size_t facets) {
+        std::size_t places = 16;
+        while (places < 2 * static_cast<std::size_t>(d) * facets) places *= 2;
+        place_.assign(places, 0);
+        ridges_.reserve(static_cast<std::size_t>(d) * facets);
+    }
+    /// `half` is 4 * cell + slot of the facet of the new cell that contains v and the ridge, its corners but `i` and the
+    /// slot's. Gives the other half that was named for the ridge, or nothing for the first one.
+    [[nodiscard]] std::optional<std::uint32_t> pair(const Cell_sites<d>& cell, std::size_t i, std::uint32_t half) {
+        Ridge r{{}, half};
+        for (std::size_t k = 0, n = 0; k <= d; ++k)
+            if (k != i && k != half % 4) r.sites[n++] = cell[k];
+        if constexpr (d == 3)
+            if (r.sites[1] < r.sites[0]) std::swap(r.sites[0], r.sites[1]);
+        std::uint64_t key = 0;
+        for (const Site<d>& s : r.sites) key = (key ^ static_cast<std::uint32_t>(s.vertex)) * 0x9e3779b97f4a7c15ULL;
+        for (std::size_t p = key >> 32;; ++p) {
+            std::uint32_t& place = place_[p & (place_.size() - 1)];
+            if (place == 0) {
+                ridges_.push_back(r);
+                place = static_cast<std::uint32_t>(ridges_.size());
+                return {};
+            }
+            if (ridges_[place - 1].sites == r.sites) return ridges_[place - 1].half;
+        }
+    }
+
+  private:
+    struct Ridge {
+        std::array<Site<d>, static_cast<std::size_t>(d - 1)> sites;
+        std::uint32_t half;
+    };
+    std::vector<Ridge> ridges_;
+    std::vector<std::uint32_t> place_;  // a table of them, counted from 1, a power of two; 0 where there is none
+};
+
 }  // namespace
 
 template <int d>
@@ -58,12 +102,14 @@ void insert_vertex(Cell_table<d>& t, std::span<const Coordinates<d>> x, Cell_ind
     const Conflicts<d> conflicts(t, x, v);
     std::vector<Cell_index> region{first};
     std::vector<Cell_sites<d>> fresh;
+    std::vector<std::pair<std::size_t, Corner_index>> border;  // the slot of v in each of these, and what is beyond
     Small_set<Cell_index, Index_hash> inside(no_cell);
     Small_set<Cell_index, Index_hash> outside(no_cell);
     inside.insert(first);
     for (std::size_t k = 0; k < region.size(); ++k)
         for (int i = 0; i <= d; ++i) {
-            const Cell_index n = t.cell_of(t.twin(t.corner(region[k], i)));
+            const Corner_index twin = t.twin(t.corner(region[k], i));
+            const Cell_index n = t.cell_of(twin);
             if (inside.contains(n)) continue;
             if (!outside.contains(n) && conflicts(n)) {
                 inside.insert(n);
@@ -73,8 +119,23 @@ void insert_vertex(Cell_table<d>& t, std::span<const Coordinates<d>> x, Cell_ind
             outside.insert(n);
             Cell_sites<d>& cell = fresh.emplace_back(cell_sites(t, region[k]));
             cell[static_cast<std::size_t>(i)] = Site<d>(v);
+            border.emplace_back(static_cast<std::size_t>(i), twin);
         }
-    replace_cells<d>(t, region, fresh, changed);
+    std::vector<Fresh_neighbours<d>> neighbours(fresh.size());
+    Ridge_pairs<d> ridges(fresh.size());
+    for (std::size_t k = 0; k < fresh.size(); ++k) {
+        const auto [own, beyond] = border[k];
+        neighbours[k][own].beyond = beyond;
+        for (std::size_t j = 0; j <= d; ++j) {
+            if (j == own) continue;
+            const auto half = static_cast<std::uint32_t>(4 * k + j);
+            if (const auto other = ridges.pair(fresh[k], own, half)) {
+                neighbours[k][j].fresh = *other;
+                neighbours[*other / 4][*other % 4].fresh = half;
+            }
+        }
+    }
+    replace_cells<d>(t, region, fresh, neighbours, changed);
 }
 
 template void insert_vertex<2>(Cell_table<2>&, std::span<const Coordinates<2>>, Cell_index, Index,

@@ -58,9 +58,31 @@ void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<
     }
 }
 
+template <int d>
+void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_sites<d>> fresh,
+                   std::span<const Fresh_neighbours<d>> neighbours, std::vector<Cell_index>& made) {
+    for (const Cell_index c : old) t.free_cell(c);
+    const std::size_t first = made.size();
+    for (const Cell_sites<d>& x : fresh) {
+        const Cell_index c = made.emplace_back(t.new_cell());
+        for (std::size_t i = 0; i < x.size(); ++i) t.set_site(t.corner(c, static_cast<int>(i)), x[i]);
+    }
+    for (std::size_t k = 0; k < fresh.size(); ++k)
+        for (std::size_t i = 0; i <= d; ++i) {
+            const auto& [other, beyond] = neighbours[k][i];
+            const bool outside = beyond != no_corner;
+            t.glue(t.corner(made[first + k], static_cast<int>(i)),
+                   outside ? beyond : t.corner(made[first + other / 4], static_cast<int>(other % 4)));
+        }
+}
+
 template void replace_cells<2>(Cell_table<2>&, std::span<const Cell_index>, std::span<const Cell_sites<2>>,
                                std::vector<Cell_index>&);
 template void replace_cells<3>(Cell_table<3>&, std::span<const Cell_index>, std::span<const Cell_sites<3>>,
                                std::vector<Cell_index>&);
+template void replace_cells<2>(Cell_table<2>&, std::span<const Cell_index>, std::span<const Cell_sites<2>>,
+                               std::span<const Fresh_neighbours<2>>, std::vector<Cell_index>&);
+template void replace_cells<3>(Cell_table<3>&, std::span<const Cell_index>, std::span<const Cell_sites<3>>,
+                               std::span<const Fresh_neighbours<3>>, std::vector<Cell_index>&);
 
 }  // namespace annulus

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/mesh/certificates.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace annulus {
+
+/// A facet of a cell, its corners in a standard order, with the side of it that the cell is on.
+template <int d>
+struct Facet_side {
+    std::array<Site<d>, static_cast<std::size_t>(d)> sites;
+    bool left;
+
+    /// Opposite to corner `slot`. Corners but that one, in the order that makes an even permutation of the cell with
+    /// that one last, are turned to ascending order, which is left of it or not.
+    Facet_side(const Cell_sites<d>& x, int slot) {
+        for (int k = 0, n = 0; k <= d; ++k)
+            if (k != slot) sites[static_cast<std::size_t>(n++)] = x[static_cast<std::size_t>(k)];
+        bool odd = (d - slot) % 2 != 0;  // the swaps that bring the corner to the end
+        const auto put_in_order = [&](std::size_t i, std::size_t j) {
+            if (!(sites[j] < sites[i])) return;
+            std::swap(sites[i], sites[j]);
+            odd = !odd;
+        };
+        put_in_order(0, 1);
+        if constexpr (d == 3) {
+            put_in_order(1, 2);
+            put_in_order(0, 1);
+        }
+        left = !odd;
+    }
+};
+
+/// The facets between a region and the cells outside, found by their corners.
+template <int d>
+class Border_facets {
+  public:
+    struct Facet {
+        Facet_side<d> side;  // that the region is on
+        Corner_index beyond;
+    };
+
+    void clear() { facets_.clear(); }
+    void add(const Facet_side<d>& side, Corner_index beyond) { facets_.push_back({side, beyond}); }
+    /// When all are there: makes them ready to be found. Calls twice(k, j) for two that have the same corners. O(k).
+    template <class Twice>
+    void index(Twice twice);
+
+    [[nodiscard]] std::size_t size() const { return facets_.size(); }
+    [[nodiscard]] const Facet& operator[](std::size_t k) const { return facets_[k]; }
+    /// Calls visit(k) for each facet that has these corners, from either side. Expected O(1).
+    template <class Visit>
+    void for_each_alike(const Facet_side<d>& s, Visit visit) const {
+        for (std::size_t i = first_place(s); place_[i] != 0; i = (i + 1) & (place_.size() - 1))
+            if (facets_[place_[i] - 1].side.sites == s.sites) visit(place_[i] - 1);
+    }
+
+  private:
+    [[nodiscard]] std::size_t first_place(const Facet_side<d>& s) const {
+        std::uint64_t key = 0;
+        for (const Site<d>& corner : s.sites)
+            key = (key ^ static_cast<std::uint32_t>(corner.vertex)) * 0x9e3779b97f4a7c15ULL;
+        return static_cast<std::size_t>(key >> 32) & (place_.size() - 1);
+    }
+
+    std::vector<Facet> facets_;
+    std::vector<std::uint32_t> place_;  // a table of them, counted from 1, a power of two; 0 where there is none
+};
+
+template <int d>
+template <class Twice>
+void Border_facets<d>::index(Twice twice) {
+    std::size_t places = 16;
+    while (places < 2 * facets_.size()) places *= 2;
+    place_.assign(places, 0);
+    for (std::size_t k = 0; k < facets_.size(); ++k) {
+        for_each_alike(facets_[k].side, [&](std::size_t j) { twice(k, j); });
+        std::size_t i = first_place(facets_[k].side);
+        while (place_[i] != 0) i = (i + 1) & (places - 1);
+        place_[i] = static_cast<std::uint32_t>(k + 1);
+    }
+}
+
+}  // namespace annulus
