@@ -64,8 +64,8 @@ class Ridge_pairs {
         place_.assign(places, 0);
         ridges_.reserve(static_cast<std::size_t>(d) * facets);
     }
-    /// `half` is 4 * cell + slot of the facet of the new cell that contains v and the ridge, its corners but `i` and the
-    /// slot's. Gives the other half that was named for the ridge, or nothing for the first one.
+    /// `half` is 4 * cell + slot of the facet of the new cell that contains v and the ridge, its corners but `i` and
+    /// the slot's. Gives the other half that was named for the ridge, or nothing for the first one.
     [[nodiscard]] std::optional<std::uint32_t> pair(const Cell_sites<d>& cell, std::size_t i, std::uint32_t half) {
         Ridge r{{}, half};
         for (std::size_t k = 0, n = 0; k <= d; ++k)
