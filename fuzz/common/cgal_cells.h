@@ -9,6 +9,7 @@
 
 #include <annulus/arithmetic/coordinates.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>

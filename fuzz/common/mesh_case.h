@@ -10,11 +10,17 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/kernel/delaunay_mesh.h>
+#include <annulus/mesh/table_flips_3.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace annulus::oracle {
 
@@ -155,7 +161,7 @@ class Mesh_case {
             case 3:
             case 4: return remove();
             case 5: return reinsert();
-            case 6: return relocate();
+            case 6: return flip_and_restore();
             default: return rebuild(1 + static_cast<int>(code >> 3 & 3));
         }
     }
@@ -195,15 +201,40 @@ class Mesh_case {
         x_[v] = p;
         return "reinsert";
     }
-    std::string relocate() {
-        const std::size_t v = some_vertex();
-        if (v == x_.size()) return "nothing";
-        const Coordinates<d> p = point();
-        const bool taken = is_taken(p, v);
-        const Relocation r = mesh_.relocate_in_place(home_, static_cast<Index>(v), p);
-        if ((r == Relocation::refused) != taken) return "! relocate";
-        if (!taken) x_[v] = p;
-        return "relocate";
+    /// Flips that make cells which are not Delaunay, and what makes them so again.
+    std::string flip_and_restore() {
+        if (mesh_.dimension() < d) return "nothing";
+        std::vector<Cell_index> touched, made;
+        for (unsigned k = bytes_.next() % 8; k > 0; --k) {
+            const Corner_index h = some_corner();
+            if constexpr (d == 2) flip_edge_of_plane(h, touched);
+            else {
+                std::array<Cell_index, 3> cells{};
+                Cell_table<3>& t = mesh_.table();
+                const int other = (t.slot_of(h) + 1 + bytes_.next() % 3) % 4;
+                if (flip_facet(t, h, cells) || flip_edge(t, h, t.corner(t.cell_of(h), other), cells))
+                    touched.insert(touched.end(), cells.begin(), cells.end());
+            }
+        }
+        mesh_.restore_cells(home_, touched, made);
+        return "flip and restore";
+    }
+    Corner_index some_corner() {
+        std::vector<Cell_index> cells;
+        for (const Cell_index c : mesh_.table().cells()) cells.push_back(c);
+        const std::size_t k = (bytes_.next() + 256 * (bytes_.next() % 2U)) % cells.size();
+        return Cell_table<d>::corner(cells[k], bytes_.next() % (d + 1));
+    }
+    /// Where the opposite vertices are not adjacent.
+    void flip_edge_of_plane(Corner_index h, std::vector<Cell_index>& touched) {
+        Cell_table<2>& t = mesh_.table();
+        const Index p = t.vertex(h), q = t.vertex(t.twin(h));
+        bool adjacent = p == q;
+        t.for_each_corner(p, [&](Corner_index k) { adjacent = adjacent || t.vertex(t.ccw(k)) == q; });
+        if (adjacent) return;
+        touched.push_back(t.cell_of(h));
+        touched.push_back(t.cell_of(t.twin(h)));
+        t.flip(h);
     }
     /// With a vertex elsewhere.
     std::string rebuild(int threads) {

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <annulus/mesh/certificates.h>
+#include <annulus/mesh/site_hash.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace annulus {
@@ -46,7 +49,8 @@ class Border_facets {
 
     void clear() { facets_.clear(); }
     void add(const Facet_side<d>& side, Corner_index beyond) { facets_.push_back({side, beyond}); }
-    /// When all are there: makes them ready to be found. Calls twice(k, j) for two that have the same corners. O(k).
+    /// When all are there: makes them ready to be found. Calls twice(k, j) for two that have the same corners.
+    /// Expected O(k).
     template <class Twice>
     void index(Twice twice);
 
@@ -55,18 +59,11 @@ class Border_facets {
     /// Calls visit(k) for each facet that has these corners, from either side. Expected O(1).
     template <class Visit>
     void for_each_alike(const Facet_side<d>& s, Visit visit) const {
-        for (std::size_t i = first_place(s); place_[i] != 0; i = (i + 1) & (place_.size() - 1))
+        for (std::size_t i = first_place(s.sites, place_.size()); place_[i] != 0; i = (i + 1) & (place_.size() - 1))
             if (facets_[place_[i] - 1].side.sites == s.sites) visit(place_[i] - 1);
     }
 
   private:
-    [[nodiscard]] std::size_t first_place(const Facet_side<d>& s) const {
-        std::uint64_t key = 0;
-        for (const Site<d>& corner : s.sites)
-            key = (key ^ static_cast<std::uint32_t>(corner.vertex)) * 0x9e3779b97f4a7c15ULL;
-        return static_cast<std::size_t>(key >> 32) & (place_.size() - 1);
-    }
-
     std::vector<Facet> facets_;
     std::vector<std::uint32_t> place_;  // a table of them, counted from 1, a power of two; 0 where there is none
 };
@@ -79,7 +76,7 @@ void Border_facets<d>::index(Twice twice) {
     place_.assign(places, 0);
     for (std::size_t k = 0; k < facets_.size(); ++k) {
         for_each_alike(facets_[k].side, [&](std::size_t j) { twice(k, j); });
-        std::size_t i = first_place(facets_[k].side);
+        std::size_t i = first_place(facets_[k].side.sites, places);
         while (place_[i] != 0) i = (i + 1) & (places - 1);
         place_[i] = static_cast<std::uint32_t>(k + 1);
     }

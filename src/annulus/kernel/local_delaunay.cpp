@@ -55,7 +55,12 @@ bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<con
                 region.push_back(n);
             }
         const bool built = rebuild_region(x, region, most, touched);
-        if (points_ > many) builder_->release();
+        if (points_ > many) {
+            builder_->release();
+            small_ = {};
+            border_ = {};
+            filled_ = {};
+        }
         if (!built) return false;
         grow(marks_.of, table_.cell_bound());
     }
@@ -152,7 +157,7 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
             if (marks_.of[table_.cell_of(twin)] != 2) border_.add(Facet_side<d>(sites, i), twin);
         }
     }
-    std::vector<Cell_index> twice;  // or from both sides: the region bends back to itself
+    std::vector<Cell_index> twice;  // beyond facets that are there twice, or from both sides: the region bends back
     border_.index([&](std::size_t k, std::size_t j) {
         twice.push_back(cell_beyond(k));
         twice.push_back(cell_beyond(j));

@@ -52,11 +52,12 @@ class Local_delaunay {
         bool at_infinity = false;  // and infinity
         Index without = none;      // one that is not to be in it any more
     };
-    /// A cell of the Delaunay triangulation of that; there are none at some numbers below the bound.
+    /// A cell of the Delaunay triangulation of that.
     struct Small_cell {
         Sites sites;
         std::array<std::uint32_t, static_cast<std::size_t>(d + 1)> across;  // 4 * cell + slot
-        // By slot: whether it is a facet of the border, of which the cell is inside or outside, counted from 1.
+        // By slot: the facet of the border that it is, counted from 1, or 0; `inside` where the cell is on the
+        // region's side.
         std::array<std::uint32_t, static_cast<std::size_t>(d + 1)> inside, outside;
         std::uint32_t place;  // in what is filled, counted from 1; 0: not in it
     };
@@ -67,14 +68,14 @@ class Local_delaunay {
         std::vector<Fresh_neighbours<d>> neighbours;
     };
 
-    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] bool rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region,
                                       std::size_t most, std::vector<Cell_index>& touched);
     [[nodiscard]] bool triangulate(std::span<const Coordinates<d>> x);
     /// The Delaunay cells behind the border, in filled_. False when the border is not in them; `beyond` receives the
     /// cells that join.
     [[nodiscard]] bool fill(std::span<const Cell_index> region, std::vector<Cell_index>& beyond);
-    /// Small cells on either side of the facets of the border; of each the one inside, or none.
+    /// Notes with the small cells which of their facets are of the border. By facet of that, the small cell inside, or
+    /// `nothing`.
     [[nodiscard]] std::vector<std::uint32_t> match_border();
     void enter(std::uint32_t small);
     void link_filled();
@@ -89,8 +90,8 @@ class Local_delaunay {
     std::size_t points_ = 0;
     Marks marks_;
     Region region_;
-    std::vector<Small_cell> small_;
-    Border_facets<d> border_;  // seen from inside
+    std::vector<Small_cell> small_;  // by number; some have no cell
+    Border_facets<d> border_;        // seen from inside
     Filled filled_;
 };
 

@@ -5,11 +5,16 @@
 #include <annulus/certificate/circumsphere_3.h>
 #include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/replace_cells.h>
+#include <annulus/mesh/site_hash.h>
 #include <annulus/mesh/small_set.h>
 #include <annulus/mesh/walk.h>
 
+#include <array>
+#include <cassert>
+#include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace annulus {
 
@@ -54,7 +59,7 @@ class Conflicts {
 };
 
 /// Finds neighbours among the cells {v, facet of the border}: two of them share a facet where their facets share a
-/// ridge, of d - 1 corners.
+/// ridge, of d - 1 corners. (kernel/ridges.h does so for numbers of vertices in the order of a border.)
 template <int d>
 class Ridge_pairs {
   public:
@@ -72,18 +77,22 @@ class Ridge_pairs {
             if (k != i && k != half % 4) r.sites[n++] = cell[k];
         if constexpr (d == 3)
             if (r.sites[1] < r.sites[0]) std::swap(r.sites[0], r.sites[1]);
-        std::uint64_t key = 0;
-        for (const Site<d>& s : r.sites) key = (key ^ static_cast<std::uint32_t>(s.vertex)) * 0x9e3779b97f4a7c15ULL;
-        for (std::size_t p = key >> 32;; ++p) {
+        for (std::size_t p = first_place(r.sites, place_.size());; ++p) {
             std::uint32_t& place = place_[p & (place_.size() - 1)];
             if (place == 0) {
                 ridges_.push_back(r);
                 place = static_cast<std::uint32_t>(ridges_.size());
                 return {};
             }
-            if (ridges_[place - 1].sites == r.sites) return ridges_[place - 1].half;
+            if (ridges_[place - 1].sites == r.sites) {
+                ++pairs_;
+                return ridges_[place - 1].half;
+            }
         }
     }
+
+    /// The border is that of a ball: each ridge is in two of its facets.
+    [[nodiscard]] bool all_paired() const { return pairs_ == ridges_.size(); }
 
   private:
     struct Ridge {
@@ -91,6 +100,7 @@ class Ridge_pairs {
         std::uint32_t half;
     };
     std::vector<Ridge> ridges_;
+    std::size_t pairs_ = 0;
     std::vector<std::uint32_t> place_;  // a table of them, counted from 1, a power of two; 0 where there is none
 };
 
@@ -135,6 +145,7 @@ void insert_vertex(Cell_table<d>& t, std::span<const Coordinates<d>> x, Cell_ind
             }
         }
     }
+    assert(ridges.all_paired());
     replace_cells<d>(t, region, fresh, neighbours, changed);
 }
 

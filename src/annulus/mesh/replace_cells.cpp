@@ -70,9 +70,13 @@ void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<
     for (std::size_t k = 0; k < fresh.size(); ++k)
         for (std::size_t i = 0; i <= d; ++i) {
             const auto& [other, beyond] = neighbours[k][i];
-            const bool outside = beyond != no_corner;
-            t.glue(t.corner(made[first + k], static_cast<int>(i)),
-                   outside ? beyond : t.corner(made[first + other / 4], static_cast<int>(other % 4)));
+            const Corner_index own = t.corner(made[first + k], static_cast<int>(i));
+            if (beyond != no_corner) {
+                t.glue(own, beyond);
+                continue;
+            }
+            assert(neighbours[other / 4][other % 4].fresh == 4 * k + i);
+            t.glue(own, t.corner(made[first + other / 4], static_cast<int>(other % 4)));
         }
 }
 
