@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh that is inserted into, removed from, moved and rebuilt has the cells of CGAL's triangulation: what fuzz/builds.cpp
-// does, of random bytes.
+// A mesh that is inserted into, removed from, moved and rebuilt has the cells of CGAL's triangulation: what
+// fuzz/builds.cpp does, of random bytes.
 #include <support/catch.h>
 #include <support/generators.h>
 #include <support/repeats.h>
