@@ -92,7 +92,7 @@ class Cell_table {
     template <class Visit>
     void for_each_corner(Index v, Visit visit) const {
         if constexpr (d == 2) {
-            const Corner_index first = corner_of(v);
+            const Corner_index first = v == infinite ? corner_of_infinity() : corner_of(v);
             Corner_index h = first;
             do {
                 assert(vertex(h) == v);
