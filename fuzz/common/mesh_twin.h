@@ -6,7 +6,7 @@
 
 #include "operation.h"
 
-#include <annulus/arithmetic/horizons.h>
+#include <annulus/arithmetic/limits.h>
 #include <annulus/moving_mesh.h>
 
 #include <optional>
@@ -76,7 +76,7 @@ class Mesh_twin {
         } catch (const Error& e) {
             code = e.code();
         }
-        if constexpr (Horizons::tiny)
+        if constexpr (Limits::tiny)
             if (code == Error_code::too_large || refused == Error_code::too_large) {  // room ends at different times
                 lost_ = true;
                 return;

@@ -3,7 +3,7 @@
 
 #include "rational_3.h"
 
-#include <annulus/arithmetic/horizons.h>
+#include <annulus/arithmetic/limits.h>
 
 #include <set>
 
@@ -86,7 +86,7 @@ std::string tolerance_fault(const Moving_delaunay_3& dt) {
             take({v[0], v[1], v[2], p, q}, least_annulus(x), least_annulus_and_cells(x));
         }
     }
-    for (std::size_t i = 0; i < reached.size() && fault.empty() && !Horizons::tiny; ++i)
+    for (std::size_t i = 0; i < reached.size() && fault.empty() && !Limits::tiny; ++i)
         if (dt.vertex(i) != Vertex_handle() && reached[i] == 0)
             fault = "the tolerance of vertex " + std::to_string(i) + " is far below the truth";
     return fault;

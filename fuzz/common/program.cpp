@@ -65,7 +65,7 @@ std::optional<Error_code> verdict(const std::vector<Coordinates<d>>& points) {
 /// A call that had to be refused for no fault of the caller's: there is no room, where room is made scarce for the
 /// test.
 bool is_out_of_room(Error_code code) {
-    if constexpr (Horizons::tiny) return code == Error_code::too_large;
+    if constexpr (Limits::tiny) return code == Error_code::too_large;
     return false;
 }
 
@@ -128,7 +128,7 @@ void Session_of<d>::go_on(const Operation_of<d>& o) {
 template <int d>
 void Session_of<d>::make(const Operation_of<d>& o) {
     const std::optional<Error_code> refusal = expected_refusal(o);
-    const State_of<d> before = refusal || Horizons::tiny ? state_of(*dt_) : State_of<d>{};
+    const State_of<d> before = refusal || Limits::tiny ? state_of(*dt_) : State_of<d>{};
     last_ = {};
     refused_ = true;
     ++coverage_.calls;

@@ -11,7 +11,7 @@
 #include "oracle.h"
 #include "oracle_3.h"
 
-#include <annulus/arithmetic/horizons.h>
+#include <annulus/arithmetic/limits.h>
 
 namespace annulus::oracle {
 

@@ -70,7 +70,7 @@ void Session_of<d>::check_settled_tolerances() const {
                 throw Fault{"the tolerance of vertex " + std::to_string(i) + " is above the truth"};
             // Rounding to subnormal numbers may lose everything.
             if (truth[i] > mpf_class(0x1p-1000, precision) &&
-                found < truth[i] * mpf_class(0.998 * Horizons::kept, precision))
+                found < truth[i] * mpf_class(0.998 * Limits::kept, precision))
                 throw Fault{"the tolerance of vertex " + std::to_string(i) + " is far below the truth"};
         }
     }

@@ -25,7 +25,7 @@ Class world := {
   holds : certificate -> (vertex -> position) -> Prop;
   counts_on : certificate -> certificate -> Prop;    (* counts_on d c: c is certified given that d holds *)
   capacity : nat;                                    (* of lists *)
-  stamps : Z;                                        (* that tell steps apart: Horizons *)
+  stamps : Z;                                        (* that tell steps apart: Limits *)
   around : (Z -> option certificate) -> vertex -> list Z;   (* for_each_certificate *)
   (* arithmetic *)
   num : Type;                                        (* what the program computes with *)

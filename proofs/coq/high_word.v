@@ -1,11 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* src/annulus/arithmetic/high_word.h and src/annulus/engine/expiry.h: the upper 32 bits of a double, as a number.
+(* src/annulus/arithmetic/truncated_double.h and src/annulus/engine/expiry.h: the upper 32 bits of a double, as a number.
 
    - number_increases    numbers have the order of their bits: of doubles that are not negative, and of upper halves
    - floor_below, floor_above   the bits of the largest number not above x: `value(lower(x)) <= x`, and what is above them is above x
    - lower_below, lower_clips, not_reached, reached_from    what the filter needs of Expiry::lower and Expiry::reached (algorithm_filter.v)
-   - half_of_double      the number of 32 bits is that of the double whose lower half is 0 (High_word::value)
-   - truncated           the largest upper half not above a double is its bits shifted right by 32 (High_word::truncated)
+   - half_of_double      the number of 32 bits is that of the double whose lower half is 0 (Truncated_double::value)
+   - truncated           the largest upper half not above a double is its bits shifted right by 32 (Truncated_double::truncated)
    - double_of_bits      and the number of 64 bits is what IEEE 754 says (Flocq's b64_of_bits)
 
    Numbers are real, not negative and without NaN; infinity is 2^1024 here, which no reading reaches. *)
@@ -116,8 +116,8 @@ End format.
 
 (* ---- The upper half, and expiries ---- *)
 
-Definition value (b : Z) : R := number 20 (-1042) b.                       (* High_word::value *)
-Definition lower (x : R) : Z :=                                            (* High_word::lower, Expiry::lower *)
+Definition value (b : Z) : R := number 20 (-1042) b.                       (* Truncated_double::value *)
+Definition lower (x : R) : Z :=                                            (* Truncated_double::lower, Expiry::lower *)
   if Rlt_dec 0 x then Z.min never (floor 20 (-1042) x) else 0%Z.
 
 Theorem lower_range x : (0 <= lower x <= never)%Z.

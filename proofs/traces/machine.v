@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The program of algorithm_filter.v with the numbers of the machine: Coq's primitive floats, so that it can be run. Nothing of the program is written
-   again here, only the arithmetic that a `world` asks for, as displacement.h, high_word.h and odometers*.cpp have it, in any
+   again here, only the arithmetic that a `world` asks for, as displacement.h, truncated_double.h and odometers*.cpp have it, in any
    dimension; machine_rounds.v ties it to that of filter_plane.v. Positions are lists of coordinates, vertices are numbers and a
    certificate is its points.
 
@@ -11,7 +11,7 @@ From Annulus Require Import algorithm_list high_word algorithm_filter.
 Import ListNotations.
 Open Scope Z_scope.
 
-(* What horizons.h sets. *)
+(* What limits.h sets. *)
 Record horizons := { listed : nat; last_stamp : Z; half_mask : Z; odometer_ratio : float }.
 
 Definition point := list float.
@@ -31,7 +31,7 @@ Definition ulp52 : float := 0x1p-52.
 Definition sum_lower (a b : float) : float := let s := a + b in s - s * ulp52.
 Definition sum_upper (a b : float) : float := let s := a + b in s + s * ulp52.
 
-(* ---- high_word.h ---- *)
+(* ---- truncated_double.h ---- *)
 
 (* The upper half of the bits of a positive number, be it subnormal or not: its mantissa and exponent, by operations of the machine. Those of
    Prim2SF say the same and take Coq eight times as long (half_of_bits, machine_bits.v). *)

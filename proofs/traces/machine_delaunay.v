@@ -4,7 +4,7 @@
    - grounded_2, grounded_3        the operations of machine.v on coordinates are those of the plane and of space
    - machine_delaunay              plane: after each of 2^49 calls of the program on primitive floats the cells triangulate the hull and are Delaunay
    - machine_delaunay_3            space: all certificates hold; hence the same
-   - odometer_ratios               the numbers of horizons.h, that the theorems may be used of *)
+   - odometer_ratios               the numbers of limits.h, that the theorems may be used of *)
 From Coq Require Import Reals ZArith Lia Lra List Bool.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
@@ -57,7 +57,7 @@ Proof.
   - intros f p r R (F1 & F2 & F3) (P1 & P2 & P3). apply below_stands_3; trivial; now apply coordinate_in_bounds.
 Defined.
 
-(* How much further than its certificates an odometer goes: Wide_horizons::odometer and Tiny_horizons::odometer can be asked for below. *)
+(* How much further than its certificates an odometer goes: Wide_limits::odometer and Tiny_limits::odometer can be asked for below. *)
 Lemma odometer_ratios : forall ratio, In ratio [0x1p8; 2]%float -> 1 <= real ratio /\ stands 20 ratio (real ratio).
 Proof.
   intros ratio [<-|[<-|[]]].

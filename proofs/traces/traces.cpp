@@ -204,8 +204,8 @@ void write(const char* first, const std::vector<std::uint64_t>& words) {
 template <int d>
 void write_history(std::map<std::string, int>& count) {
     Trace::words.clear();
-    for (const std::uint64_t w : {std::uint64_t{d}, std::uint64_t{Horizons::listed(d)}, std::uint64_t{Horizons::stamps},
-                                  std::uint64_t{Horizons::half_mask}, std::bit_cast<std::uint64_t>(Horizons::odometer)})
+    for (const std::uint64_t w : {std::uint64_t{d}, std::uint64_t{Limits::listed(d)}, std::uint64_t{Limits::stamps},
+                                  std::uint64_t{Limits::half_mask}, std::bit_cast<std::uint64_t>(Limits::path_ratio)})
         Trace::word(w);
     Trace::on = true;
     History<d>(count).live();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory that runs out at any allocation of a build: the same builder works again. With tiny horizons the vertices are
+// Memory that runs out at any allocation of a build: the same builder works again. With tiny limits the vertices are
 // shared out among threads.
 #include <support/built_numbers.h>
 #include <support/failing_new.h>

@@ -44,9 +44,9 @@ constexpr std::array strategies{Strategy::rebuild,   Strategy::relocate, Strateg
                                 Strategy::in_place,  Strategy::filter,   Strategy::filter_each,
                                 Strategy::automatic, Strategy::paper,    Strategy::paper_hybrid};
 
-/// Horizons, by a name that depends on d: where they are wide nothing can be assigned to them.
+/// Limits, by a name that depends on d: where they are wide nothing can be assigned to them.
 template <int d>
-using Horizons_of = std::conditional_t<d != 0, Horizons, void>;
+using Horizons_of = std::conditional_t<d != 0, Limits, void>;
 
 /// Everything that counts of a report; no time.
 std::vector<std::uint64_t> numbers(const Move_report& r) {
@@ -164,8 +164,8 @@ TEST_CASE("The same input gives the same run, wherever memory lies", "[faults]")
 
 TEMPLATE_TEST_CASE_SIG("More cells than indices can name are refused, and nothing has changed", "[faults][horizons]",
                        ((int d), d), 2, 3) {
-    if constexpr (!Horizons::tiny) {
-        SUCCEED("2^29 cells are more than a test has memory for; the build with tiny horizons passes this bound");
+    if constexpr (!Limits::tiny) {
+        SUCCEED("2^29 cells are more than a test has memory for; the build with tiny limits passes this bound");
     } else {
         const std::int32_t wide = Horizons_of<d>::cells;
         for (const Strategy strategy : {Strategy::filter, Strategy::filter_each}) {

@@ -182,7 +182,7 @@ void come_and_go(std::uint64_t seed, Strategy strategy) {
 
 TEMPLATE_TEST_CASE_SIG("Vertices that come to degenerate places, and go, leave the cells of a construction, dimension",
                        "[insertion]", ((int d), d), 2, 3) {
-    for (std::uint64_t seed = 1; seed <= (Horizons::tiny ? 60 : 200); ++seed) {
+    for (std::uint64_t seed = 1; seed <= (Limits::tiny ? 60 : 200); ++seed) {
         const std::array strategies{Strategy::automatic, Strategy::filter, Strategy::rebuild, Strategy::in_place,
                                     Strategy::relocate};
         const Strategy strategy = strategies[seed / 5 % strategies.size()];

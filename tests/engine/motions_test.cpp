@@ -173,7 +173,7 @@ TEMPLATE_TEST_CASE_SIG(
     }
     for (int i = 0; i < 20; ++i) (void)step(1e-9);
     const Move_report slow = step(1e-9);
-    if (!Horizons::tiny) {  // expiries of few bits lose what is left of a tolerance
+    if (!Limits::tiny) {  // expiries of few bits lose what is left of a tolerance
         CHECK(slow.evaluated < x.size() / 10);
         CHECK(slow.moves.within_tolerance > x.size() * 9 / 10);
     }

@@ -20,7 +20,7 @@ template <int d>
 using Moving_of = typename Space<d>::Moving;
 
 /// Of tolerances that are the same but for rounding, relatively. In expiries of few bits it is coarse.
-constexpr double closeness = Horizons::tiny ? 0.25 : 0x1p-8;
+constexpr double closeness = Limits::tiny ? 0.25 : 0x1p-8;
 
 /// A fault of the session as a failed assertion.
 template <int d, class Body>

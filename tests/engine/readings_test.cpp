@@ -136,7 +136,7 @@ TEMPLATE_TEST_CASE_SIG("measure() and theta() are what definitions give, dimensi
         for (std::size_t i = 0; i < x.size(); ++i) {  // settled tolerances have oracles of their own (program.h)
             const double s = dt.tolerance(dt.vertex(i));
             if (dt.triangulation().dimension() < d) CHECK(m.tolerance[i] == std::numeric_limits<double>::infinity());
-            else CHECK(std::fabs(m.tolerance[i] - s) <= (Horizons::tiny ? 1.0 : 0x1p-8) * m.tolerance[i]);
+            else CHECK(std::fabs(m.tolerance[i] - s) <= (Limits::tiny ? 1.0 : 0x1p-8) * m.tolerance[i]);
         }
     });
 }

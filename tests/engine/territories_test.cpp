@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small sets on and near what is degenerate, built by several threads: in the build with tiny horizons, where rounds
+// Small sets on and near what is degenerate, built by several threads: in the build with tiny limits, where rounds
 // of a few vertices are shared out, so that most cavities go on in another thread's cells.
 #include <annulus/moving_mesh.h>
 

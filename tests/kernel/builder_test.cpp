@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The kernel's cells are CGAL's: every family of the benchmarks, small sets on and near what is degenerate, scales from
 // one end of the domain to the other.
-#include <annulus/arithmetic/horizons.h>
+#include <annulus/arithmetic/limits.h>
 #include <annulus/kernel/builder.h>
 #include <annulus/mesh/certificates.h>
 
@@ -120,7 +120,7 @@ TEMPLATE_TEST_CASE_SIG("The kernel names two points at one place, dimension", "[
 TEMPLATE_TEST_CASE_SIG("The kernel's cells have the same numbers with any number of threads, dimension", "[kernel]",
                        ((int d), d), 2, 3) {
     // Rounds of several threads, in space with a second pass.
-    constexpr std::size_t many = Horizons::tiny ? 3000 : d == 2 ? 20000 : 60000;
+    constexpr std::size_t many = Limits::tiny ? 3000 : d == 2 ? 20000 : 60000;
     Builder<d> builder;
     for (const std::string_view family : {"uniform", "clusters", "faces"}) {
         CAPTURE(d, family);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Threads that build at once, by one builder whose buffers hold what it built before; over tiny horizons also under
+// Threads that build at once, by one builder whose buffers hold what it built before; over tiny limits also under
 // ThreadSanitizer, with as many parts and rounds of fewer points.
 #include <support/built_numbers.h>
 #include <support/small_sets.h>
@@ -14,16 +14,16 @@ using namespace annulus::testing;
 TEMPLATE_TEST_CASE_SIG("Threads that insert at once build what one thread builds, dimension", "[kernel][parallel]",
                        ((int d), d), 2, 3) {
     Random random(1);
-    const auto x = small_set<d>(testing::Small_set::uniform, Horizons::tiny ? 3000 : 20000, 0, random);
+    const auto x = small_set<d>(testing::Small_set::uniform, Limits::tiny ? 3000 : 20000, 0, random);
     Builder<d> builder;
     const auto alone = built_numbers<d>(builder, x, 1);
     for (const int threads : {2, 4}) CHECK((built_numbers<d>(builder, x, threads) == alone));
 }
 
-// The last round has more than 64 shares of Horizons::shared_part vertices; 64 parts are the most.
+// The last round has more than 64 shares of Limits::shared_part vertices; 64 parts are the most.
 TEST_CASE("More threads than parts build what one thread builds", "[kernel][parallel]") {
     Random random(3);
-    const auto x = small_set<2>(testing::Small_set::uniform, Horizons::tiny ? 2000 : 320000, 0, random);
+    const auto x = small_set<2>(testing::Small_set::uniform, Limits::tiny ? 2000 : 320000, 0, random);
     Builder<2> builder;
     const auto alone = built_numbers<2>(builder, x, 1);
     CHECK((built_numbers<2>(builder, x, 300) == alone));
@@ -32,7 +32,7 @@ TEST_CASE("More threads than parts build what one thread builds", "[kernel][para
 // All cells are at that vertex, or at infinity, and no part is known of it in the rounds before its own. With
 // assertions of the standard library, as with sanitizers, the test also fails where one is read.
 TEST_CASE("A corner of the first cell that is of a later round is in no thread's territory", "[kernel][parallel]") {
-    constexpr std::size_t n = Horizons::tiny ? 900 : 90000;
+    constexpr std::size_t n = Limits::tiny ? 900 : 90000;
     std::vector<Coordinates<2>> x(n);
     for (std::size_t i = 0; i < n; ++i) x[i] = {static_cast<double>(i), 0};
     std::vector<Index> all(n);

@@ -23,7 +23,7 @@ enum class Error_code {
     unknown_vertex,  ///< an index or handle that names no vertex
     environment,     ///< the floating-point environment is not the one the proofs assume
     usage,           ///< options that do not fit together
-    too_large,       ///< more vertices or cells than indices can name (horizons.h)
+    too_large,       ///< more vertices or cells than indices can name (limits.h)
     bad_input,       ///< a file that cannot be read or does not say what it should
 };
 

@@ -31,7 +31,7 @@ namespace annulus {
 /// tolerances may have been computed anew and measured from other fixed positions. Every function that takes a handle
 /// throws unknown_vertex for a null one, the vertex at infinity, and a vertex of another triangulation. The handle of
 /// a vertex that was removed dangles and must not be used. too_large: the triangulation would have, or had for a
-/// while on the way, more cells or vertices than indices can name (horizons.h).
+/// while on the way, more cells or vertices than indices can name (limits.h).
 ///
 /// When memory runs out (std::bad_alloc) positions, indices and handles are as they were, but for `remove`, which
 /// says what holds, and the triangulation is built anew there before the exception goes on. Should even that fail,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/horizons.h>
+#include <annulus/arithmetic/limits.h>
 #include <annulus/engine/expiry_list.h>
 #include <annulus/mesh/certificates.h>
 
@@ -13,8 +13,7 @@
 namespace annulus {
 
 // Facets and cells in one numbering.
-static_assert(Wide_horizons::cells <= Index{1} << 29,
-              "the greatest corner, twice, is below the number that is nobody's");
+static_assert(Wide_limits::cells <= Index{1} << 29, "the greatest corner, twice, is below the number that is nobody's");
 [[nodiscard]] constexpr Certificate_id id_of_facet(Corner_index f) {
     return 2 * static_cast<Certificate_id>(f.value());
 }

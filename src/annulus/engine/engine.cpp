@@ -37,8 +37,8 @@ Strategy Engine<d>::strategy() const {
 template <int d>
 void Engine<d>::build(std::span<const Point> points) {
     for (std::size_t i = 0; i < points.size(); ++i) require_in_domain(points[i], "point", static_cast<std::int64_t>(i));
-    if (points.size() > Horizons::vertices)
-        throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::vertices) + " vertices");
+    if (points.size() > Limits::vertices)
+        throw Error(Error_code::too_large, "more than " + std::to_string(Limits::vertices) + " vertices");
     std::vector<Point> distinct;
     index_of_input_.reserve(points.size());
     if (options_.merge_duplicates) {
@@ -160,8 +160,8 @@ template <int d>
 Index Engine<d>::insert(const Point& p, Move_report& report) {
     require_in_domain(p);
     require_whole();
-    if (vacant_.empty() && index_bound() >= Horizons::vertices)
-        throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::vertices) + " vertices");
+    if (vacant_.empty() && index_bound() >= Limits::vertices)
+        throw Error(Error_code::too_large, "more than " + std::to_string(Limits::vertices) + " vertices");
     const Index i = vacant_.empty() ? static_cast<Index>(index_bound()) : vacant_.back();
     const Point here = p;  // it may be one of positions(), which are about to grow
     const auto put = [&] {

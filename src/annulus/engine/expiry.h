@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/high_word.h>
+#include <annulus/arithmetic/truncated_double.h>
 
 #include <compare>
 #include <cstdint>
@@ -14,10 +14,12 @@ class Expiry {
   public:
     constexpr Expiry() = default;  // 0
     /// The largest not above `reading`; 0 unless that is positive.
-    [[nodiscard]] static constexpr Expiry lower(double reading) { return Expiry(High_word::lower(reading)); }
-    [[nodiscard]] static constexpr Expiry never() { return Expiry(High_word::infinity()); }
+    [[nodiscard]] static constexpr Expiry lower(double reading) { return Expiry(Truncated_double::lower(reading)); }
+    [[nodiscard]] static constexpr Expiry never() { return Expiry(Truncated_double::infinity()); }
     /// What bits() gave.
-    [[nodiscard]] static constexpr Expiry of_bits(std::uint32_t bits) { return Expiry(High_word::of_bits(bits)); }
+    [[nodiscard]] static constexpr Expiry of_bits(std::uint32_t bits) {
+        return Expiry(Truncated_double::of_bits(bits));
+    }
 
     [[nodiscard]] constexpr double reading() const { return half_.value(); }
     [[nodiscard]] constexpr std::uint32_t bits() const { return half_.bits(); }
@@ -29,8 +31,8 @@ class Expiry {
     }
 
   private:
-    constexpr explicit Expiry(High_word half) : half_(half) {}
-    High_word half_;
+    constexpr explicit Expiry(Truncated_double half) : half_(half) {}
+    Truncated_double half_;
 };
 
 }  // namespace annulus

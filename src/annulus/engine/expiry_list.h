@@ -124,7 +124,6 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
         return none_yet;
     }();
 };
-static_assert(sizeof(Expiry_list<Wide_horizons::listed(2)>) == 64 &&
-              sizeof(Expiry_list<Wide_horizons::listed(3)>) == 96);
+static_assert(sizeof(Expiry_list<Wide_limits::listed(2)>) == 64 && sizeof(Expiry_list<Wide_limits::listed(3)>) == 96);
 
 }  // namespace annulus

@@ -13,7 +13,7 @@ void Move_outcomes<d>::count(const Step<d>& step, std::size_t asked, Move_counts
         moves.rebuilt += asked;
         return;
     }
-    if (stamp_ >= Horizons::stamps - 3) {  // the sum would wrap before it was compared
+    if (stamp_ >= Limits::stamps - 3) {  // the sum would wrap before it was compared
         std::fill(mark_.begin(), mark_.end(), 0);
         stamp_ = 0;
     }

@@ -83,7 +83,9 @@ class Odometers {
     [[nodiscard]] double reading(Index v, const Coordinates<d>& x) const {
         return sum_upper(list_[at(v)].base, distance_upper<d>(x, vertex_[at(v)].fixed));
     }
-    void set_threshold(Index v) { vertex_[at(v)].threshold = High_word::lower(squared_threshold_lower(slack(v))); }
+    void set_threshold(Index v) {
+        vertex_[at(v)].threshold = Truncated_double::lower(squared_threshold_lower(slack(v)));
+    }
     void anchor(Index v, Step<d>& step);
     void look_at(Certificate_id id, Index v, Checker<d>& checker);
     void tour(Index v, Step<d>& step, Checker<d>& checker);

@@ -112,7 +112,7 @@ void Odometers<d>::commit(Step<d>& step, const Checker<d>& checker) {
     commit_evaluated<false>(checker, &step);
     for (const Index v : step.anchored) {
         const List& list = list_[at(v)];
-        if (list.base > Horizons::odometer * (list.latest().reading() - list.base)) rebase(v);
+        if (list.base > Limits::path_ratio * (list.latest().reading() - list.base)) rebase(v);
         set_threshold(v);
         ANNULUS_TRACED(finished(*this, v));
     }

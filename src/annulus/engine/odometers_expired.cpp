@@ -80,7 +80,7 @@ void Odometers<d>::tour(Index v, Step<d>& step, Checker<d>& checker) {
 
 template <int d>
 void Odometers<d>::begin_anchoring(Step<d>& step) {
-    if (stamp_ == Horizons::stamps) {
+    if (stamp_ == Limits::stamps) {
         for (auto& list : list_) list.stamp = 0;
         stamp_ = 0;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/horizons.h>
+#include <annulus/arithmetic/limits.h>
 #include <annulus/engine/budget.h>
 #include <annulus/engine/expiry_list.h>
 #include <annulus/engine/move_report.h>
@@ -20,7 +20,7 @@ enum class Scope : std::uint8_t { expired, star, everything };
 
 /// A cache line, or one and a half: around a vertex are 12 certificates in the plane, 80 in space.
 template <int d>
-using Vertex_expiries = Expiry_list<Horizons::listed(d)>;
+using Vertex_expiries = Expiry_list<Limits::listed(d)>;
 
 /// A step on its way: where vertices go, what it may cost, and what each stage found and the next is handed: which
 /// vertices left their tolerances, what was violated and mended, what is to be written down. An exception drops it.

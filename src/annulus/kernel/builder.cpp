@@ -3,7 +3,7 @@
 #include <annulus/kernel/builder.h>
 
 #include <annulus/arithmetic/collision.h>
-#include <annulus/arithmetic/horizons.h>
+#include <annulus/arithmetic/limits.h>
 #include <annulus/kernel/bounding_box.h>
 #include <annulus/mesh/parallel_runs.h>
 
@@ -55,7 +55,7 @@ bool Builder<d>::insert_shared(const Bounding_box<d>& around, int threads) {
         // less each time, so fewer parts share it, with less border.
         std::size_t at_most = most;
         for (const double moved : {0.0, 0.25, 0.375}) {
-            const std::size_t parts = std::min(at_most, pending.size() / Horizons::shared_part);
+            const std::size_t parts = std::min(at_most, pending.size() / Limits::shared_part);
             if (parts < 2) break;
             find_parts(pending, last, parts, [&](std::size_t v) {
                 return moved == 0 ? spatial_order_.place(v)

@@ -2,7 +2,7 @@
 #include <annulus/kernel/inserter.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/arithmetic/horizons.h>
+#include <annulus/arithmetic/limits.h>
 #include <annulus/certificate/bounds.h>
 #include <annulus/certificate/exact_sign.h>
 #include <annulus/mesh/degenerate.h>
@@ -179,8 +179,8 @@ bool Inserter<d>::take_cells() {
     free_.insert(free_.end(), cavity.cells.begin() + static_cast<std::ptrdiff_t>(cavity.border_size),
                  cavity.cells.begin() + static_cast<std::ptrdiff_t>(count));
     if (!shared && cells_->used > cells_->room()) {
-        if (cells_->used > static_cast<std::size_t>(Horizons::cells))
-            throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::cells) + " cells");
+        if (cells_->used > static_cast<std::size_t>(Limits::cells))
+            throw Error(Error_code::too_large, "more than " + std::to_string(Limits::cells) + " cells");
         cells_->make_room(cells_->used + cells_->used / 2);
     }
     return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/horizons.h>
+#include <annulus/arithmetic/limits.h>
 #include <annulus/mesh/index.h>
 #include <annulus/space/euclidean.h>
 
@@ -24,7 +24,7 @@ class Cell_journal {
 
     /// Forgets what it knows.
     void begin() noexcept {
-        if (call_ == Horizons::stamps) {
+        if (call_ == Limits::stamps) {
             std::fill(marked_.begin(), marked_.end(), 0);
             call_ = 0;
         }

@@ -3,7 +3,7 @@
 
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/arithmetic/error.h>
-#include <annulus/arithmetic/horizons.h>
+#include <annulus/arithmetic/limits.h>
 #include <annulus/mesh/cell_journal.h>
 #include <annulus/mesh/cell_log.h>
 #include <annulus/mesh/grow.h>
@@ -188,7 +188,7 @@ class Cell_table {
   private:
     static std::size_t at(Index v) { return static_cast<std::size_t>(v); }
     [[noreturn]] static void throw_too_large() {
-        throw Error(Error_code::too_large, "more than " + std::to_string(Horizons::cells) + " cells");
+        throw Error(Error_code::too_large, "more than " + std::to_string(Limits::cells) + " cells");
     }
     void touch(Cell_index c) noexcept {
         if (journal_ != nullptr) [[unlikely]]
@@ -223,7 +223,7 @@ void Cell_table<d>::clear(std::size_t vertices) {
 /// What was there is written over, not cleared before that. In the plane slot 3 is `none` for good.
 template <int d>
 void Cell_table<d>::start_over(std::size_t vertices, std::size_t cells) {
-    if (cells > static_cast<std::size_t>(Horizons::cells)) throw_too_large();
+    if (cells > static_cast<std::size_t>(Limits::cells)) throw_too_large();
     touch_everything();
     free_cells_.clear();
     corner_of_vertex_.assign(vertices, no_corner);
@@ -239,7 +239,7 @@ Cell_index Cell_table<d>::new_cell() {
         free_cells_.pop_back();
     } else {
         c = cell_bound();
-        if (c.value() >= Horizons::cells) throw_too_large();
+        if (c.value() >= Limits::cells) throw_too_large();
         grow(vertex_, vertex_.size() + 4, none);
         grow(twin_, twin_.size() + 4, no_corner);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/horizons.h>
+#include <annulus/arithmetic/limits.h>
 
 #include <bit>
 #include <compare>
@@ -12,28 +12,32 @@ namespace annulus {
 
 /// The upper half of a double, for what is kept of every vertex or certificate and read at every step: half as much to
 /// fetch. It has the range of a double and 21 significant bits; making one rounds towards 0.
-class High_word {
+class Truncated_double {
   public:
-    constexpr High_word() = default;  // 0
+    constexpr Truncated_double() = default;  // 0
     /// That of the same sign and the largest magnitude not above |x|. x is no NaN.
-    [[nodiscard]] static constexpr High_word truncated(double x) {
-        return High_word(static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x) >> 32) & Horizons::half_mask);
+    [[nodiscard]] static constexpr Truncated_double truncated(double x) {
+        return Truncated_double(static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x) >> 32) & Limits::half_mask);
     }
     /// The largest not above x, but 0 when x is not positive (or is no number).
-    [[nodiscard]] static constexpr High_word lower(double x) { return x > 0.0 ? truncated(x) : High_word(); }
-    [[nodiscard]] static constexpr High_word infinity() { return truncated(std::numeric_limits<double>::infinity()); }
+    [[nodiscard]] static constexpr Truncated_double lower(double x) {
+        return x > 0.0 ? truncated(x) : Truncated_double();
+    }
+    [[nodiscard]] static constexpr Truncated_double infinity() {
+        return truncated(std::numeric_limits<double>::infinity());
+    }
     /// What bits() gave.
-    [[nodiscard]] static constexpr High_word of_bits(std::uint32_t bits) { return High_word(bits); }
+    [[nodiscard]] static constexpr Truncated_double of_bits(std::uint32_t bits) { return Truncated_double(bits); }
 
     [[nodiscard]] constexpr double value() const {
         return std::bit_cast<double>(static_cast<std::uint64_t>(bits_) << 32);
     }
     /// Grows with the value when that is not negative.
     [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }
-    friend constexpr bool operator==(const High_word&, const High_word&) = default;
+    friend constexpr bool operator==(const Truncated_double&, const Truncated_double&) = default;
 
   private:
-    constexpr explicit High_word(std::uint32_t bits) : bits_(bits) {}
+    constexpr explicit Truncated_double(std::uint32_t bits) : bits_(bits) {}
     std::uint32_t bits_ = 0;
 };
 

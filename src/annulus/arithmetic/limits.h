@@ -10,8 +10,8 @@
 namespace annulus {
 
 /// Every bound that a run can reach, in one place: what happens there is tested by a second build of the library in
-/// which each is passed many times in a second (Tiny_horizons, chosen by the macro ANNULUS_TINY_HORIZONS).
-struct Wide_horizons {
+/// which each is passed many times in a second (Tiny_limits, chosen by the macro ANNULUS_TINY_LIMITS).
+struct Wide_limits {
     static constexpr bool tiny = false;
     /// Cells of a triangulation: a corner is 4 * cell + slot, and that is an Index. Beyond it Error(too_large).
     static constexpr std::int32_t cells = std::int32_t{1} << 29;
@@ -23,11 +23,12 @@ struct Wide_horizons {
     static constexpr std::uint32_t stamps = std::numeric_limits<std::uint32_t>::max();
     /// Certificates that a vertex lists by name; what else it has is below one bound for all (Expiry_list).
     [[nodiscard]] static constexpr std::size_t listed(int d) { return d == 2 ? 6 : 10; }
-    /// Which bits of the upper half of a double are kept: the sign, 11 of exponent, 20 of significand (High_word).
+    /// Which bits of the upper half of a double are kept: the sign, 11 of exponent, 20 of significand
+    /// (Truncated_double).
     static constexpr std::uint32_t half_mask = 0xFFFFFFFF;
     /// A vertex whose odometer shows this many times what is left of its certificates starts at 0 again
     /// (Odometers::rebase).
-    static constexpr double odometer = 0x1p8;
+    static constexpr double path_ratio = 0x1p8;
     /// What comes back of a tolerance that was written down as an expiry, at least, of one.
     static constexpr double kept = 1.0 - 0x1p-10;
 };
@@ -35,7 +36,7 @@ struct Wide_horizons {
 /// Bounds that every run passes: stamps wrap at each third step, lists name one or two certificates, expiries have
 /// four significant bits, odometers start again almost at every step. The number of cells can be set, since few
 /// inputs fit a small one.
-struct Tiny_horizons {
+struct Tiny_limits {
     static constexpr bool tiny = true;
     static inline std::int32_t cells = std::int32_t{1} << 29;
     static inline std::size_t vertices = std::size_t{1} << 29;
@@ -43,14 +44,14 @@ struct Tiny_horizons {
     static constexpr std::uint32_t stamps = 3;
     [[nodiscard]] static constexpr std::size_t listed(int d) { return d == 2 ? 1 : 2; }
     static constexpr std::uint32_t half_mask = 0xFFFE0000;
-    static constexpr double odometer = 2.0;
+    static constexpr double path_ratio = 2.0;
     static constexpr double kept = 0.0;
 };
 
-#ifdef ANNULUS_TINY_HORIZONS
-using Horizons = Tiny_horizons;
+#ifdef ANNULUS_TINY_LIMITS
+using Limits = Tiny_limits;
 #else
-using Horizons = Wide_horizons;
+using Limits = Wide_limits;
 #endif
 
 }  // namespace annulus
