@@ -2,7 +2,7 @@
 // Nanoseconds per half width: each stage, each family of bi-cells, single calls and batches, and plain double of the
 // same formula.
 #include <annulus/arithmetic/rounding_guard.h>
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 
 #include <benchmark/benchmark.h>
 
@@ -27,7 +27,7 @@ struct Cases {
     std::vector<Points> points;
     std::vector<Tuple<d, d + 2>> bicells;
     std::vector<Tuple<d, d + 1>> cells;
-    std::vector<Verdict> verdicts{count};
+    std::vector<Certificate_value> verdicts{count};
 
     explicit Cases(Family family) {
         std::mt19937_64 random(1);
@@ -124,7 +124,7 @@ void half_width_plain(benchmark::State& state) {
 template <int d>
 void half_width_filter(benchmark::State& state) {
     one_by_one<d>(state, [](const auto& x) {
-        Verdict v;
+        Certificate_value v;
         return empty_sphere_filter(x, true, v) ? v.tolerance : 0.0;
     });
 }
@@ -132,7 +132,7 @@ template <int d>
 void half_width_interval_guard_per_call(benchmark::State& state) {
     one_by_one<d>(state, [](const auto& x) {
         const Rounding_guard guard(FE_UPWARD);
-        Verdict v;
+        Certificate_value v;
         benchmark::DoNotOptimize(empty_sphere_interval(x, v));
         return v.tolerance;
     });
@@ -143,7 +143,7 @@ void half_width_interval_guard_per_batch(benchmark::State& state) {
     for (auto _ : state) {
         const Rounding_guard guard(FE_UPWARD);
         for (const auto& x : cases.bicells) {
-            Verdict v;
+            Certificate_value v;
             benchmark::DoNotOptimize(empty_sphere_interval(x, v));
             benchmark::DoNotOptimize(v.tolerance);
         }
@@ -156,7 +156,7 @@ void half_width_exact(benchmark::State& state) {
 }
 template <int d>
 void half_width_ladder(benchmark::State& state) {
-    one_by_one<d>(state, [](const auto& x) { return empty_sphere_verdict(x).tolerance; });
+    one_by_one<d>(state, [](const auto& x) { return evaluate_empty_sphere(x).tolerance; });
 }
 #define EVERY_FAMILY(function)                                         \
     BENCHMARK_TEMPLATE(function, 2)->DenseRange(uniform, cospherical); \
@@ -172,7 +172,7 @@ EVERY_FAMILY(half_width_ladder);
 template <int d>
 void half_width_batch(benchmark::State& state) {
     Cases<d> cases(static_cast<Family>(state.range(0)));
-    const auto mode = static_cast<Mode>(state.range(1));
+    const auto mode = static_cast<Tolerance_precision>(state.range(1));
     for (auto _ : state) {
         evaluate(std::span<const Tuple<d, d + 2>>(cases.bicells), mode, cases.verdicts);
         benchmark::DoNotOptimize(cases.verdicts.data());
@@ -181,7 +181,8 @@ void half_width_batch(benchmark::State& state) {
     label(state);
 }
 void family_and_mode(benchmark::internal::Benchmark* b) {
-    for (const Mode mode : {Mode::floating, Mode::fast, Mode::tight})
+    for (const Tolerance_precision mode :
+         {Tolerance_precision::approximate, Tolerance_precision::lower_bound, Tolerance_precision::correctly_rounded})
         for (int family = uniform; family <= cospherical; ++family) b->Args({family, static_cast<int>(mode)});
 }
 BENCHMARK_TEMPLATE(half_width_batch, 2)->Apply(family_and_mode);
@@ -192,14 +193,14 @@ void half_width_batch_cells(benchmark::State& state) {
     Cases<3> cases(static_cast<Family>(state.range(0)));
     const auto cells = static_cast<Cell_widths>(state.range(1));
     for (auto _ : state) {
-        evaluate(std::span<const Tuple<3, 5>>(cases.bicells), Mode::fast, cases.verdicts, cells);
+        evaluate(std::span<const Tuple<3, 5>>(cases.bicells), Tolerance_precision::lower_bound, cases.verdicts, cells);
         benchmark::DoNotOptimize(cases.verdicts.data());
         benchmark::ClobberMemory();
     }
     label(state);
-    std::int64_t backward = 0;
-    for (const Verdict& v : cases.verdicts) backward += v.backward != 0;
-    state.counters["backward"] = static_cast<double>(backward) / 1024.0;
+    std::int64_t wrong_side = 0;
+    for (const Certificate_value& v : cases.verdicts) wrong_side += v.wrong_side != 0;
+    state.counters["backward"] = static_cast<double>(wrong_side) / 1024.0;
 }
 BENCHMARK(half_width_batch_cells)->Args({0, 0})->Args({0, 1})->Args({0, 2});
 
@@ -211,7 +212,7 @@ void cell_width_filter(benchmark::State& state) {
     for (auto _ : state) {
         double sum = 0.0;
         for (const auto& x : cases.cells) {
-            Verdict v;
+            Certificate_value v;
             sum += orientation_filter(x, true, v) ? v.tolerance : 0.0;
         }
         benchmark::DoNotOptimize(sum);
@@ -222,7 +223,7 @@ template <int d>
 void cell_width_batch(benchmark::State& state) {
     Cases<d> cases(static_cast<Family>(state.range(0)));
     for (auto _ : state) {
-        evaluate(std::span<const Tuple<d, d + 1>>(cases.cells), Mode::fast, cases.verdicts);
+        evaluate(std::span<const Tuple<d, d + 1>>(cases.cells), Tolerance_precision::lower_bound, cases.verdicts);
         benchmark::DoNotOptimize(cases.verdicts.data());
         benchmark::ClobberMemory();
     }

@@ -8,7 +8,7 @@
 // KIND, POINTS and SEED are those of `annulus generate`; DIGITS behind the point, to which coordinates are rounded.
 // Without arguments a small set of clusters. Wide: a width of 1e7 units in the last place of the largest coordinate,
 // or more. docs/degeneracy.md quotes what it prints.
-#include <annulus/certificate/ladder_3.h>
+#include <annulus/certificate/filtered_3.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/motion/generated_motion.h>
 #include <annulus/statistics/degeneracy.h>
@@ -49,8 +49,8 @@ double stretch(const Tuple<3, 5>& t) {
 
 /// What decides of one, in words.
 std::string ways(const Tuple<3, 5>& t) {
-    const Stage sign = empty_sphere_verdict(t, false, Cell_widths::never).stage,
-                annuli = empty_sphere_verdict(t, true, Cell_widths::never).stage, all = empty_sphere_verdict(t).stage;
+    const Stage sign = evaluate_empty_sphere(t, false, Cell_widths::never).stage,
+                annuli = evaluate_empty_sphere(t, true, Cell_widths::never).stage, all = evaluate_empty_sphere(t).stage;
     const auto side = annuli_exact(t).side;
     const bool zero = std::any_of(side.begin() + 1, side.end(), [](int s) { return s == 0; });
     return std::string(name_of(all)) + "; annuli alone: " + std::string(name_of(annuli)) +

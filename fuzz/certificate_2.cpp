@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> four points of the plane -> every stage of the ladder against rational arithmetic: signs, and on which
-// side of the half width a tolerance is; and what stands beside the ladder: enclosures, circles asked many times, the
-// perturbation. A find is printed as the four points.
+// Bytes -> four points of the plane -> every stage of the filtered predicate against rational arithmetic: signs, and on
+// which side of the half width a tolerance is; and what stands beside the filtered predicate: enclosures, circles asked
+// many times, the perturbation. A find is printed as the four points.
 #include "common/decode.h"
 #include "common/rational_2.h"
 #include "common/verdict_fault.h"
@@ -22,11 +22,11 @@ using oracle::fault_of;
 
 std::string check_triangle(const Tuple<2, 3>& t) {
     const oracle::Half_width_3 truth = oracle::simplex(t);
-    std::array<Verdict, 1> batch;
-    evaluate(std::span(&t, 1), Mode::fast, batch);
-    for (const Verdict& v : {orientation_verdict(t), batch[0], orientation_exact(t)})
+    std::array<Certificate_value, 1> batch;
+    evaluate(std::span(&t, 1), Tolerance_precision::lower_bound, batch);
+    for (const Certificate_value& v : {evaluate_orientation(t), batch[0], orientation_exact(t)})
         if (const std::string f = fault_of(v, truth); !f.empty()) return "orientation: " + f;
-    if (orientation_verdict(t, false).sign != truth.sign()) return "orientation without certification: sign";
+    if (evaluate_orientation(t, false).sign != truth.sign()) return "orientation without certification: sign";
     for (const Width which : {Width::least, Width::slab, Width::ridge}) {
         std::array<Half_width, 1> h;
         enclose(std::span(&t, 1), which, h);
@@ -41,17 +41,18 @@ std::string check_triangle(const Tuple<2, 3>& t) {
 /// Both triangles are positive.
 std::string check_bicell(const Tuple<2, 4>& x) {
     const oracle::Half_width_3 truth = oracle::annulus_2(x);
-    std::array<Verdict, 1> batch;
-    evaluate(std::span(&x, 1), Mode::fast, batch);
-    for (const Verdict& v : {empty_sphere_verdict(x), batch[0], empty_sphere_exact(x)})
+    std::array<Certificate_value, 1> batch;
+    evaluate(std::span(&x, 1), Tolerance_precision::lower_bound, batch);
+    for (const Certificate_value& v : {evaluate_empty_sphere(x), batch[0], empty_sphere_exact(x)})
         if (const std::string f = fault_of(v, truth); !f.empty()) return "empty circle: " + f;
-    if (empty_sphere_verdict(x, false).sign != truth.sign()) return "empty circle without certification: sign";
+    if (evaluate_empty_sphere(x, false).sign != truth.sign()) return "empty circle without certification: sign";
     oracle::Half_width_3 with_cells = truth;
     with_cells.add(oracle::simplex({x[0], x[1], x[3]}));
     with_cells.add(oracle::simplex({x[1], x[0], x[2]}));
-    if (const std::string f = fault_of(sign_verdict(x), with_cells, oracle::Made_of::several); !f.empty())
+    if (const std::string f = fault_of(evaluate_sign_tolerance(x), with_cells, oracle::Made_of::several); !f.empty())
         return "circle and triangles: " + f;
-    if (const std::string f = fault_of(sign_verdict(x, Mode::tight), with_cells); !f.empty())
+    if (const std::string f = fault_of(evaluate_sign_tolerance(x, Tolerance_precision::correctly_rounded), with_cells);
+        !f.empty())
         return "circle and triangles, tight: " + f;
     std::array<Bicell_half_widths, 1> h;
     enclose(std::span(&x, 1), h);

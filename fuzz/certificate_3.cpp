@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> five points of space -> every stage of the ladder against rational arithmetic: signs, and on which side of
-// the half width a tolerance is. A find is printed as the five points.
+// Bytes -> five points of space -> every stage of the filtered predicate against rational arithmetic: signs, and on
+// which side of the half width a tolerance is. A find is printed as the five points.
 #include "common/decode.h"
 #include "common/rational_3.h"
 #include "common/verdict_fault.h"
@@ -26,7 +26,7 @@ std::string check(const std::vector<Coordinates<3>>& x) {
     const Tuple<3, 4> other{&x[1], &x[0], &x[2], &x[3]};
     for (const Tuple<3, 4>& t : {cell, other}) {
         const oracle::Half_width_3 truth = oracle::simplex(t);
-        for (const Verdict& v : {orientation_verdict(t), orientation_exact(t)})
+        for (const Certificate_value& v : {evaluate_orientation(t), orientation_exact(t)})
             if (const std::string f = fault_of(v, truth); !f.empty()) return "orientation: " + f;
         std::array<Half_width, 1> h;
         enclose(std::span(&t, 1), Width::least, h);
@@ -38,15 +38,15 @@ std::string check(const std::vector<Coordinates<3>>& x) {
     if (!positive(cell) || !positive(other)) return {};
     const oracle::Half_width_3 least = oracle::least_annulus(bicell);
     const oracle::Half_width_3 with_cells = oracle::least_annulus_and_cells(bicell);
-    std::array<Verdict, 1> batch;
-    evaluate(std::span(&bicell, 1), Mode::fast, batch, Cell_widths::always);
-    for (const Verdict& v : {empty_sphere_verdict(bicell, true, Cell_widths::always), batch[0],
-                             empty_sphere_exact(bicell, Cell_widths::always)})
+    std::array<Certificate_value, 1> batch;
+    evaluate(std::span(&bicell, 1), Tolerance_precision::lower_bound, batch, Cell_widths::always);
+    for (const Certificate_value& v : {evaluate_empty_sphere(bicell, true, Cell_widths::always), batch[0],
+                                       empty_sphere_exact(bicell, Cell_widths::always)})
         if (const std::string f = fault_of(v, with_cells); !f.empty()) return "empty sphere and cells: " + f;
-    for (const Verdict& v :
-         {empty_sphere_verdict(bicell, true, Cell_widths::never), empty_sphere_exact(bicell, Cell_widths::never)})
+    for (const Certificate_value& v :
+         {evaluate_empty_sphere(bicell, true, Cell_widths::never), empty_sphere_exact(bicell, Cell_widths::never)})
         if (const std::string f = fault_of(v, least); !f.empty()) return "empty sphere: " + f;
-    const Verdict needed = empty_sphere_verdict(bicell);
+    const Certificate_value needed = evaluate_empty_sphere(bicell);
     if (needed.sign > 0 && !least.is_at_least(needed.tolerance)) return "empty sphere, cells where needed";
     std::array<Bicell_half_widths, 1> h;
     enclose(std::span(&bicell, 1), h);

@@ -179,7 +179,7 @@ class Repetition {
                 p[k] = before[at(points[k].vertex)];
                 way = std::max(way, std::sqrt(squared_distance<d>(x[at(points[k].vertex)], p[k])));
             }
-            const double room = facet_verdict(Facet_kind::empty_sphere, p).tolerance;
+            const double room = evaluate_facet(Facet_kind::empty_sphere, p).tolerance;
             sum += way < room ? way / room : way > 0.0 ? 1.0 : 0.0;
             ++sampled;
         }
@@ -274,9 +274,9 @@ class Repetition {
         for (const Corner_index f : table.facets())
             if (facet_kind(table, f) == Facet_kind::empty_sphere)
                 tuples.push_back(tuple<d, d + 2>(bicell_sites(table, f), std::span<const Coordinates<d>>(x)));
-        std::vector<Verdict> verdict(tuples.size());
+        std::vector<Certificate_value> verdict(tuples.size());
         Stage_counts by;
-        const double s = least(3, [&] { by = evaluate(tuples, Mode::fast, verdict); });
+        const double s = least(3, [&] { by = evaluate(tuples, Tolerance_precision::lower_bound, verdict); });
         return {s, static_cast<double>(tuples.size()), static_cast<double>(by.interval), static_cast<double>(by.exact)};
     }
 

@@ -4,7 +4,7 @@
 // Half widths in space from their definitions, in rational numbers: slabs from normals, annuli from centres that
 // solve a linear system. Nothing here calls the library.
 
-#include <annulus/certificate/verdict.h>
+#include <annulus/certificate/certificate_value.h>
 
 #include <gmpxx.h>
 

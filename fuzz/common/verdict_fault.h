@@ -16,7 +16,8 @@ namespace annulus::oracle {
 enum class Made_of : bool { one, several };
 
 /// Empty, or what is wrong with a verdict, given the truth.
-[[nodiscard]] inline std::string fault_of(const Verdict& v, const Half_width_3& truth, Made_of made = Made_of::one) {
+[[nodiscard]] inline std::string fault_of(const Certificate_value& v, const Half_width_3& truth,
+                                          Made_of made = Made_of::one) {
     if (v.sign != truth.sign()) return "sign";
     if (v.sign <= 0) return v.tolerance == 0.0 ? "" : "a tolerance without a sign";
     if (!(v.tolerance >= 0.0)) return "a tolerance that is negative or NaN";

@@ -186,7 +186,7 @@ Proof.
   apply rnd_at_least; [lia|]. apply Rlt_le, N.
 Qed.
 
-(* The third side of a triangle is no test's concern in ladder_2.h: the other two bound it. *)
+(* The third side of a triangle is no test's concern in filtered_2.h: the other two bound it. *)
 Lemma third_side : forall r s t, Rabs (rnd (s - r)) <= power 120 -> Rabs (rnd (t - r)) <= power 120 ->
   Rabs (rnd (t - s)) <= power 122.
 Proof.

@@ -3,7 +3,7 @@
 
 #include "families.h"
 
-#include <annulus/certificate/ladder_2.h>
+#include <annulus/certificate/filtered_2.h>
 
 #include <vector>
 
@@ -26,11 +26,11 @@ struct Orientation_2 {
         return {t.determinant,           t.inner, t.outer, m, bounds::orientation_2 * bounds::u * (m * m), 0.0,
                 2.0 * std::sqrt(t.inner)};
     }
-    static bool filter(const Tuple<2, 3>& x, bool certified, Verdict& out) {
+    static bool filter(const Tuple<2, 3>& x, bool certified, Certificate_value& out) {
         return orientation_filter(x, certified, out);
     }
-    static bool interval(const Tuple<2, 3>& x, Verdict& out) { return orientation_interval(x, out); }
-    static Verdict exact(const Tuple<2, 3>& x) { return orientation_exact(x); }
+    static bool interval(const Tuple<2, 3>& x, Certificate_value& out) { return orientation_interval(x, out); }
+    static Certificate_value exact(const Tuple<2, 3>& x) { return orientation_exact(x); }
 };
 
 struct Empty_sphere_2 {
@@ -54,11 +54,11 @@ struct Empty_sphere_2 {
                 bounds::annulus_2_norms * bounds::u * (m2 * m),
                 std::sqrt(t.inner) + std::sqrt(t.outer)};
     }
-    static bool filter(const Tuple<2, 4>& x, bool certified, Verdict& out) {
+    static bool filter(const Tuple<2, 4>& x, bool certified, Certificate_value& out) {
         return empty_sphere_filter(x, certified, out);
     }
-    static bool interval(const Tuple<2, 4>& x, Verdict& out) { return empty_sphere_interval(x, out); }
-    static Verdict exact(const Tuple<2, 4>& x) { return empty_sphere_exact(x); }
+    static bool interval(const Tuple<2, 4>& x, Certificate_value& out) { return empty_sphere_interval(x, out); }
+    static Certificate_value exact(const Tuple<2, 4>& x) { return empty_sphere_exact(x); }
 };
 
 }  // namespace annulus::link

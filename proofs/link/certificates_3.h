@@ -3,7 +3,7 @@
 
 #include "families.h"
 
-#include <annulus/certificate/ladder_3.h>
+#include <annulus/certificate/filtered_3.h>
 
 #include <vector>
 
@@ -32,11 +32,11 @@ struct Orientation_3 {
                 bounds::orientation_3_norms * bounds::u * m2,
                 2.0 * std::sqrt(t.inner)};
     }
-    static bool filter(const Tuple<3, 4>& x, bool certified, Verdict& out) {
+    static bool filter(const Tuple<3, 4>& x, bool certified, Certificate_value& out) {
         return orientation_filter(x, certified, out);
     }
-    static bool interval(const Tuple<3, 4>& x, Verdict& out) { return orientation_interval(x, out); }
-    static Verdict exact(const Tuple<3, 4>& x) { return orientation_exact(x); }
+    static bool interval(const Tuple<3, 4>& x, Certificate_value& out) { return orientation_interval(x, out); }
+    static Certificate_value exact(const Tuple<3, 4>& x) { return orientation_exact(x); }
 };
 
 struct Empty_sphere_3 {
@@ -62,11 +62,11 @@ struct Empty_sphere_3 {
         for (std::size_t k = 0; k < partitions_3; ++k) out.insert(out.end(), {t.inner[k], t.outer[k], t.side[k]});
         return out;
     }
-    static bool filter(const Tuple<3, 5>& x, bool certified, Verdict& out) {
+    static bool filter(const Tuple<3, 5>& x, bool certified, Certificate_value& out) {
         return empty_sphere_filter(x, certified, out);
     }
-    static bool interval(const Tuple<3, 5>& x, Verdict& out) { return empty_sphere_interval(x, out); }
-    static Verdict exact(const Tuple<3, 5>& x) { return empty_sphere_exact(x); }
+    static bool interval(const Tuple<3, 5>& x, Certificate_value& out) { return empty_sphere_interval(x, out); }
+    static Certificate_value exact(const Tuple<3, 5>& x) { return empty_sphere_exact(x); }
 };
 
 }  // namespace annulus::link

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/verdict.h>
+#include <annulus/certificate/certificate_value.h>
 
 #include <cmath>
 #include <cstdio>
@@ -33,7 +33,7 @@ class Row {
     }
     void truth(bool b) { std::printf(b ? " true" : " false"); }
     void text(const char* w) { std::printf(" \"%s\"%%string", w); }
-    void answer(bool answered, const Verdict& v) {
+    void answer(bool answered, const Certificate_value& v) {
         if (!answered) {
             std::printf(" refused");
             return;

@@ -37,22 +37,22 @@ void filter_rows(const char* constructor, std::size_t count) {
         tuples[i] = pointers(points[i]);
     }
     using Tuple = typename decltype(tuples)::value_type;
-    std::vector<Verdict> batch(count);
-    evaluate(std::span<const Tuple>(tuples), Mode::fast, std::span<Verdict>(batch));
+    std::vector<Certificate_value> batch(count);
+    evaluate(std::span<const Tuple>(tuples), Tolerance_precision::lower_bound, std::span<Certificate_value>(batch));
     for (std::size_t i = 0; i < count; ++i) {
         const Tuple& x = tuples[i];
         Row row(constructor);
         row.points(points[i]);
         row.numbers(Certificate::terms(x));
         for (const bool certified : {true, false}) {
-            Verdict v;
+            Certificate_value v;
             const bool answered = Certificate::filter(x, certified, v);
             row.answer(answered, v);
         }
         row.answer(batch[i].stage == Stage::filter, batch[i]);
         if constexpr (Certificate::d == 3 && Certificate::points == 5) {
             for (const Cell_widths cells : {Cell_widths::always, Cell_widths::never}) {
-                Verdict v;
+                Certificate_value v;
                 const bool answered = empty_sphere_filter(x, true, v, cells);
                 row.answer(answered, v);
             }
@@ -63,7 +63,7 @@ void filter_rows(const char* constructor, std::size_t count) {
 /// The answers of the interval and the exact stage, whatever the filter says.
 template <class Certificate, class Tuple>
 void later(Row& row, const Tuple& x) {
-    Verdict v;
+    Certificate_value v;
     bool answered = false;
     {
         const Rounding_guard guard(FE_UPWARD);
@@ -73,13 +73,14 @@ void later(Row& row, const Tuple& x) {
     row.answer(true, Certificate::exact(x));
 }
 
-/// What the ladder answers of all of them (batch.h), in the modes `fast` and `tight`.
+/// What the filtered predicate answers of all of them (batch.h), in the modes `fast` and `tight`.
 template <class Tuple>
 class Ladder {
   public:
     explicit Ladder(const std::vector<Tuple>& x) : fast_(x.size()), tight_(x.size()) {
-        evaluate(std::span<const Tuple>(x), Mode::fast, std::span<Verdict>(fast_));
-        evaluate(std::span<const Tuple>(x), Mode::tight, std::span<Verdict>(tight_));
+        evaluate(std::span<const Tuple>(x), Tolerance_precision::lower_bound, std::span<Certificate_value>(fast_));
+        evaluate(std::span<const Tuple>(x), Tolerance_precision::correctly_rounded,
+                 std::span<Certificate_value>(tight_));
     }
     void answers(Row& row, std::size_t i) const {
         row.answer(true, fast_[i]);
@@ -87,7 +88,7 @@ class Ladder {
     }
 
   private:
-    std::vector<Verdict> fast_, tight_;
+    std::vector<Certificate_value> fast_, tight_;
 };
 
 /// Which case row i of the later stages is. Each stage says yes to one of the first few spheres: two are exchanged for
@@ -117,7 +118,7 @@ void later_rows(const char* constructor, std::size_t count) {
     }
 }
 
-/// The configurations of the published table: all three stages, and the ladder of each alone.
+/// The configurations of the published table: all three stages, and the filtered predicate of each alone.
 template <class Certificate, class Table>
 void named_rows(const char* constructor, const Table& table) {
     for (const auto& n : table) {
@@ -125,7 +126,7 @@ void named_rows(const char* constructor, const Table& table) {
         Row row(constructor);
         row.text(n.name);
         row.points(n.x);
-        Verdict v;
+        Certificate_value v;
         const bool answered = Certificate::filter(x, true, v);
         row.answer(answered, v);
         later<Certificate>(row, x);

@@ -2,7 +2,7 @@
 #include <module/cells.h>
 
 #include <annulus/arithmetic/domain.h>
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 
 #include <cmath>
 #include <cstdint>
@@ -64,7 +64,7 @@ class Walk {
             const Index next = cells_.simplices.neighbours[at(s)][i];
             if (next == from && next >= 0) continue;
             const auto* const corner = std::exchange(x[i], &p);
-            const bool out = orientation_verdict(x, false).sign < 0;
+            const bool out = evaluate_orientation(x, false).sign < 0;
             x[i] = corner;
             if (out) return next;
         }

@@ -7,7 +7,7 @@
 #include <support/oracle_3.h>
 #include <support/stages_3.h>
 
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 
 #include <cfenv>
 #include <cmath>
@@ -18,18 +18,19 @@ using namespace annulus::testing;
 
 namespace {
 
-bool same(const Verdict& l, const Verdict& r) {
-    return l.tolerance == r.tolerance && l.sign == r.sign && l.stage == r.stage && l.backward == r.backward;
+bool same(const Certificate_value& l, const Certificate_value& r) {
+    return l.tolerance == r.tolerance && l.sign == r.sign && l.stage == r.stage && l.wrong_side == r.wrong_side;
 }
 
 /// The batch against `single`, for every length from 0 to that of x, so that every remainder of lanes is met.
 template <class Case, class T, class Single, class... More>
-void check(const std::vector<Case>& x, const std::vector<T>& tuples, Mode mode, Single single, More... more) {
-    std::vector<Verdict> expected;
+void check(const std::vector<Case>& x, const std::vector<T>& tuples, Tolerance_precision mode, Single single,
+           More... more) {
+    std::vector<Certificate_value> expected;
     for (const T& t : tuples) expected.push_back(single(t));
     for (std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}, tuples.size()}) {
         if (size > tuples.size()) continue;
-        std::vector<Verdict> out(size, Verdict{-1.0, 7, Stage::exact, 255});
+        std::vector<Certificate_value> out(size, Certificate_value{-1.0, 7, Stage::exact, 255});
         const Stage_counts counts = evaluate(std::span<const T>(tuples.data(), size), mode, out, more...);
         Stage_counts counted;
         for (std::size_t i = 0; i < size; ++i) {
@@ -43,24 +44,25 @@ void check(const std::vector<Case>& x, const std::vector<T>& tuples, Mode mode, 
 
 /// The verdict of a single call in a mode.
 template <class T, class... More>
-Verdict one(const T& x, Mode mode, More... more) {
+Certificate_value one(const T& x, Tolerance_precision mode, More... more) {
     constexpr bool is_orientation = std::is_same_v<T, Tuple<2, 3>> || std::is_same_v<T, Tuple<3, 4>>;
-    Verdict v, e;
+    Certificate_value v, e;
     if constexpr (is_orientation) {
-        v = orientation_verdict(x, mode != Mode::floating);
+        v = evaluate_orientation(x, mode != Tolerance_precision::approximate);
         e = orientation_exact(x);
     } else {
-        v = empty_sphere_verdict(x, mode != Mode::floating, more...);
+        v = evaluate_empty_sphere(x, mode != Tolerance_precision::approximate, more...);
         e = empty_sphere_exact(x, more...);
     }
-    return mode == Mode::tight && v.sign > 0 ? e : v;
+    return mode == Tolerance_precision::correctly_rounded && v.sign > 0 ? e : v;
 }
 
 template <class Case, class... More>
 void check_modes(const std::vector<Case>& x, More... more) {
     std::vector<decltype(x[0].tuple())> tuples;
     for (const Case& c : x) tuples.push_back(c.tuple());
-    for (const Mode mode : {Mode::floating, Mode::fast, Mode::tight})
+    for (const Tolerance_precision mode :
+         {Tolerance_precision::approximate, Tolerance_precision::lower_bound, Tolerance_precision::correctly_rounded})
         check(
             x, tuples, mode, [&](const auto& t) { return one(t, mode, more...); }, more...);
 }
@@ -111,22 +113,22 @@ TEST_CASE(
     "[certificate][space]") {
     REQUIRE(for_all("of bi-cells in the plane and in space", [](const Seed& seed) {
         for_each_delaunay_bicell(seed.random(), 1, [](const Bicell& c) {
-            const Verdict sign = sign_verdict(c.tuple(), Mode::tight);
+            const Certificate_value sign = evaluate_sign_tolerance(c.tuple(), Tolerance_precision::correctly_rounded);
             const double cells = std::min(orientation_exact({&c.a, &c.b, &c.q}).tolerance,
                                           orientation_exact({&c.b, &c.a, &c.p}).tolerance);
             HOLDS(sign.tolerance == std::min(empty_sphere_exact(c.tuple()).tolerance, cells), c);
-            HOLDS(sign_verdict(c.tuple()).tolerance <= sign.tolerance, c);
-            HOLDS(sign_verdict(c.tuple()).sign == sign.sign, c);
+            HOLDS(evaluate_sign_tolerance(c.tuple()).tolerance <= sign.tolerance, c);
+            HOLDS(evaluate_sign_tolerance(c.tuple()).sign == sign.sign, c);
         });
         for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
-            const Verdict sign = sign_verdict(c.tuple(), Mode::tight);
+            const Certificate_value sign = evaluate_sign_tolerance(c.tuple(), Tolerance_precision::correctly_rounded);
             HOLDS(sign.tolerance == empty_sphere_exact(c.tuple(), Cell_widths::always).tolerance, c);
-            HOLDS(sign_verdict(c.tuple()).tolerance <= sign.tolerance, c);
+            HOLDS(evaluate_sign_tolerance(c.tuple()).tolerance <= sign.tolerance, c);
         });
     }));
     std::vector<double> tolerance(5, HUGE_VAL);
     const std::vector<std::array<Index, 3>> triangles{{0, 1, 2}, {1, 2, 3}};
-    const std::vector<Verdict> verdicts{{0.5, 1}, {0.25, 1}};
+    const std::vector<Certificate_value> verdicts{{0.5, 1}, {0.25, 1}};
     lower_to_certificates<3>(triangles, verdicts, tolerance);
     CHECK(tolerance == std::vector<double>{0.5, 0.25, 0.25, 0.25, HUGE_VAL});
 }

@@ -72,7 +72,7 @@ TEST_CASE("the bound of the norms is made of those of the two vectors", "[certif
 }
 
 TEST_CASE("rounded terms are accepted with their errors taken off, or not at all", "[certificate]") {
-    Verdict v;
+    Certificate_value v;
     const auto answers = [&v](double determinant, double root, double det_error, double norm_error,
                               bool certified = true) {
         v = {};

@@ -166,7 +166,7 @@ TEST_CASE("the filter calls no annulus forward that is within its error of being
                     const Bicell_3 c = bicell_of(x);
                     const Answers answers = ask(c, Cell_widths::where_needed);
                     if (!answers.filter || sgn(sides(c)[k]) > 0) return;
-                    HOLDS((answers.filter->backward & (1U << k)) != 0, c);
+                    HOLDS((answers.filter->wrong_side & (1U << k)) != 0, c);
                 });
         }));
 }
@@ -224,7 +224,7 @@ TEST_CASE("a tolerance of the filter is what is left after the errors of determi
                                std::sqrt(s.inner[k]) + std::sqrt(s.outer[k]), term(bounds::annulus_3_norms, m, 4)),
                       c);
                 // The same of the sides: forward is what is above its error.
-                const bool forward = (a->backward & (1U << k)) == 0;
+                const bool forward = (a->wrong_side & (1U << k)) == 0;
                 HOLDS(k == 0 || !forward || Rational(s.side[k]) > term(bounds::annulus_3_side, m, 3), c);
             }
         }

@@ -154,7 +154,7 @@ struct Space_errors {
 /// The share of the half width that the tolerance of a stage gives away; 0 where the stage does not answer with a
 /// tolerance.
 template <class Truth>
-[[nodiscard]] double slack(const Truth& truth, const std::optional<Verdict>& answer) {
+[[nodiscard]] double slack(const Truth& truth, const std::optional<Certificate_value>& answer) {
     if (!answer || answer->sign <= 0 || truth.sign() <= 0 || !(answer->tolerance > 0x1p-1000)) return 0;
     return truth.enclosure().slack(answer->tolerance);
 }
@@ -170,22 +170,22 @@ struct Climb {
 namespace filter_errors {
 
 inline Point_3 point_3(const Numbers& x, std::size_t i) { return {x[3 * i], x[3 * i + 1], x[3 * i + 2]}; }
-template <std::optional<Verdict> Answers::*stage>
+template <std::optional<Certificate_value> Answers::*stage>
 double triangle_slack(const Numbers& x) {
     const Triangle t{point(x, 0), point(x, 1), point(x, 2)};
     return 1024 * slack(Triangle_truth(t), ask(t).*stage);
 }
-template <std::optional<Verdict> Answers::*stage>
+template <std::optional<Certificate_value> Answers::*stage>
 double bicell_slack(const Numbers& x) {
     const Bicell c{point(x, 0), point(x, 1), point(x, 2), point(x, 3)};
     return is_bicell(c) ? 1024 * slack(Bicell_truth(c), ask(c).*stage) : 0;
 }
-template <std::optional<Verdict> Answers::*stage>
+template <std::optional<Certificate_value> Answers::*stage>
 double tetrahedron_slack(const Numbers& x) {
     const Tetrahedron t{point_3(x, 0), point_3(x, 1), point_3(x, 2), point_3(x, 3)};
     return 1024 * slack(Tetrahedron_truth(t), ask(t).*stage);
 }
-template <std::optional<Verdict> Answers::*stage>
+template <std::optional<Certificate_value> Answers::*stage>
 double bicell_3_slack(const Numbers& x) {
     const Bicell_3 c{point_3(x, 0), point_3(x, 1), point_3(x, 2), point_3(x, 3), point_3(x, 4)};
     if (exact_orientation(c.a, c.b, c.c, c.q) <= 0 || exact_orientation(c.a, c.b, c.c, c.p) >= 0) return 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/certificate/filtered.h>
 #include <annulus/certificate/half_width.h>
-#include <annulus/certificate/ladder.h>
 #include <support/catch.h>
 #include <support/oracle_3.h>
 #include <support/repeats.h>

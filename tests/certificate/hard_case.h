@@ -4,7 +4,7 @@
 // One certificate as an array of points, the same for all four kinds.
 
 #include <annulus/certificate/exact_sign.h>
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 
 #include <array>
 #include <cstddef>
@@ -34,12 +34,12 @@ template <int d, std::size_t k>
 }
 
 template <int d, std::size_t k>
-[[nodiscard]] Verdict ladder_verdict(const Case<d, k>& x) {
-    if constexpr (is_orientation<d, k>) return orientation_verdict(tuple_of<d, k>(x));
-    else return empty_sphere_verdict(tuple_of<d, k>(x));
+[[nodiscard]] Certificate_value ladder_verdict(const Case<d, k>& x) {
+    if constexpr (is_orientation<d, k>) return evaluate_orientation(tuple_of<d, k>(x));
+    else return evaluate_empty_sphere(tuple_of<d, k>(x));
 }
 template <int d, std::size_t k>
-[[nodiscard]] Verdict exact_verdict(const Case<d, k>& x) {
+[[nodiscard]] Certificate_value exact_verdict(const Case<d, k>& x) {
     if constexpr (is_orientation<d, k>) return orientation_exact(tuple_of<d, k>(x));
     else return empty_sphere_exact(tuple_of<d, k>(x));
 }

@@ -33,7 +33,7 @@ Case<2, 4> points_of(const Bicell& c) { return {c.a, c.b, c.p, c.q}; }
 Case<3, 4> points_of(const Tetrahedron& t) { return {t.a, t.b, t.c, t.d}; }
 Case<3, 5> points_of(const Bicell_3& c) { return {c.a, c.b, c.c, c.p, c.q}; }
 
-/// What the ladder asks for before it gives a tolerance.
+/// What the filtered predicate asks for before it gives a tolerance.
 bool is_legal(const Case<2, 3>&) { return true; }
 bool is_legal(const Case<3, 4>&) { return true; }
 bool is_legal(const Case<2, 4>& x) {
@@ -51,7 +51,7 @@ bool is_in_domain(const Case<d, k>& x) {
 }
 
 template <int d, std::size_t k>
-void print(const char* source, std::string_view family, double key, const Case<d, k>& x, const Verdict& v) {
+void print(const char* source, std::string_view family, double key, const Case<d, k>& x, const Certificate_value& v) {
     std::string word(family);
     std::replace(word.begin(), word.end(), ' ', '_');
     std::printf("%s %s %s %s %d %a %a", std::string(certificate_name<d, k>()).c_str(), source, word.c_str(),
@@ -63,7 +63,7 @@ void print(const char* source, std::string_view family, double key, const Case<d
 
 /// As in Hard_input, where there is a tolerance; else by the filter's margin, and what is degenerate by its size.
 template <int d, std::size_t k>
-double key_of(const Case<d, k>& x, const Verdict& v) {
+double key_of(const Case<d, k>& x, const Certificate_value& v) {
     const auto t = tuple_of<d, k>(x);
     const double margin = std::fabs(filter_margin(t));
     if (v.sign > 0 && v.stage != Stage::filter) return 2 * v.tolerance / extent<d>(t);
@@ -75,7 +75,7 @@ void print_hardest(std::string_view family, Make make) {
     std::map<std::tuple<Stage, int>, std::map<double, Case<d, k>>> hardest;
     for (int i = 0; i < cases_of_family; ++i) {
         const Case<d, k> x = make();
-        const Verdict v = ladder_verdict<d, k>(x);
+        const Certificate_value v = ladder_verdict<d, k>(x);
         auto& of = hardest[{v.stage, v.sign}];
         of.emplace(key_of<d, k>(x, v), x);
         if (of.size() > kept_of_family<d, k>) of.erase(std::prev(of.end()));
@@ -89,7 +89,7 @@ void print_hardest(std::string_view family, Make make) {
 /// which a stage not later than `last` decides and the first at which it does not.
 template <int d, std::size_t k>
 bool print_limit(std::string_view family, const Case<d, k>& from, Stage last, Random& random) {
-    const auto decides = [last](const Verdict& v) { return v.sign > 0 && v.stage <= last; };
+    const auto decides = [last](const Certificate_value& v) { return v.sign > 0 && v.stage <= last; };
     Case<d, k> in = from, out = from;
     if (!decides(ladder_verdict<d, k>(in))) return false;
     double& c = out[random() % k][random() % static_cast<std::size_t>(d)];
@@ -109,7 +109,7 @@ bool print_limit(std::string_view family, const Case<d, k>& from, Stage last, Ra
         x[place / d][place % d] = middle;
         (decides(ladder_verdict<d, k>(x)) ? good : c) = middle;
     }
-    const Verdict v = ladder_verdict<d, k>(in), w = ladder_verdict<d, k>(out);
+    const Certificate_value v = ladder_verdict<d, k>(in), w = ladder_verdict<d, k>(out);
     if (v.stage != last || w.sign <= 0 || !is_legal(in) || !is_legal(out)) return false;
     print<d, k>("limit", family, key_of<d, k>(in, v), in, v);
     print<d, k>("limit", family, key_of<d, k>(out, w), out, w);

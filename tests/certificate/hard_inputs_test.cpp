@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ladder on the hard inputs that are kept in tests/data/hard, beside exact answers which the library had no part
-// in.
+// The filtered predicate on the hard inputs that are kept in tests/data/hard, beside exact answers which the library
+// had no part in.
 #include "hard_case.h"
 
 #include <support/catch.h>
@@ -87,24 +87,25 @@ void check_file() {
         all.push_back(x);
         const int sign = std::stoi(row.at("sign"));
         const double truth = number(row.at("tolerance"));
-        const Verdict v = ladder_verdict<d, k>(x);
+        const Certificate_value v = ladder_verdict<d, k>(x);
         CHECK(v.sign == sign);
         CHECK(std::string(name_of(v.stage)) == row.at("stage"));
         CHECK(v.tolerance <= truth);
         CHECK(v.tolerance >= (1 - 0x1p-9) * truth);
-        // Not soundness: what a bound of the ladder allows it to say, bit for bit. A change on purpose calls for
-        // tests/data/hard/collect.
+        // Not soundness: what a bound of the filtered predicate allows it to say, bit for bit. A change on purpose
+        // calls for tests/data/hard/collect.
         CHECK(v.tolerance == number(row.at("certified")));
-        const Verdict exact = exact_verdict<d, k>(x);
+        const Certificate_value exact = exact_verdict<d, k>(x);
         CHECK(exact.sign == sign);
         CHECK(exact.tolerance == truth);
         CHECK(signs_agree_in_all_orders<d, k>(x, sign));
     }
     std::vector<decltype(tuple_of<d, k>(all[0]))> tuples;
     for (const Case<d, k>& x : all) tuples.push_back(tuple_of<d, k>(x));
-    std::vector<Verdict> fast(all.size()), tight(all.size());
-    evaluate(std::span<const typename decltype(tuples)::value_type>(tuples), Mode::fast, fast);
-    evaluate(std::span<const typename decltype(tuples)::value_type>(tuples), Mode::tight, tight);
+    std::vector<Certificate_value> fast(all.size()), tight(all.size());
+    evaluate(std::span<const typename decltype(tuples)::value_type>(tuples), Tolerance_precision::lower_bound, fast);
+    evaluate(std::span<const typename decltype(tuples)::value_type>(tuples), Tolerance_precision::correctly_rounded,
+             tight);
     for (std::size_t i = 0; i < all.size(); ++i) {
         CAPTURE(certificate, rows[i].at("id"), rows[i].at("points"));
         CHECK(fast[i].tolerance == number(rows[i].at("certified")));

@@ -37,12 +37,12 @@ TEST_CASE("the half widths of a bi-cell of space do not depend on how it is name
     REQUIRE(for_all("on bi-cells of every family", [](const Seed& seed) {
         for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
             for (const Cell_widths cells : all_cells) {
-                const Verdict v = empty_sphere_exact(c.tuple(), cells);
+                const Certificate_value v = empty_sphere_exact(c.tuple(), cells);
                 for (const Bicell_3& other : {c.turned(), c.rotated(), c.rotated().rotated(), c.turned().rotated()}) {
-                    const Verdict w = empty_sphere_exact(other.tuple(), cells);
+                    const Certificate_value w = empty_sphere_exact(other.tuple(), cells);
                     HOLDS(v.sign == w.sign && v.tolerance == w.tolerance, c);
-                    HOLDS((v.backward == 0) == (w.backward == 0), c);
-                    const Verdict l = empty_sphere_verdict(other.tuple(), true, cells);
+                    HOLDS((v.wrong_side == 0) == (w.wrong_side == 0), c);
+                    const Certificate_value l = evaluate_empty_sphere(other.tuple(), true, cells);
                     HOLDS(l.sign == v.sign && l.tolerance <= v.tolerance, c);
                 }
             }
@@ -70,14 +70,14 @@ TEST_CASE("the width of a tetrahedron does not depend on the order of its vertic
         for_each_tetrahedron(seed.random(), 1, [](const Tetrahedron& t) {
             const std::array<const Point_3*, 4> x = t.tuple();
             std::array<std::size_t, 4> order{0, 1, 2, 3};
-            const Verdict v = orientation_exact(t.tuple());
+            const Certificate_value v = orientation_exact(t.tuple());
             double width = v.tolerance;
             if (v.sign < 0) width = orientation_exact({x[1], x[0], x[2], x[3]}).tolerance;
             do {
                 int inversions = 0;
                 for (std::size_t i = 0; i < 4; ++i)
                     for (std::size_t j = 0; j < i; ++j) inversions += order[j] > order[i];
-                const Verdict w = orientation_exact({x[order[0]], x[order[1]], x[order[2]], x[order[3]]});
+                const Certificate_value w = orientation_exact({x[order[0]], x[order[1]], x[order[2]], x[order[3]]});
                 HOLDS(w.sign == (inversions % 2 == 0 ? v.sign : -v.sign), t);
                 HOLDS(w.tolerance == (w.sign > 0 ? width : 0.0), t);
             } while (std::next_permutation(order.begin(), order.end()));
@@ -93,8 +93,9 @@ TEST_CASE("half widths scale by powers of two and do not see exact translations"
             const int exponent = integer(random, -20, 20);
             const Bicell_3 s = mapped(c, [exponent](const Point_3& p) { return scaled(p, exponent); });
             const Answers one = ask(c, Cell_widths::always), other = ask(s, Cell_widths::always);
-            const auto corresponds = [exponent](const Verdict& v, const Verdict& w) {
-                return v.sign == w.sign && std::ldexp(v.tolerance, exponent) == w.tolerance && v.backward == w.backward;
+            const auto corresponds = [exponent](const Certificate_value& v, const Certificate_value& w) {
+                return v.sign == w.sign && std::ldexp(v.tolerance, exponent) == w.tolerance &&
+                       v.wrong_side == w.wrong_side;
             };
             HOLDS(corresponds(one.exact, other.exact), c);
             HOLDS(!one.filter || !other.filter || corresponds(*one.filter, *other.filter), c);
@@ -108,7 +109,7 @@ TEST_CASE("half widths scale by powers of two and do not see exact translations"
                 return p;
             });
             HOLDS(empty_sphere_exact(c.tuple()).tolerance == empty_sphere_exact(t.tuple()).tolerance, c);
-            HOLDS(empty_sphere_verdict(c.tuple()).tolerance == empty_sphere_verdict(t.tuple()).tolerance, c);
+            HOLDS(evaluate_empty_sphere(c.tuple()).tolerance == evaluate_empty_sphere(t.tuple()).tolerance, c);
         }
     }));
 }

@@ -31,13 +31,15 @@ Bicell translated(const Bicell& c, double dx, double dy) {
 Point quarter_turned(const Point& p) { return {-p[1], p[0]}; }
 Point mirrored(const Point& p) { return {p[1], p[0]}; }
 
-bool equal(const Verdict& l, const Verdict& r) { return l.sign == r.sign && l.tolerance == r.tolerance; }
-bool equal(const std::optional<Verdict>& l, const std::optional<Verdict>& r) {
+bool equal(const Certificate_value& l, const Certificate_value& r) {
+    return l.sign == r.sign && l.tolerance == r.tolerance;
+}
+bool equal(const std::optional<Certificate_value>& l, const std::optional<Certificate_value>& r) {
     return l.has_value() == r.has_value() && (!l || equal(*l, *r));
 }
 
 /// r is l with every length multiplied by 2^exponent, unless that rounds, be it up to the least normal number.
-bool scales(const Verdict& l, const Verdict& r, int exponent) {
+bool scales(const Certificate_value& l, const Certificate_value& r, int exponent) {
     const double expected = std::ldexp(l.tolerance, exponent);
     if (l.sign != r.sign) return false;
     const bool rounds = std::ldexp(expected, -exponent) != l.tolerance;
@@ -77,19 +79,19 @@ TEST_CASE("a bi-cell seen from its other side is the same certificate", "[certif
         for_each_bicell(seed.random(), 5, [](const Bicell& c) {
             HOLDS(is_bicell(c.turned()), c);
             HOLDS(equal(empty_sphere_exact(c.tuple()), empty_sphere_exact(c.turned().tuple())), c);
-            HOLDS(ladder(c).sign == ladder(c.turned()).sign, c);
+            HOLDS(all_stages(c).sign == all_stages(c.turned()).sign, c);
         });
     }));
     REQUIRE(for_all("the other diagonal of four points in convex position has the opposite sign", [](const Seed& seed) {
         for_each_bicell(seed.random(), 5, [](const Bicell& c) {
-            if (is_bicell(c.flipped())) HOLDS(ladder(c).sign == -ladder(c.flipped()).sign, c);
+            if (is_bicell(c.flipped())) HOLDS(all_stages(c).sign == -all_stages(c.flipped()).sign, c);
         });
     }));
     REQUIRE(for_all("where the points are not in convex position the circle is empty", [](const Seed& seed) {
         for_each_bicell(seed.random(), 5, [](const Bicell& c) {
             if (!is_bicell(c.flipped()) && exact_orientation(c.a, c.p, c.q) != 0 &&
                 exact_orientation(c.b, c.p, c.q) != 0)
-                HOLDS(ladder(c).sign == 1, c);
+                HOLDS(all_stages(c).sign == 1, c);
         });
     }));
 }
@@ -97,11 +99,11 @@ TEST_CASE("a bi-cell seen from its other side is the same certificate", "[certif
 TEST_CASE("a triangle begins at any of its vertices", "[certificate]") {
     REQUIRE(for_all("rotation keeps sign and exact tolerance, reversal changes the sign", [](const Seed& seed) {
         for_each_triangle(seed.random(), 8, [](const Triangle& t) {
-            const Verdict v = orientation_exact(t.tuple());
+            const Certificate_value v = orientation_exact(t.tuple());
             HOLDS(equal(v, orientation_exact(t.rotated().tuple())), t);
             HOLDS(equal(v, orientation_exact(t.rotated().rotated().tuple())), t);
-            HOLDS(ladder(t).sign == ladder(t.rotated()).sign, t);
-            HOLDS(ladder(t.reversed()).sign == -ladder(t).sign, t);
+            HOLDS(all_stages(t).sign == all_stages(t.rotated()).sign, t);
+            HOLDS(all_stages(t.reversed()).sign == -all_stages(t).sign, t);
         });
     }));
 }
@@ -140,7 +142,7 @@ TEST_CASE("a tolerance a bit below a power of two times so much is a bit less am
           "[certificate]") {
     // Its tolerance is the number before 2^446.
     const Triangle t{{0x0p+0, 0x1.fffffffffffffp+499}, {0x1p+500, 0x1p+500}, {0x0p+0, 0x1p+500}};
-    const Verdict v = orientation_exact(t.tuple());
+    const Certificate_value v = orientation_exact(t.tuple());
     REQUIRE(v.tolerance == std::nextafter(0x1p446, 0.0));
     for (int exponent = -1460; exponent >= -1515; --exponent) {
         INFO("exponent " << exponent);
@@ -174,7 +176,7 @@ TEST_CASE("an exact translation changes nothing in any stage", "[certificate]") 
 TEST_CASE("a quarter turn keeps the exact answer; a mirror exchanges the sides", "[certificate]") {
     REQUIRE(for_all("of bi-cells", [](const Seed& seed) {
         for_each_bicell(seed.random(), 3, [](const Bicell& c) {
-            const Verdict v = empty_sphere_exact(c.tuple());
+            const Certificate_value v = empty_sphere_exact(c.tuple());
             const Bicell turned{quarter_turned(c.a), quarter_turned(c.b), quarter_turned(c.p), quarter_turned(c.q)};
             HOLDS(equal(v, empty_sphere_exact(turned.tuple())), c);
             const Bicell mirror{mirrored(c.a), mirrored(c.b), mirrored(c.q), mirrored(c.p)};

@@ -44,7 +44,7 @@ TEST_CASE("each end of the interval stage's tail is the safe one", "[certificate
     CHECK(lower_narrow == 0.25);
     CHECK(narrow_is_tight);
     CHECK(least == 0.0);
-    Verdict v;
+    Certificate_value v;
     CHECK_FALSE(detail::interval_sign(around, v));
     CHECK(detail::interval_sign(x, v));
     CHECK(v.sign == 1);

@@ -70,9 +70,9 @@ struct Tried {
 };
 
 void check_bicell(const Bicell& c, Random& random, Tried& tried) {
-    const Verdict best = empty_sphere_exact(c.tuple());
+    const Certificate_value best = empty_sphere_exact(c.tuple());
     if (best.sign <= 0 || !has_room(c, best.tolerance)) return;
-    const Verdict given = ladder(c);
+    const Certificate_value given = all_stages(c);
     const auto worst = worst_directions(c);
 
     for (int i = 0; i < 5; ++i) {
@@ -110,9 +110,9 @@ Triangle from_the_longest_side(const Triangle& t) {
 
 void check_triangle(const Triangle& any, Random& random, Tried& tried) {
     const Triangle t = from_the_longest_side(any);
-    const Verdict best = orientation_exact(t.tuple());
+    const Certificate_value best = orientation_exact(t.tuple());
     if (best.sign <= 0 || !has_room(t, best.tolerance)) return;
-    const Verdict given = ladder(t);
+    const Certificate_value given = all_stages(t);
     // The longest side to the left, the vertex over it to the right.
     const double x = t.b[0] - t.a[0], y = t.b[1] - t.a[1], length = std::hypot(x, y);
     const Point up{-y / length, x / length}, down{y / length, -x / length};
@@ -163,8 +163,8 @@ TEST_CASE("the tolerance of a whole bi-cell needs no condition on its triangles"
     REQUIRE(for_all("the least of the three certificates", [](const Seed& seed) {
         Random random = seed.random();
         for_each_delaunay_bicell(seed.random(), 3, [&random](const Bicell& c) {
-            const Verdict circle = ladder(c), left = ladder(Triangle{c.a, c.b, c.q}),
-                          right = ladder(Triangle{c.b, c.a, c.p});
+            const Certificate_value circle = all_stages(c), left = all_stages(Triangle{c.a, c.b, c.q}),
+                                    right = all_stages(Triangle{c.b, c.a, c.p});
             const double tolerance = std::min({circle.tolerance, left.tolerance, right.tolerance});
             if (circle.sign <= 0 || !has_room(c, tolerance)) return;
             for (int i = 0; i < 3; ++i) {

@@ -4,7 +4,7 @@
 #include <support/cases.h>
 #include <support/catch.h>
 
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ bool agree(const Five& x, Cell_widths cells) {
     double greatest = 0.0;
     int positive = 0;
     for (const auto& order : orders) {
-        const Verdict v = empty_sphere_verdict(in_order(x, order), true, cells);
+        const Certificate_value v = evaluate_empty_sphere(in_order(x, order), true, cells);
         positive += v.sign > 0 ? 1 : 0;
         least = std::min(least, v.tolerance);
         greatest = std::max({greatest, v.tolerance, empty_sphere_exact(in_order(x, order), cells).tolerance});
@@ -64,7 +64,7 @@ TEST_CASE("The order of its points changes a bi-cell's tolerance by rounding alo
                                    {0x1p-30, -0x1p-29, 0x1.00000002p+1}}};
     for (const Five& x : {doubtful, doubtful_to_filter}) {
         REQUIRE(is_bicell(in_order(x, orders[0])));
-        CHECK(empty_sphere_exact(in_order(x, orders[0])).backward == 0);
+        CHECK(empty_sphere_exact(in_order(x, orders[0])).wrong_side == 0);
         CHECK(agree(x, Cell_widths::where_needed));
     }
 

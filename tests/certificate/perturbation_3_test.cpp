@@ -59,7 +59,7 @@ int check_triangulation(const std::set<Point_3>& points) {
                    ours(cell->vertex(f->second)->point())};
         if (exact_orientation(c.a, c.b, c.c, c.q) < 0) std::swap(c.a, c.b);
         HOLDS(exact_orientation(c.a, c.b, c.c, c.q) > 0 && exact_orientation(c.b, c.a, c.c, c.p) > 0, c);
-        const int sign = empty_sphere_verdict(c.tuple()).sign;
+        const int sign = evaluate_empty_sphere(c.tuple()).sign;
         HOLDS(sign >= 0, c);
         if (sign > 0) continue;
         ++cospherical;

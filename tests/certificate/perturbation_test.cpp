@@ -71,7 +71,7 @@ int check_triangulation(const Points& points) {
         if (t.is_infinite(cell) || t.is_infinite(cell->neighbor(i))) continue;
         const Bicell c{ours(cell->vertex(t.ccw(i))->point()), ours(cell->vertex(t.cw(i))->point()),
                        ours(t.mirror_vertex(cell, i)->point()), ours(cell->vertex(i)->point())};
-        const int sign = ladder(c).sign;
+        const int sign = all_stages(c).sign;
         HOLDS(sign >= 0, c);
         if (sign > 0) continue;
         ++cocircular;

@@ -7,8 +7,8 @@
 #include <annulus/certificate/batch.h>
 #include <annulus/certificate/circumcircle_2.h>
 #include <annulus/certificate/circumsphere_3.h>
+#include <annulus/certificate/filtered.h>
 #include <annulus/certificate/half_width.h>
-#include <annulus/certificate/ladder.h>
 #include <annulus/certificate/tolerances.h>
 
 #include <support/catch.h>
@@ -31,9 +31,9 @@ class Hash {
     }
     /// Of what is no number the sign is nobody's.
     void add(double x) { add(std::isnan(x) ? std::uint64_t{0} : std::bit_cast<std::uint64_t>(x)); }
-    void add(const Verdict& v) {
+    void add(const Certificate_value& v) {
         add(v.tolerance);
-        add(static_cast<std::uint64_t>(v.sign + 1) << 16 | static_cast<std::uint64_t>(v.stage) << 8 | v.backward);
+        add(static_cast<std::uint64_t>(v.sign + 1) << 16 | static_cast<std::uint64_t>(v.stage) << 8 | v.wrong_side);
     }
     void add(const Half_width& h) {
         add(h.lower);
@@ -89,10 +89,10 @@ Tuple_type tuple_of(const std::array<std::array<double, d>, n>& x) {
 
 template <class X, class... More>
 void add_evaluated(Hash& hash, const std::vector<X>& x, More... more) {
-    std::vector<Verdict> out(x.size());
-    for (const Mode mode : {Mode::fast, Mode::floating}) {
+    std::vector<Certificate_value> out(x.size());
+    for (const Tolerance_precision mode : {Tolerance_precision::lower_bound, Tolerance_precision::approximate}) {
         evaluate(std::span<const X>(x), mode, out, more...);
-        for (const Verdict& v : out) hash.add(v);
+        for (const Certificate_value& v : out) hash.add(v);
     }
 }
 
@@ -134,7 +134,7 @@ std::uint64_t hash_of_certificates(std::size_t each) {
         }
         for (const auto& x : bicells) {
             hash.add(empty_sphere_exact(x));
-            hash.add(sign_verdict(x));
+            hash.add(evaluate_sign_tolerance(x));
         }
         for (const Width which : {Width::least, Width::slab, Width::ridge}) {
             std::vector<Half_width> h(simplices.size());

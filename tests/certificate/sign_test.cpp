@@ -28,10 +28,10 @@ void check_signs(const Case& x, int truth) {
     HOLDS(!answers.floating || answers.floating->sign == truth, x);
     HOLDS(!answers.interval || answers.interval->sign == truth, x);
     HOLDS(!answers.interval || answers.interval->stage == Stage::interval, x);
-    HOLDS(ladder(x).sign == truth, x);
-    HOLDS(ladder(x, false).sign == truth, x);
-    HOLDS(truth > 0 || ladder(x).tolerance == 0.0, x);
-    HOLDS(truth > 0 || ladder(x, false).tolerance == 0.0, x);
+    HOLDS(all_stages(x).sign == truth, x);
+    HOLDS(all_stages(x, false).sign == truth, x);
+    HOLDS(truth > 0 || all_stages(x).tolerance == 0.0, x);
+    HOLDS(truth > 0 || all_stages(x, false).tolerance == 0.0, x);
 }
 
 void check_signs(const Triangle& t) {
@@ -92,7 +92,7 @@ TEST_CASE("degenerate inputs have sign 0, tolerance 0, and reach the exact stage
         Random random = seed.random();
         for (int i = 0; i < 20; ++i) {
             const Triangle t = triangle(Triangle_family::collinear, random);
-            const Verdict v = ladder(t);
+            const Certificate_value v = all_stages(t);
             HOLDS(v.sign == 0 && v.tolerance == 0.0, t);
             HOLDS(v.stage == Stage::exact, t);
         }
@@ -101,7 +101,7 @@ TEST_CASE("degenerate inputs have sign 0, tolerance 0, and reach the exact stage
         Random random = seed.random();
         for (int i = 0; i < 20; ++i) {
             const Bicell c = bicell(Bicell_family::cocircular_exact, random);
-            const Verdict v = ladder(c);
+            const Certificate_value v = all_stages(c);
             HOLDS(v.sign == 0 && v.tolerance == 0.0, c);
             HOLDS(v.stage == Stage::exact, c);
         }
@@ -114,18 +114,18 @@ TEST_CASE("one unit in the last place off a degenerate position is seen", "[cert
         INFO("y = " << as_code(y));
         const int expected = (y > 1.0) - (y < 1.0);
         const Triangle t{{0, 1}, {1, 1}, {0.5, y}};
-        CHECK(ladder(t).sign == expected);
-        CHECK((ladder(t).tolerance > 0) == (expected > 0));
+        CHECK(all_stages(t).sign == expected);
+        CHECK((all_stages(t).tolerance > 0) == (expected > 0));
         // q leaves the circle of the square through its corner (0, 1) upward.
         const Bicell c{{0, 0}, {1, 1}, {1, 0}, {0, y}};
-        CHECK(ladder(c).sign == expected);
-        CHECK((ladder(c).tolerance > 0) == (expected > 0));
+        CHECK(all_stages(c).sign == expected);
+        CHECK((all_stages(c).tolerance > 0) == (expected > 0));
     }
     const double tiny = 0x1p-1074;
-    CHECK(ladder(Triangle{{0, 0}, {tiny, 0}, {0, tiny}}).sign == 1);
-    CHECK(ladder(Triangle{{0, 0}, {0x1p500, 0}, {0, tiny}}).sign == 1);
-    CHECK(ladder(Triangle{{-0x1p500, -0x1p500}, {0x1p500, 0x1p500}, {0, tiny}}).sign == 1);
-    CHECK(ladder(Triangle{{-0x1p500, -0x1p500}, {0x1p500, 0x1p500}, {-0.0, 0.0}}).sign == 0);
+    CHECK(all_stages(Triangle{{0, 0}, {tiny, 0}, {0, tiny}}).sign == 1);
+    CHECK(all_stages(Triangle{{0, 0}, {0x1p500, 0}, {0, tiny}}).sign == 1);
+    CHECK(all_stages(Triangle{{-0x1p500, -0x1p500}, {0x1p500, 0x1p500}, {0, tiny}}).sign == 1);
+    CHECK(all_stages(Triangle{{-0x1p500, -0x1p500}, {0x1p500, 0x1p500}, {-0.0, 0.0}}).sign == 0);
 }
 
 TEST_CASE("The circle of a triangle claims nothing that is not so", "[certificate]") {

@@ -13,7 +13,7 @@ using namespace annulus::testing;
 
 namespace {
 
-bool is_sane(const Verdict& v) {
+bool is_sane(const Certificate_value& v) {
     if (v.sign <= 0) return v.tolerance == 0.0;
     return v.tolerance >= 0.0 && std::isfinite(v.tolerance);
 }
@@ -21,7 +21,7 @@ bool is_sane(const Verdict& v) {
 void check_triangle(const Triangle& t) {
     const Triangle_truth truth(t);
     const Answers answers = ask(t);
-    const auto sound = [&truth](const Verdict& v) { return v.sign <= 0 || truth.is_at_least(v.tolerance); };
+    const auto sound = [&truth](const Certificate_value& v) { return v.sign <= 0 || truth.is_at_least(v.tolerance); };
     HOLDS(!answers.filter || (is_sane(*answers.filter) && sound(*answers.filter)), t);
     HOLDS(!answers.interval || (is_sane(*answers.interval) && sound(*answers.interval)), t);
     HOLDS(is_sane(answers.exact) && sound(answers.exact), t);
@@ -35,7 +35,7 @@ void check_triangle(const Triangle& t) {
 void check_bicell(const Bicell& c) {
     const Bicell_truth truth(c);
     const Answers answers = ask(c);
-    const auto sound = [&truth](const Verdict& v) {
+    const auto sound = [&truth](const Certificate_value& v) {
         return v.sign <= 0 || (truth.is_at_least(v.tolerance) && truth.is_at_least_by_centre(v.tolerance));
     };
     HOLDS(!answers.filter || (is_sane(*answers.filter) && sound(*answers.filter)), c);
@@ -107,14 +107,14 @@ TEST_CASE("the ladder as a whole is sound", "[certificate]") {
     REQUIRE(for_all("on one triangle", [](const Seed& seed) {
         Random random = seed.random();
         const Triangle t = triangle(all_triangle_families[random() % all_triangle_families.size()], random);
-        const Verdict v = ladder(t);
+        const Certificate_value v = all_stages(t);
         RC_ASSERT(is_sane(v));
         RC_ASSERT(v.sign <= 0 || Triangle_truth(t).is_at_least(v.tolerance));
     }));
     REQUIRE(for_all("on one bi-cell", [](const Seed& seed) {
         Random random = seed.random();
         const Bicell c = bicell(all_bicell_families[random() % all_bicell_families.size()], random);
-        const Verdict v = ladder(c);
+        const Certificate_value v = all_stages(c);
         RC_ASSERT(is_sane(v));
         RC_ASSERT(v.sign <= 0 || Bicell_truth(c).is_at_least(v.tolerance));
     }));

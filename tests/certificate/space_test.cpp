@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages of the ladder in space: sound against rational numbers and MPFI, tight, one beside the next, in their
+// The stages in space: sound against rational numbers and MPFI, tight, one beside the next, in their
 // range.
 
 #include <support/arbitrary.h>
@@ -28,7 +28,7 @@ namespace {
 constexpr double filter_gives_away = 4 * bounds::filter_slack + 16 * bounds::filter_slack * bounds::filter_slack;
 constexpr double interval_gives_away = bounds::interval_slack * (1 + 0x1p-40);
 
-bool is_sane(const Verdict& v) {
+bool is_sane(const Certificate_value& v) {
     if (v.sign <= 0) return v.tolerance == 0.0;
     return v.tolerance >= 0.0 && std::isfinite(v.tolerance);
 }
@@ -63,31 +63,31 @@ void check_answers(const Case& x, const Answers& a, const Truth_3& truth) {
     HOLDS(!a.interval || !half_width.is_below(a.interval->tolerance), x);
 }
 
-std::uint8_t backward(const Bicell_3& c) {
+std::uint8_t wrong_side(const Bicell_3& c) {
     std::uint8_t bits = 0;
     for (std::size_t k = 1; k < partitions_3; ++k)
         if (!Annulus_truth(c, k).is_forward()) bits = static_cast<std::uint8_t>(bits | (1U << k));
     return bits;
 }
 
-bool same(const Verdict& l, const Verdict& r) {
-    return l.tolerance == r.tolerance && l.sign == r.sign && l.stage == r.stage && l.backward == r.backward;
+bool same(const Certificate_value& l, const Certificate_value& r) {
+    return l.tolerance == r.tolerance && l.sign == r.sign && l.stage == r.stage && l.wrong_side == r.wrong_side;
 }
 
 struct Leavers {
-    int asked = 0, floating = 0, filter = 0, interval = 0, backward = 0;
+    int asked = 0, floating = 0, filter = 0, interval = 0, wrong_side = 0;
 
     void count(const Answers& a) {
         ++asked;
         floating += !a.floating;
         filter += !a.filter;
         interval += !a.filter && !a.interval;
-        backward += a.exact.backward != 0;
+        wrong_side += a.exact.wrong_side != 0;
     }
     void print(std::string_view name) const {
         const auto share = [this](int n) { return 100.0 * n / asked; };
         std::printf("| %s | %.2f | %.2f | %.2f | %.0f |\n", std::string(name).c_str(), share(floating), share(filter),
-                    share(interval), share(backward));
+                    share(interval), share(wrong_side));
     }
 };
 
@@ -127,17 +127,19 @@ TEST_CASE("which annuli are backward, and the cells that stand in for them", "[c
             const Answers never = ask(c, Cell_widths::never), needed = ask(c, Cell_widths::where_needed),
                           always = ask(c, Cell_widths::always);
             if (never.exact.sign == 0) return;
-            const std::uint8_t truth = backward(c);
-            HOLDS(never.exact.backward == truth && needed.exact.backward == truth && always.exact.backward == truth, c);
-            // A stage may not be certain; then it says backward.
-            HOLDS(!needed.filter || (needed.filter->backward & truth) == truth, c);
-            HOLDS(!needed.interval || (needed.interval->backward & truth) == truth, c);
+            const std::uint8_t truth = wrong_side(c);
+            HOLDS(
+                never.exact.wrong_side == truth && needed.exact.wrong_side == truth && always.exact.wrong_side == truth,
+                c);
+            // A stage may not be certain; then it says wrong-side.
+            HOLDS(!needed.filter || (needed.filter->wrong_side & truth) == truth, c);
+            HOLDS(!needed.interval || (needed.interval->wrong_side & truth) == truth, c);
             HOLDS(needed.exact.tolerance == (truth != 0 ? always : never).exact.tolerance, c);
             // Cells count for a stage that is not certain, and only there.
             const auto agrees = [&](auto stage) {
-                const std::optional<Verdict>& v = needed.*stage;
+                const std::optional<Certificate_value>& v = needed.*stage;
                 if (!v || v->sign < 0) return true;
-                const std::optional<Verdict>& other = (v->backward != 0 ? always : never).*stage;
+                const std::optional<Certificate_value>& other = (v->wrong_side != 0 ? always : never).*stage;
                 return other && other->tolerance == v->tolerance;
             };
             HOLDS(agrees(&Answers::filter) && agrees(&Answers::interval), c);
@@ -162,16 +164,16 @@ TEST_CASE("the ladder in space gives the answer of its first stage that has one"
     REQUIRE(for_all("on tetrahedra and bi-cells", [](const Seed& seed) {
         for_each_tetrahedron(seed.random(), 2, [](const Tetrahedron& t) {
             const Answers a = ask(t);
-            const Verdict rest = a.interval ? *a.interval : a.exact;
-            HOLDS(same(orientation_verdict(t.tuple(), true), a.filter ? *a.filter : rest), t);
-            HOLDS(same(orientation_verdict(t.tuple(), false), a.floating ? *a.floating : rest), t);
+            const Certificate_value rest = a.interval ? *a.interval : a.exact;
+            HOLDS(same(evaluate_orientation(t.tuple(), true), a.filter ? *a.filter : rest), t);
+            HOLDS(same(evaluate_orientation(t.tuple(), false), a.floating ? *a.floating : rest), t);
         });
         for_each_bicell_3(seed.random(), 2, [](const Bicell_3& c) {
             for (const Cell_widths cells : all_cells) {
                 const Answers a = ask(c, cells);
-                const Verdict rest = a.interval ? *a.interval : a.exact;
-                HOLDS(same(empty_sphere_verdict(c.tuple(), true, cells), a.filter ? *a.filter : rest), c);
-                HOLDS(same(empty_sphere_verdict(c.tuple(), false, cells), a.floating ? *a.floating : rest), c);
+                const Certificate_value rest = a.interval ? *a.interval : a.exact;
+                HOLDS(same(evaluate_empty_sphere(c.tuple(), true, cells), a.filter ? *a.filter : rest), c);
+                HOLDS(same(evaluate_empty_sphere(c.tuple(), false, cells), a.floating ? *a.floating : rest), c);
             }
         });
         RC_ASSERT(std::fegetround() == FE_TONEAREST);
@@ -197,16 +199,16 @@ TEST_CASE("the filter in space answers in its whole range and nowhere else", "[c
         INFO("x = " << as_code(x));
         CHECK(!ask(corner_of(x)).filter);
         CHECK(!ask(corner_of(x)).floating);
-        CHECK(orientation_verdict(corner_of(x).tuple()).stage == Stage::interval);
-        CHECK(orientation_verdict(corner_of(x).tuple()).sign == 1);
+        CHECK(evaluate_orientation(corner_of(x).tuple()).stage == Stage::interval);
+        CHECK(evaluate_orientation(corner_of(x).tuple()).sign == 1);
         const double half = 0.5 / std::sqrt(3.0) * x;  // the altitude over the large facet is x / sqrt(3)
-        CHECK(orientation_verdict(corner_of(x).tuple()).tolerance <= half * (1 + 1e-14));
-        CHECK(orientation_verdict(corner_of(x).tuple()).tolerance >= half * (1 - 1e-11) - 0x1p-1074);
+        CHECK(evaluate_orientation(corner_of(x).tuple()).tolerance <= half * (1 + 1e-14));
+        CHECK(evaluate_orientation(corner_of(x).tuple()).tolerance >= half * (1 - 1e-11) - 0x1p-1074);
     }
     for (const double x : {most, 0x1p-300, 0x1p498}) {
         INFO("x = " << as_code(x));
         CHECK(!ask(pair_of(x), Cell_widths::always).filter);
-        CHECK(empty_sphere_verdict(pair_of(x).tuple()).stage == Stage::interval);
+        CHECK(evaluate_empty_sphere(pair_of(x).tuple()).stage == Stage::interval);
     }
 }
 
@@ -230,12 +232,12 @@ TEST_CASE("the filter in space looks at every coordinate before it answers", "[c
 TEST_CASE("half widths of space known in closed form", "[certificate][space]") {
     SECTION("a regular tetrahedron: its width is that of its edges, side / sqrt(2)") {
         const Tetrahedron t{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};  // side sqrt(8), width 2
-        const Verdict v = orientation_exact(t.tuple());
+        const Certificate_value v = orientation_exact(t.tuple());
         REQUIRE(std::abs(v.sign) == 1);
         const Tetrahedron positive = v.sign > 0 ? t : Tetrahedron{t.b, t.a, t.c, t.d};
         CHECK(orientation_exact(positive.tuple()).tolerance == 1.0);
-        CHECK(orientation_verdict(positive.tuple()).tolerance == Approx(1.0).epsilon(1e-12));
-        CHECK(orientation_verdict(positive.tuple()).tolerance <= 1.0);
+        CHECK(evaluate_orientation(positive.tuple()).tolerance == Approx(1.0).epsilon(1e-12));
+        CHECK(evaluate_orientation(positive.tuple()).tolerance <= 1.0);
     }
     SECTION("two spheres around the origin, radii 1 and 3: half width 1, exactly") {
         const Bicell_3 c{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, -3}, {0, 0, 3}};
@@ -247,8 +249,8 @@ TEST_CASE("half widths of space known in closed form", "[certificate][space]") {
     SECTION("corners of a cube: half width 0") {
         const Bicell_3 c{{0, 0, 0}, {1, 1, 0}, {0, 1, 1}, {0, 1, 0}, {1, 0, 1}};
         CHECK(empty_sphere_exact(c.tuple()).sign == 0);
-        CHECK(empty_sphere_verdict(c.tuple()).stage == Stage::exact);
-        CHECK(empty_sphere_verdict(c.tuple()).tolerance == 0.0);
+        CHECK(evaluate_empty_sphere(c.tuple()).stage == Stage::exact);
+        CHECK(evaluate_empty_sphere(c.tuple()).tolerance == 0.0);
     }
     SECTION("the paper's slab is the altitude over the facet given first") {
         const Tetrahedron t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 3}};

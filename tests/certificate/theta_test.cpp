@@ -113,7 +113,7 @@ TEST_CASE("the slab of the paper is the altitude over the first side", "[certifi
         Random random = seed.random();
         for (int i = 0; i < 50; ++i) {
             const Triangle u = triangle(Triangle_family::uniform, random);
-            const Verdict v = ladder(u);
+            const Certificate_value v = all_stages(u);
             if (v.sign > 0) HOLDS(v.tolerance <= paper_slab(u.tuple()) * (1 + 1e-9), u);
         }
     }));

@@ -42,7 +42,7 @@ void check(const Case& x, const Truth& truth) {
     HOLDS(!answers.interval || within(half_width, answers.interval->tolerance, interval_gives_away), x);
     HOLDS(is_best(half_width, answers.exact.tolerance), x);
     HOLDS(within(half_width, answers.exact.tolerance, 0x1p-52), x);
-    HOLDS(within(half_width, ladder(x).tolerance, std::max(filter_gives_away, interval_gives_away)), x);
+    HOLDS(within(half_width, all_stages(x).tolerance, std::max(filter_gives_away, interval_gives_away)), x);
 }
 
 struct Slacks {
@@ -145,7 +145,7 @@ TEST_CASE("half widths known in closed form", "[certificate]") {
         const Answers answers = ask(t);
         REQUIRE(answers.filter);
         REQUIRE(answers.interval);
-        for (const Verdict& v : {*answers.filter, *answers.interval, answers.exact}) {
+        for (const Certificate_value& v : {*answers.filter, *answers.interval, answers.exact}) {
             CHECK(v.sign == 1);
             CHECK(v.tolerance == Approx(1.2).epsilon(1e-14));
             CHECK(v.tolerance <= 1.2);

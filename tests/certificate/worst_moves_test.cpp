@@ -12,7 +12,7 @@
 #include <support/squeezes.h>
 #include <support/stages.h>
 
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 
 #include <cstdio>
 
@@ -100,7 +100,7 @@ std::array<std::array<double, d>, n> any_directions(const std::array<std::array<
 
 template <int d>
 void check_simplex(const Corners<d, d + 1>& x, Random& random, Tried& tried) {
-    const Verdict v = orientation_exact(tuple<d, d + 1>(x));
+    const Certificate_value v = orientation_exact(tuple<d, d + 1>(x));
     if (v.sign <= 0) return;
     const auto all = slabs<mpq_class, d>(x);
     const auto& nearest = least_of(all);
@@ -119,13 +119,13 @@ bool has_cells(const Places<d, d + 2>& x) {
 
 template <int d>
 void check_bicell(const Corners<d, d + 2>& x, Random& random, Tried& tried) {
-    const Verdict v = empty_sphere_exact(tuple<d, d + 2>(x));
+    const Certificate_value v = empty_sphere_exact(tuple<d, d + 2>(x));
     if (v.sign <= 0) return;
     auto all = annuli<mpq_class, d>(x);
     const auto narrowest = least_of(all);
     bool cells = false;
     if constexpr (d == 3) {
-        cells = v.backward != 0;
+        cells = v.wrong_side != 0;
         if (cells)
             for (const bool with_q : {false, true})
                 for (const auto& s : slabs_of_cell<mpq_class, d>(x, with_q)) all.push_back(s);

@@ -7,7 +7,7 @@
 #include <support/harm.h>
 #include <support/small_sets.h>
 
-#include <annulus/certificate/ladder_3.h>
+#include <annulus/certificate/filtered_3.h>
 
 #include <cmath>
 
@@ -41,7 +41,7 @@ Options options_of(Strategy strategy, Tolerance_kind kind) {
 }
 
 /// Between what the least half width of all that contains each vertex is, in rational numbers: cells, bi-cells,
-/// ridges. The widths of a bi-cell's cells enter where an annulus is backward, and may where the filter cannot tell
+/// ridges. The widths of a bi-cell's cells enter where an annulus is wrong-side, and may where the filter cannot tell
 /// (docs/theory.md 2.2).
 struct True_tolerances {
     std::vector<double> least, most;
@@ -65,13 +65,15 @@ struct True_tolerances {
         for (const auto& b : all.bicells) {
             const auto x = points_of<3>(b, input.points);
             auto squeezes = annuli<mpq_class, 3>(x);
-            const bool backward = !std::all_of(squeezes.begin(), squeezes.end(), [](const auto& s) { return s.inner; });
-            const bool perhaps = backward || empty_sphere_verdict({&x[0], &x[1], &x[2], &x[3], &x[4]}).backward != 0;
-            if (!backward) lower(most, b, least_of(squeezes).half_width);
+            const bool wrong_side =
+                !std::all_of(squeezes.begin(), squeezes.end(), [](const auto& s) { return s.inner; });
+            const bool perhaps =
+                wrong_side || evaluate_empty_sphere({&x[0], &x[1], &x[2], &x[3], &x[4]}).wrong_side != 0;
+            if (!wrong_side) lower(most, b, least_of(squeezes).half_width);
             if (perhaps)
                 for (const bool with_q : {false, true})
                     for (const auto& s : slabs_of_cell<mpq_class, 3>(x, with_q)) squeezes.push_back(s);
-            if (backward) lower(most, b, least_of(squeezes).half_width);
+            if (wrong_side) lower(most, b, least_of(squeezes).half_width);
             lower(least, b, least_of(squeezes).half_width);
         }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Flips of space in the table, and in CGAL's object, which follows: made, and made back.
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 #include <annulus/cgal/view_3.h>
 #include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/table_flips_3.h>
@@ -218,18 +218,18 @@ TEST_CASE("The corners of a ridge and of a bi-cell are in the order that the cer
             const Facet_kind kind = facet_kind(t, h);
             if (kind == Facet_kind::empty_sphere) {
                 const auto p = bicell_sites(t, h);
-                CHECK(orientation_verdict({at(p[0]), at(p[1]), at(p[2]), at(p[4])}).sign > 0);
-                CHECK(orientation_verdict({at(p[1]), at(p[0]), at(p[2]), at(p[3])}).sign > 0);
-                CHECK(empty_sphere_verdict({at(p[0]), at(p[1]), at(p[2]), at(p[3]), at(p[4])}).sign > 0);
+                CHECK(evaluate_orientation({at(p[0]), at(p[1]), at(p[2]), at(p[4])}).sign > 0);
+                CHECK(evaluate_orientation({at(p[1]), at(p[0]), at(p[2]), at(p[3])}).sign > 0);
+                CHECK(evaluate_empty_sphere({at(p[0]), at(p[1]), at(p[2]), at(p[3]), at(p[4])}).sign > 0);
             } else if (kind == Facet_kind::ridge) {
                 ++ridges;
                 const auto p = ridge_vertex_last(t, h, ridge_sites(t, h));
                 CHECK((p[2] == t.site(h)));
                 CHECK((p[3] == t.opposite(h)));
-                CHECK(orientation_verdict({at(p[0]), at(p[1]), at(p[2]), at(p[3])}).sign > 0);
+                CHECK(evaluate_orientation({at(p[0]), at(p[1]), at(p[2]), at(p[3])}).sign > 0);
             } else {
                 const auto p = slab_sites(t, h);
-                CHECK(orientation_verdict({at(p[0]), at(p[1]), at(p[2]), at(p[3])}).sign > 0);
+                CHECK(evaluate_orientation({at(p[0]), at(p[1]), at(p[2]), at(p[3])}).sign > 0);
             }
         }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moves that the paper's algorithm accepts although the triangulation is no longer Delaunay.
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 #include <annulus/mesh/audit.h>
 #include <annulus/reproduction/adversary.h>
 #include <annulus/statistics/counterexample.h>

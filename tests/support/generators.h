@@ -6,7 +6,7 @@
 // needs is in arbitrary.h; this header needs nothing but the standard library.
 
 #include <annulus/arithmetic/coordinates.h>
-#include <annulus/certificate/verdict.h>
+#include <annulus/certificate/certificate_value.h>
 
 #include <array>
 #include <cstddef>
@@ -79,7 +79,7 @@ inline constexpr std::array all_families{Family::uniform,          Family::grid,
 struct Bicell {
     Point a, b, p, q;
 
-    /// {a, b, p, q} as the ladder takes it; valid while this object is.
+    /// {a, b, p, q} as the filtered predicate takes it; valid while this object is.
     [[nodiscard]] Tuple<2, 4> tuple() const { return {&a, &b, &p, &q}; }
     /// Seen from the other side: the same bi-cell.
     [[nodiscard]] Bicell turned() const { return {b, a, q, p}; }

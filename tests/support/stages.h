@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Every stage of the ladder asked on its own, and loops over the families of generators.h.
+// Every stage of the filtered predicate asked on its own, and loops over the families of generators.h.
 
 #include <support/generators.h>
 
 #include <annulus/arithmetic/rounding_guard.h>
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 
 #include <rapidcheck.h>
 
@@ -23,17 +23,17 @@ namespace annulus::testing {
 
 /// What each stage says of one certificate; nothing when it leaves the answer to the next.
 struct Answers {
-    std::optional<Verdict> filter;
-    std::optional<Verdict> floating;  ///< the filter with certified = false
-    std::optional<Verdict> interval;
-    Verdict exact;
+    std::optional<Certificate_value> filter;
+    std::optional<Certificate_value> floating;  ///< the filter with certified = false
+    std::optional<Certificate_value> interval;
+    Certificate_value exact;
 };
 
 /// filter(certified, verdict), interval(verdict), exact(): the stages for one certificate.
 template <class Filter, class Interval, class Exact>
 [[nodiscard]] Answers ask_stages(Filter filter, Interval interval, Exact exact) {
     Answers a;
-    Verdict v;
+    Certificate_value v;
     if (filter(true, v)) a.filter = v;
     v = {};
     if (filter(false, v)) a.floating = v;
@@ -49,25 +49,27 @@ template <class Filter, class Interval, class Exact>
 /// Of an orientation, in the plane or in space.
 template <class Points>
 [[nodiscard]] Answers ask_orientation(const Points& x) {
-    return ask_stages([&](bool certified, Verdict& v) { return orientation_filter(x, certified, v); },
-                      [&](Verdict& v) { return orientation_interval(x, v); }, [&] { return orientation_exact(x); });
+    return ask_stages([&](bool certified, Certificate_value& v) { return orientation_filter(x, certified, v); },
+                      [&](Certificate_value& v) { return orientation_interval(x, v); },
+                      [&] { return orientation_exact(x); });
 }
 /// Of an empty sphere; in space `cells` says whose widths enter.
 template <class Points, class... Cells>
 [[nodiscard]] Answers ask_empty_sphere(const Points& x, Cells... cells) {
-    return ask_stages([&](bool certified, Verdict& v) { return empty_sphere_filter(x, certified, v, cells...); },
-                      [&](Verdict& v) { return empty_sphere_interval(x, v, cells...); },
-                      [&] { return empty_sphere_exact(x, cells...); });
+    return ask_stages(
+        [&](bool certified, Certificate_value& v) { return empty_sphere_filter(x, certified, v, cells...); },
+        [&](Certificate_value& v) { return empty_sphere_interval(x, v, cells...); },
+        [&] { return empty_sphere_exact(x, cells...); });
 }
 
 [[nodiscard]] inline Answers ask(const Bicell& c) { return ask_empty_sphere(c.tuple()); }
 [[nodiscard]] inline Answers ask(const Triangle& t) { return ask_orientation(t.tuple()); }
 
-[[nodiscard]] inline Verdict ladder(const Bicell& c, bool certified = true) {
-    return empty_sphere_verdict(c.tuple(), certified);
+[[nodiscard]] inline Certificate_value all_stages(const Bicell& c, bool certified = true) {
+    return evaluate_empty_sphere(c.tuple(), certified);
 }
-[[nodiscard]] inline Verdict ladder(const Triangle& t, bool certified = true) {
-    return orientation_verdict(t.tuple(), certified);
+[[nodiscard]] inline Certificate_value all_stages(const Triangle& t, bool certified = true) {
+    return evaluate_orientation(t.tuple(), certified);
 }
 
 /// check(generate(family, random)), `each` times for every family.

@@ -8,7 +8,7 @@
 
 namespace annulus {
 
-/// The stage of the ladder that gave an answer, cheapest first.
+/// The stage of the filtered predicate that gave an answer, cheapest first.
 enum class Stage : std::uint8_t {
     filter,    ///< round to nearest with a proved error bound
     interval,  ///< interval arithmetic

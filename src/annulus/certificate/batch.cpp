@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/certificate/batch.h>
 
-#include <annulus/certificate/ladder_2.h>
+#include <annulus/certificate/filtered_2.h>
 #include <annulus/certificate/lanes.h>
 #include <annulus/certificate/later_stages.h>
 
@@ -54,26 +54,28 @@ detail::Bicell_decision<V> decide(const Tuple<3, 5>* x, bool certified, Cell_wid
 }
 
 // The later stages, with one signature.
-bool interval(const Tuple<2, 3>& x, Verdict& out, Cell_widths) { return orientation_interval(x, out); }
-bool interval(const Tuple<2, 4>& x, Verdict& out, Cell_widths) { return empty_sphere_interval(x, out); }
-bool interval(const Tuple<3, 4>& x, Verdict& out, Cell_widths) { return orientation_interval(x, out); }
-bool interval(const Tuple<3, 5>& x, Verdict& out, Cell_widths cells) { return empty_sphere_interval(x, out, cells); }
-Verdict exact(const Tuple<2, 3>& x, Cell_widths) { return orientation_exact(x); }
-Verdict exact(const Tuple<2, 4>& x, Cell_widths) { return empty_sphere_exact(x); }
-Verdict exact(const Tuple<3, 4>& x, Cell_widths) { return orientation_exact(x); }
-Verdict exact(const Tuple<3, 5>& x, Cell_widths cells) { return empty_sphere_exact(x, cells); }
+bool interval(const Tuple<2, 3>& x, Certificate_value& out, Cell_widths) { return orientation_interval(x, out); }
+bool interval(const Tuple<2, 4>& x, Certificate_value& out, Cell_widths) { return empty_sphere_interval(x, out); }
+bool interval(const Tuple<3, 4>& x, Certificate_value& out, Cell_widths) { return orientation_interval(x, out); }
+bool interval(const Tuple<3, 5>& x, Certificate_value& out, Cell_widths cells) {
+    return empty_sphere_interval(x, out, cells);
+}
+Certificate_value exact(const Tuple<2, 3>& x, Cell_widths) { return orientation_exact(x); }
+Certificate_value exact(const Tuple<2, 4>& x, Cell_widths) { return empty_sphere_exact(x); }
+Certificate_value exact(const Tuple<3, 4>& x, Cell_widths) { return orientation_exact(x); }
+Certificate_value exact(const Tuple<3, 5>& x, Cell_widths cells) { return empty_sphere_exact(x, cells); }
 
 /// Writes one lane; what is open is the last stage's until one before it answers. Returns 1 for an answer.
-std::size_t store(double sign, double tolerance, double backward, Verdict& out) {
+std::size_t store(double sign, double tolerance, double wrong_side, Certificate_value& out) {
     const bool answered = detail::answer(sign, tolerance, out);
-    out.backward = static_cast<std::uint8_t>(static_cast<int>(backward));
+    out.wrong_side = static_cast<std::uint8_t>(static_cast<int>(wrong_side));
     out.stage = answered ? Stage::filter : Stage::exact;
     return answered ? 1 : 0;
 }
 
 /// Flattened: a call between two halves of a formula would spill every register.
 template <class T>
-[[gnu::flatten]] std::size_t filter_stage(std::span<const T> x, bool certified, std::span<Verdict> out,
+[[gnu::flatten]] std::size_t filter_stage(std::span<const T> x, bool certified, std::span<Certificate_value> out,
                                           Cell_widths cells) {
     constexpr std::size_t lanes = width<Lanes>;
     std::size_t answered = 0;
@@ -81,19 +83,20 @@ template <class T>
     for (; i + lanes <= x.size(); i += lanes) {
         const auto d = decide<Lanes>(&x[i], certified, cells);
         for (std::size_t k = 0; k < lanes; ++k)
-            answered += store(d.decision.sign[k], d.decision.tolerance[k], d.backward[k], out[i + k]);
+            answered += store(d.decision.sign[k], d.decision.tolerance[k], d.wrong_side[k], out[i + k]);
     }
     for (; i < x.size(); ++i) {
         const auto d = decide<double>(&x[i], certified, cells);
-        answered += store(d.decision.sign, d.decision.tolerance, d.backward, out[i]);
+        answered += store(d.decision.sign, d.decision.tolerance, d.wrong_side, out[i]);
     }
     return answered;
 }
 
 template <class T>
-Stage_counts ladder(std::span<const T> x, Mode mode, std::span<Verdict> out, Cell_widths cells) {
+Stage_counts all_stages(std::span<const T> x, Tolerance_precision mode, std::span<Certificate_value> out,
+                        Cell_widths cells) {
     Stage_counts counts;
-    const std::size_t answered = filter_stage(x, mode != Mode::floating, out, cells);
+    const std::size_t answered = filter_stage(x, mode != Tolerance_precision::approximate, out, cells);
     if (answered < x.size())
         counts = later_stages(
             x.size(), [&](std::size_t i) { return out[i].stage == Stage::exact; },
@@ -104,7 +107,7 @@ Stage_counts ladder(std::span<const T> x, Mode mode, std::span<Verdict> out, Cel
             },
             [&](std::size_t i) { out[i] = exact(x[i], cells); });
     counts.filter = answered;
-    if (mode != Mode::tight) return counts;
+    if (mode != Tolerance_precision::correctly_rounded) return counts;
     for (std::size_t i = 0; i < x.size(); ++i) {
         if (out[i].stage == Stage::exact || out[i].sign <= 0) continue;
         --(out[i].stage == Stage::filter ? counts.filter : counts.interval);
@@ -114,34 +117,42 @@ Stage_counts ladder(std::span<const T> x, Mode mode, std::span<Verdict> out, Cel
     return counts;
 }
 
-/// The ladder for one.
+/// The filtered predicate for one.
 template <class T>
-Verdict verdict(const T& x, bool certified, Cell_widths cells) {
-    Verdict out;
-    (void)ladder(std::span(&x, 1), certified ? Mode::fast : Mode::floating, std::span(&out, 1), cells);
+Certificate_value evaluate_one(const T& x, bool certified, Cell_widths cells) {
+    Certificate_value out;
+    (void)all_stages(std::span(&x, 1), certified ? Tolerance_precision::lower_bound : Tolerance_precision::approximate,
+                     std::span(&out, 1), cells);
     return out;
 }
 
 }  // namespace
 
-Stage_counts evaluate(std::span<const Tuple<2, 3>> x, Mode mode, std::span<Verdict> out) {
-    return ladder(x, mode, out, Cell_widths::never);
+Stage_counts evaluate(std::span<const Tuple<2, 3>> x, Tolerance_precision mode, std::span<Certificate_value> out) {
+    return all_stages(x, mode, out, Cell_widths::never);
 }
-Stage_counts evaluate(std::span<const Tuple<2, 4>> x, Mode mode, std::span<Verdict> out) {
-    return ladder(x, mode, out, Cell_widths::never);
+Stage_counts evaluate(std::span<const Tuple<2, 4>> x, Tolerance_precision mode, std::span<Certificate_value> out) {
+    return all_stages(x, mode, out, Cell_widths::never);
 }
-Stage_counts evaluate(std::span<const Tuple<3, 4>> x, Mode mode, std::span<Verdict> out) {
-    return ladder(x, mode, out, Cell_widths::never);
+Stage_counts evaluate(std::span<const Tuple<3, 4>> x, Tolerance_precision mode, std::span<Certificate_value> out) {
+    return all_stages(x, mode, out, Cell_widths::never);
 }
-Stage_counts evaluate(std::span<const Tuple<3, 5>> x, Mode mode, std::span<Verdict> out, Cell_widths cells) {
-    return ladder(x, mode, out, cells);
+Stage_counts evaluate(std::span<const Tuple<3, 5>> x, Tolerance_precision mode, std::span<Certificate_value> out,
+                      Cell_widths cells) {
+    return all_stages(x, mode, out, cells);
 }
 
-Verdict orientation_verdict(const Tuple<2, 3>& x, bool certified) { return verdict(x, certified, Cell_widths::never); }
-Verdict orientation_verdict(const Tuple<3, 4>& x, bool certified) { return verdict(x, certified, Cell_widths::never); }
-Verdict empty_sphere_verdict(const Tuple<2, 4>& x, bool certified) { return verdict(x, certified, Cell_widths::never); }
-Verdict empty_sphere_verdict(const Tuple<3, 5>& x, bool certified, Cell_widths cells) {
-    return verdict(x, certified, cells);
+Certificate_value evaluate_orientation(const Tuple<2, 3>& x, bool certified) {
+    return evaluate_one(x, certified, Cell_widths::never);
+}
+Certificate_value evaluate_orientation(const Tuple<3, 4>& x, bool certified) {
+    return evaluate_one(x, certified, Cell_widths::never);
+}
+Certificate_value evaluate_empty_sphere(const Tuple<2, 4>& x, bool certified) {
+    return evaluate_one(x, certified, Cell_widths::never);
+}
+Certificate_value evaluate_empty_sphere(const Tuple<3, 5>& x, bool certified, Cell_widths cells) {
+    return evaluate_one(x, certified, cells);
 }
 
 }  // namespace annulus

@@ -3,7 +3,7 @@
 
 #include <annulus/certificate/bounds.h>
 #include <annulus/certificate/decide.h>
-#include <annulus/certificate/ladder_3.h>
+#include <annulus/certificate/filtered_3.h>
 #include <annulus/certificate/width_terms_3.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/certificate/bounds.h>
-#include <annulus/certificate/verdict.h>
+#include <annulus/certificate/certificate_value.h>
 #include <annulus/certificate/width_terms.h>
 #include <annulus/certificate/width_terms_3.h>
 
@@ -95,7 +95,7 @@ template <class V>
 }
 
 /// One lane as a verdict; false where the next stage is to be asked.
-[[nodiscard]] inline bool answer(double sign, double tolerance, Verdict& out) {
+[[nodiscard]] inline bool answer(double sign, double tolerance, Certificate_value& out) {
     out.stage = Stage::filter;
     out.sign = static_cast<std::int8_t>(sign);
     out.tolerance = sign > 0.0 ? tolerance : 0.0;

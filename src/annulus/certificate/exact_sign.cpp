@@ -53,7 +53,7 @@ Staged_sign sign_of(const Tuple<d, k>& x, const Determinant& determinant) {
     constexpr auto vectors = std::make_index_sequence<k - 1>();
     Staged_sign sign{0, Stage::exact};
     const auto interval = [&](std::size_t) {
-        Verdict out;
+        Certificate_value out;
         const bool told = detail::with_scale(x, [&](const auto& difference, const detail::Scale&) {
             const auto to_first = [&](std::size_t i) { return detail::difference(x, i, 0, difference); };
             return detail::interval_sign(of_vectors<Interval>(vectors, to_first, determinant), out);

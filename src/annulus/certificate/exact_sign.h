@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/verdict.h>
+#include <annulus/certificate/certificate_value.h>
 
 namespace annulus {
 
@@ -12,7 +12,8 @@ struct Staged_sign {
 };
 
 // Exact signs of certificates for who needs no tolerance, where the filter stage could not tell: intervals, then
-// integers. A fifth of the price of a verdict, which wants the widths too. Points in the order of the ladder.
+// integers. A fifth of the price of a verdict, which wants the widths too. Points in the order of the filtered
+// predicate.
 
 [[nodiscard]] Staged_sign exact_orientation_sign(const Tuple<2, 3>& x);
 [[nodiscard]] Staged_sign exact_orientation_sign(const Tuple<3, 4>& x);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/stage.h>
-#include <annulus/certificate/verdict.h>
+#include <annulus/certificate/certificate_value.h>
 
 #include <array>
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace annulus {
 
 /// Two doubles with half a width between them. For analysis, where it matters that a width is small as much as that
-/// it is not; the filter needs the lower end alone and gets it cheaper (ladder.h).
+/// it is not; the filter needs the lower end alone and gets it cheaper (filtered.h).
 struct Half_width {
     double lower = 0.0;             ///< lower <= half width; after the exact stage the largest double that is
     double upper = 0.0;             ///< half width <= upper; 0 exactly where the half width is 0

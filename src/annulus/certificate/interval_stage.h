@@ -3,7 +3,7 @@
 
 #include <annulus/arithmetic/interval.h>
 #include <annulus/certificate/bounds.h>
-#include <annulus/certificate/verdict.h>
+#include <annulus/certificate/certificate_value.h>
 
 #include <algorithm>
 #include <array>
@@ -78,7 +78,7 @@ template <std::size_t d, std::size_t k, class Evaluate>
 }
 
 /// The sign as an answer, before any tolerance: false where the interval holds 0.
-[[nodiscard]] inline bool interval_sign(const Interval& determinant, Verdict& out) {
+[[nodiscard]] inline bool interval_sign(const Interval& determinant, Certificate_value& out) {
     out.stage = Stage::interval;
     out.tolerance = 0.0;
     out.sign = static_cast<std::int8_t>(determinant.lower() > 0.0 ? 1 : determinant.upper() < 0.0 ? -1 : 0);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <annulus/certificate/bounds.h>
+#include <annulus/certificate/certificate_value.h>
 #include <annulus/certificate/decide.h>
-#include <annulus/certificate/verdict.h>
 #include <annulus/certificate/width_terms_3.h>
 
 #include <algorithm>

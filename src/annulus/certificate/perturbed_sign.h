@@ -6,7 +6,7 @@
 namespace annulus {
 
 /// Sign of the empty sphere of x = {a, b, p, q}, or {a, b, c, p, q}, with the lexicographic symbolic perturbation
-/// that CGAL has, where the points are cospherical: never 0. Preconditions: empty_sphere_verdict(x).sign == 0, and
+/// that CGAL has, where the points are cospherical: never 0. Preconditions: evaluate_empty_sphere(x).sign == 0, and
 /// both cells are positive. By order of places, whatever their addresses.
 ///
 /// CGAL's removal relies on the triangulation being the one this perturbation picks (theory 6.7), so that flips decide

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/lloyd_scene.h>
 
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 #include <annulus/formats/read_gray_image.h>
 #include <annulus/formats/read_points.h>
 #include <annulus/kernel/read_neighbours.h>
@@ -84,7 +84,7 @@ Domain_2 polygon_from(const std::string& file) {
 
 bool collinear(const std::vector<Coordinates<2>>& p) {
     return std::all_of(p.begin(), p.end(), [&](const auto& c) {
-        return orientation_verdict({&p[0], &p[1], &c}, false).sign == 0;
+        return evaluate_orientation({&p[0], &p[1], &c}, false).sign == 0;
     });
 }
 

@@ -24,7 +24,7 @@ class Checker {
         Points point{};          ///< its points, in the order of the determinant
         Facet_kind kind{};       ///< of a facet; a cell has `nothing` when it is infinite, else `empty_sphere`
         bool stale = true;       ///< verdict not computed for its present points
-        Verdict verdict;
+        Certificate_value verdict;
     };
     using Pending_facet = Pending<Corner_index, Facet_sites<d>>;
     using Pending_cell = Pending<Cell_index, Cell_sites<d>>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How pending certificates get their verdicts: the ladder, in batches.
+// How pending certificates get their verdicts: the filtered predicate, in batches.
 #include <annulus/engine/checker.h>
 
 #include <annulus/certificate/batch.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-/// Entries whose certificates go through the ladder together, each with the positions of its points. On the stack,
+/// Entries whose certificates are evaluated together, each with the positions of its points. On the stack,
 /// since threads evaluate side by side; few, since a single move asks for few.
 template <class S, class T>
 struct Batch {
@@ -31,7 +31,7 @@ struct Batch {
 
 }  // namespace
 
-/// The ladder for a run of entries, in batches. Reads and writes nothing else.
+/// The filtered predicate for a run of entries, in batches. Reads and writes nothing else.
 template <int d>
 template <class S>
 Stage_counts Checker<d>::evaluate_run(std::span<S> entries) const {
@@ -39,10 +39,10 @@ Stage_counts Checker<d>::evaluate_run(std::span<S> entries) const {
     Stage_counts counts;
     const auto evaluate = [&]<class T>(Batch<S, T>& batch) {
         if (batch.size == 0) return;
-        boost::container::static_vector<Verdict, Batch<S, T>::capacity> verdict(
+        boost::container::static_vector<Certificate_value, Batch<S, T>::capacity> verdict(
             batch.size);  // an array would be filled whole
-        counts += annulus::evaluate(std::span<const T>(batch.tuple.data(), batch.size), Mode::fast,
-                                    {verdict.data(), batch.size});
+        counts += annulus::evaluate(std::span<const T>(batch.tuple.data(), batch.size),
+                                    Tolerance_precision::lower_bound, {verdict.data(), batch.size});
         for (std::size_t i = 0; i < batch.size; ++i) {
             S& s = *batch.entry[i];
             s.verdict = verdict[i];

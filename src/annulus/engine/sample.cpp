@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/sample.h>
 
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 #include <annulus/mesh/certificates.h>
 
 namespace annulus {
@@ -12,12 +12,12 @@ template <int d>
 void add_cell(Sample& sample, const Cell_table<d>& t, std::span<const Coordinates<d>> x, Cell_index c) {
     ++sample.cells;
     const Cell_sites<d> v = cell_sites(t, c);
-    Verdict verdict;
-    if (!orientation_filter(tuple<d, d + 1>(v, x), false, verdict)) {
+    Certificate_value value;
+    if (!orientation_filter(tuple<d, d + 1>(v, x), false, value)) {
         ++sample.unclear;
         return;
     }
-    if (verdict.sign <= 0) {
+    if (value.sign <= 0) {
         ++sample.inverted;
         return;
     }
@@ -26,8 +26,8 @@ void add_cell(Sample& sample, const Cell_table<d>& t, std::span<const Coordinate
         if (beyond.vertex == infinite) continue;
         ++sample.facets;
         const Facet_sites<d> points = bicell_sites(v, i, beyond);
-        if (!empty_sphere_filter(tuple<d, d + 2>(points, x), false, verdict)) ++sample.unclear;
-        else if (verdict.sign < 0) ++sample.violated;
+        if (!empty_sphere_filter(tuple<d, d + 2>(points, x), false, value)) ++sample.unclear;
+        else if (value.sign < 0) ++sample.violated;
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/verdict.h>
+#include <annulus/certificate/certificate_value.h>
 #include <annulus/mesh/cell_table.h>
 
 #include <algorithm>
@@ -120,7 +120,7 @@ template <int d>
     return {t.site(t.ccw(h)), t.site(t.cw(h)), t.opposite(h), t.site(h)};
 }
 
-/// The points {a, b, c, p, q} of the bi-cell at half-facet h, as the ladder takes them: q = site(h).
+/// The points {a, b, c, p, q} of the bi-cell at half-facet h, as the predicates take them: q = site(h).
 [[nodiscard]] inline Facet_sites<3> bicell_sites(const Cell_table<3>& t, Corner_index h) {
     const Cell_sites<3> x = facet_and_vertex(t, h);
     return {x[0], x[1], x[2], t.opposite(h), x[3]};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/certificate/exact_sign.h>
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 #include <annulus/certificate/perturbed_sign.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace annulus {
 /// Whether the sphere of a positive cell holds p, exactly; where it passes through p, by the perturbation.
 template <int d>
 [[nodiscard]] bool sphere_holds_exactly(const Tuple<d, d + 1>& cell, const Coordinates<d>& p) {
-    Tuple<d, d + 2> x{};  // as the ladder takes them: p before the last corner
+    Tuple<d, d + 2> x{};  // as the predicates take them: p before the last corner
     std::copy_n(cell.begin(), d, x.begin());
     x[d] = &p;
     x[d + 1] = cell[d];
@@ -32,8 +32,8 @@ template <int d>
 [[nodiscard]] inline bool flat_ridge_holds(const Tuple<3, 4>& x) {
     for (std::size_t i = 0; i < 3; ++i) {  // seen along an axis along which the plane has an area
         const auto y = seen_along<4>(i, x);
-        const int c = orientation_verdict({&y[0], &y[1], &y[2]}, false).sign;
-        if (c != 0) return orientation_verdict({&y[0], &y[1], &y[3]}, false).sign == -c;
+        const int c = evaluate_orientation({&y[0], &y[1], &y[2]}, false).sign;
+        if (c != 0) return evaluate_orientation({&y[0], &y[1], &y[3]}, false).sign == -c;
     }
     return false;
 }

@@ -3,19 +3,19 @@
 
 #include <annulus/mesh/certificates.h>
 
-// One certificate at given positions, by the whole ladder: for what is read off a triangulation, not for what keeps
+// One certificate at given positions, by all stages: for what is read off a triangulation, not for what keeps
 // it right. Rounding mode to nearest; it is put back. Some hundred nanoseconds each.
 namespace annulus {
 
 /// The certificate of a facet, x[k] the position of its k-th point; where the determinant is 0 the perturbation
 /// decides, or how the hull goes on (degenerate.h). Positive and without limit for a border, which has none of its
 /// own.
-[[nodiscard]] Verdict facet_verdict(Facet_kind kind, const std::array<Coordinates<2>, 4>& x);
-[[nodiscard]] Verdict facet_verdict(Facet_kind kind, const std::array<Coordinates<3>, 5>& x);
+[[nodiscard]] Certificate_value evaluate_facet(Facet_kind kind, const std::array<Coordinates<2>, 4>& x);
+[[nodiscard]] Certificate_value evaluate_facet(Facet_kind kind, const std::array<Coordinates<3>, 5>& x);
 
 /// The orientation of a finite cell.
-[[nodiscard]] Verdict cell_verdict(const std::array<Coordinates<2>, 3>& x);
-[[nodiscard]] Verdict cell_verdict(const std::array<Coordinates<3>, 4>& x);
+[[nodiscard]] Certificate_value evaluate_cell(const std::array<Coordinates<2>, 3>& x);
+[[nodiscard]] Certificate_value evaluate_cell(const std::array<Coordinates<3>, 4>& x);
 
 /// The width of the annulus of a bi-cell, certified: the standard one in the plane, the least of four in space.
 [[nodiscard]] double annulus_width_lower(const std::array<Coordinates<2>, 4>& x);

@@ -24,17 +24,18 @@ std::array<Coordinates<d>, k> places(std::span<const Coordinates<d>> x, const st
 
 /// Calls visit(points, verdict) for every certificate of v until it says no.
 template <int d, class Visit>
-void for_each_verdict(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v, Visit visit) {
+void for_each_value(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v, Visit visit) {
     bool on = true;
     for_each_certificate(
         t, v,
         [&](Corner_index h) {
-            if (on && !t.is_infinite(t.cell_of(h))) on = visit(cell_verdict(places<d>(x, cell_sites(t, t.cell_of(h)))));
+            if (on && !t.is_infinite(t.cell_of(h)))
+                on = visit(evaluate_cell(places<d>(x, cell_sites(t, t.cell_of(h)))));
         },
         [&](Corner_index h) {
             if (!on) return;
             const Facet_certificate<d> f = facet_certificate(t, h, false);
-            on = visit(facet_verdict(f.kind, places<d>(x, f.point)));
+            on = visit(evaluate_facet(f.kind, places<d>(x, f.point)));
         });
 }
 
@@ -43,8 +44,8 @@ void for_each_verdict(const Cell_table<d>& t, std::span<const Coordinates<d>> x,
 template <int d>
 double star_tolerance(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v) {
     double least = std::numeric_limits<double>::infinity();
-    for_each_verdict(t, x, v, [&](const Verdict& verdict) {
-        least = std::min(least, verdict.tolerance);
+    for_each_value(t, x, v, [&](const Certificate_value& value) {
+        least = std::min(least, value.tolerance);
         return true;
     });
     return least;
@@ -53,7 +54,7 @@ double star_tolerance(const Cell_table<d>& t, std::span<const Coordinates<d>> x,
 template <int d>
 bool star_holds(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v) {
     bool holds = true;
-    for_each_verdict(t, x, v, [&](const Verdict& verdict) { return holds = verdict.sign > 0; });
+    for_each_value(t, x, v, [&](const Certificate_value& value) { return holds = value.sign > 0; });
     return holds;
 }
 
@@ -78,12 +79,12 @@ Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
             if (v != none) m.tolerance[at(v)] = std::min(m.tolerance[at(v)], tolerance);
     };
     for (const Cell_index c : t.finite_cells())
-        lower(cell_sites(t, c), cell_verdict(places<d>(x, cell_sites(t, c))).tolerance);
+        lower(cell_sites(t, c), evaluate_cell(places<d>(x, cell_sites(t, c))).tolerance);
     for (const Corner_index h : t.facets()) {
         const Facet_certificate<d> f = facet_certificate(t, h, false);
         if (f.kind == Facet_kind::nothing) continue;
         const auto y = places<d>(x, f.point);
-        lower(f.point, facet_verdict(f.kind, y).tolerance);
+        lower(f.point, evaluate_facet(f.kind, y).tolerance);
         if (f.kind != Facet_kind::empty_sphere) continue;
         m.annulus_width.push_back(annulus_width_lower(y));
         m.theta_min = std::min(m.theta_min, bicell_theta(y));

@@ -2,7 +2,7 @@
 #include <annulus/published/paper_tolerances.h>
 
 #include <annulus/certificate/batch.h>
-#include <annulus/certificate/ladder_2.h>
+#include <annulus/certificate/filtered_2.h>
 #include <annulus/mesh/make_unique.h>
 
 #include <algorithm>
@@ -45,9 +45,9 @@ void Paper_tolerances<d>::add_facet(Corner_index f, std::span<const Coordinates<
     }
 }
 
-/// The paper's number in place of the ladder's, where plain double tells that the certificate holds.
+/// The paper's number in place of the filtered predicate's, where plain double tells that the certificate holds.
 template <int d>
-double Paper_tolerances<d>::tolerance(const Facet_certificate<d>& f, const Verdict& v,
+double Paper_tolerances<d>::tolerance(const Facet_certificate<d>& f, const Certificate_value& v,
                                       std::span<const Coordinates<d>> x) const {
     if (kind_ != Tolerance_kind::paper || v.stage != Stage::filter || v.sign <= 0) return v.tolerance;
     if (f.kind == Facet_kind::empty_sphere) {
@@ -64,7 +64,8 @@ void Paper_tolerances<d>::evaluate(Batch<k>& batch, std::span<const Coordinates<
                                    Move_report& report) {
     using T = Tuple<d, static_cast<int>(k)>;
     verdict_.resize(batch.tuple.size());
-    const Mode mode = kind_ == Tolerance_kind::certified ? Mode::fast : Mode::floating;
+    const Tolerance_precision mode =
+        kind_ == Tolerance_kind::certified ? Tolerance_precision::lower_bound : Tolerance_precision::approximate;
     const Stage_counts counts = annulus::evaluate(std::span<const T>(batch.tuple), mode, verdict_);
     for (std::size_t i = 0; i < verdict_.size(); ++i)
         least.note(batch.certificate[i].point, tolerance(batch.certificate[i], verdict_[i], x));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/verdict.h>
+#include <annulus/certificate/certificate_value.h>
 #include <annulus/engine/move_report.h>
 #include <annulus/mesh/certificates.h>
 #include <annulus/published/least_tolerance.h>
@@ -29,7 +29,7 @@ class Paper_tolerances {
     void note_everything(std::span<const Coordinates<d>> x, Least_tolerance& least, Move_report& report);
 
   private:
-    /// Certificates of one kind that go through the ladder together.
+    /// Certificates of one kind that are evaluated together.
     template <std::size_t k>
     struct Batch {
         std::vector<Facet_certificate<d>> certificate;
@@ -42,7 +42,7 @@ class Paper_tolerances {
     void clear();
     void add_cell(Cell_index c, std::span<const Coordinates<d>> x);
     void add_facet(Corner_index f, std::span<const Coordinates<d>> x);
-    [[nodiscard]] double tolerance(const Facet_certificate<d>& f, const Verdict& v,
+    [[nodiscard]] double tolerance(const Facet_certificate<d>& f, const Certificate_value& v,
                                    std::span<const Coordinates<d>> x) const;
     template <std::size_t k>
     void evaluate(Batch<k>& batch, std::span<const Coordinates<d>> x, Least_tolerance& least, Move_report& report);
@@ -51,7 +51,7 @@ class Paper_tolerances {
     Tolerance_kind kind_;
     Batch<d + 1> orientations_;
     Batch<d + 2> spheres_;
-    std::vector<Verdict> verdict_;
+    std::vector<Certificate_value> verdict_;
 };
 
 extern template class Paper_tolerances<2>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/reproduction/adversary.h>
 
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 #include <annulus/engine/displacement.h>
 
 #include <algorithm>

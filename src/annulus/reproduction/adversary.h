@@ -10,7 +10,7 @@
 namespace annulus {
 
 /// Where the points of one certificate go so that it fails although each goes less far than its reach: those of a
-/// bi-cell {a, b, c, p, q}, or of a cell or a hull ridge {a, b, c, d}, as the ladder takes them and holding where
+/// bi-cell {a, b, c, p, q}, or of a cell or a hull ridge {a, b, c, d}, as the predicates take them and holding where
 /// they are. They go along the radii of an annulus through them, or across a slab, until its two sides have changed
 /// places; every annulus and every slab of the points is tried. That the certificate fails is exact, that no way is
 /// found proves nothing. A hundred microseconds at most.

@@ -21,8 +21,8 @@ struct Printed_choice {
 
 /// The paper's algorithms as it prints them, on nothing but CGAL's triangulation: a vertex is relocated by CGAL's
 /// insertion at its new position, from its old one, and CGAL's removal of the old one. There are no flips of our own,
-/// no table, no ladder; tolerances are in plain double, and in space they are unsound (docs/theory.md 3). What it
-/// does does not depend on addresses.
+/// no table, no filtered predicate; tolerances are in plain double, and in space they are unsound (docs/theory.md 3).
+/// What it does does not depend on addresses.
 ///
 /// Of three the work is cheaper than the text: squares are compared, a queue holds a vertex once, and a timestamp's
 /// vertices follow each other in the order of their indices.

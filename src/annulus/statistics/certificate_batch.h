@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/certificate/filtered.h>
 #include <annulus/certificate/half_width.h>
-#include <annulus/certificate/ladder.h>
 #include <annulus/certificate/theta.h>
 #include <annulus/mesh/certificates.h>
 #include <annulus/statistics/degeneracy.h>
@@ -48,10 +48,10 @@ struct Certificate_batch {
     std::vector<Vertices> point{};  ///< the last one none where there are only d + 1
     std::vector<T> tuple{};
     // Found:
-    std::vector<Verdict> verdict{};  ///< the ladder's, as a run has it
-    Stage_counts arithmetic{};       ///< that gave these
-    std::vector<Half_width> half{};  ///< the least
-    std::vector<Below> below{};      ///< it
+    std::vector<Certificate_value> verdict{};  ///< the filtered predicate's, as a run has it
+    Stage_counts arithmetic{};                 ///< that gave these
+    std::vector<Half_width> half{};            ///< the least
+    std::vector<Below> below{};                ///< it
 
     template <std::size_t k>
     void append(Id named, const std::array<Site<d>, k>& v, std::span<const Coordinates<d>> x) {
@@ -73,16 +73,16 @@ struct Certificate_batch {
     }
     void judge() {
         verdict.resize(id.size());
-        arithmetic = evaluate(std::span<const T>(tuple), Mode::fast, verdict);
+        arithmetic = evaluate(std::span<const T>(tuple), Tolerance_precision::lower_bound, verdict);
     }
 };
 
 /// Where the line through p and q meets the facet: inside (1), outside (-1), or on its border (0).
-inline int convexity_of(std::span<const Verdict> v) {
-    const auto negative = [](const Verdict& w) { return w.sign < 0; };
-    const auto positive = [](const Verdict& w) { return w.sign > 0; };
+inline int convexity_of(std::span<const Certificate_value> v) {
+    const auto negative = [](const Certificate_value& w) { return w.sign < 0; };
+    const auto positive = [](const Certificate_value& w) { return w.sign > 0; };
     if (std::any_of(v.begin(), v.end(), negative) && std::any_of(v.begin(), v.end(), positive)) return -1;
-    return std::any_of(v.begin(), v.end(), [](const Verdict& w) { return w.sign == 0; }) ? 0 : 1;
+    return std::any_of(v.begin(), v.end(), [](const Certificate_value& w) { return w.sign == 0; }) ? 0 : 1;
 }
 
 /// The orientations of p, q and each ridge of the facet, turned so that they agree where the bi-cell is convex.
@@ -135,13 +135,13 @@ struct Bicell_batch : Certificate_batch<d, Corner_index, Tuple<d, d + 2>> {
         sides_.clear();
         for (const auto& x : this->tuple) append_sides(x, sides_);
         signs_.resize(sides_.size());
-        convexity = evaluate(std::span<const Tuple<d, d + 1>>(sides_), Mode::floating, signs_);
+        convexity = evaluate(std::span<const Tuple<d, d + 1>>(sides_), Tolerance_precision::approximate, signs_);
         convex.clear();
         for (std::size_t i = 0; i < this->id.size(); ++i)
-            convex.push_back(convexity_of(std::span<const Verdict>(signs_).subspan(i * d, d)));
+            convex.push_back(convexity_of(std::span<const Certificate_value>(signs_).subspan(i * d, d)));
     }
     std::vector<Tuple<d, d + 1>> sides_{};
-    std::vector<Verdict> signs_{};
+    std::vector<Certificate_value> signs_{};
 };
 
 /// Cells, ridges, and facets of the border, which are no certificates.

@@ -2,7 +2,7 @@
 #include <annulus/statistics/counterexample.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/certificate/ladder.h>
+#include <annulus/certificate/filtered.h>
 #include <annulus/certificate/theta.h>
 #include <annulus/engine/displacement.h>
 
@@ -71,7 +71,7 @@ Counterexample counterexample(double delta) {
         r.paper = std::min(r.paper, paper_annulus(facet));
         r.theta = std::min(r.theta, theta(*facet[0], *facet[1], *facet[2], *facet[3], *facet[4]));
         r.exact = std::min(r.exact, empty_sphere_exact(facet, Cell_widths::always).tolerance);
-        const Verdict v = empty_sphere_verdict(facet, true, Cell_widths::always);
+        const Certificate_value v = evaluate_empty_sphere(facet, true, Cell_widths::always);
         if (v.tolerance < r.certified.tolerance) r.certified = v;
     }
     r.three_before = three_cells_are_delaunay(fixed);

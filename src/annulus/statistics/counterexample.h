@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/verdict.h>
+#include <annulus/certificate/certificate_value.h>
 
 namespace annulus {
 
@@ -13,7 +13,7 @@ struct Counterexample {
     double displaced;  ///< an upper bound of the largest displacement, rounding of the moved points included
     double paper;      ///< least half width of the standard annuli, plain double
     double theta;      ///< least theta of the facets
-    Verdict certified;
+    Certificate_value certified;
     double exact;                               ///< the largest double that is not above the tolerance
     bool three_before, three_after, two_after;  ///< whether three cells around a b, or two at p q r, are Delaunay
 };

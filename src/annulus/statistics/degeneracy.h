@@ -113,7 +113,8 @@ struct Degeneracy_options {
     int threads = 1;
     /// Told of every certificate, where there is anybody: of one at a time, by any of the threads.
     std::function<void(const Raw_certificate<d>&)> raw{};
-    /// Told of every unsound certificate (Vertex_counts), where there is anybody: its points as the ladder takes them.
+    /// Told of every unsound certificate (Vertex_counts), where there is anybody: its points as the predicates take
+    /// them.
     std::function<void(std::span<const Index>)> unsound{};
 };
 

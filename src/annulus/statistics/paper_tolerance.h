@@ -17,7 +17,7 @@ struct Paper_verdict {
     std::uint64_t above_exact = 0;   ///< vertices whose tolerance is above the half width of a certificate they are in
     std::uint64_t unsound = 0;       ///< vertices of the certificates below
     std::uint64_t certificates = 0;  ///< whose half width is below the tolerances of all their points
-    /// Theirs, as the ladder takes them: d + 2 of a bi-cell, d + 1 of a cell or a ridge.
+    /// Theirs, as the predicates take them: d + 2 of a bi-cell, d + 1 of a cell or a ridge.
     std::vector<std::vector<Index>> points;
 };
 

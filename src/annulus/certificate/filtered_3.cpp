@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/certificate/ladder_3.h>
+#include <annulus/certificate/filtered_3.h>
 
 #include <annulus/arithmetic/exact.h>
 #include <annulus/certificate/interval_stage.h>
@@ -50,7 +50,7 @@ struct Exact_bicell {
 
 }  // namespace
 
-bool orientation_interval(const Tuple<3, 4>& x, Verdict& out) {
+bool orientation_interval(const Tuple<3, 4>& x, Certificate_value& out) {
     return detail::with_scale(x, [&](const auto& minus, const detail::Scale& s) {
         const auto t = tetrahedron_terms(detail::vectors(x, minus));
         if (!detail::interval_sign(t.determinant, out)) return false;
@@ -62,13 +62,13 @@ bool orientation_interval(const Tuple<3, 4>& x, Verdict& out) {
     });
 }
 
-bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cell_widths cells) {
+bool empty_sphere_interval(const Tuple<3, 5>& x, Certificate_value& out, Cell_widths cells) {
     return detail::with_scale(x, [&](const auto& minus, const detail::Scale& s) {
         const auto t = bicell_terms(detail::vectors(x, minus));
-        out.backward = 0;
-        bool certainly = false;  // one of them is backward
+        out.wrong_side = 0;
+        bool certainly = false;  // one of them is wrong-side
         for (std::size_t k = 1; k < partitions_3; ++k) {
-            if (!(t.side[k].lower() > 0.0)) out.backward = static_cast<std::uint8_t>(out.backward | (1U << k));
+            if (!(t.side[k].lower() > 0.0)) out.wrong_side = static_cast<std::uint8_t>(out.wrong_side | (1U << k));
             certainly = certainly || t.side[k].upper() <= 0.0;
         }
         if (!detail::interval_sign(t.determinant, out)) return false;
@@ -81,7 +81,7 @@ bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cell_widths cells
         }
         double lower = 0.0;
         if (!detail::quotient_lower_tight(t.determinant, most, least, lower)) return false;
-        if (cells == Cell_widths::always || (cells == Cell_widths::where_needed && out.backward != 0)) {
+        if (cells == Cell_widths::always || (cells == Cell_widths::where_needed && out.wrong_side != 0)) {
             double p = 0.0;
             double q = 0.0;
             if (!width_lower(cell_p_terms(t), p) || !width_lower(cell_q_terms(t), q)) return false;
@@ -93,27 +93,27 @@ bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out, Cell_widths cells
     });
 }
 
-Verdict orientation_exact(const Tuple<3, 4>& x) {
+Certificate_value orientation_exact(const Tuple<3, 4>& x) {
     const Scaled_integers z(coordinates(x));
     const auto t = tetrahedron_terms(detail::vectors<3>(z));
-    Verdict out;
+    Certificate_value out;
     out.stage = Stage::exact;
     out.sign = static_cast<std::int8_t>(sgn(t.determinant));
     out.tolerance = half_width(t, z.exponent);
     return out;
 }
 
-Verdict empty_sphere_exact(const Tuple<3, 5>& x, Cell_widths cells) {
+Certificate_value empty_sphere_exact(const Tuple<3, 5>& x, Cell_widths cells) {
     const Exact_bicell e(x);
-    Verdict out;
+    Certificate_value out;
     out.stage = Stage::exact;
     out.sign = static_cast<std::int8_t>(sgn(e.terms.determinant));
     for (std::size_t k = 1; k < partitions_3; ++k)
-        if (sgn(e.terms.side[k]) <= 0) out.backward = static_cast<std::uint8_t>(out.backward | (1U << k));
+        if (sgn(e.terms.side[k]) <= 0) out.wrong_side = static_cast<std::uint8_t>(out.wrong_side | (1U << k));
     if (out.sign <= 0) return out;
     out.tolerance = e.half_width_of(0);
     for (std::size_t k = 1; k < partitions_3; ++k) out.tolerance = std::min(out.tolerance, e.half_width_of(k));
-    if (cells == Cell_widths::always || (cells == Cell_widths::where_needed && out.backward != 0))
+    if (cells == Cell_widths::always || (cells == Cell_widths::where_needed && out.wrong_side != 0))
         out.tolerance = std::min({out.tolerance, half_width(cell_p_terms(e.terms), e.exponent),
                                   half_width(cell_q_terms(e.terms), e.exponent)});
     return out;

@@ -20,20 +20,20 @@ enum class Tolerance_kind : std::uint8_t {
     return kind == Tolerance_kind::certified ? "certified" : kind == Tolerance_kind::paper ? "paper" : "floating";
 }
 
-/// Which answer is wanted of the ladder.
-enum class Mode : std::uint8_t {
-    floating,  ///< exact sign, tolerance in plain double where the filter knows the sign
-    fast,      ///< certified lower bound of the first stage that answers within its slack (bounds.h)
-    tight,     ///< the largest double that is not above the truth: the exact stage for every certificate that holds
+/// Which answer is wanted of the predicates.
+enum class Tolerance_precision : std::uint8_t {
+    approximate,        ///< exact sign, tolerance in plain double where the filter knows the sign
+    lower_bound,        ///< certified lower bound of the first stage that answers within its slack (bounds.h)
+    correctly_rounded,  ///< the largest double that is not above the truth: the exact stage for every certificate that holds
 };
 
 /// What is known of one certificate at given positions.
-struct Verdict {
+struct Certificate_value {
     double tolerance = 0.0;       ///< lower bound of half the width (unit of length); 0 unless sign > 0
     std::int8_t sign = 0;         ///< exact sign of the determinant
     Stage stage = Stage::filter;  ///< the stage that decided
-    std::uint8_t backward =
-        0;  ///< empty spheres in space: bit k where partition k is not certainly forward (ladder_3.h)
+    std::uint8_t wrong_side =
+        0;  ///< empty spheres in space: bit k where partition k is not certainly forward (filtered_3.h)
 };
 
 }  // namespace annulus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/certificate/ladder_2.h>
+#include <annulus/certificate/filtered_2.h>
 
 #include <annulus/certificate/interval_stage.h>
 
@@ -18,7 +18,7 @@ auto bicell_terms(const Vectors& vector) {
 }
 
 /// Terms of a half width as an answer of the interval stage.
-bool accept(const Width_terms<Interval>& t, const detail::Scale& s, Verdict& out) {
+bool accept(const Width_terms<Interval>& t, const detail::Scale& s, Certificate_value& out) {
     if (!detail::interval_sign(t.determinant, out)) return false;
     if (out.sign < 0) return true;
     double lower = 0.0;
@@ -29,8 +29,8 @@ bool accept(const Width_terms<Interval>& t, const detail::Scale& s, Verdict& out
     return true;
 }
 
-Verdict verdict(const Width_terms<mpz_class>& t, long exponent) {
-    Verdict out;
+Certificate_value value_of(const Width_terms<mpz_class>& t, long exponent) {
+    Certificate_value out;
     out.stage = Stage::exact;
     out.sign = static_cast<std::int8_t>(sgn(t.determinant));
     if (out.sign > 0) out.tolerance = quotient_by_roots_lower(t.determinant, t.inner, t.outer, exponent);
@@ -39,26 +39,26 @@ Verdict verdict(const Width_terms<mpz_class>& t, long exponent) {
 
 }  // namespace
 
-bool orientation_interval(const Tuple<2, 3>& x, Verdict& out) {
+bool orientation_interval(const Tuple<2, 3>& x, Certificate_value& out) {
     return detail::with_scale(x, [&](const auto& minus, const detail::Scale& s) {
         return accept(triangle_terms(detail::vectors(x, minus)), s, out);
     });
 }
 
-bool empty_sphere_interval(const Tuple<2, 4>& x, Verdict& out) {
+bool empty_sphere_interval(const Tuple<2, 4>& x, Certificate_value& out) {
     return detail::with_scale(x, [&](const auto& minus, const detail::Scale& s) {
         return accept(bicell_terms(detail::vectors(x, minus)), s, out);
     });
 }
 
-Verdict orientation_exact(const Tuple<2, 3>& x) {
+Certificate_value orientation_exact(const Tuple<2, 3>& x) {
     const Scaled_integers z(coordinates(x));
-    return verdict(triangle_terms(detail::vectors<2>(z)), z.exponent);
+    return value_of(triangle_terms(detail::vectors<2>(z)), z.exponent);
 }
 
-Verdict empty_sphere_exact(const Tuple<2, 4>& x) {
+Certificate_value empty_sphere_exact(const Tuple<2, 4>& x) {
     const Scaled_integers z(coordinates(x));
-    return verdict(bicell_terms(detail::vectors<2>(z)), z.exponent);
+    return value_of(bicell_terms(detail::vectors<2>(z)), z.exponent);
 }
 
 }  // namespace annulus

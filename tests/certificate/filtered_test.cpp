@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each stage beside the next, and the ladder made of them.
+// Each stage beside the next, and the filtered predicate made of them.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -15,7 +15,7 @@ using namespace annulus::testing;
 
 namespace {
 
-bool same(const Verdict& l, const Verdict& r) {
+bool same(const Certificate_value& l, const Certificate_value& r) {
     return l.tolerance == r.tolerance && l.sign == r.sign && l.stage == r.stage;
 }
 
@@ -35,9 +35,9 @@ void check_order(const Case& x) {
 template <class Case>
 void check_ladder(const Case& x) {
     const Answers answers = ask(x);
-    const Verdict rest = answers.interval ? *answers.interval : answers.exact;
-    HOLDS(same(ladder(x, true), answers.filter ? *answers.filter : rest), x);
-    HOLDS(same(ladder(x, false), answers.floating ? *answers.floating : rest), x);
+    const Certificate_value rest = answers.interval ? *answers.interval : answers.exact;
+    HOLDS(same(all_stages(x, true), answers.filter ? *answers.filter : rest), x);
+    HOLDS(same(all_stages(x, false), answers.floating ? *answers.floating : rest), x);
     HOLDS(std::fegetround() == FE_TONEAREST, x);
 }
 
@@ -78,19 +78,19 @@ TEST_CASE("the ladder gives the answer of its first stage that has one", "[certi
 }
 
 TEST_CASE("each stage has inputs it answers", "[certificate]") {
-    CHECK(ladder(Triangle{{0, 0}, {1, 0}, {0, 1}}).stage == Stage::filter);
-    CHECK(ladder(Triangle{{0, 0}, {0x1p-300, 0}, {0, 0x1p-300}}).stage == Stage::interval);
-    CHECK(ladder(Triangle{{0, 0}, {1, 1}, {2, 2}}).stage == Stage::exact);
-    CHECK(ladder(Bicell{{0, -1}, {0, 1}, {3, 0}, {-3, 0}}).stage == Stage::filter);
-    CHECK(ladder(Bicell{{0, -0x1p400}, {0, 0x1p400}, {0x1p402, 0}, {-0x1p402, 0}}).stage == Stage::interval);
-    CHECK(ladder(Bicell{{0, 0}, {1, 1}, {1, 0}, {0, 1}}).stage == Stage::exact);
+    CHECK(all_stages(Triangle{{0, 0}, {1, 0}, {0, 1}}).stage == Stage::filter);
+    CHECK(all_stages(Triangle{{0, 0}, {0x1p-300, 0}, {0, 0x1p-300}}).stage == Stage::interval);
+    CHECK(all_stages(Triangle{{0, 0}, {1, 1}, {2, 2}}).stage == Stage::exact);
+    CHECK(all_stages(Bicell{{0, -1}, {0, 1}, {3, 0}, {-3, 0}}).stage == Stage::filter);
+    CHECK(all_stages(Bicell{{0, -0x1p400}, {0, 0x1p400}, {0x1p402, 0}, {-0x1p402, 0}}).stage == Stage::interval);
+    CHECK(all_stages(Bicell{{0, 0}, {1, 1}, {1, 0}, {0, 1}}).stage == Stage::exact);
     // At both ends of the domain the interval stage scales so that it never needs help.
     for (const double x : {0x1p-1074, 0x1p-1060, 0x1p-1022, 0x1p498}) {
         INFO("x = " << as_code(x));
-        CHECK(ladder(Triangle{{0, 0}, {x, 0}, {0, x}}).stage == Stage::interval);
-        CHECK(ladder(Bicell{{0, -x}, {0, x}, {3 * x, 0}, {-3 * x, 0}}).stage == Stage::interval);
-        CHECK(ladder(Bicell{{0, -x}, {0, x}, {3 * x, 0}, {-3 * x, 0}}).tolerance <= x);
-        CHECK(ladder(Bicell{{0, -x}, {0, x}, {3 * x, 0}, {-3 * x, 0}}).tolerance >= x * (1 - 0x1p-40) - 0x1p-1074);
+        CHECK(all_stages(Triangle{{0, 0}, {x, 0}, {0, x}}).stage == Stage::interval);
+        CHECK(all_stages(Bicell{{0, -x}, {0, x}, {3 * x, 0}, {-3 * x, 0}}).stage == Stage::interval);
+        CHECK(all_stages(Bicell{{0, -x}, {0, x}, {3 * x, 0}, {-3 * x, 0}}).tolerance <= x);
+        CHECK(all_stages(Bicell{{0, -x}, {0, x}, {3 * x, 0}, {-3 * x, 0}}).tolerance >= x * (1 - 0x1p-40) - 0x1p-1074);
     }
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("the filter answers in its whole range and nowhere else", "[certificat
         CHECK(!ask(triangle_of(x)).floating);
         CHECK(!ask(kite_of(x)).filter);
         CHECK(!ask(kite_of(x)).floating);
-        CHECK(ladder(triangle_of(x)).sign == 1);
+        CHECK(all_stages(triangle_of(x)).sign == 1);
     }
 }
 

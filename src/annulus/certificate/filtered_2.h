@@ -2,8 +2,8 @@
 #pragma once
 
 #include <annulus/certificate/bounds.h>
+#include <annulus/certificate/certificate_value.h>
 #include <annulus/certificate/decide.h>
-#include <annulus/certificate/verdict.h>
 #include <annulus/certificate/width_terms.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace detail {
 
 /// Accepts the rounded terms of a certificate: decide() on one of them.
 [[nodiscard]] inline bool accept(const Width_terms<double>& t, double det_error, double norm_error, bool certified,
-                                 Verdict& out) {
+                                 Certificate_value& out) {
     const auto d = decide(t.determinant, std::sqrt(t.inner) + std::sqrt(t.outer), det_error, norm_error, certified);
     return answer(d.sign, d.tolerance, out);
 }
@@ -56,7 +56,7 @@ template <class V>
 /// x[2] turn left. False when it cannot tell or cannot tell tightly; `out` is then unspecified.
 ///
 /// Rounding mode must be to nearest. About 10 ns; batch.h is faster. Errors: bounds.h, proofs/gappa/certificates_2.g.
-[[nodiscard]] inline bool orientation_filter(const Tuple<2, 3>& x, bool certified, Verdict& out) {
+[[nodiscard]] inline bool orientation_filter(const Tuple<2, 3>& x, bool certified, Certificate_value& out) {
     const auto d = detail::decide_orientation(detail::difference(x, 1, 0), detail::difference(x, 2, 0),
                                               detail::difference(x, 2, 1), certified);
     return detail::answer(d.sign, d.tolerance, out);
@@ -66,7 +66,7 @@ template <class V>
 /// circle through a, b, q leaves p strictly outside. False as for orientation_filter.
 ///
 /// Rounding mode must be to nearest. About 15 ns; batch.h is faster. Errors: bounds.h, proofs/gappa/certificates_2.g.
-[[nodiscard]] inline bool empty_sphere_filter(const Tuple<2, 4>& x, bool certified, Verdict& out) {
+[[nodiscard]] inline bool empty_sphere_filter(const Tuple<2, 4>& x, bool certified, Certificate_value& out) {
     const auto d = detail::decide_annulus(detail::difference(x, 1, 0), detail::difference(x, 2, 0),
                                           detail::difference(x, 3, 0), detail::difference(x, 3, 2), certified);
     return detail::answer(d.sign, d.tolerance, out);
@@ -75,16 +75,16 @@ template <class V>
 /// Interval stage. The rounding mode must be upward (one Rounding_guard around a batch). False when the interval of
 /// the determinant holds 0 or the tolerance is not within the stated slack.
 /// Never inlined: see Rounding_guard.
-[[nodiscard, gnu::noinline]] bool orientation_interval(const Tuple<2, 3>& x, Verdict& out);
-[[nodiscard, gnu::noinline]] bool empty_sphere_interval(const Tuple<2, 4>& x, Verdict& out);
+[[nodiscard, gnu::noinline]] bool orientation_interval(const Tuple<2, 3>& x, Certificate_value& out);
+[[nodiscard, gnu::noinline]] bool empty_sphere_interval(const Tuple<2, 4>& x, Certificate_value& out);
 
 /// Exact stage: always answers. Microseconds.
-[[nodiscard]] Verdict orientation_exact(const Tuple<2, 3>& x);
-[[nodiscard]] Verdict empty_sphere_exact(const Tuple<2, 4>& x);
+[[nodiscard]] Certificate_value orientation_exact(const Tuple<2, 3>& x);
+[[nodiscard]] Certificate_value empty_sphere_exact(const Tuple<2, 4>& x);
 
-/// The whole ladder for one certificate; the rounding mode must be to nearest and is put back.
-[[nodiscard]] Verdict orientation_verdict(const Tuple<2, 3>& x, bool certified = true);
-[[nodiscard]] Verdict empty_sphere_verdict(const Tuple<2, 4>& x, bool certified = true);
+/// All stages for one certificate; the rounding mode must be to nearest and is put back.
+[[nodiscard]] Certificate_value evaluate_orientation(const Tuple<2, 3>& x, bool certified = true);
+[[nodiscard]] Certificate_value evaluate_empty_sphere(const Tuple<2, 4>& x, bool certified = true);
 
 /// Half the width of the paper's slab (its 2.2): the altitude of x[2] over the line x[0] x[1], in plain double.
 [[nodiscard]] inline double paper_slab(const Tuple<2, 3>& x) {

@@ -2,16 +2,16 @@
 #pragma once
 
 #include <annulus/certificate/bounds.h>
+#include <annulus/certificate/certificate_value.h>
 #include <annulus/certificate/decide.h>
-#include <annulus/certificate/verdict.h>
 #include <annulus/certificate/width_terms_3.h>
 
 #include <algorithm>
 #include <cmath>
 
-// The ladder in space. Orientations are CGAL's: a, b, c, d is positive when d is on the side of (b - a) x (c - a). A
-// bi-cell is x = {a, b, c, p, q} with positive cells a b c q and b a c p, so seen from q the facet a b c turns left,
-// and p is behind it. In the plane it is {a, b, p, q} with positive triangles a b q and b a p.
+// The filtered predicate in space. Orientations are CGAL's: a, b, c, d is positive when d is on the side of (b - a) x
+// (c - a). A bi-cell is x = {a, b, c, p, q} with positive cells a b c q and b a c p, so seen from q the facet a b c
+// turns left, and p is behind it. In the plane it is {a, b, p, q} with positive triangles a b q and b a p.
 
 namespace annulus {
 
@@ -20,7 +20,7 @@ namespace annulus {
 /// The annulus of a partition A | B excludes it wherever its points are when A is the inner side, sum of lambda over
 /// B > 0. Else it does so only along a motion on which both cells stay positive, from the same reference.
 enum class Cell_widths : std::uint8_t {
-    never,  ///< the least of the four annuli; see Verdict::backward
+    never,  ///< the least of the four annuli; see Certificate_value::wrong-side
     /// With the cells where one of the sums is not positive: safe by itself. A stage that cannot tell whether one is,
     /// where it matters to the tolerance, leaves it to the next: the answer is that of any order of the points.
     where_needed,
@@ -56,11 +56,11 @@ template <class V>
     return sum;
 }
 
-/// A Decision, and which partitions are backward: bit k as the number 2^k.
+/// A Decision, and which partitions are wrong-side: bit k as the number 2^k.
 template <class V>
 struct Bicell_decision {
     Decision<V> decision;
-    V backward;
+    V wrong_side;
 };
 
 /// The filter stage of an empty sphere, from the rounded differences to a.
@@ -77,11 +77,11 @@ template <class V>
     Decision<V> d = decide(t.determinant, largest, V(V(bounds::annulus_3_insphere * bounds::u) * (m2 * m2 * m)),
                            V(V(bounds::annulus_3_norms * bounds::u) * (m2 * m2)), certified);
     const V side_error = V(bounds::annulus_3_side * bounds::u) * (m2 * m);
-    V backward(0.0);
+    V wrong_side(0.0);
     for (std::size_t k = 1; k < partitions_3; ++k)
-        backward = backward + select(t.side[k] > side_error, V(0.0), V(static_cast<double>(1U << k)));
+        wrong_side = wrong_side + select(t.side[k] > side_error, V(0.0), V(static_cast<double>(1U << k)));
     if (cells != Cell_widths::never) {
-        const auto needed = cells == Cell_widths::always ? backward >= V(0.0) : backward > V(0.0);
+        const auto needed = cells == Cell_widths::always ? wrong_side >= V(0.0) : wrong_side > V(0.0);
         if (any(needed)) {  // the only branch: the widths are half of the work, and often nobody asks for them
             const V annuli = d.tolerance;
             d = both(d, decide_width(cell_p_terms(t), m, certified), needed);
@@ -92,11 +92,11 @@ template <class V>
             }
         }
     }
-    return {in_range(m, bounds::filter_range_3, d), backward};
+    return {in_range(m, bounds::filter_range_3, d), wrong_side};
 }
 
-[[nodiscard]] inline bool answer(const Bicell_decision<double>& d, Verdict& out) {
-    out.backward = static_cast<std::uint8_t>(d.backward);
+[[nodiscard]] inline bool answer(const Bicell_decision<double>& d, Certificate_value& out) {
+    out.wrong_side = static_cast<std::uint8_t>(d.wrong_side);
     return answer(d.decision.sign, d.decision.tolerance, out);
 }
 
@@ -106,7 +106,7 @@ template <class V>
 /// tolerance is half its width. False when it cannot tell or cannot tell tightly; `out` is then unspecified.
 ///
 /// Rounding mode must be to nearest. Errors: bounds.h, proofs/gappa/certificates_3.g.
-[[nodiscard]] inline bool orientation_filter(const Tuple<3, 4>& x, bool certified, Verdict& out) {
+[[nodiscard]] inline bool orientation_filter(const Tuple<3, 4>& x, bool certified, Certificate_value& out) {
     const auto d = detail::decide_orientation(detail::difference(x, 1, 0), detail::difference(x, 2, 0),
                                               detail::difference(x, 3, 0), certified);
     return detail::answer(d.sign, d.tolerance, out);
@@ -118,7 +118,7 @@ template <class V>
 /// is right and no tolerance is given that `cells` makes depend on it.
 ///
 /// Rounding mode must be to nearest. Errors: bounds.h, proofs/gappa/certificates_3.g.
-[[nodiscard]] inline bool empty_sphere_filter(const Tuple<3, 5>& x, bool certified, Verdict& out,
+[[nodiscard]] inline bool empty_sphere_filter(const Tuple<3, 5>& x, bool certified, Certificate_value& out,
                                               Cell_widths cells = Cell_widths::where_needed) {
     return detail::answer(
         detail::decide_annulus(detail::difference(x, 1, 0), detail::difference(x, 2, 0), detail::difference(x, 3, 0),
@@ -129,18 +129,18 @@ template <class V>
 /// Interval stage. The rounding mode must be upward (one Rounding_guard around a batch). False when the interval of the
 /// determinant holds 0 or the tolerance is not within the stated slack.
 /// Never inlined: see Rounding_guard.
-[[nodiscard, gnu::noinline]] bool orientation_interval(const Tuple<3, 4>& x, Verdict& out);
-[[nodiscard, gnu::noinline]] bool empty_sphere_interval(const Tuple<3, 5>& x, Verdict& out,
+[[nodiscard, gnu::noinline]] bool orientation_interval(const Tuple<3, 4>& x, Certificate_value& out);
+[[nodiscard, gnu::noinline]] bool empty_sphere_interval(const Tuple<3, 5>& x, Certificate_value& out,
                                                         Cell_widths cells = Cell_widths::where_needed);
 
 /// Exact stage: always answers, with the largest double that is not above the truth. Microseconds.
-[[nodiscard]] Verdict orientation_exact(const Tuple<3, 4>& x);
-[[nodiscard]] Verdict empty_sphere_exact(const Tuple<3, 5>& x, Cell_widths cells = Cell_widths::where_needed);
+[[nodiscard]] Certificate_value orientation_exact(const Tuple<3, 4>& x);
+[[nodiscard]] Certificate_value empty_sphere_exact(const Tuple<3, 5>& x, Cell_widths cells = Cell_widths::where_needed);
 
-/// The whole ladder for one certificate; the rounding mode must be to nearest and is put back.
-[[nodiscard]] Verdict orientation_verdict(const Tuple<3, 4>& x, bool certified = true);
-[[nodiscard]] Verdict empty_sphere_verdict(const Tuple<3, 5>& x, bool certified = true,
-                                           Cell_widths cells = Cell_widths::where_needed);
+/// All stages for one certificate; the rounding mode must be to nearest and is put back.
+[[nodiscard]] Certificate_value evaluate_orientation(const Tuple<3, 4>& x, bool certified = true);
+[[nodiscard]] Certificate_value evaluate_empty_sphere(const Tuple<3, 5>& x, bool certified = true,
+                                                      Cell_widths cells = Cell_widths::where_needed);
 
 /// The four annuli of a bi-cell one by one, in the order of Partition_3.
 struct Annuli {
