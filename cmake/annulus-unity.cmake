@@ -50,7 +50,7 @@ function(annulus_unite_core target)
         endforeach()
         get_target_property(sources ${target} SOURCES)
         list(FILTER sources INCLUDE REGEX "/annulus/${room}/[a-z_0-9]*[.]cpp$")
-        list(FILTER sources EXCLUDE REGEX "/(table_readings|repair_collisions)[.]cpp$")  # names of others of their room
+        list(FILTER sources EXCLUDE REGEX "/(table_measures|repair_collisions)[.]cpp$")  # names of others of their room
         foreach(source IN LISTS sources)
             file(STRINGS "${source}" classes REGEX "^template class ")
             set(best "")

@@ -210,7 +210,7 @@ class Mesh_case {
             if constexpr (d == 2) flip_edge_of_plane(h, touched);
             else {
                 std::array<Cell_index, 3> cells{};
-                Cell_table<3>& t = mesh_.table();
+                Corner_table<3>& t = mesh_.table();
                 const int other = (t.slot_of(h) + 1 + bytes_.next() % 3) % 4;
                 if (flip_facet(t, h, cells) || flip_edge(t, h, t.corner(t.cell_of(h), other), cells))
                     touched.insert(touched.end(), cells.begin(), cells.end());
@@ -223,11 +223,11 @@ class Mesh_case {
         std::vector<Cell_index> cells;
         for (const Cell_index c : mesh_.table().cells()) cells.push_back(c);
         const std::size_t k = (bytes_.next() + 256 * (bytes_.next() % 2U)) % cells.size();
-        return Cell_table<d>::corner(cells[k], bytes_.next() % (d + 1));
+        return Corner_table<d>::corner(cells[k], bytes_.next() % (d + 1));
     }
     /// Where the opposite vertices are not adjacent.
     void flip_edge_of_plane(Corner_index h, std::vector<Cell_index>& touched) {
-        Cell_table<2>& t = mesh_.table();
+        Corner_table<2>& t = mesh_.table();
         const Index p = t.vertex(h), q = t.vertex(t.twin(h));
         bool adjacent = p == q;
         t.for_each_corner(p, [&](Corner_index k) { adjacent = adjacent || t.vertex(t.ccw(k)) == q; });

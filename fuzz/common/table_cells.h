@@ -14,7 +14,7 @@ using Cell_set = std::set<Cell_vertices<d>>;
 
 /// Cells as sets of vertices, those at infinity, too.
 template <int d>
-[[nodiscard]] Cell_set<d> cells_of(const Cell_table<d>& t) {
+[[nodiscard]] Cell_set<d> cells_of(const Corner_table<d>& t) {
     Cell_set<d> cells;
     for (const Cell_index c : t.cells()) {
         auto v = cell_vertices(t, c);
@@ -26,7 +26,7 @@ template <int d>
 
 /// Twins are mutual and share their vertices.
 template <int d>
-[[nodiscard]] bool glued(const Cell_table<d>& t) {
+[[nodiscard]] bool glued(const Corner_table<d>& t) {
     for (const Cell_index c : t.cells())
         for (int i = 0; i <= d; ++i) {
             const Corner_index h = t.corner(c, i), k = t.twin(h);

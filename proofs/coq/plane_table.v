@@ -1,11 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The cell table in the plane (src/annulus/mesh/cell_table.h) and its flip.
+(* The cell table in the plane (src/annulus/mesh/corner_table.h) and its flip.
 
    A corner is a cell and one of three slots; its vertex is a number, or none at infinity. It stands for the edge opposite to it, and its twin is that edge seen from the
    other side. Of the code's arrays those are left out that find a corner of a vertex, and free cells.
 
    - sound          twins are twins: each edge has two sides, with the same ends
-   - flip           Cell_table::flip, line by line; may_flip is what Mender<2>::flip asks before, but for signs
+   - flip           Corner_table::flip, line by line; may_flip is what Mender<2>::flip asks before, but for signs
    - flip_sound     it keeps that
    - flip_far       cells other than the two have the vertices they had *)
 From Coq Require Import List Arith Permutation Lia.

@@ -234,7 +234,7 @@ struct Trace {
     }
     /// The points of certificate id as the table has it now; none when there is no such certificate.
     template <int d>
-    static std::vector<Index> present(const Cell_table<d>& t, Certificate_id id) {
+    static std::vector<Index> present(const Corner_table<d>& t, Certificate_id id) {
         if (is_of_cell(id)) {
             const Cell_index c = cell_of(id);
             if (!(c < t.cell_bound()) || !t.is_cell(c) || t.is_infinite(c)) return {};

@@ -32,7 +32,7 @@ TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, 
     Random random(41);
     Delaunay_mesh<d> e;
     e.build(some_points<d>(random));
-    const Cell_table<d>& t = e.table();
+    const Corner_table<d>& t = e.table();
     Certificate_expiries<d> expiries;
     expiries.resize(t.cell_bound());
     // A number for every point of every certificate.

@@ -128,7 +128,7 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
             for (const auto& e : s.examination().cells()) {
                 if (e.kind == Facet_kind::nothing) continue;
                 for (std::size_t k = 0; k < e.point.size(); ++k)
-                    check(e.point[k].vertex, s[Expiries{}].of_cell(Cell_table<2>::corner(e.id, static_cast<int>(k))),
+                    check(e.point[k].vertex, s[Expiries{}].of_cell(Corner_table<2>::corner(e.id, static_cast<int>(k))),
                           e.verdict.tolerance);
             }
         }

@@ -55,7 +55,7 @@ Points<d> lattice() {
 
 /// Also that the corner which is noted for a vertex is its largest, which no order of runs changes.
 template <int d>
-void say_table(const Cell_table<d>& table, std::vector<std::int64_t>& said) {
+void say_table(const Corner_table<d>& table, std::vector<std::int64_t>& said) {
     std::vector<Corner_index> largest(static_cast<std::size_t>(table.vertex_bound()));
     Corner_index largest_of_infinity;
     for (const Cell_index c : table.cells())

@@ -38,7 +38,7 @@ void check(Builder<d>& builder, const std::vector<Coordinates<d>>& x) {
     const auto [dimension, cells] = oracle::cells_by_cgal<d>({x.begin(), x.end()});
     REQUIRE(full == (dimension == d));
     if (!full) return;
-    Cell_table<d> table;
+    Corner_table<d> table;
     builder.copy_to(table, x.size());
     REQUIRE(glued(table));
     REQUIRE(oracle::cells_of(table) == cells);

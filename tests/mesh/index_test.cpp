@@ -46,7 +46,7 @@ TEST_CASE("The cells and facets of a table are each visited once", "[mesh][index
     e.build(points);
     std::vector<Cell_index> changed;
     e.remove(points, 7, changed);  // leaves holes
-    const Cell_table<3>& t = std::as_const(e).table();
+    const Corner_table<3>& t = std::as_const(e).table();
     std::set<Cell_index> cells;
     std::set<Corner_index> facets;
     for (const Cell_index c : t.cells()) {
@@ -66,7 +66,7 @@ TEST_CASE("The cells and facets of a table are each visited once", "[mesh][index
     std::vector<Index> corners;
     e.list_cells(points, corners);
     CHECK(finite == corners.size() / 4);
-    const Cell_table<3> empty;
+    const Corner_table<3> empty;
     for (const Cell_index c : empty.cells()) FAIL("cell " << c.value());
     for (const Corner_index f : empty.facets()) FAIL("facet " << f.value());
 }

@@ -44,7 +44,7 @@ double steps_of(const std::string& family, std::size_t vertices) {
     const Points_d<d> x(distinct.begin(), distinct.end());  // an order that a stride would fall in with
     Delaunay_mesh<d> mesh;
     mesh.build(std::span<const Coordinates<d>>(x));
-    const Cell_table<d>& t = mesh.table();
+    const Corner_table<d>& t = mesh.table();
     Landmarks<d> landmarks;
     constexpr int walks = 4000;
     double sum = 0.0;

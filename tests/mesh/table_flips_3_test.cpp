@@ -14,7 +14,7 @@ using namespace annulus::testing;
 namespace {
 
 /// Every cell of the table, sorted within and among themselves: a triangulation whatever its numbers.
-Cell_list_3 cells_of_table(const Cell_table<3>& t) {
+Cell_list_3 cells_of_table(const Corner_table<3>& t) {
     Cell_list_3 cells;
     for (const Cell_index c : t.cells()) {
         auto x = cell_vertices(t, c);
@@ -43,17 +43,17 @@ void check_same(const Delaunay_mesh<3>& e, Cgal_view_3<No_info>& view, const Poi
 
 Cell_vertices<3> vertices_of(const Cell_sites<3>& x) { return {x[0].vertex, x[1].vertex, x[2].vertex, x[3].vertex}; }
 
-bool has_all(const Cell_table<3>& t, Cell_index c, std::initializer_list<Index> vertices) {
+bool has_all(const Corner_table<3>& t, Cell_index c, std::initializer_list<Index> vertices) {
     return std::all_of(vertices.begin(), vertices.end(), [&](Index v) { return t.slot(c, Site<3>(v)) >= 0; });
 }
 
-bool is_edge(const Cell_table<3>& t, Index p, Index q) {
+bool is_edge(const Corner_table<3>& t, Index p, Index q) {
     for (const Cell_index c : t.cells())
         if (has_all(t, c, {p, q})) return true;
     return false;
 }
 
-bool is_facet(const Cell_table<3>& t, Index p, Index q, Index r) {
+bool is_facet(const Corner_table<3>& t, Index p, Index q, Index r) {
     for (const Cell_index c : t.cells())
         if (has_all(t, c, {p, q, r})) return true;
     return false;
@@ -85,7 +85,7 @@ bool same_orientation(const Cell_sites<3>& x, const Cell_sites<3>& y) {
 }
 
 /// Both sides of every facet see its vertices turn in opposite directions.
-void check_orientations(const Cell_table<3>& t) {
+void check_orientations(const Corner_table<3>& t) {
     for (const Corner_index f : t.facets()) {
         Cell_sites<3> one = facet_and_vertex(t, f);
         Cell_sites<3> other = facet_and_vertex(t, t.twin(f));

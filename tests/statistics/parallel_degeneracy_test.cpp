@@ -16,7 +16,7 @@ namespace {
 
 /// Everything that was found, in the order in which it was told.
 template <int d>
-std::vector<double> everything(const Cell_table<d>& t, const std::vector<Coordinates<d>>& x, int threads) {
+std::vector<double> everything(const Corner_table<d>& t, const std::vector<Coordinates<d>>& x, int threads) {
     std::vector<double> said;
     const auto say = [&](auto y) { said.push_back(static_cast<double>(y)); };
     const auto say_stages = [&](const Stage_counts& s) {

@@ -25,7 +25,7 @@ std::vector<Index> built_numbers(Builder<d>& builder, std::span<const Coordinate
     std::vector<Index> all(x.size());
     std::iota(all.begin(), all.end(), Index{0});
     REQUIRE(builder.build(x, all, threads));
-    Cell_table<d> table;
+    Corner_table<d> table;
     builder.copy_to(table, x.size(), threads);
     REQUIRE(glued(table));
     std::vector<Index> numbers;

@@ -13,7 +13,7 @@ namespace annulus {
 template <int d>
 using Coordinates = std::array<double, static_cast<std::size_t>(d)>;
 
-/// Index of a vertex in input order. 32 bits: at most 2^29 cells. Cells and corners of a Cell_table have types of
+/// Index of a vertex in input order. 32 bits: at most 2^29 cells. Cells and corners of a Corner_table have types of
 /// their own (mesh/index.h).
 using Index = std::int32_t;
 

@@ -15,7 +15,7 @@ Cgal_view<Traits>::Cgal_view(Delaunay_mesh<d>& mesh, std::span<const Coordinates
     tr_.infinite_vertex()->set_index(infinite);
     handle_.resize(x.size());
     create_vertices();
-    mesh.table().write_log(log_);
+    mesh.table().set_dirty_cells(dirty_cells_);
 }
 
 /// In the order of cells, which is one of places, so that vertices near each other are so in memory.
@@ -26,7 +26,7 @@ void Cgal_view<Traits>::create_vertices() {
         handle_[at(v)] = tr_.tds().create_vertex();
         handle_[at(v)]->set_index(v);
     };
-    const Cell_table<d>& t = mesh_.table();
+    const Corner_table<d>& t = mesh_.table();
     for (const Cell_index c : t.cells())
         for (const Index v : cell_vertices(t, c)) create(v);
     for (std::size_t v = 0; v < handle_.size(); ++v) create(static_cast<Index>(v));
@@ -77,10 +77,10 @@ auto Cgal_view<Traits>::update(std::span<const Coordinates<d>> x) const -> const
     try {
         update_cells(x);
     } catch (...) {
-        log_.touch_everything();
+        dirty_cells_.record_all();
         throw;
     }
-    log_.clear();
+    dirty_cells_.clear();
     update_points(x);
     moved_.vertices.clear();
     moved_.all = false;
@@ -92,8 +92,8 @@ template <class Traits>
 void Cgal_view<Traits>::update_cells(std::span<const Coordinates<d>> x) const {
     if (mesh_.dimension() < 0 && mesh_.vertices() > 0) remove_cells();  // there was no memory for cells
     else if (mesh_.dimension() < d) follow_flat(x);
-    else if (log_.everything() || tr_.dimension() != d) follow_everything();
-    else follow(log_.cells());
+    else if (dirty_cells_.everything() || tr_.dimension() != d) follow_everything();
+    else follow(dirty_cells_.cells());
 }
 
 template <class Traits>
@@ -110,7 +110,7 @@ void Cgal_view<Traits>::update_points(std::span<const Coordinates<d>> x) const {
 /// Its vertices and neighbours, all of which have a cell of CGAL's.
 template <class Traits>
 void Cgal_view<Traits>::write_cell(Cell_index c) const {
-    const Cell_table<d>& t = mesh_.table();
+    const Corner_table<d>& t = mesh_.table();
     const Cell_handle cell = cell_[c];
     cell->set_cell(c.value());
     for (int i = 0; i <= d; ++i) {
@@ -126,7 +126,7 @@ void Cgal_view<Traits>::write_cell(Cell_index c) const {
 
 template <class Traits>
 void Cgal_view<Traits>::follow(std::span<const Cell_index> cells) const {
-    const Cell_table<d>& t = mesh_.table();
+    const Corner_table<d>& t = mesh_.table();
     auto& tds = tr_.tds();
     grow(cell_, t.cell_bound().offset());
     std::vector<Cell_handle> left;
@@ -150,7 +150,7 @@ void Cgal_view<Traits>::follow(std::span<const Cell_index> cells) const {
 /// The cells that there are are written over, in their order in memory.
 template <class Traits>
 void Cgal_view<Traits>::follow_everything() const {
-    const Cell_table<d>& t = mesh_.table();
+    const Corner_table<d>& t = mesh_.table();
     auto& tds = tr_.tds();
     auto& there = Traits::cells(tds);
     const std::size_t bound = t.cell_bound().offset();

@@ -5,7 +5,7 @@
 #include <annulus/arithmetic/environment.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/audit.h>
-#include <annulus/mesh/cell_log.h>
+#include <annulus/mesh/dirty_cells.h>
 
 #include <atomic>
 #include <mutex>
@@ -103,7 +103,7 @@ class Cgal_view {
     std::vector<Vertex_handle> handle_;  // by vertex; default for a vacant index
     Vertex_handle spare_;                // of reserve_vertex()
     mutable By_cell<Cell_handle> cell_;  // by cell of the mesh
-    mutable Cell_log log_;
+    mutable Dirty_cells dirty_cells_;
     mutable Moved moved_;
     mutable State state_;
 };

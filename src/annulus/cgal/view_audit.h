@@ -89,7 +89,7 @@ void Cgal_view<Traits>::audit_adjacency(Audit_result& result) const {
             if (k != i && (!n->has_vertex(c->vertex(k)) || n->index(c->vertex(k)) == j)) return false;
         return true;
     };
-    const Cell_table<d>& t = mesh_.table();
+    const Corner_table<d>& t = mesh_.table();
     std::size_t found = 0;
     Traits::for_each_cell(tr_, [&](Cell_handle c) {
         const Cell_index number = number_of(c);

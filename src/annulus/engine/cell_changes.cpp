@@ -51,10 +51,10 @@ std::vector<Index> without(const Sorted<Cell>& cells, const Sorted<Cell>& others
 }  // namespace
 
 template <int d>
-Cell_changes<d>::Cell_changes(Delaunay_mesh<d>& mesh, std::span<const Coordinates<d>> x, Cell_journal<d>& journal)
-    : mesh_(mesh), journal_(journal), watched_(mesh.dimension() == d) {
-    journal.begin();
-    if (watched_) mesh.table().tell(&journal);
+Cell_changes<d>::Cell_changes(Delaunay_mesh<d>& mesh, std::span<const Coordinates<d>> x, Change_log<d>& log)
+    : mesh_(mesh), change_log_(log), watched_(mesh.dimension() == d) {
+    log.begin();
+    if (watched_) mesh.table().set_observer(&log);
     else before_ = all_cells(x);
 }
 
@@ -69,16 +69,16 @@ auto Cell_changes<d>::all_cells(std::span<const Coordinates<d>> x) const -> std:
 
 template <int d>
 void Cell_changes<d>::list(std::span<const Coordinates<d>> x, Move_report& report) {
-    journal_.check();
+    change_log_.check();
     std::vector<Sites> came;
-    if (watched_ && !journal_.replaced()) {
-        const Cell_table<d>& t = mesh_.table();
-        for (const Cell_index c : journal_.places())
+    if (watched_ && !change_log_.replaced()) {
+        const Corner_table<d>& t = mesh_.table();
+        for (const Cell_index c : change_log_.written())
             if (t.is_cell(c)) came.push_back(cell_sites(t, c));
     } else {
         came = all_cells(x);
     }
-    const Sorted<Sites> before = sorted(watched_ ? journal_.gone() : before_), after = sorted(came);
+    const Sorted<Sites> before = sorted(watched_ ? change_log_.gone() : before_), after = sorted(came);
     const bool flat = !watched_ || mesh_.dimension() != d;
     report.changed = without(after, before, flat);
     report.gone = without(before, after, flat);

@@ -3,21 +3,21 @@
 
 #include <annulus/engine/move_report.h>
 #include <annulus/kernel/delaunay_mesh.h>
-#include <annulus/mesh/cell_journal.h>
+#include <annulus/mesh/change_log.h>
 
 #include <array>
 #include <vector>
 
 namespace annulus {
 
-/// The cells that come and go while it lives. The table writes down what it changes (Cell_journal); cells of lower
+/// The cells that come and go while it lives. The table writes down what it changes (Change_log); cells of lower
 /// dimension are listed before and after.
 template <int d>
 class Cell_changes {
   public:
     /// Both outlive it; x are the positions. O(1), but O(n log n) where all of them lie in a hyperplane.
-    Cell_changes(Delaunay_mesh<d>& mesh, std::span<const Coordinates<d>> x, Cell_journal<d>& journal);
-    ~Cell_changes() { mesh_.table().tell(nullptr); }
+    Cell_changes(Delaunay_mesh<d>& mesh, std::span<const Coordinates<d>> x, Change_log<d>& log);
+    ~Cell_changes() { mesh_.table().set_observer(nullptr); }
     Cell_changes(const Cell_changes&) = delete;
     Cell_changes& operator=(const Cell_changes&) = delete;
 
@@ -26,11 +26,11 @@ class Cell_changes {
     void list(std::span<const Coordinates<d>> x, Move_report& report);
 
   private:
-    using Sites = typename Cell_journal<d>::Sites;
+    using Sites = typename Change_log<d>::Sites;
     [[nodiscard]] std::vector<Sites> all_cells(std::span<const Coordinates<d>> x) const;
 
     Delaunay_mesh<d>& mesh_;
-    Cell_journal<d>& journal_;
+    Change_log<d>& change_log_;
     bool watched_;               ///< the table is: there are cells of dimension d
     std::vector<Sites> before_;  ///< all cells, where it is not
 };

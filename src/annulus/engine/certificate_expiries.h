@@ -56,7 +56,7 @@ class Certificate_expiries {
         return const_cast<Certificate_expiries&>(*this).of_facet(f, twin, k);
     }
     /// The same for vertex v, without branches: which it is cannot be predicted. Never when it is none of them.
-    [[nodiscard]] Expiry of_facet(const Cell_table<d>& t, Corner_index f, Index v) const {
+    [[nodiscard]] Expiry of_facet(const Corner_table<d>& t, Corner_index f, Index v) const {
         const Corner_index twin = t.twin(f);
         const Facet_sites<d> point = bicell_sites(t, f);
         Expiry e = Expiry::never();
@@ -65,10 +65,10 @@ class Certificate_expiries {
     }
     /// The same for the vertex of corner h of the cell that f is a corner of: nothing has to be searched. f may be
     /// the greater half-facet in the plane, or when it is h.
-    [[nodiscard]] Expiry of_facet(const Cell_table<d>& t, Corner_index f, Corner_index h) const {
+    [[nodiscard]] Expiry of_facet(const Corner_table<d>& t, Corner_index f, Corner_index h) const {
         if (h == f) return of_opposite(h);
         if constexpr (d == 2) {
-            return h == Cell_table<2>::ccw(f) ? at(f).own[0] : at(t.twin(f)).own[0];
+            return h == Corner_table<2>::ccw(f) ? at(f).own[0] : at(t.twin(f)).own[0];
         } else {
             const std::size_t k =
                 place_facing[static_cast<std::size_t>(t.slot_of(f))][static_cast<std::size_t>(t.slot_of(h))];
@@ -100,7 +100,7 @@ class Certificate_expiries {
     }();
 
     [[nodiscard]] Corner& at(Corner_index h) {
-        return corner_[Cell_table<d>::cell_of(h)].corner[static_cast<std::size_t>(Cell_table<d>::slot_of(h))];
+        return corner_[Corner_table<d>::cell_of(h)].corner[static_cast<std::size_t>(Corner_table<d>::slot_of(h))];
     }
     [[nodiscard]] const Corner& at(Corner_index h) const { return const_cast<Certificate_expiries&>(*this).at(h); }
 

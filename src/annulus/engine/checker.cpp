@@ -17,7 +17,7 @@ void Checker<d>::begin(std::span<const Coordinates<d>> x) {
 template <int d>
 void Checker<d>::clear() {
     if (placed_) {
-        for (const auto& s : facets_) entries_of_[Cell_table<d>::cell_of(s.id)] = 0;
+        for (const auto& s : facets_) entries_of_[Corner_table<d>::cell_of(s.id)] = 0;
         for (const auto& s : cells_) entries_of_[s.id] = 0;
     }
     placed_ = true;
@@ -30,7 +30,7 @@ void Checker<d>::assign_places() {
     if (placed_) return;
     placed_ = true;
     for (std::size_t i = 0; i < facets_.size(); ++i)
-        enter(facets_[i], Cell_table<d>::cell_of(facets_[i].id), facet_place(i));
+        enter(facets_[i], Corner_table<d>::cell_of(facets_[i].id), facet_place(i));
     for (std::size_t i = 0; i < cells_.size(); ++i) enter(cells_[i], cells_[i].id, cell_place(i));
 }
 
@@ -46,7 +46,7 @@ void Checker<d>::enter(S& s, Cell_index cell, Place place) {
 template <int d>
 auto Checker<d>::entry(Corner_index f) -> Pending_facet& {
     assign_places();
-    const Cell_index c = Cell_table<d>::cell_of(f);
+    const Cell_index c = Corner_table<d>::cell_of(f);
     if (!entries_of_.has(c)) grow(entries_of_, c.offset() + 1);
     for (Place p = entries_of_[c]; p != 0; p = next(p))
         if (is_facet_place(p) && facets_[place(p)].id == f) return facets_[place(p)];
@@ -102,7 +102,7 @@ void Checker<d>::add_star(Index v) {
     for_each_certificate(
         table_, v,
         [&](Corner_index h) {
-            const Cell_index c = Cell_table<d>::cell_of(h);
+            const Cell_index c = Corner_table<d>::cell_of(h);
             describe(alone ? cells_.emplace_back() : entry(c), c);
         },
         [&](Corner_index h) {

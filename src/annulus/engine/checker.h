@@ -29,7 +29,7 @@ class Checker {
     using Pending_facet = Pending<Corner_index, Facet_sites<d>>;
     using Pending_cell = Pending<Cell_index, Cell_sites<d>>;
 
-    explicit Checker(const Cell_table<d>& table) : table_(table) {}
+    explicit Checker(const Corner_table<d>& table) : table_(table) {}
     /// For evaluate(). Verdicts and counts do not depend on it.
     void set_threads(int threads) { threads_ = threads; }
 
@@ -94,7 +94,7 @@ class Checker {
     template <class S>
     [[nodiscard]] Stage_counts evaluate_stale(std::span<S> entries) const;
 
-    const Cell_table<d>& table_;
+    const Corner_table<d>& table_;
     int threads_ = 1;
     std::span<const Coordinates<d>> x_;
     std::vector<Pending_facet> facets_;

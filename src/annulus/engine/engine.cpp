@@ -19,7 +19,7 @@ namespace annulus {
 template <int d>
 Engine<d>::Engine(Delaunay_mesh<d>& mesh, const Options& options, std::unique_ptr<Upkeep<d>> upkeep)
     : options_(options), mesh_(mesh), upkeep_(std::move(upkeep)) {
-    if (options.report_changes) journal_ = std::make_unique<Cell_journal<d>>();
+    if (options.report_changes) change_log_ = std::make_unique<Change_log<d>>();
     require_sound_environment();
     if (options.threads < 1)
         throw Error(Error_code::usage, "threads must be 1 or more, not " + std::to_string(options.threads));

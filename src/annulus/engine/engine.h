@@ -5,7 +5,7 @@
 #include <annulus/engine/options.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/audit.h>
-#include <annulus/mesh/cell_journal.h>
+#include <annulus/mesh/change_log.h>
 #include <annulus/mesh/mesh_cells.h>
 
 #include <memory>
@@ -88,8 +88,8 @@ class Engine {
     std::unique_ptr<Upkeep<d>> upkeep_;
     std::vector<Index> vacant_;
     std::vector<Index> index_of_input_;
-    std::unique_ptr<Cell_journal<d>> journal_;  // where changes are reported
-    bool whole_ = true;                         // false: there are positions but no cells, because memory ran out twice
+    std::unique_ptr<Change_log<d>> change_log_;  // where changes are reported
+    bool whole_ = true;  // false: there are positions but no cells, because memory ran out twice
 };
 
 extern template class Engine<2>;

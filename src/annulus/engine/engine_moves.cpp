@@ -148,7 +148,7 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
             if (is_vertex(static_cast<Index>(i))) require_in_domain(points[i], "vertex", static_cast<Index>(i));
     Move_report report;
     std::vector<Index> movers;
-    if (journal_) {
+    if (change_log_) {
         movers.resize(points.size());
         std::iota(movers.begin(), movers.end(), Index{0});
     }

@@ -140,7 +140,7 @@ class Filter final : public Upkeep<d> {
     int threads_ = 1;
     bool rebuilding_ = false;  // each timestamp is rebuilt, with `any`
     Delaunay_mesh<d>& mesh_;
-    const Cell_table<d>& table_;
+    const Corner_table<d>& table_;
     Repair<d> repair_;
     Odometers<d> odometers_;
     Tracking<d> tracking_;

@@ -14,11 +14,11 @@ namespace annulus {
 template <int d>
 template <class Call>
 void Engine<d>::listing_changes(Move_report& report, std::span<const Index> movers, Call call) {
-    if (!journal_) return call();
+    if (!change_log_) return call();
     std::vector<Point> home;
     home.reserve(movers.size());
     for (const Index i : movers) home.push_back(positions()[at(i)]);
-    Cell_changes<d> changes(mesh_, standing(), *journal_);
+    Cell_changes<d> changes(mesh_, standing(), *change_log_);
     call();
     try {
         changes.list(standing(), report);

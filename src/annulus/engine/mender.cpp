@@ -3,7 +3,7 @@
 #include <annulus/engine/mender.h>
 
 #include <annulus/engine/prices.h>
-#include <annulus/mesh/make_unique.h>
+#include <annulus/mesh/sort_unique.h>
 
 #include <algorithm>
 
@@ -56,7 +56,7 @@ bool Mender<d>::flip_violated() {
     bool flipped = false;
     while (!violated.empty() || (flipped && !waiting.empty())) {
         if (violated.empty()) {
-            make_unique(waiting);
+            sort_unique(waiting);
             std::swap(violated, waiting);
             flipped = false;
         }
@@ -68,7 +68,7 @@ bool Mender<d>::flip_violated() {
         else waiting.push_back(f);
     }
     std::swap(stuck, waiting);
-    make_unique(stuck);
+    sort_unique(stuck);
     return true;
 }
 
@@ -96,8 +96,8 @@ void Mender<d>::note_stuck(std::vector<Cell_index>& seeds) {
     }
     signs_.inverted().clear();
     violated.clear();
-    make_unique(result_.reinserted);
-    make_unique(seeds);
+    sort_unique(result_.reinserted);
+    sort_unique(seeds);
 }
 
 /// All vertices go to their goals, and what does not hold there is rebuilt.
@@ -163,7 +163,7 @@ const Mending& Mender<d>::mend(const Course<d>& course, Budget& budget) {
         Mender& mender;
         ~Back() {
             mender.held_.release([](Index) {});
-            make_unique(mender.result_.touched);
+            sort_unique(mender.result_.touched);
         }
     } back{*this};
     run();

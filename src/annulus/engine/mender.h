@@ -65,7 +65,7 @@ class Mender {
         std::vector<Corner_index> waiting;
     };
 
-    Cell_table<d>& table_;
+    Corner_table<d>& table_;
     Signs<d>& signs_;
     Local_delaunay<d> local_;
     Held_back<d> held_;

@@ -8,7 +8,7 @@ namespace annulus {
 namespace {
 
 /// The two triangles that the other diagonal makes of the bi-cell at h.
-std::array<Cell_sites<2>, 2> flipped(const Cell_table<2>& t, Corner_index h) {
+std::array<Cell_sites<2>, 2> flipped(const Corner_table<2>& t, Corner_index h) {
     const Site<2> q = t.site(h);
     const Site<2> p = t.opposite(h);
     return {{{q, t.site(t.ccw(h)), p}, {p, t.site(t.cw(h)), q}}};

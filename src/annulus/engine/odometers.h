@@ -28,7 +28,7 @@ namespace annulus {
 template <int d>
 class Odometers {
   public:
-    explicit Odometers(const Cell_table<d>& table) : table_(table) {}
+    explicit Odometers(const Corner_table<d>& table) : table_(table) {}
 
     [[nodiscard]] bool kept() const { return kept_; }
     /// They are not to be trusted any more.
@@ -98,7 +98,7 @@ class Odometers {
     template <bool fresh, class S, class Expiry_of>
     void commit_points(const S& suspect, Certificate_id id, Expiry_of expiry_of, Step<d>* step);
 
-    const Cell_table<d>& table_;
+    const Corner_table<d>& table_;
     bool kept_ = false;
     std::vector<Vertex_record<d>> vertex_;
     std::vector<List> list_;  // by vertex

@@ -72,7 +72,7 @@ void Odometers<d>::commit_evaluated(const Checker<d>& checker, Step<d>* step) {
     for (const auto& s : checker.cells()) {
         if (!checker.exists(s)) continue;
         const auto expiry_of = [&](std::size_t k) -> Expiry& {
-            return expiries_.of_cell(Cell_table<d>::corner(s.id, static_cast<int>(k)));
+            return expiries_.of_cell(Corner_table<d>::corner(s.id, static_cast<int>(k)));
         };
         if (s.kind != Facet_kind::nothing) commit_points<fresh>(s, id_of_cell(s.id), expiry_of, step);
         else

@@ -9,7 +9,7 @@ namespace annulus {
 namespace {
 
 template <int d>
-void add_cell(Sample& sample, const Cell_table<d>& t, std::span<const Coordinates<d>> x, Cell_index c) {
+void add_cell(Sample& sample, const Corner_table<d>& t, std::span<const Coordinates<d>> x, Cell_index c) {
     ++sample.cells;
     const Cell_sites<d> v = cell_sites(t, c);
     Certificate_value value;
@@ -34,7 +34,7 @@ void add_cell(Sample& sample, const Cell_table<d>& t, std::span<const Coordinate
 }  // namespace
 
 template <int d>
-Sample sample_cells(const Cell_table<d>& t, std::span<const Coordinates<d>> x, std::size_t count) {
+Sample sample_cells(const Corner_table<d>& t, std::span<const Coordinates<d>> x, std::size_t count) {
     Sample sample;
     const auto bound = static_cast<std::size_t>(t.vertex_bound());
     for (std::size_t v = 0; v < bound; v += 1 + bound / (count + 1)) {
@@ -44,7 +44,7 @@ Sample sample_cells(const Cell_table<d>& t, std::span<const Coordinates<d>> x, s
     return sample;
 }
 
-template Sample sample_cells<2>(const Cell_table<2>&, std::span<const Coordinates<2>>, std::size_t);
-template Sample sample_cells<3>(const Cell_table<3>&, std::span<const Coordinates<3>>, std::size_t);
+template Sample sample_cells<2>(const Corner_table<2>&, std::span<const Coordinates<2>>, std::size_t);
+template Sample sample_cells<3>(const Corner_table<3>&, std::span<const Coordinates<3>>, std::size_t);
 
 }  // namespace annulus

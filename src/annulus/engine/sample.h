@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/cell_table.h>
+#include <annulus/mesh/corner_table.h>
 
 #include <cstddef>
 #include <span>
@@ -19,9 +19,9 @@ struct Sample {
 
 /// Looks at a cell of some `count` vertices, at x. Facets of an inverted cell say nothing. O(count).
 template <int d>
-[[nodiscard]] Sample sample_cells(const Cell_table<d>& t, std::span<const Coordinates<d>> x, std::size_t count);
+[[nodiscard]] Sample sample_cells(const Corner_table<d>& t, std::span<const Coordinates<d>> x, std::size_t count);
 
-extern template Sample sample_cells<2>(const Cell_table<2>&, std::span<const Coordinates<2>>, std::size_t);
-extern template Sample sample_cells<3>(const Cell_table<3>&, std::span<const Coordinates<3>>, std::size_t);
+extern template Sample sample_cells<2>(const Corner_table<2>&, std::span<const Coordinates<2>>, std::size_t);
+extern template Sample sample_cells<3>(const Corner_table<3>&, std::span<const Coordinates<3>>, std::size_t);
 
 }  // namespace annulus

@@ -6,8 +6,8 @@
 #include <annulus/certificate/orientation_sign.h>
 #include <annulus/engine/prices.h>
 #include <annulus/mesh/degenerate.h>
-#include <annulus/mesh/make_unique.h>
 #include <annulus/mesh/parallel_runs.h>
+#include <annulus/mesh/sort_unique.h>
 
 #include <algorithm>
 #include <array>
@@ -182,12 +182,12 @@ void Signs<d>::look_at_everything() {
     for (const Found& here : found) take(here);
     // What does not hold is mostly seen from both sides. Comparing it would cost a step that is given up more than
     // all else.
-    make_unique(found_.violated, table_.facet_bound());
+    sort_unique(found_.violated, table_.facet_bound());
 }
 
 template <int d>
 void Signs<d>::look_around(Index v, bool border) {
-    table_.for_each_corner(v, [&](Corner_index h) { look_at(Cell_table<d>::cell_of(h), border); });
+    table_.for_each_corner(v, [&](Corner_index h) { look_at(Corner_table<d>::cell_of(h), border); });
 }
 
 template <int d>

@@ -23,7 +23,7 @@ namespace annulus {
 template <int d>
 class Signs {
   public:
-    explicit Signs(const Cell_table<d>& table) : table_(table) {}
+    explicit Signs(const Corner_table<d>& table) : table_(table) {}
 
     /// For look_at_everything(). What it finds does not depend on it.
     void set_threads(int threads) { threads_ = threads; }
@@ -83,7 +83,7 @@ class Signs {
     [[nodiscard]] int sphere_sign(Corner_index h);
     void find_middle();
 
-    const Cell_table<d>& table_;
+    const Corner_table<d>& table_;
     std::span<const Coordinates<d>> x_;
     std::optional<Coordinates<d>> middle_;  // of some of the points
     Found found_;

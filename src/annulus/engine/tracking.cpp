@@ -33,7 +33,7 @@ bool Tracking<d>::end_tracked(bool each, std::size_t vertices) {
 }
 
 template <int d>
-void Tracking<d>::note_displacements(const Cell_table<d>& table, std::span<const Coordinates<d>> from,
+void Tracking<d>::note_displacements(const Corner_table<d>& table, std::span<const Coordinates<d>> from,
                                      std::span<const Coordinates<d>> to) {
     displacement_.clear();
     if (untracked_ % check_interval != 0) return;
@@ -46,7 +46,7 @@ void Tracking<d>::note_displacements(const Cell_table<d>& table, std::span<const
 /// The share of the certificates that would expire at a step like this one, by a sample of facets: one of tolerance s
 /// expires after s / max |u| steps.
 template <int d>
-double Tracking<d>::outlook(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x,
+double Tracking<d>::outlook(const Corner_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x,
                             Move_report& report) const {
     const Index bound = table.facet_bound().value();
     const Index stride = 1 + bound / 1024;
@@ -73,7 +73,7 @@ double Tracking<d>::outlook(const Cell_table<d>& table, Checker<d>& checker, std
 }
 
 template <int d>
-void Tracking<d>::reconsider(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x,
+void Tracking<d>::reconsider(const Corner_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x,
                              bool each, Move_report& report) {
     if (displacement_.empty()) return;
     double share = 0.0;

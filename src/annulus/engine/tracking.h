@@ -36,11 +36,11 @@ class Tracking {
     void note_untracked() { ++untracked_; }
 
     /// Without tolerances: notes how far vertices go, if it is time to look.
-    void note_displacements(const Cell_table<d>& table, std::span<const Coordinates<d>> from,
+    void note_displacements(const Corner_table<d>& table, std::span<const Coordinates<d>> from,
                             std::span<const Coordinates<d>> to);
     void forget_displacements() { displacement_.clear(); }
     /// Decides by these displacements whether to settle next; asks `checker` for a sample of tolerances at x.
-    void reconsider(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x, bool each,
+    void reconsider(const Corner_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x, bool each,
                     Move_report& report);
     /// Whether tolerances would last, as the last timestamp was; once.
     [[nodiscard]] bool take_settling() { return std::exchange(settles_next_, false); }
@@ -56,7 +56,7 @@ class Tracking {
     void stopped();
 
   private:
-    [[nodiscard]] double outlook(const Cell_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x,
+    [[nodiscard]] double outlook(const Corner_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x,
                                  Move_report& report) const;
 
     std::vector<Coordinates<d>> displacement_;  // while it is considered whether tolerances would last

@@ -7,8 +7,8 @@
 #include <annulus/kernel/inserter.h>
 #include <annulus/kernel/shared_inserter.h>
 #include <annulus/kernel/spatial_order.h>
-#include <annulus/mesh/cell_table.h>
 #include <annulus/mesh/certificates.h>
+#include <annulus/mesh/corner_table.h>
 
 #include <array>
 #include <cstdint>
@@ -42,7 +42,7 @@ class Builder {
     [[nodiscard]] std::size_t cell_bound() const { return cells_.used; }
     /// Makes it the table's, whose vertices are below `bound`, in an order that depends on the triangulation and on the
     /// order of insertion alone (Cell_order). When it throws (bad_alloc, Error(too_large)), the table is as it was.
-    void copy_to(Cell_table<d>& table, std::size_t bound, int threads = 1);
+    void copy_to(Corner_table<d>& table, std::size_t bound, int threads = 1);
     /// Gives buffers back.
     void release() noexcept { *this = Builder(); }
 

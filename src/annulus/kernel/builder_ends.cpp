@@ -116,10 +116,10 @@ void Builder<d>::first_cells() {
 
 /// First with half-facets as they are named here, since numbers of cells are known only when all have one.
 template <int d>
-void Builder<d>::copy_to(Cell_table<d>& table, std::size_t bound, int threads) {
+void Builder<d>::copy_to(Corner_table<d>& table, std::size_t bound, int threads) {
     const std::size_t count = cell_order_.group(cells_, threads);
     table.reserve(bound, count);
-    table.start_over(bound, count);
+    table.reset_to(bound, count);
     const auto note = [&table](Cell_index c, const Cell_vertices<d>& vertices) {
         for (int i = 0; i <= d; ++i) table.set_corner(vertices[static_cast<std::size_t>(i)], table.corner(c, i));
     };

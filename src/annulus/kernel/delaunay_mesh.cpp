@@ -5,7 +5,7 @@
 #include <annulus/kernel/builder.h>
 #include <annulus/mesh/insert_vertex.h>
 #include <annulus/mesh/replace_cells.h>
-#include <annulus/mesh/table_readings.h>
+#include <annulus/mesh/table_measures.h>
 #include <annulus/mesh/walk.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include <annulus/kernel/flat_cells.h>
 #include <annulus/kernel/local_delaunay.h>
 #include <annulus/kernel/vertex_set.h>
-#include <annulus/mesh/cell_table.h>
+#include <annulus/mesh/corner_table.h>
 #include <annulus/mesh/landmarks.h>
 #include <annulus/mesh/measures.h>
 #include <annulus/mesh/mesh_cells.h>
@@ -18,7 +18,7 @@ namespace annulus {
 /// What a move of one vertex came to. `refused`: another vertex is there, and nothing has changed.
 enum class Relocation { refused, kept, reinserted };
 
-/// A Delaunay triangulation of vertices, which indices name: who is in it, and its cells, which are a Cell_table and
+/// A Delaunay triangulation of vertices, which indices name: who is in it, and its cells, which are a Corner_table and
 /// nothing else. It is built, inserted into and removed from here; the engine changes the table by flips.
 ///
 /// Positions are their owner's (Upkeep) and come with each call: `home` are those at which the triangulation is
@@ -32,8 +32,8 @@ class Delaunay_mesh {
     Delaunay_mesh& operator=(const Delaunay_mesh&) = delete;
 
     /// Meaningful while `dimension() == d`; without cells otherwise.
-    [[nodiscard]] Cell_table<d>& table() { return table_; }
-    [[nodiscard]] const Cell_table<d>& table() const { return table_; }
+    [[nodiscard]] Corner_table<d>& table() { return table_; }
+    [[nodiscard]] const Corner_table<d>& table() const { return table_; }
     /// Number of vertices in the triangulation, infinity not counted.
     [[nodiscard]] std::size_t vertices() const { return vertices_.size(); }
     /// One more than the largest index in use.
@@ -118,7 +118,7 @@ class Delaunay_mesh {
     [[nodiscard]] bool is_at_corner(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Cell_index c,
                                     Index but) const;
 
-    Cell_table<d> table_;
+    Corner_table<d> table_;
     Vertex_set vertices_;
     int dimension_ = -1;
     // Affinely independent vertices that span what all do, where that is a hyperplane or less.

@@ -2,7 +2,7 @@
 // Delaunay_mesh: what is read off it.
 #include <annulus/kernel/delaunay_mesh.h>
 
-#include <annulus/mesh/table_readings.h>
+#include <annulus/mesh/table_measures.h>
 
 #include <algorithm>
 #include <limits>

@@ -51,7 +51,7 @@ void triangles(std::span<const Coordinates<3>> x, std::vector<Index> vertices, s
     vertices.push_back(top);
     Builder<3> builder;
     (void)builder.build(with_apex, vertices);
-    Cell_table<3> table;
+    Corner_table<3> table;
     builder.copy_to(table, with_apex.size());
     By_cell<Index> number(table.cell_bound().offset(), none);
     Index count = 0;

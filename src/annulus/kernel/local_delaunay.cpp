@@ -3,7 +3,7 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/kernel/builder.h>
-#include <annulus/mesh/make_unique.h>
+#include <annulus/mesh/sort_unique.h>
 
 #include <algorithm>
 
@@ -28,7 +28,7 @@ class Named {
 }  // namespace
 
 template <int d>
-Local_delaunay<d>::Local_delaunay(Cell_table<d>& table) : table_(table), builder_(std::make_unique<Builder<d>>()) {}
+Local_delaunay<d>::Local_delaunay(Corner_table<d>& table) : table_(table), builder_(std::make_unique<Builder<d>>()) {}
 
 template <int d>
 Local_delaunay<d>::~Local_delaunay() = default;
@@ -79,7 +79,7 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
             for (const Index v : cell_vertices(table_, c))
                 if (v != infinite) region_.vertices.push_back(v);
                 else region_.at_infinity = true;
-        make_unique(region_.vertices);
+        sort_unique(region_.vertices);
         if (region_.without != none) std::erase(region_.vertices, region_.without);
         if (points_ + region_.vertices.size() > most) return false;
         points_ += region_.vertices.size();
@@ -216,7 +216,7 @@ bool Local_delaunay<d>::has_every_vertex() const {
         for (const auto& [v, label] : x)
             if (v != infinite) found.push_back(v);
             else at_infinity = true;
-    make_unique(found);
+    sort_unique(found);
     return found.size() == region_.vertices.size() && at_infinity == region_.at_infinity;
 }
 

@@ -24,7 +24,7 @@ class Builder;
 template <int d>
 class Local_delaunay {
   public:
-    explicit Local_delaunay(Cell_table<d>& table);
+    explicit Local_delaunay(Corner_table<d>& table);
     ~Local_delaunay();
     Local_delaunay(const Local_delaunay&) = delete;
     Local_delaunay& operator=(const Local_delaunay&) = delete;
@@ -85,7 +85,7 @@ class Local_delaunay {
         marks_.of[c] = m;
     }
 
-    Cell_table<d>& table_;
+    Corner_table<d>& table_;
     std::unique_ptr<Builder<d>> builder_;
     std::size_t points_ = 0;
     Marks marks_;

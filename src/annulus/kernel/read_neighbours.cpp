@@ -23,7 +23,7 @@ std::vector<std::array<Index, 2>> neighbours_on_a_line(const Delaunay_mesh<2>& m
 }
 
 /// Around v, counter-clockwise from infinity where it is a neighbour. Whether it is.
-bool read_ring(const Cell_table<2>& t, Index v, std::vector<Index>& ring) {
+bool read_ring(const Corner_table<2>& t, Index v, std::vector<Index>& ring) {
     bool hull = false;
     std::size_t start = 0;
     ring.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/mesh/audit_sites.h>
+#include <annulus/mesh/audit_points.h>
 
 #include <unordered_map>
 
@@ -7,7 +7,7 @@ namespace annulus {
 
 namespace auditing {
 
-int Plane_judge::turn(Index a, Index b, Index c) {
+int Audit_predicates_2::turn(Index a, Index b, Index c) {
     const Point& A = s_[at(a)];
     const Point& B = s_[at(b)];
     const Point& C = s_[at(c)];
@@ -20,7 +20,7 @@ int Plane_judge::turn(Index a, Index b, Index c) {
     return sign(t_[4]);
 }
 
-int Plane_judge::inside(Index a, Index b, Index c, Index e) {
+int Audit_predicates_2::inside(Index a, Index b, Index c, Index e) {
     const std::array<Index, 3> v{a, b, c};
     const Point& E = s_[at(e)];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -45,13 +45,13 @@ int Plane_judge::inside(Index a, Index b, Index c, Index e) {
     return sign(t_[5]);
 }
 
-int Plane_judge::half_plane(Index a, Index b) const {
+int Audit_predicates_2::half_plane(Index a, Index b) const {
     const int dy = mpz_cmp(*s_[at(b)].y, *s_[at(a)].y);
     if (dy != 0) return dy > 0 ? 1 : -1;
     return mpz_cmp(*s_[at(b)].x, *s_[at(a)].x) > 0 ? 1 : -1;
 }
 
-Audit_result audit_plane(Plane_judge& judge, std::size_t n, const std::vector<std::array<Index, 3>>& cells,
+Audit_result audit_plane(Audit_predicates_2& predicates, std::size_t n, const std::vector<std::array<Index, 3>>& cells,
                          Findings r) {
     std::vector<char> used(n, 0);
     // Directed edge a -> b of a cell, with its opposite vertex.
@@ -61,13 +61,13 @@ Audit_result audit_plane(Plane_judge& judge, std::size_t n, const std::vector<st
         return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) | static_cast<std::uint32_t>(b);
     };
     for (const auto& c : cells) {
-        r.go_on();
+        r.poll();
         if (*std::min_element(c.begin(), c.end()) < 0 || at(*std::max_element(c.begin(), c.end())) >= n) {
             fault(r, r.topological_faults, named(r, "a cell names a vertex that is not there:", {c[0], c[1], c[2]}));
             return r;
         }
         for (const Index v : c) used[at(v)] = 1;
-        if (judge.turn(c[0], c[1], c[2]) <= 0)
+        if (predicates.turn(c[0], c[1], c[2]) <= 0)
             fault(r, r.inverted_cells, named(r, "cell not positively oriented:", {c[0], c[1], c[2]}));
         for (std::size_t i = 0; i < 3; ++i)
             if (!opposite.emplace(key(c[(i + 1) % 3], c[(i + 2) % 3]), c[i]).second)
@@ -80,7 +80,7 @@ Audit_result audit_plane(Plane_judge& judge, std::size_t n, const std::vector<st
     // Interior edges are locally Delaunay; border edges a -> b (interior on their left) give the next on the border.
     std::unordered_map<Index, Index> next;
     for (const auto& [edge, apex] : opposite) {
-        r.go_on();
+        r.poll();
         const auto a = static_cast<Index>(edge >> 32);
         const auto b = static_cast<Index>(edge & 0xffffffffU);
         const auto other = opposite.find(key(b, a));
@@ -90,7 +90,7 @@ Audit_result audit_plane(Plane_judge& judge, std::size_t n, const std::vector<st
             continue;
         }
         if (a > b) continue;
-        const int side = judge.inside(a, b, apex, other->second);
+        const int side = predicates.inside(a, b, apex, other->second);
         if (side == 0) ++r.degenerate_facets;
         if (side > 0)
             fault(r, r.violated_facets, named(r, "not locally Delaunay: edge, opposites", {a, b, apex, other->second}));
@@ -111,9 +111,9 @@ Audit_result audit_plane(Plane_judge& judge, std::size_t n, const std::vector<st
             fault(r, r.topological_faults, named(r, "the border is open at vertex", {a}));
             return r;
         }
-        const int turn = judge.turn(a, b->second, c->second);
-        const int before = judge.half_plane(a, b->second);
-        const int after = judge.half_plane(b->second, c->second);
+        const int turn = predicates.turn(a, b->second, c->second);
+        const int before = predicates.half_plane(a, b->second);
+        const int after = predicates.half_plane(b->second, c->second);
         if (turn < 0) fault(r, r.concave_ridges, named(r, "border not convex at", {a, b->second, c->second}));
         if (turn == 0 && before != after)
             fault(r, r.concave_ridges, named(r, "border folds back at", {a, b->second, c->second}));
@@ -133,15 +133,15 @@ Audit_result audit(const Audit_input<2>& in, Index first_index) {
     Findings r(in, first_index);
     const std::vector<Index> order = lexicographic<2>(in.points);
     find_duplicates<2>(in.points, order, r);
-    const auto sites = integer_sites<2>(in.points);
-    std::vector<Plane_judge::Point> points;
+    const auto sites = integer_points<2>(in.points);
+    std::vector<Audit_predicates_2::Point> points;
     for (const auto& s : sites) points.push_back({&s[0], &s[1]});
-    Plane_judge judge(std::move(points));
+    Audit_predicates_2 predicates(std::move(points));
     if (std::any_of(in.cells.begin(), in.cells.end(), [](const auto& c) { return c[2] != none; }))
-        return audit_plane(judge, in.points.size(), in.cells, std::move(r));
+        return audit_plane(predicates, in.points.size(), in.cells, std::move(r));
     // Points that span no area: all collinear, and the edges join neighbours on the line.
     for (std::size_t i = 2; i < order.size(); ++i)
-        if (judge.turn(order[0], order[1], order[i]) != 0)
+        if (predicates.turn(order[0], order[1], order[i]) != 0)
             fault(r, r.topological_faults,
                   named(r, "no triangle, but not collinear with the rest: vertex", {order[i]}));
     expect_chain(in.cells, order, r);

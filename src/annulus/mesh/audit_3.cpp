@@ -4,7 +4,7 @@
 // of triangles that any one ray meets. One sheet: no branching, the boundary is star-shaped and embedded, and being
 // convex at its edges it is convex. Positive cells whose boundary it is cover every point inside once and none
 // outside, because the number of cells at a point that is on no facet is how often the boundary winds around it.
-#include <annulus/mesh/audit_judge_3.h>
+#include <annulus/mesh/audit_predicates_3.h>
 
 #include <unordered_map>
 
@@ -33,7 +33,7 @@ constexpr std::array<std::array<std::size_t, 4>, 4> outer_facets{
     {{1, 2, 3, 0}, {0, 3, 2, 1}, {0, 1, 3, 2}, {0, 2, 1, 3}}};
 
 /// A boundary that is one convex surface, traversed once. `border` has triangles that turn left as seen from outside.
-void audit_border(Judge_3& judge, const Cell& any, const std::vector<Triple>& border, Findings& r) {
+void audit_border(Audit_predicates_3& predicates, const Cell& any, const std::vector<Triple>& border, Findings& r) {
     if (border.empty()) {
         fault(r, r.topological_faults, "no boundary");
         return;
@@ -58,14 +58,14 @@ void audit_border(Judge_3& judge, const Cell& any, const std::vector<Triple>& bo
             continue;
         }
         if (a > b) continue;
-        const int side = judge.orientation(a, b, c, other->second);  // positive: outside the triangle a b c
-        if (side > 0 || (side == 0 && !judge.opposite(a, b, c, other->second)))
+        const int side = predicates.orientation(a, b, c, other->second);  // positive: outside the triangle a b c
+        if (side > 0 || (side == 0 && !predicates.opposite(a, b, c, other->second)))
             fault(r, r.concave_ridges, named(r, "boundary not convex at edge, opposites", {a, b, c, other->second}));
     }
-    judge.take_middle(any);
+    predicates.take_middle(any);
     bool star_shaped = true;
     for (const Triple& f : border)
-        if (judge.orientation_of_middle(f) >= 0) {
+        if (predicates.orientation_of_middle(f) >= 0) {
             if (star_shaped)
                 fault(r, r.concave_ridges, named(r, "a cell is not behind the boundary triangle", {f[0], f[1], f[2]}));
             star_shaped = false;
@@ -73,18 +73,18 @@ void audit_border(Judge_3& judge, const Cell& any, const std::vector<Triple>& bo
     if (!star_shaped) return;
     std::size_t sheets = 0;
     for (const Triple& f : border)
-        if (judge.meets(f, border.front())) ++sheets;
+        if (predicates.meets(f, border.front())) ++sheets;
     if (sheets != 1) fault(r, r.topological_faults, "the boundary does not wind once");
 }
 
 /// Points that span no volume.
 Audit_result audit_flat(const Audit_input<3>& in, const std::vector<Index>& order, Findings r) {
-    const auto sites = integer_sites<3>(in.points);
-    Judge_3 judge(sites);
+    const auto sites = integer_points<3>(in.points);
+    Audit_predicates_3 predicates(sites);
     const bool triangles = std::any_of(in.cells.begin(), in.cells.end(), [](const Cell& c) { return c[2] != none; });
     if (!triangles) {
         for (std::size_t i = 2; i < order.size(); ++i)
-            if (!judge.collinear(order[0], order[1], order[i]))
+            if (!predicates.collinear(order[0], order[1], order[i]))
                 fault(r, r.topological_faults,
                       named(r, "no triangle, but not collinear with the rest: vertex", {order[i]}));
         expect_chain(in.cells, order, r);
@@ -101,21 +101,21 @@ Audit_result audit_flat(const Audit_input<3>& in, const std::vector<Index>& orde
     }
     const Triple first = cells.front();
     for (Index v = 0; at(v) < sites.size(); ++v)
-        if (judge.orientation(first[0], first[1], first[2], v) != 0)
+        if (predicates.orientation(first[0], first[1], first[2], v) != 0)
             fault(r, r.topological_faults, named(r, "no cell, but not coplanar with the rest: vertex", {v}));
     // Seen along an axis along which the first triangle has an area, from the side that it turns left on.
     std::size_t axis = 0;
-    while (axis < 3 && judge.turn(first[0], first[1], first[2], axis) == 0) ++axis;
+    while (axis < 3 && predicates.turn(first[0], first[1], first[2], axis) == 0) ++axis;
     if (axis == 3) {
         fault(r, r.inverted_cells, named(r, "cell not positively oriented:", {first[0], first[1], first[2]}));
         return r;
     }
     std::size_t x = (axis + 1) % 3;
     std::size_t y = (axis + 2) % 3;
-    if (judge.turn(first[0], first[1], first[2], axis) < 0) std::swap(x, y);
-    std::vector<Plane_judge::Point> points;
+    if (predicates.turn(first[0], first[1], first[2], axis) < 0) std::swap(x, y);
+    std::vector<Audit_predicates_2::Point> points;
     for (const auto& s : sites) points.push_back({&s[x], &s[y], &s[axis]});
-    Plane_judge plane(std::move(points));
+    Audit_predicates_2 plane(std::move(points));
     return audit_plane(plane, sites.size(), cells, std::move(r));
 }
 
@@ -129,22 +129,22 @@ Audit_result audit(const Audit_input<3>& in, Index first_index) {
         return audit_flat(in, order, std::move(r));
 
     const std::size_t n = in.points.size();
-    const auto sites = integer_sites<3>(in.points);
-    Judge_3 judge(sites);
+    const auto sites = integer_points<3>(in.points);
+    Audit_predicates_3 predicates(sites);
     std::vector<char> used(n, 0);
     // Facet as seen from outside its cell, with the vertex behind.
     std::unordered_map<Triple, Index, Triple_hash> behind;
     behind.reserve(4 * in.cells.size());
     std::vector<std::uint64_t> edges;
     for (const Cell& c : in.cells) {
-        r.go_on();
+        r.poll();
         if (*std::min_element(c.begin(), c.end()) < 0 || at(*std::max_element(c.begin(), c.end())) >= n) {
             fault(r, r.topological_faults,
                   named(r, "a cell names a vertex that is not there:", {c[0], c[1], c[2], c[3]}));
             return r;
         }
         for (const Index v : c) used[at(v)] = 1;
-        if (judge.orientation(c[0], c[1], c[2], c[3]) <= 0)
+        if (predicates.orientation(c[0], c[1], c[2], c[3]) <= 0)
             fault(r, r.inverted_cells, named(r, "cell not positively oriented:", {c[0], c[1], c[2], c[3]}));
         for (const auto& f : outer_facets)
             if (!behind.emplace(canonical({c[f[0]], c[f[1]], c[f[2]]}), c[f[3]]).second)
@@ -160,7 +160,7 @@ Audit_result audit(const Audit_input<3>& in, Index first_index) {
 
     std::vector<Triple> border;
     for (const auto& [f, q] : behind) {
-        r.go_on();
+        r.poll();
         const auto other = behind.find(canonical({f[0], f[2], f[1]}));
         if (other == behind.end()) {
             border.push_back(f);
@@ -168,7 +168,7 @@ Audit_result audit(const Audit_input<3>& in, Index first_index) {
         }
         if (f[1] > f[2]) continue;
         // From inside, f turns the other way.
-        const int side = judge.inside({f[0], f[2], f[1], q}, other->second);
+        const int side = predicates.inside({f[0], f[2], f[1], q}, other->second);
         if (side == 0) ++r.degenerate_facets;
         if (side > 0)
             fault(r, r.violated_facets,
@@ -178,7 +178,7 @@ Audit_result audit(const Audit_input<3>& in, Index first_index) {
     const auto e = static_cast<std::size_t>(std::unique(edges.begin(), edges.end()) - edges.begin());
     const std::size_t facets = border.size() + (behind.size() - border.size()) / 2;
     if (n + facets != e + in.cells.size() + 1) fault(r, r.topological_faults, "Euler's relation fails");
-    audit_border(judge, in.cells.front(), border, r);
+    audit_border(predicates, in.cells.front(), border, r);
     return r;
 }
 

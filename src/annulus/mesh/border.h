@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/cell_table.h>
+#include <annulus/mesh/corner_table.h>
 
 #include <cstddef>
 #include <span>
@@ -11,13 +11,13 @@ namespace annulus {
 /// Whether the border of a triangulation, at x, winds once. Precondition: every ridge of it is convex there.
 /// O(border), in space O(cells) bytes besides. (docs/theory.md 1.2) To `seen` is added how many of its facets were
 /// looked at.
-[[nodiscard]] bool border_winds_once(const Cell_table<2>& t, std::span<const Coordinates<2>> x, std::size_t& seen);
-[[nodiscard]] bool border_winds_once(const Cell_table<3>& t, std::span<const Coordinates<3>> x, std::size_t& seen);
+[[nodiscard]] bool border_winds_once(const Corner_table<2>& t, std::span<const Coordinates<2>> x, std::size_t& seen);
+[[nodiscard]] bool border_winds_once(const Corner_table<3>& t, std::span<const Coordinates<3>> x, std::size_t& seen);
 
 /// Whether all cells with infinity are one border. Flips keep it whole; a region that was built anew beneath it may
 /// have closed off a part, which would wind by itself. O(cells).
 template <int d>
-[[nodiscard]] bool border_is_whole(const Cell_table<d>& t) {
+[[nodiscard]] bool border_is_whole(const Corner_table<d>& t) {
     std::size_t all = 0;
     for (const Cell_index c : t.cells())
         if (t.is_infinite(c)) ++all;

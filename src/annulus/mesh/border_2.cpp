@@ -5,7 +5,7 @@ namespace annulus {
 
 /// Around infinity the border is walked clockwise. It turns right everywhere, so it winds as often as its direction
 /// enters the half-plane of directions that point up, or right when level.
-bool border_winds_once(const Cell_table<2>& t, std::span<const Coordinates<2>> positions, std::size_t& seen) {
+bool border_winds_once(const Corner_table<2>& t, std::span<const Coordinates<2>> positions, std::size_t& seen) {
     const Corner_index first = t.corner_of_infinity();
     const auto points_up = [&](Corner_index h) {
         const Coordinates<2>& from = positions[static_cast<std::size_t>(t.vertex(t.ccw(h)))];

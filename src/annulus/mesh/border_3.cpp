@@ -42,7 +42,7 @@ bool between(const Coordinates<3>& u, const Coordinates<3>& v, const Coordinates
 
 /// The silhouette seen from (e^2, e, 1) are the edges of border facets that face there, beyond which the border faces
 /// away. The border, convex at its ridges, winds once if that is one closed polygon that turns left and once.
-bool border_winds_once(const Cell_table<3>& t, std::span<const Coordinates<3>> positions, std::size_t& seen) {
+bool border_winds_once(const Corner_table<3>& t, std::span<const Coordinates<3>> positions, std::size_t& seen) {
     const auto x = [&](Index v) -> const Coordinates<3>& { return positions[static_cast<std::size_t>(v)]; };
     std::vector<Corner_index> outer;  // half-facets at infinity
     enum : char { not_met, away, viewer };

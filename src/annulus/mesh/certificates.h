@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/certificate/certificate_value.h>
-#include <annulus/mesh/cell_table.h>
+#include <annulus/mesh/corner_table.h>
 
 #include <algorithm>
 #include <utility>
@@ -24,14 +24,14 @@ template <int d>
 using Cell_sites = std::array<Site<d>, static_cast<std::size_t>(d + 1)>;
 
 template <int d>
-[[nodiscard]] Facet_kind facet_kind(const Cell_table<d>& t, Corner_index h) {
+[[nodiscard]] Facet_kind facet_kind(const Corner_table<d>& t, Corner_index h) {
     if (t.vertex(h) == infinite || t.vertex(t.twin(h)) == infinite) return Facet_kind::nothing;
     return t.is_infinite(t.cell_of(h)) ? Facet_kind::ridge : Facet_kind::empty_sphere;  // as the other cell
 }
 
 /// The corners of a cell, in positive order when it is finite; infinity is `infinite`.
 template <int d>
-[[nodiscard]] Cell_sites<d> cell_sites(const Cell_table<d>& t, Cell_index c) {
+[[nodiscard]] Cell_sites<d> cell_sites(const Corner_table<d>& t, Cell_index c) {
     Cell_sites<d> x{};
     for (int i = 0; i <= d; ++i) x[static_cast<std::size_t>(i)] = t.site(t.corner(c, i));
     return x;
@@ -48,7 +48,7 @@ template <int d>
     return x;
 }
 template <int d>
-[[nodiscard]] Cell_vertices<d> cell_vertices(const Cell_table<d>& t, Cell_index c) {
+[[nodiscard]] Cell_vertices<d> cell_vertices(const Corner_table<d>& t, Cell_index c) {
     Cell_vertices<d> v{};
     for (int i = 0; i <= d; ++i) v[static_cast<std::size_t>(i)] = t.vertex(t.corner(c, i));
     return v;
@@ -65,12 +65,12 @@ template <int d>
     return cell;
 }
 template <int d>
-[[nodiscard]] Cell_sites<d> ridge_sites(const Cell_table<d>& t, Corner_index h) {
+[[nodiscard]] Cell_sites<d> ridge_sites(const Corner_table<d>& t, Corner_index h) {
     return ridge_sites<d>(cell_sites(t, t.cell_of(h)), t.opposite(h));
 }
 
 /// The points of a border facet for the paper's slab: its finite cell in positive order, the vertex off the facet last.
-[[nodiscard]] inline Cell_sites<2> slab_sites(const Cell_table<2>& t, Corner_index h) {
+[[nodiscard]] inline Cell_sites<2> slab_sites(const Corner_table<2>& t, Corner_index h) {
     if (t.is_infinite(t.cell_of(h))) h = t.twin(h);
     return {t.site(t.ccw(h)), t.site(t.cw(h)), t.site(h)};
 }
@@ -79,14 +79,14 @@ template <int d>
 inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}}};
 
 /// The facet of half-facet h, its vertices turning left as seen from its own corner, which comes last.
-[[nodiscard]] inline Cell_sites<3> facet_and_vertex(const Cell_table<3>& t, Corner_index h) {
+[[nodiscard]] inline Cell_sites<3> facet_and_vertex(const Corner_table<3>& t, Corner_index h) {
     Cell_sites<3> x{};
     for (std::size_t k = 0; k < 3; ++k)
         x[k] = t.site(t.corner(t.cell_of(h), facing_corners[static_cast<std::size_t>(t.slot_of(h))][k]));
     x[3] = t.site(h);
     return x;
 }
-[[nodiscard]] inline Cell_sites<3> slab_sites(const Cell_table<3>& t, Corner_index h) {
+[[nodiscard]] inline Cell_sites<3> slab_sites(const Corner_table<3>& t, Corner_index h) {
     return facet_and_vertex(t, t.is_infinite(t.cell_of(h)) ? t.twin(h) : h);
 }
 
@@ -111,17 +111,17 @@ inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0
     return x;
 }
 template <int d>
-[[nodiscard]] Cell_sites<d> ridge_vertex_last(const Cell_table<d>& t, Corner_index h, const Cell_sites<d>& x) {
+[[nodiscard]] Cell_sites<d> ridge_vertex_last(const Corner_table<d>& t, Corner_index h, const Cell_sites<d>& x) {
     return ridge_in_order(x, t.site(h), t.opposite(h));
 }
 
 /// The points {a, b, p, q} of the bi-cell at half-facet h: q = site(h) is left of ab, p right of it.
-[[nodiscard]] inline Facet_sites<2> bicell_sites(const Cell_table<2>& t, Corner_index h) {
+[[nodiscard]] inline Facet_sites<2> bicell_sites(const Corner_table<2>& t, Corner_index h) {
     return {t.site(t.ccw(h)), t.site(t.cw(h)), t.opposite(h), t.site(h)};
 }
 
 /// The points {a, b, c, p, q} of the bi-cell at half-facet h, as the predicates take them: q = site(h).
-[[nodiscard]] inline Facet_sites<3> bicell_sites(const Cell_table<3>& t, Corner_index h) {
+[[nodiscard]] inline Facet_sites<3> bicell_sites(const Corner_table<3>& t, Corner_index h) {
     const Cell_sites<3> x = facet_and_vertex(t, h);
     return {x[0], x[1], x[2], t.opposite(h), x[3]};
 }
@@ -135,7 +135,7 @@ struct Facet_certificate {
 
 /// The certificate of half-facet h. A border owns a slab if there are `slabs`, which are the paper's.
 template <int d>
-[[nodiscard]] Facet_certificate<d> facet_certificate(const Cell_table<d>& t, Corner_index h, bool slabs) {
+[[nodiscard]] Facet_certificate<d> facet_certificate(const Corner_table<d>& t, Corner_index h, bool slabs) {
     Facet_certificate<d> f{facet_kind(t, h), {}};
     if (f.kind == Facet_kind::empty_sphere) {
         f.point = bicell_sites(t, h);
@@ -187,7 +187,7 @@ requires(k <= n) [[nodiscard]] Tuple<d, static_cast<int>(k)> tuple(const std::ar
 /// Visits every certificate that contains v: on_cell(h) with the corner of v in each of its cells, then of that cell
 /// on_facet(k) with a half-facet of each facet whose bi-cell contains it, once. O(degree).
 template <class On_cell, class On_facet>
-void for_each_certificate(const Cell_table<2>& t, Index v, On_cell on_cell, On_facet on_facet) {
+void for_each_certificate(const Corner_table<2>& t, Index v, On_cell on_cell, On_facet on_facet) {
     t.for_each_corner(v, [&](Corner_index h) {
         on_cell(h);
         on_facet(h);
@@ -195,7 +195,7 @@ void for_each_certificate(const Cell_table<2>& t, Index v, On_cell on_cell, On_f
     });
 }
 template <class On_cell, class On_facet>
-void for_each_certificate(const Cell_table<3>& t, Index v, On_cell on_cell, On_facet on_facet) {
+void for_each_certificate(const Corner_table<3>& t, Index v, On_cell on_cell, On_facet on_facet) {
     t.for_each_corner(v, [&](Corner_index h) {
         on_cell(h);
         on_facet(h);

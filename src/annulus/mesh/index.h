@@ -34,7 +34,7 @@ class Typed_index {
     Index value_ = -1;
 };
 
-/// A cell of a Cell_table.
+/// A cell of a Corner_table.
 using Cell_index = Typed_index<struct Cell_tag>;
 /// A corner of a cell. It stands for the facet opposite to it as seen from there, a half-facet; a facet is named by
 /// the lesser of its two.

@@ -26,7 +26,7 @@ Circumsphere_3 sphere_of(const Tuple<3, 4>& x) { return {*x[0], *x[1], *x[2], *x
 template <int d>
 class Conflicts {
   public:
-    Conflicts(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v)
+    Conflicts(const Corner_table<d>& t, std::span<const Coordinates<d>> x, Index v)
         : t_(t), x_(x), p_(x[static_cast<std::size_t>(v)]) {}
 
     /// The sphere of a cell holds p. That of a cell with infinity is the half-space beyond its facet and, in the plane
@@ -53,7 +53,7 @@ class Conflicts {
         return sphere_holds_exactly<d>(cell, p_);
     }
 
-    const Cell_table<d>& t_;
+    const Corner_table<d>& t_;
     std::span<const Coordinates<d>> x_;
     const Coordinates<d>& p_;
 };
@@ -107,7 +107,7 @@ class Ridge_pairs {
 }  // namespace
 
 template <int d>
-void insert_vertex(Cell_table<d>& t, std::span<const Coordinates<d>> x, Cell_index first, Index v,
+void insert_vertex(Corner_table<d>& t, std::span<const Coordinates<d>> x, Cell_index first, Index v,
                    std::vector<Cell_index>& changed) {
     const Conflicts<d> conflicts(t, x, v);
     std::vector<Cell_index> region{first};
@@ -149,9 +149,9 @@ void insert_vertex(Cell_table<d>& t, std::span<const Coordinates<d>> x, Cell_ind
     replace_cells<d>(t, region, fresh, neighbours, changed);
 }
 
-template void insert_vertex<2>(Cell_table<2>&, std::span<const Coordinates<2>>, Cell_index, Index,
+template void insert_vertex<2>(Corner_table<2>&, std::span<const Coordinates<2>>, Cell_index, Index,
                                std::vector<Cell_index>&);
-template void insert_vertex<3>(Cell_table<3>&, std::span<const Coordinates<3>>, Cell_index, Index,
+template void insert_vertex<3>(Corner_table<3>&, std::span<const Coordinates<3>>, Cell_index, Index,
                                std::vector<Cell_index>&);
 
 }  // namespace annulus

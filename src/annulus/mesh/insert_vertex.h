@@ -16,12 +16,12 @@ namespace annulus {
 /// construction, and none is flat. Expected O(degree of v). Throws Error(too_large) and bad_alloc, with the table half
 /// way.
 template <int d>
-void insert_vertex(Cell_table<d>& t, std::span<const Coordinates<d>> x, Cell_index first, Index v,
+void insert_vertex(Corner_table<d>& t, std::span<const Coordinates<d>> x, Cell_index first, Index v,
                    std::vector<Cell_index>& changed);
 
-extern template void insert_vertex<2>(Cell_table<2>&, std::span<const Coordinates<2>>, Cell_index, Index,
+extern template void insert_vertex<2>(Corner_table<2>&, std::span<const Coordinates<2>>, Cell_index, Index,
                                       std::vector<Cell_index>&);
-extern template void insert_vertex<3>(Cell_table<3>&, std::span<const Coordinates<3>>, Cell_index, Index,
+extern template void insert_vertex<3>(Corner_table<3>&, std::span<const Coordinates<3>>, Cell_index, Index,
                                       std::vector<Cell_index>&);
 
 }  // namespace annulus

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/mesh/mesh_cells.h>
 
-#include <annulus/mesh/cell_table.h>
 #include <annulus/mesh/certificates.h>
+#include <annulus/mesh/corner_table.h>
 
 #include <algorithm>
 #include <utility>
@@ -10,7 +10,7 @@
 namespace annulus {
 
 template <int d>
-Mesh_cells<d> mesh_cells(const Cell_table<d>& t) {
+Mesh_cells<d> mesh_cells(const Corner_table<d>& t) {
     Mesh_cells<d> out;
     By_cell<Index> number(t.cell_bound().offset(), out.outside);
     for (const Cell_index c : t.finite_cells()) {
@@ -70,8 +70,8 @@ Mesh_cells<d> mesh_cells(std::span<const Index> corners, std::size_t bound) {
     return out;
 }
 
-template Mesh_cells<2> mesh_cells<2>(const Cell_table<2>&);
-template Mesh_cells<3> mesh_cells<3>(const Cell_table<3>&);
+template Mesh_cells<2> mesh_cells<2>(const Corner_table<2>&);
+template Mesh_cells<3> mesh_cells<3>(const Corner_table<3>&);
 template Mesh_cells<2> mesh_cells<2>(std::span<const Index>, std::size_t);
 template Mesh_cells<3> mesh_cells<3>(std::span<const Index>, std::size_t);
 

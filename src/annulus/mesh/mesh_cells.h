@@ -10,7 +10,7 @@
 namespace annulus {
 
 template <int d>
-class Cell_table;
+class Corner_table;
 
 /// The finite cells of a triangulation in one numbering, 0, 1, 2 .., and how they lie.
 template <int d>
@@ -27,15 +27,15 @@ struct Mesh_cells {
 
 /// The finite cells of a table, in its order. O(n).
 template <int d>
-[[nodiscard]] Mesh_cells<d> mesh_cells(const Cell_table<d>& t);
+[[nodiscard]] Mesh_cells<d> mesh_cells(const Corner_table<d>& t);
 
 /// Cells that are listed, d + 1 vertices each, of which there are fewer than `bound`, or padded with `none`. Who is
 /// whose neighbour is found by the facets. O(n).
 template <int d>
 [[nodiscard]] Mesh_cells<d> mesh_cells(std::span<const Index> corners, std::size_t bound);
 
-extern template Mesh_cells<2> mesh_cells<2>(const Cell_table<2>&);
-extern template Mesh_cells<3> mesh_cells<3>(const Cell_table<3>&);
+extern template Mesh_cells<2> mesh_cells<2>(const Corner_table<2>&);
+extern template Mesh_cells<3> mesh_cells<3>(const Corner_table<3>&);
 extern template Mesh_cells<2> mesh_cells<2>(std::span<const Index>, std::size_t);
 extern template Mesh_cells<3> mesh_cells<3>(std::span<const Index>, std::size_t);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/threads_at_hand.h>
+#include <annulus/mesh/available_threads.h>
 
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -19,7 +19,7 @@ namespace annulus {
 template <class Call>
 void in_arena(int threads, const Call& call) {
     // Asking for more than the machine has gains nothing, and oneTBB warns about it on stderr.
-    oneapi::tbb::task_arena arena(threads_at_hand(threads));
+    oneapi::tbb::task_arena arena(available_threads(threads));
     arena.execute(call);
 }
 

@@ -27,7 +27,7 @@ Side<d> side(const Cell_sites<d>& x, std::size_t slot, Corner_index half) {
 }  // namespace
 
 template <int d>
-void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_sites<d>> fresh,
+void replace_cells(Corner_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_sites<d>> fresh,
                    std::vector<Cell_index>& made) {
     std::vector<Side<d>> sides;
     sides.reserve((old.size() + fresh.size()) * static_cast<std::size_t>(d + 1));
@@ -54,12 +54,12 @@ void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<
     std::sort(sides.begin(), sides.end(), [](const Side<d>& l, const Side<d>& r) { return l.sites < r.sites; });
     for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
         assert(sides[i].sites == sides[i + 1].sites);
-        t.glue(sides[i].half, sides[i + 1].half);
+        t.set_adjacency(sides[i].half, sides[i + 1].half);
     }
 }
 
 template <int d>
-void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_sites<d>> fresh,
+void replace_cells(Corner_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_sites<d>> fresh,
                    std::span<const Fresh_neighbours<d>> neighbours, std::vector<Cell_index>& made) {
     for (const Cell_index c : old) t.free_cell(c);
     const std::size_t first = made.size();
@@ -72,21 +72,21 @@ void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<
             const auto& [other, beyond] = neighbours[k][i];
             const Corner_index own = t.corner(made[first + k], static_cast<int>(i));
             if (beyond != no_corner) {
-                t.glue(own, beyond);
+                t.set_adjacency(own, beyond);
                 continue;
             }
             assert(neighbours[other / 4][other % 4].fresh == 4 * k + i);
-            t.glue(own, t.corner(made[first + other / 4], static_cast<int>(other % 4)));
+            t.set_adjacency(own, t.corner(made[first + other / 4], static_cast<int>(other % 4)));
         }
 }
 
-template void replace_cells<2>(Cell_table<2>&, std::span<const Cell_index>, std::span<const Cell_sites<2>>,
+template void replace_cells<2>(Corner_table<2>&, std::span<const Cell_index>, std::span<const Cell_sites<2>>,
                                std::vector<Cell_index>&);
-template void replace_cells<3>(Cell_table<3>&, std::span<const Cell_index>, std::span<const Cell_sites<3>>,
+template void replace_cells<3>(Corner_table<3>&, std::span<const Cell_index>, std::span<const Cell_sites<3>>,
                                std::vector<Cell_index>&);
-template void replace_cells<2>(Cell_table<2>&, std::span<const Cell_index>, std::span<const Cell_sites<2>>,
+template void replace_cells<2>(Corner_table<2>&, std::span<const Cell_index>, std::span<const Cell_sites<2>>,
                                std::span<const Fresh_neighbours<2>>, std::vector<Cell_index>&);
-template void replace_cells<3>(Cell_table<3>&, std::span<const Cell_index>, std::span<const Cell_sites<3>>,
+template void replace_cells<3>(Corner_table<3>&, std::span<const Cell_index>, std::span<const Cell_sites<3>>,
                                std::span<const Fresh_neighbours<3>>, std::vector<Cell_index>&);
 
 }  // namespace annulus

@@ -15,7 +15,7 @@ namespace annulus {
 /// there twice.
 /// O(k log k) for k cells.
 template <int d>
-void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_sites<d>> fresh,
+void replace_cells(Corner_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_sites<d>> fresh,
                    std::vector<Cell_index>& made);
 
 /// What is beyond a facet of a fresh cell: a half-facet of another one, or, where `beyond` is a corner, that.
@@ -28,16 +28,16 @@ using Fresh_neighbours = std::array<Fresh_neighbour, static_cast<std::size_t>(d 
 
 /// The same where it is known which cells are neighbours, which has to be mutual. O(k).
 template <int d>
-void replace_cells(Cell_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_sites<d>> fresh,
+void replace_cells(Corner_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_sites<d>> fresh,
                    std::span<const Fresh_neighbours<d>> neighbours, std::vector<Cell_index>& made);
 
-extern template void replace_cells<2>(Cell_table<2>&, std::span<const Cell_index>, std::span<const Cell_sites<2>>,
+extern template void replace_cells<2>(Corner_table<2>&, std::span<const Cell_index>, std::span<const Cell_sites<2>>,
                                       std::vector<Cell_index>&);
-extern template void replace_cells<3>(Cell_table<3>&, std::span<const Cell_index>, std::span<const Cell_sites<3>>,
+extern template void replace_cells<3>(Corner_table<3>&, std::span<const Cell_index>, std::span<const Cell_sites<3>>,
                                       std::vector<Cell_index>&);
-extern template void replace_cells<2>(Cell_table<2>&, std::span<const Cell_index>, std::span<const Cell_sites<2>>,
+extern template void replace_cells<2>(Corner_table<2>&, std::span<const Cell_index>, std::span<const Cell_sites<2>>,
                                       std::span<const Fresh_neighbours<2>>, std::vector<Cell_index>&);
-extern template void replace_cells<3>(Cell_table<3>&, std::span<const Cell_index>, std::span<const Cell_sites<3>>,
+extern template void replace_cells<3>(Corner_table<3>&, std::span<const Cell_index>, std::span<const Cell_sites<3>>,
                                       std::span<const Fresh_neighbours<3>>, std::vector<Cell_index>&);
 
 }  // namespace annulus

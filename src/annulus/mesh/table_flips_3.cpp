@@ -10,15 +10,15 @@ namespace annulus {
 namespace {
 
 /// The half-facet beyond a cell that goes, opposite to its corner v.
-Corner_index beyond(const Cell_table<3>& t, Cell_index c, Site<3> v) { return t.twin(t.corner(c, t.slot(c, v))); }
+Corner_index beyond(const Corner_table<3>& t, Cell_index c, Site<3> v) { return t.twin(t.corner(c, t.slot(c, v))); }
 
-void fill(Cell_table<3>& t, Cell_index c, const Cell_sites<3>& x) {
+void fill(Corner_table<3>& t, Cell_index c, const Cell_sites<3>& x) {
     for (int i = 0; i <= 3; ++i) t.set_site(t.corner(c, i), x[static_cast<std::size_t>(i)]);
 }
 
 }  // namespace
 
-bool flip_facet(Cell_table<3>& t, Corner_index h, std::array<Cell_index, 3>& made) {
+bool flip_facet(Corner_table<3>& t, Corner_index h, std::array<Cell_index, 3>& made) {
     const Cell_sites<3> x = facet_and_vertex(t, h);
     const Site<3> q = x[3];
     const Site<3> p = t.opposite(h);
@@ -37,14 +37,14 @@ bool flip_facet(Cell_table<3>& t, Corner_index h, std::array<Cell_index, 3>& mad
     for (std::size_t i = 0; i < 3; ++i) fill(t, made[i], {x[i], x[(i + 1) % 3], p, q});
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t off = (i + 2) % 3;
-        t.glue(t.corner(made[i], 2), at_q[off]);
-        t.glue(t.corner(made[i], 3), at_p[off]);
-        t.glue(t.corner(made[i], 0), t.corner(made[(i + 1) % 3], 1));
+        t.set_adjacency(t.corner(made[i], 2), at_q[off]);
+        t.set_adjacency(t.corner(made[i], 3), at_p[off]);
+        t.set_adjacency(t.corner(made[i], 0), t.corner(made[(i + 1) % 3], 1));
     }
     return true;
 }
 
-bool flip_edge(Cell_table<3>& t, Corner_index h, Corner_index k, std::array<Cell_index, 3>& made) {
+bool flip_edge(Corner_table<3>& t, Corner_index h, Corner_index k, std::array<Cell_index, 3>& made) {
     Cell_sites<3> x = facet_and_vertex(t, h);
     while (x[2] != t.site(k)) x = {x[1], x[2], x[0], x[3]};
     const auto [a, b, c, q] = x;
@@ -70,14 +70,14 @@ bool flip_edge(Cell_table<3>& t, Corner_index h, Corner_index k, std::array<Cell
     constexpr std::array<int, 3> in_one{2, 0, 1};
     constexpr std::array<int, 3> in_other{2, 1, 0};
     for (std::size_t i = 0; i < 3; ++i) {
-        t.glue(t.corner(one, in_one[i]), at_a[i]);
-        t.glue(t.corner(other, in_other[i]), at_b[i]);
+        t.set_adjacency(t.corner(one, in_one[i]), at_a[i]);
+        t.set_adjacency(t.corner(other, in_other[i]), at_b[i]);
     }
-    t.glue(t.corner(one, 3), t.corner(other, 3));
+    t.set_adjacency(t.corner(one, 3), t.corner(other, 3));
     return true;
 }
 
-std::optional<Flip_4_4> flip_4_4(const Cell_table<3>& t, Corner_index h, Corner_index k) {
+std::optional<Flip_4_4> flip_4_4(const Corner_table<3>& t, Corner_index h, Corner_index k) {
     Cell_sites<3> x = facet_and_vertex(t, h);
     while (x[2] != t.site(k)) x = {x[1], x[2], x[0], x[3]};
     const auto [u, w, c, q] = x;

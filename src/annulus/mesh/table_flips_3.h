@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/cell_table.h>
+#include <annulus/mesh/corner_table.h>
 
 #include <array>
 #include <optional>
@@ -15,12 +15,12 @@ namespace annulus {
 
 /// 2-3: the facet at half-facet h goes, the edge between its opposite vertices comes. `made` receives the three
 /// cells, which have the numbers of the two that went and one more.
-[[nodiscard]] bool flip_facet(Cell_table<3>& t, Corner_index h, std::array<Cell_index, 3>& made);
+[[nodiscard]] bool flip_facet(Corner_table<3>& t, Corner_index h, std::array<Cell_index, 3>& made);
 
 /// 3-2: the edge of the facet at half-facet h that lies opposite to the vertex of corner k, a corner of the same
 /// cell, goes if three cells share it; the triangle of the vertices around it comes. `made` receives the two cells,
 /// which keep numbers, and the one that is gone.
-[[nodiscard]] bool flip_edge(Cell_table<3>& t, Corner_index h, Corner_index k, std::array<Cell_index, 3>& made);
+[[nodiscard]] bool flip_edge(Corner_table<3>& t, Corner_index h, Corner_index k, std::array<Cell_index, 3>& made);
 
 /// The cells around an edge that four cells share, and the two edges that could be there instead of it.
 struct Flip_4_4 {
@@ -30,6 +30,6 @@ struct Flip_4_4 {
 /// 4-4: an edge that four cells share gives way to the edge of the opposite vertices of the facet at half-facet h.
 /// The edge is the one of that facet that lies opposite to the vertex of corner k, a corner of the same cell. Nothing
 /// where not four cells share it.
-[[nodiscard]] std::optional<Flip_4_4> flip_4_4(const Cell_table<3>& t, Corner_index h, Corner_index k);
+[[nodiscard]] std::optional<Flip_4_4> flip_4_4(const Corner_table<3>& t, Corner_index h, Corner_index k);
 
 }  // namespace annulus

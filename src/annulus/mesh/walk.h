@@ -50,18 +50,18 @@ template <int d, class Walker, class Cell>
     return c;
 }
 
-/// A Cell_table to walk on, at positions x.
+/// A Corner_table to walk on, at positions x.
 template <int d>
 class Table_walker {
   public:
-    Table_walker(const Cell_table<d>& t, std::span<const Coordinates<d>> x) : t_(t), x_(x) {}
+    Table_walker(const Corner_table<d>& t, std::span<const Coordinates<d>> x) : t_(t), x_(x) {}
     [[nodiscard]] bool is_infinite(Cell_index c) const { return t_.is_infinite(c); }
     [[nodiscard]] Cell_index beyond(Cell_index c, int i) const { return t_.cell_of(t_.twin(t_.corner(c, i))); }
     [[nodiscard]] Cell_index inner(Cell_index c) const { return beyond(c, t_.slot_of_infinity(c)); }
     [[nodiscard]] Tuple<d, d + 1> corners(Cell_index c) const { return tuple<d, d + 1>(cell_sites(t_, c), x_); }
 
   private:
-    const Cell_table<d>& t_;
+    const Corner_table<d>& t_;
     std::span<const Coordinates<d>> x_;
 };
 

@@ -65,7 +65,7 @@ void Kept_cells_3::read(std::vector<std::array<Index, 4>> cells, std::size_t n, 
 
 /// A cell that is new differs from what had its number before. One that has but changed its number is both gone and
 /// fresh, and so neither.
-void Kept_cells_3::find_changes(const Cell_table<3>& table) {
+void Kept_cells_3::find_changes(const Corner_table<3>& table) {
     gone_.clear();
     fresh_number_.clear();
     const Cell_index bound = table.cell_bound();
@@ -89,7 +89,7 @@ Index Kept_cells_3::find(const Cell& cell) const {
     return static_cast<Index>(place - cells_.vertex.begin());
 }
 
-void Kept_cells_3::read(const Cell_table<3>& table, int threads) {
+void Kept_cells_3::read(const Corner_table<3>& table, int threads) {
     const bool known = !seen_.empty();
     find_changes(table);
     if (known && 16 * (gone_.size() + fresh_number_.size()) < cells_.size()) return merge(table);
@@ -103,7 +103,7 @@ void Kept_cells_3::read(const Cell_table<3>& table, int threads) {
 
 /// Old cells keep their order, and what is known of them; the fresh ones go between. Two old cells are adjacent if
 /// they were; so only what is adjacent to a fresh one is asked of the table.
-void Kept_cells_3::merge(const Cell_table<3>& table) {
+void Kept_cells_3::merge(const Corner_table<3>& table) {
     std::vector<Cell> made;
     for (const Cell_index k : fresh_number_) made.push_back(in_order(seen_[k]));
     std::sort(gone_.begin(), gone_.end());
@@ -159,7 +159,7 @@ void Kept_cells_3::merge(const Cell_table<3>& table) {
 }
 
 /// Writes what is adjacent to a cell of the table, on both sides.
-void Kept_cells_3::link(const Cell_table<3>& table, Cell_index number) {
+void Kept_cells_3::link(const Corner_table<3>& table, Cell_index number) {
     const Cell cell = in_order(seen_[number]);
     const Index here = find(cell);
     for (int i = 0; i < 4; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/cell_table.h>
+#include <annulus/mesh/corner_table.h>
 #include <annulus/motion/cells_3.h>
 
 #include <array>
@@ -28,7 +28,7 @@ class Kept_cells_3 {
   public:
     /// Reads a table with infinite cells. Its cells are compared with those of the last reading: O(cells) with a small
     /// constant, and O(log cells) for each one that differs; where many do, all are sorted and linked anew.
-    void read(const Cell_table<3>& table, int threads = 1);
+    void read(const Corner_table<3>& table, int threads = 1);
     /// Reads a list of the finite cells, positive and in any order. Vertices are below n. O(n).
     void read(std::vector<std::array<Index, 4>> cells, std::size_t n, int threads = 1);
     /// Circumcentres of all cells, and flags like those of `cells_inside`. What is known of cells none of whose
@@ -43,9 +43,9 @@ class Kept_cells_3 {
   private:
     using Cell = std::array<Index, 4>;
 
-    void find_changes(const Cell_table<3>& table);
-    void merge(const Cell_table<3>& table);
-    void link(const Cell_table<3>& table, Cell_index number);
+    void find_changes(const Corner_table<3>& table);
+    void merge(const Corner_table<3>& table);
+    void link(const Corner_table<3>& table, Cell_index number);
     [[nodiscard]] Index find(const Cell& cell) const;
 
     Cells_3 cells_, before_;                // before_: room for the next ones

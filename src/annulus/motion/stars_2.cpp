@@ -23,7 +23,7 @@ void Stars_2::mark(const Triangle& t) {
 
 /// A star changes only with its triangles, and a triangle that is new differs from what had its number before. That
 /// it has but changed its number or turned costs a look.
-void Stars_2::find_changed(const Cell_table<2>& table) {
+void Stars_2::find_changed(const Corner_table<2>& table) {
     const Cell_index bound = table.cell_bound();
     for (Cell_index c = bound; triangle_.has(c); ++c) mark(triangle_[c]);
     triangle_.resize(bound.offset(), {absent, absent, absent});
@@ -55,7 +55,7 @@ void Stars_2::put(std::size_t v, bool open, std::size_t start) {
     place.since = readings_;
 }
 
-void Stars_2::read(const Cell_table<2>& table) {
+void Stars_2::read(const Corner_table<2>& table) {
     ++readings_;
     const auto n = static_cast<std::size_t>(table.vertex_bound());
     changed_.clear();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/cell_table.h>
+#include <annulus/mesh/corner_table.h>
 #include <annulus/mesh/neighbours.h>
 
 #include <array>
@@ -21,7 +21,7 @@ class Stars_2 {
   public:
     /// Reads a table. Its triangles are compared with those of the last reading: O(cells), and O(degree) for each
     /// vertex of a cell that differs. All vacant where the points are on a line, because there are no cells then.
-    void read(const Cell_table<2>& table);
+    void read(const Corner_table<2>& table);
     /// Reads lists, all of them. O(n).
     void read(const Neighbours_2& lists);
 
@@ -45,7 +45,7 @@ class Stars_2 {
     };
     using Triangle = std::array<Index, 3>;
 
-    void find_changed(const Cell_table<2>& table);
+    void find_changed(const Corner_table<2>& table);
     void mark(const Triangle& t);
     void put(std::size_t v, bool open, std::size_t start);
 

@@ -2,7 +2,7 @@
 #include <annulus/published/paper_filter.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/mesh/table_readings.h>
+#include <annulus/mesh/table_measures.h>
 #include <annulus/published/lawson_flips.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 template <int d>
-void append_star(const Cell_table<d>& table, Index v, std::vector<Cell_index>& cells) {
+void append_star(const Corner_table<d>& table, Index v, std::vector<Cell_index>& cells) {
     table.for_each_corner(v, [&](Corner_index h) { cells.push_back(table.cell_of(h)); });
 }
 

@@ -3,7 +3,7 @@
 
 #include <annulus/certificate/batch.h>
 #include <annulus/certificate/filtered_2.h>
-#include <annulus/mesh/make_unique.h>
+#include <annulus/mesh/sort_unique.h>
 
 #include <algorithm>
 #include <iterator>
@@ -81,13 +81,13 @@ void Paper_tolerances<d>::note(std::span<const Cell_index> cells, std::span<cons
     std::vector<Cell_index> present;
     std::copy_if(cells.begin(), cells.end(), std::back_inserter(present),
                  [this](Cell_index c) { return table_.is_cell(c); });
-    make_unique(present);
+    sort_unique(present);
     std::vector<Corner_index> facets;
     for (const Cell_index c : present) {
         add_cell(c, x);
         for (int i = 0; i <= d; ++i) facets.push_back(table_.facet(table_.corner(c, i)));
     }
-    make_unique(facets);
+    sort_unique(facets);
     for (const Corner_index f : facets) add_facet(f, x);
     evaluate(orientations_, x, least, report);
     evaluate(spheres_, x, least, report);

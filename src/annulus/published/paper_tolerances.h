@@ -18,7 +18,7 @@ namespace annulus {
 template <int d>
 class Paper_tolerances {
   public:
-    Paper_tolerances(const Cell_table<d>& table, Tolerance_kind kind) : table_(table), kind_(kind) {}
+    Paper_tolerances(const Corner_table<d>& table, Tolerance_kind kind) : table_(table), kind_(kind) {}
     [[nodiscard]] Tolerance_kind kind() const { return kind_; }
 
     /// Notes in `least` the tolerances at x of all certificates that these cells and their facets own, and counts them.
@@ -47,7 +47,7 @@ class Paper_tolerances {
     template <std::size_t k>
     void evaluate(Batch<k>& batch, std::span<const Coordinates<d>> x, Least_tolerance& least, Move_report& report);
 
-    const Cell_table<d>& table_;
+    const Corner_table<d>& table_;
     Tolerance_kind kind_;
     Batch<d + 1> orientations_;
     Batch<d + 2> spheres_;

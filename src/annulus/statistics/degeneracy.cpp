@@ -46,7 +46,7 @@ Distribution angles() { return {Histogram::linear(0, std::numbers::pi / 2, 36)};
 template <int d>
 class Survey {
   public:
-    Survey(const Cell_table<d>& t, std::span<const Coordinates<d>> x, const Degeneracy_options<d>& options)
+    Survey(const Corner_table<d>& t, std::span<const Coordinates<d>> x, const Degeneracy_options<d>& options)
         : t_(t),
           x_(x),
           options_(options),
@@ -218,7 +218,7 @@ class Survey {
             for (const auto& points : p.points) options_.unsound(points);
     }
 
-    const Cell_table<d>& t_;
+    const Corner_table<d>& t_;
     std::span<const Coordinates<d>> x_;
     const Degeneracy_options<d>& options_;
     Degeneracy r_;
@@ -237,10 +237,12 @@ class Survey {
 
 }  // namespace
 
-Degeneracy degeneracy(const Cell_table<2>& t, std::span<const Coordinates<2>> x, const Degeneracy_options<2>& options) {
+Degeneracy degeneracy(const Corner_table<2>& t, std::span<const Coordinates<2>> x,
+                      const Degeneracy_options<2>& options) {
     return Survey<2>(t, x, options).result();
 }
-Degeneracy degeneracy(const Cell_table<3>& t, std::span<const Coordinates<3>> x, const Degeneracy_options<3>& options) {
+Degeneracy degeneracy(const Corner_table<3>& t, std::span<const Coordinates<3>> x,
+                      const Degeneracy_options<3>& options) {
     return Survey<3>(t, x, options).result();
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/stage.h>
-#include <annulus/mesh/cell_table.h>
+#include <annulus/mesh/corner_table.h>
 #include <annulus/statistics/histogram.h>
 
 #include <array>
@@ -120,9 +120,9 @@ struct Degeneracy_options {
 
 /// Precondition: t is a Delaunay triangulation of the points x, which are in the coordinate domain and span the
 /// space. A bi-cell costs a microsecond, a degenerate one ten or more.
-[[nodiscard]] Degeneracy degeneracy(const Cell_table<2>& t, std::span<const Coordinates<2>> x,
+[[nodiscard]] Degeneracy degeneracy(const Corner_table<2>& t, std::span<const Coordinates<2>> x,
                                     const Degeneracy_options<2>& options = {});
-[[nodiscard]] Degeneracy degeneracy(const Cell_table<3>& t, std::span<const Coordinates<3>> x,
+[[nodiscard]] Degeneracy degeneracy(const Corner_table<3>& t, std::span<const Coordinates<3>> x,
                                     const Degeneracy_options<3>& options = {});
 
 }  // namespace annulus

@@ -32,7 +32,7 @@ void lower(double& least, double y) {
 void mark(char& one) { std::atomic_ref(one).store(1, std::memory_order_relaxed); }
 
 template <int d>
-Facet_certificate<d> certificate_of(const Cell_table<d>& t, Corner_index f) {
+Facet_certificate<d> certificate_of(const Corner_table<d>& t, Corner_index f) {
     return facet_certificate(t, f, true);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/certificate/half_width.h>
-#include <annulus/mesh/cell_table.h>
+#include <annulus/mesh/corner_table.h>
 
 #include <cstdint>
 #include <span>
@@ -31,7 +31,7 @@ template <int d>
 class Paper_tolerance {
   public:
     /// `threads` compare; the result does not depend on it.
-    Paper_tolerance(const Cell_table<d>& t, std::size_t vertices, int threads)
+    Paper_tolerance(const Corner_table<d>& t, std::size_t vertices, int threads)
         : t_(t),
           paper_(t.facet_bound().offset()),
           facet_(t.facet_bound().offset()),
@@ -64,7 +64,7 @@ class Paper_tolerance {
     [[nodiscard]] std::size_t runs() const;
     void refine(std::span<const Coordinates<d>> x);
 
-    const Cell_table<d>& t_;
+    const Corner_table<d>& t_;
     By_corner<Half_width> paper_;  // of facets
     By_corner<Half_width> facet_;  // the certificate; none of a border facet
     By_corner<char> own_;          // of a facet: its two numbers are one

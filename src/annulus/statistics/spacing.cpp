@@ -19,7 +19,7 @@ double determinant(const std::array<double, 3>& u, const std::array<double, 3>& 
 
 /// From the content of all cells in units of a power of two near its extent.
 template <int d>
-double spacing_of(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
+double spacing_of(const Corner_table<d>& t, std::span<const Coordinates<d>> x) {
     double extent = 0;
     for (const auto& p : x)
         for (std::size_t c = 0; c < d; ++c) extent = std::max(extent, std::fabs(p[c] - x[0][c]));
@@ -47,8 +47,8 @@ double resolution_of(std::span<const Coordinates<d>> x) {
 
 }  // namespace
 
-double mean_spacing(const Cell_table<2>& t, std::span<const Coordinates<2>> x) { return spacing_of<2>(t, x); }
-double mean_spacing(const Cell_table<3>& t, std::span<const Coordinates<3>> x) { return spacing_of<3>(t, x); }
+double mean_spacing(const Corner_table<2>& t, std::span<const Coordinates<2>> x) { return spacing_of<2>(t, x); }
+double mean_spacing(const Corner_table<3>& t, std::span<const Coordinates<3>> x) { return spacing_of<3>(t, x); }
 double resolution(std::span<const Coordinates<2>> x) { return resolution_of<2>(x); }
 double resolution(std::span<const Coordinates<3>> x) { return resolution_of<3>(x); }
 

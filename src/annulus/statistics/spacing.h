@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/cell_table.h>
+#include <annulus/mesh/corner_table.h>
 
 #include <span>
 
@@ -9,8 +9,8 @@ namespace annulus {
 
 /// Root of the content of the hull per vertex, in the unit of the points: a unit for thresholds, computed in doubles.
 /// Precondition: there are cells, and x has the position of every vertex and nothing else. O(n).
-[[nodiscard]] double mean_spacing(const Cell_table<2>& t, std::span<const Coordinates<2>> x);
-[[nodiscard]] double mean_spacing(const Cell_table<3>& t, std::span<const Coordinates<3>> x);
+[[nodiscard]] double mean_spacing(const Corner_table<2>& t, std::span<const Coordinates<2>> x);
+[[nodiscard]] double mean_spacing(const Corner_table<3>& t, std::span<const Coordinates<3>> x);
 
 /// The distance of doubles at the largest coordinate. O(n).
 [[nodiscard]] double resolution(std::span<const Coordinates<2>> x);

@@ -19,7 +19,7 @@ constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 /// A table as Voronoi_terms reads it: its finite cells in its order are those of mesh_cells().
 template <int d>
 struct Table_cells {
-    const Cell_table<d>& table;
+    const Corner_table<d>& table;
 
     [[nodiscard]] Index corner(Index c, std::size_t i) const {
         return table.vertex(table.corner(Cell_index(c), static_cast<int>(i)));
@@ -34,11 +34,11 @@ struct Table_cells {
 
 template <int d>
 Kept_voronoi_volumes<d>::Kept_voronoi_volumes(Delaunay_mesh<d>& mesh) : mesh_(mesh) {
-    mesh.table().write_log(log_);
+    mesh.table().set_dirty_cells(dirty_cells_);
 }
 template <int d>
 Kept_voronoi_volumes<d>::~Kept_voronoi_volumes() {
-    mesh_.table().drop_log();
+    mesh_.table().clear_dirty_cells();
 }
 
 template <int d>
@@ -54,7 +54,7 @@ std::span<const double> Kept_voronoi_volumes<d>::update(std::span<const Coordina
         if (lives(v))
             for (const double c : x[v]) largest = std::max(largest, std::fabs(c));
     const int exponent = largest == 0 ? 0 : std::ilogb(largest) + 1;
-    bool anew = x_.empty() || log_.everything() || exponent != exponent_;
+    bool anew = x_.empty() || dirty_cells_.everything() || exponent != exponent_;
     exponent_ = exponent;
     std::vector<Index> moved;
     try {
@@ -73,7 +73,7 @@ std::span<const double> Kept_voronoi_volumes<d>::update(std::span<const Coordina
         } else {
             std::vector<Cell_index> changed = cells_around(moved);
             const auto around_moved = static_cast<std::ptrdiff_t>(changed.size());
-            for (const Cell_index c : log_.cells())
+            for (const Cell_index c : dirty_cells_.cells())
                 if (table().is_cell(c)) changed.push_back(c);
             std::sort(changed.begin() + around_moved, changed.end());
             std::inplace_merge(changed.begin(), changed.begin() + around_moved, changed.end());
@@ -87,7 +87,7 @@ std::span<const double> Kept_voronoi_volumes<d>::update(std::span<const Coordina
         x_.clear();
         throw;
     }
-    log_.clear();
+    dirty_cells_.clear();
     return volume_;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/kernel/delaunay_mesh.h>
-#include <annulus/mesh/cell_log.h>
+#include <annulus/mesh/dirty_cells.h>
 #include <annulus/statistics/voronoi_terms.h>
 
 #include <cstddef>
@@ -40,7 +40,7 @@ class Kept_voronoi_volumes {
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    [[nodiscard]] const Cell_table<d>& table() const { return mesh_.table(); }
+    [[nodiscard]] const Corner_table<d>& table() const { return mesh_.table(); }
     [[nodiscard]] bool lives(std::size_t v) const {
         return v < mesh_.vertex_bound() && mesh_.has(static_cast<Index>(v));
     }
@@ -56,7 +56,7 @@ class Kept_voronoi_volumes {
     [[nodiscard]] double exact_volume(Index v) const;
 
     Delaunay_mesh<d>& mesh_;
-    Cell_log log_;                         // since the last update
+    Dirty_cells dirty_cells_;              // since the last update
     std::vector<Coordinates<d>> x_;        // of the last update; empty: nothing of it holds
     std::vector<Circumcentre<d>> centre_;  // by cell
     std::vector<Voronoi_sum> sum_;         // by vertex; room to add up in, and nothing between two updates

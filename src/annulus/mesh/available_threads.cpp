@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/mesh/threads_at_hand.h>
+#include <annulus/mesh/available_threads.h>
 
 #include <oneapi/tbb/info.h>
 
@@ -12,7 +12,7 @@
 
 namespace annulus {
 
-int threads_at_hand(int wanted) {
+int available_threads(int wanted) {
     static std::atomic<int> given{1};
     const int most = std::min(wanted, oneapi::tbb::info::default_concurrency());
     if (most <= given.load(std::memory_order_relaxed)) return std::max(most, 1);

@@ -11,9 +11,9 @@
 
 namespace annulus {
 
-/// The places of a Cell_table that were written to since clear(): what a copy of the table has to look at to be the
+/// The places of a Corner_table that were written to since clear(): what a copy of the table has to look at to be the
 /// same again. Beyond a share of all places, or without memory, it says "everything" and costs nothing any more.
-class Cell_log {
+class Dirty_cells {
   public:
     void clear() noexcept {
         for (const Cell_index c : cells_) marked_[c] = 0;
@@ -21,19 +21,19 @@ class Cell_log {
         everything_ = false;
     }
     /// The place of cell c, of `places`, is about to be written to. Amortised O(1).
-    void touch(Cell_index c, std::size_t places) noexcept {
+    void record(Cell_index c, std::size_t places) noexcept {
         if (everything_ || (marked_.has(c) && marked_[c] != 0)) return;
         constexpr std::size_t few = 64, share = 4;
-        if (cells_.size() > few + places / share) return touch_everything();
+        if (cells_.size() > few + places / share) return record_all();
         try {
             if (!marked_.has(c)) marked_.resize(std::max(c.offset() + 1, 2 * marked_.size()), 0);
             cells_.push_back(c);
             marked_[c] = 1;
         } catch (const std::bad_alloc&) {
-            touch_everything();
+            record_all();
         }
     }
-    void touch_everything() noexcept {
+    void record_all() noexcept {
         clear();
         everything_ = true;
     }

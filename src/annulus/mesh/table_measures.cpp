@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/mesh/table_readings.h>
+#include <annulus/mesh/table_measures.h>
 
 #include <annulus/mesh/evaluate.h>
 
@@ -24,7 +24,7 @@ std::array<Coordinates<d>, k> places(std::span<const Coordinates<d>> x, const st
 
 /// Calls visit(points, verdict) for every certificate of v until it says no.
 template <int d, class Visit>
-void for_each_value(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v, Visit visit) {
+void for_each_value(const Corner_table<d>& t, std::span<const Coordinates<d>> x, Index v, Visit visit) {
     bool on = true;
     for_each_certificate(
         t, v,
@@ -42,7 +42,7 @@ void for_each_value(const Cell_table<d>& t, std::span<const Coordinates<d>> x, I
 }  // namespace
 
 template <int d>
-double star_tolerance(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v) {
+double star_tolerance(const Corner_table<d>& t, std::span<const Coordinates<d>> x, Index v) {
     double least = std::numeric_limits<double>::infinity();
     for_each_value(t, x, v, [&](const Certificate_value& value) {
         least = std::min(least, value.tolerance);
@@ -52,14 +52,14 @@ double star_tolerance(const Cell_table<d>& t, std::span<const Coordinates<d>> x,
 }
 
 template <int d>
-bool star_holds(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v) {
+bool star_holds(const Corner_table<d>& t, std::span<const Coordinates<d>> x, Index v) {
     bool holds = true;
     for_each_value(t, x, v, [&](const Certificate_value& value) { return holds = value.sign > 0; });
     return holds;
 }
 
 template <int d>
-double star_theta(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v) {
+double star_theta(const Corner_table<d>& t, std::span<const Coordinates<d>> x, Index v) {
     double least = right_angle;
     for_each_certificate(
         t, v, [](Corner_index) {},
@@ -71,7 +71,7 @@ double star_theta(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Ind
 }
 
 template <int d>
-Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
+Measures measure(const Corner_table<d>& t, std::span<const Coordinates<d>> x) {
     Measures m;
     m.tolerance.assign(x.size(), std::numeric_limits<double>::infinity());
     const auto lower = [&](const auto& points, double tolerance) {
@@ -92,11 +92,11 @@ Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x) {
     return m;
 }
 
-#define ANNULUS_READINGS(d)                                                                          \
-    template double star_tolerance<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index); \
-    template double star_theta<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);     \
-    template bool star_holds<d>(const Cell_table<d>&, std::span<const Coordinates<d>>, Index);       \
-    template Measures measure<d>(const Cell_table<d>&, std::span<const Coordinates<d>>);
+#define ANNULUS_READINGS(d)                                                                            \
+    template double star_tolerance<d>(const Corner_table<d>&, std::span<const Coordinates<d>>, Index); \
+    template double star_theta<d>(const Corner_table<d>&, std::span<const Coordinates<d>>, Index);     \
+    template bool star_holds<d>(const Corner_table<d>&, std::span<const Coordinates<d>>, Index);       \
+    template Measures measure<d>(const Corner_table<d>&, std::span<const Coordinates<d>>);
 ANNULUS_READINGS(2)
 ANNULUS_READINGS(3)
 #undef ANNULUS_READINGS

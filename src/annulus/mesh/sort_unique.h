@@ -13,16 +13,16 @@ namespace annulus {
 
 /// Sorts a list and keeps one of each. O(n log n).
 template <class T>
-void make_unique(std::vector<T>& list) {
+void sort_unique(std::vector<T>& list) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 /// The same of indices below a bound. When they are many they are marked, not compared: O(n + bound / 64).
 template <class Tag>
-void make_unique(std::vector<Typed_index<Tag>>& list, Typed_index<Tag> bound) {
+void sort_unique(std::vector<Typed_index<Tag>>& list, Typed_index<Tag> bound) {
     constexpr std::size_t bits = 64;
-    if (bits * list.size() < bound.offset()) return make_unique(list);
+    if (bits * list.size() < bound.offset()) return sort_unique(list);
     std::vector<std::uint64_t> marks((bound.offset() + bits - 1) / bits);
     for (const Typed_index<Tag> i : list) marks[i.offset() / bits] |= std::uint64_t{1} << (i.offset() % bits);
     list.clear();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/audit_sites.h>
+#include <annulus/mesh/audit_points.h>
 
 namespace annulus::auditing {
 
@@ -9,9 +9,9 @@ using Cell = std::array<Index, 4>;
 using Triple = std::array<Index, 3>;
 
 /// Exact predicates with their own temporaries.
-class Judge_3 {
+class Audit_predicates_3 {
   public:
-    explicit Judge_3(const std::vector<Site<3>>& s) : s_(s) {}
+    explicit Audit_predicates_3(const std::vector<Integer_point<3>>& s) : s_(s) {}
 
     /// Sign of ((b - a) x (c - a)) . (e - a).
     int orientation(Index a, Index b, Index c, Index e) {
@@ -82,7 +82,7 @@ class Judge_3 {
     int turn(Index a, Index b, Index c, std::size_t k) {
         const std::size_t i = (k + 1) % 3;
         const std::size_t j = (k + 2) % 3;
-        const Site<3>& A = s_[at(a)];
+        const Integer_point<3>& A = s_[at(a)];
         mpz_sub(t_[0], s_[at(b)][i], A[i]);
         mpz_sub(t_[1], s_[at(c)][j], A[j]);
         mpz_sub(t_[2], s_[at(b)][j], A[j]);
@@ -97,7 +97,8 @@ class Judge_3 {
 
   private:
     using Row = std::array<Integer, 3>;
-    int orientation(const Site<3>& a, const Site<3>& b, const Site<3>& c, const Site<3>& e) {
+    int orientation(const Integer_point<3>& a, const Integer_point<3>& b, const Integer_point<3>& c,
+                    const Integer_point<3>& e) {
         for (std::size_t k = 0; k < 3; ++k) {
             mpz_sub(row_[0][k], b[k], a[k]);
             mpz_sub(row_[1][k], c[k], a[k]);
@@ -125,8 +126,8 @@ class Judge_3 {
         }
     }
 
-    const std::vector<Site<3>>& s_;
-    Site<3> o_;
+    const std::vector<Integer_point<3>>& s_;
+    Integer_point<3> o_;
     std::array<Row, 4> row_;
     std::array<Integer, 4> lift_;
     std::array<Integer, 6> t_;

@@ -14,11 +14,11 @@
 
 namespace annulus {
 
-/// What a Cell_table had, since begin(), in the places that were written to: the cells that went, however often their
+/// What a Corner_table had, since begin(), in the places that were written to: the cells that went, however often their
 /// places were written to and whatever is there now. A table tells it before it writes. Room for a mark a cell of the
 /// table and for the cells that went; O(1) a place that is written to.
 template <int d>
-class Cell_journal {
+class Change_log {
   public:
     using Sites = std::array<Site<d>, static_cast<std::size_t>(d) + 1>;
 
@@ -29,7 +29,7 @@ class Cell_journal {
             call_ = 0;
         }
         ++call_;
-        places_.clear();
+        written_.clear();
         gone_.clear();
         replaced_ = failed_ = false;
     }
@@ -37,11 +37,11 @@ class Cell_journal {
     /// The place of cell c of this table is about to be written to. Never throws, since tables are emptied where
     /// nothing may: see check().
     template <class Table>
-    void touch(Cell_index c, const Table& table) noexcept {
+    void record(Cell_index c, const Table& table) noexcept {
         if (replaced_ || failed_ || (marked_.has(c) && marked_[c] == call_)) return;
         try {
             if (!marked_.has(c)) marked_.resize(std::max(c.offset() + 1, 2 * marked_.size()), 0);
-            places_.push_back(c);
+            written_.push_back(c);
             if (table.is_cell(c)) note_gone(c, table);
             marked_[c] = call_;
         } catch (const std::bad_alloc&) {
@@ -50,7 +50,7 @@ class Cell_journal {
     }
     /// All cells are about to go, and others to come: from now on the places mean nothing.
     template <class Table>
-    void touch_everything(const Table& table) noexcept {
+    void record_all(const Table& table) noexcept {
         if (replaced_ || failed_) return;
         replaced_ = true;
         try {
@@ -71,7 +71,7 @@ class Cell_journal {
     [[nodiscard]] bool replaced() const noexcept { return replaced_; }
     /// The cells that went, and the places that were written to, each once.
     [[nodiscard]] const std::vector<Sites>& gone() const noexcept { return gone_; }
-    [[nodiscard]] const std::vector<Cell_index>& places() const noexcept { return places_; }
+    [[nodiscard]] const std::vector<Cell_index>& written() const noexcept { return written_; }
 
   private:
     template <class Table>
@@ -82,7 +82,7 @@ class Cell_journal {
 
     By_cell<std::uint32_t> marked_;  ///< the call in which the place was written to last
     std::uint32_t call_ = 0;
-    std::vector<Cell_index> places_;
+    std::vector<Cell_index> written_;
     std::vector<Sites> gone_;
     bool replaced_ = false;
     bool failed_ = false;

@@ -11,15 +11,15 @@ namespace annulus {
 
 /// Least tolerance of the certificates of v, certified. O(degree).
 template <int d>
-[[nodiscard]] double star_tolerance(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v);
+[[nodiscard]] double star_tolerance(const Corner_table<d>& t, std::span<const Coordinates<d>> x, Index v);
 /// Least theta of the finite bi-cells that contain v; pi/2 when there is none. O(degree).
 template <int d>
-[[nodiscard]] double star_theta(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v);
+[[nodiscard]] double star_theta(const Corner_table<d>& t, std::span<const Coordinates<d>> x, Index v);
 /// Whether every certificate of v holds. O(degree).
 template <int d>
-[[nodiscard]] bool star_holds(const Cell_table<d>& t, std::span<const Coordinates<d>> x, Index v);
+[[nodiscard]] bool star_holds(const Corner_table<d>& t, std::span<const Coordinates<d>> x, Index v);
 /// Widths, tolerances and theta of everything. O(n).
 template <int d>
-[[nodiscard]] Measures measure(const Cell_table<d>& t, std::span<const Coordinates<d>> x);
+[[nodiscard]] Measures measure(const Corner_table<d>& t, std::span<const Coordinates<d>> x);
 
 }  // namespace annulus

@@ -4,8 +4,8 @@
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/limits.h>
-#include <annulus/mesh/cell_journal.h>
-#include <annulus/mesh/cell_log.h>
+#include <annulus/mesh/change_log.h>
+#include <annulus/mesh/dirty_cells.h>
 #include <annulus/mesh/grow.h>
 #include <annulus/mesh/index.h>
 #include <annulus/mesh/small_set.h>
@@ -30,7 +30,7 @@ namespace annulus {
 /// its cells; nothing is stored of it. Cells are positively oriented (certificate/filtered_3.h). All operations are
 /// O(1) unless they say otherwise.
 template <int d>
-class Cell_table {
+class Corner_table {
   public:
     static constexpr Index stride = 4;  // also in 2D: corners are found by shifts, and a cell is one 16-byte line
 
@@ -137,8 +137,8 @@ class Cell_table {
     /// Starts afresh: no cells, `vertices` vertices none of which is in the triangulation.
     void clear(std::size_t vertices);
     /// The same with this many cells, for each of which set_cell is to follow. Throws Error(too_large).
-    void start_over(std::size_t vertices, std::size_t cells);
-    /// Makes sure that start_over(vertices, cells) will find its memory. Throws bad_alloc, with nothing changed.
+    void reset_to(std::size_t vertices, std::size_t cells);
+    /// Makes sure that reset_to(vertices, cells) will find its memory. Throws bad_alloc, with nothing changed.
     void reserve(std::size_t vertices, std::size_t cells) {
         vertex_.reserve(4 * cells);
         twin_.reserve(4 * cells);
@@ -151,11 +151,11 @@ class Cell_table {
     [[nodiscard]] Cell_index new_cell();
     void free_cell(Cell_index c);
     void set_site(Corner_index h, Site<d> s) {
-        touch(cell_of(h));
+        record(cell_of(h));
         vertex_[h] = s.vertex;
         note_corner(s.vertex, h);
     }
-    /// After start_over, for several threads that set different cells at once. set_corner of each vertex is to follow.
+    /// After reset_to, for several threads that set different cells at once. set_corner of each vertex is to follow.
     void set_cell(Cell_index c, const std::array<Index, static_cast<std::size_t>(d + 1)>& vertices,
                   const std::array<Corner_index, static_cast<std::size_t>(d + 1)>& twins) {
         Index* const v = &vertex_[corner(c, 0)];
@@ -170,13 +170,13 @@ class Cell_table {
     /// A corner of v, which may be `infinite`.
     void set_corner(Index v, Corner_index h) { note_corner(v, h); }
     /// What is told before a place is written to; nullptr: nothing.
-    void tell(Cell_journal<d>* journal) noexcept { journal_ = journal; }
-    /// The same for a log, until drop_log() or as long as the table lives.
-    void write_log(Cell_log& log) noexcept { log_ = &log; }
-    void drop_log() noexcept { log_ = nullptr; }
+    void set_observer(Change_log<d>* log) noexcept { change_log_ = log; }
+    /// The same for a log, until clear_dirty_cells() or as long as the table lives.
+    void set_dirty_cells(Dirty_cells& log) noexcept { dirty_cells_ = &log; }
+    void clear_dirty_cells() noexcept { dirty_cells_ = nullptr; }
     void set_absent(Index v) { corner_of_vertex_[at(v)] = no_corner; }
     /// Makes h and t the two sides of a facet.
-    void glue(Corner_index h, Corner_index t) {
+    void set_adjacency(Corner_index h, Corner_index t) {
         twin_[h] = t;
         twin_[t] = h;
     }
@@ -190,15 +190,15 @@ class Cell_table {
     [[noreturn]] static void throw_too_large() {
         throw Error(Error_code::too_large, "more than " + std::to_string(Limits::cells) + " cells");
     }
-    void touch(Cell_index c) noexcept {
-        if (journal_ != nullptr) [[unlikely]]
-            journal_->touch(c, *this);
-        if (log_ != nullptr) [[unlikely]]
-            log_->touch(c, twin_.size() / 4);
+    void record(Cell_index c) noexcept {
+        if (change_log_ != nullptr) [[unlikely]]
+            change_log_->record(c, *this);
+        if (dirty_cells_ != nullptr) [[unlikely]]
+            dirty_cells_->record(c, twin_.size() / 4);
     }
-    void touch_everything() noexcept {
-        if (journal_ != nullptr) journal_->touch_everything(*this);
-        if (log_ != nullptr) log_->touch_everything();
+    void record_all() noexcept {
+        if (change_log_ != nullptr) change_log_->record_all(*this);
+        if (dirty_cells_ != nullptr) dirty_cells_->record_all();
     }
     void note_corner(Index v, Corner_index h) { (v == infinite ? corner_of_infinity_ : corner_of_vertex_[at(v)]) = h; }
 
@@ -207,13 +207,13 @@ class Cell_table {
     By_corner<Corner_index> twin_;
     std::vector<Corner_index> corner_of_vertex_;  // by vertex
     std::vector<Cell_index> free_cells_;
-    Cell_journal<d>* journal_ = nullptr;
-    Cell_log* log_ = nullptr;
+    Change_log<d>* change_log_ = nullptr;
+    Dirty_cells* dirty_cells_ = nullptr;
 };
 
 template <int d>
-void Cell_table<d>::clear(std::size_t vertices) {
-    touch_everything();
+void Corner_table<d>::clear(std::size_t vertices) {
+    record_all();
     vertex_.clear();
     twin_.clear();
     free_cells_.clear();
@@ -222,9 +222,9 @@ void Cell_table<d>::clear(std::size_t vertices) {
 
 /// What was there is written over, not cleared before that. In the plane slot 3 is `none` for good.
 template <int d>
-void Cell_table<d>::start_over(std::size_t vertices, std::size_t cells) {
+void Corner_table<d>::reset_to(std::size_t vertices, std::size_t cells) {
     if (cells > static_cast<std::size_t>(Limits::cells)) throw_too_large();
-    touch_everything();
+    record_all();
     free_cells_.clear();
     corner_of_vertex_.assign(vertices, no_corner);
     vertex_.resize(4 * cells, none);
@@ -232,7 +232,7 @@ void Cell_table<d>::start_over(std::size_t vertices, std::size_t cells) {
 }
 
 template <int d>
-Cell_index Cell_table<d>::new_cell() {
+Cell_index Corner_table<d>::new_cell() {
     Cell_index c;
     if (!free_cells_.empty()) {
         c = free_cells_.back();
@@ -247,18 +247,18 @@ Cell_index Cell_table<d>::new_cell() {
 }
 
 template <int d>
-void Cell_table<d>::free_cell(Cell_index c) {
-    touch(c);
+void Corner_table<d>::free_cell(Cell_index c) {
+    record(c);
     vertex_[corner(c, 0)] = none;
     free_cells_.push_back(c);
 }
 
 template <int d>
-void Cell_table<d>::flip(Corner_index h) {
+void Corner_table<d>::flip(Corner_index h) {
     static_assert(d == 2);
     const Corner_index t = twin(h);
-    touch(cell_of(h));
-    touch(cell_of(t));
+    record(cell_of(h));
+    record(cell_of(t));
     const Index a = vertex(ccw(h));
     const Index b = vertex(cw(h));
     const Corner_index h_side = twin(ccw(h));  // across the edge b p
@@ -266,9 +266,9 @@ void Cell_table<d>::flip(Corner_index h) {
     // (p, a, b) becomes (p, a, q); (q, b, a) becomes (q, b, p).
     vertex_[cw(h)] = vertex(t);
     vertex_[cw(t)] = vertex(h);
-    glue(h, t_side);
-    glue(t, h_side);
-    glue(ccw(h), ccw(t));
+    set_adjacency(h, t_side);
+    set_adjacency(t, h_side);
+    set_adjacency(ccw(h), ccw(t));
     note_corner(a, ccw(h));
     note_corner(b, ccw(t));
     note_corner(vertex(h), h);

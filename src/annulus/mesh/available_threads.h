@@ -9,6 +9,6 @@ namespace annulus {
 /// and 1 where the system gives this process fewer (limits on processes, on addresses). TBB would throw
 /// std::runtime_error in the middle of a loop. Found out by starting so many, which cost some ten microseconds each,
 /// and ending them; what was once given is not asked for again.
-[[nodiscard]] int threads_at_hand(int wanted);
+[[nodiscard]] int available_threads(int wanted);
 
 }  // namespace annulus

@@ -36,11 +36,11 @@ inline int sign(const Integer& z) {
 }
 
 template <int d>
-using Site = std::array<Integer, static_cast<std::size_t>(d)>;
+using Integer_point = std::array<Integer, static_cast<std::size_t>(d)>;
 
 /// All coordinates times one power of two that makes them integers.
 template <int d>
-std::vector<Site<d>> integer_sites(const std::vector<Coordinates<d>>& points) {
+std::vector<Integer_point<d>> integer_points(const std::vector<Coordinates<d>>& points) {
     int least = 1100;
     for (const auto& p : points)
         for (const double c : p) {
@@ -49,7 +49,7 @@ std::vector<Site<d>> integer_sites(const std::vector<Coordinates<d>>& points) {
             (void)std::frexp(c, &e);
             least = std::min(least, e - 53);
         }
-    std::vector<Site<d>> sites(points.size());
+    std::vector<Integer_point<d>> sites(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         for (std::size_t k = 0; k < points[i].size(); ++k) {
             if (points[i][k] == 0.0) continue;
@@ -72,7 +72,7 @@ struct Findings : Audit_result {
         return static_cast<long long>(i) + first;
     }
     /// To be called once a cell or a facet: asks each 1024th time, which is after some milliseconds at most.
-    void go_on() {
+    void poll() {
         if (++steps % 1024 == 0 && between) between();
     }
 
@@ -130,7 +130,7 @@ void expect_chain(const std::vector<std::array<Index, k>>& cells, const std::vec
 
 /// Points of a plane in space, seen from one of its sides: orientation and circles by integers. Lengths are those of
 /// space, so that circles are circles.
-class Plane_judge {
+class Audit_predicates_2 {
   public:
     /// Sites with two coordinates to turn by, and any number more that only add to the squared lengths.
     struct Point {
@@ -138,7 +138,7 @@ class Plane_judge {
         const Integer* y;
         const Integer* z = nullptr;
     };
-    explicit Plane_judge(std::vector<Point> points) : s_(std::move(points)) {}
+    explicit Audit_predicates_2(std::vector<Point> points) : s_(std::move(points)) {}
 
     /// Sign of (b - a) x (c - a).
     int turn(Index a, Index b, Index c);
@@ -156,7 +156,7 @@ class Plane_judge {
 };
 
 /// The audit of triangles that fill a convex polygon; r has what is known already.
-Audit_result audit_plane(Plane_judge& judge, std::size_t vertices, const std::vector<std::array<Index, 3>>& cells,
-                         Findings r);
+Audit_result audit_plane(Audit_predicates_2& predicates, std::size_t vertices,
+                         const std::vector<std::array<Index, 3>>& cells, Findings r);
 
 }  // namespace annulus::auditing
