@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Regions of more points than Local_delaunay keeps memory for: they are built, and so is what comes after them.
+// Regions of more points than Cavity_retriangulator keeps memory for: they are built, and so is what comes after them.
 #include <annulus/moving_mesh.h>
 
 #include <support/catch.h>

@@ -45,11 +45,11 @@ inline constexpr double annulus_3_norms = 3246.0;
 /// circumsphere_3.h, degree 5: proofs/gappa/circumsphere_3.g.
 inline constexpr double circumsphere_3 = 1123.0;
 
-/// kernel/kept_sphere.h, errors of the two terms of its value: proofs/gappa/kept_sphere_2.g, kept_sphere_3.g.
-inline constexpr double kept_sphere_2_square = 37.0;  ///< degree 2 in the cell, 2 in the point
-inline constexpr double kept_sphere_2_linear = 81.0;  ///< 3 in the cell, 1 in the point
-inline constexpr double kept_sphere_3_square = 241.0;
-inline constexpr double kept_sphere_3_linear = 811.0;
+/// kernel/cached_sphere.h, errors of the two terms of its value: proofs/gappa/cached_sphere_2.g, cached_sphere_3.g.
+inline constexpr double cached_sphere_2_square = 37.0;  ///< degree 2 in the cell, 2 in the point
+inline constexpr double cached_sphere_2_linear = 81.0;  ///< 3 in the cell, 1 in the point
+inline constexpr double cached_sphere_3_square = 241.0;
+inline constexpr double cached_sphere_3_linear = 811.0;
 
 /// statistics/voronoi_terms.h, products that make up Voronoi volumes: proofs/gappa/voronoi_terms_2.g,
 /// voronoi_terms_3.g.

@@ -4,8 +4,8 @@
 #include <annulus/engine/budget.h>
 #include <annulus/engine/held_back.h>
 #include <annulus/engine/signs.h>
+#include <annulus/kernel/cavity_retriangulator.h>
 #include <annulus/kernel/delaunay_mesh.h>
-#include <annulus/kernel/local_delaunay.h>
 
 #include <vector>
 
@@ -25,7 +25,7 @@ struct Mending {
 /// Where a cell is inverted at the goals one of its vertices is held back (Held_back). Violated facets of positive
 /// cells are flipped. Then those held back go on from where they are, through the triangulation in which what stood
 /// in their way has been flipped (docs/theory.md 6.3). At the hull, where half way is never outside, the cell that a
-/// vertex turns over by leaving goes. What is still stuck after that is rebuilt locally (Local_delaunay).
+/// vertex turns over by leaving goes. What is still stuck after that is rebuilt locally (Cavity_retriangulator).
 ///
 /// Nothing here is trusted: a certificate that is not known to hold is on a list of `signs` until it has been seen to
 /// hold, at the goals, and mending is done when the lists are empty. Only the table changes.
@@ -67,7 +67,7 @@ class Mender {
 
     Corner_table<d>& table_;
     Signs<d>& signs_;
-    Local_delaunay<d> local_;
+    Cavity_retriangulator<d> local_;
     Held_back<d> held_;
     Left left_;
     Mending result_;

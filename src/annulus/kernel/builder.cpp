@@ -20,10 +20,10 @@ bool Builder<d>::build(std::span<const Coordinates<d>> x, std::span<const Index>
     if (!find_simplex()) return false;
     first_cells();
     if (threads == 1) {
-        insert_alone(0, order_.size());
-    } else if (!insert_shared(around.scaled(scale), threads)) {
+        insert_sequentially(0, order_.size());
+    } else if (!insert_in_parallel(around.scaled(scale), threads)) {
         first_cells();
-        insert_alone(0, order_.size());
+        insert_sequentially(0, order_.size());
     }
     return true;
 }
@@ -34,16 +34,16 @@ void Builder<d>::throw_collision(Rank taken, Rank v) const {
 }
 
 template <int d>
-void Builder<d>::insert_alone(std::size_t first, std::size_t last) {
+void Builder<d>::insert_sequentially(std::size_t first, std::size_t last) {
     for (Rank v = static_cast<Rank>(first); v < static_cast<Rank>(last); ++v)
         if (!is_corner(v) && !inserter_.insert(v)) throw_collision(inserter_.blocker(), v);
 }
 
 /// False where two vertices are at one place: it is to be done again by one thread, which names always the same two.
 template <int d>
-bool Builder<d>::insert_shared(const Bounding_box<d>& around, int threads) {
+bool Builder<d>::insert_in_parallel(const Bounding_box<d>& around, int threads) {
     const std::size_t n = order_.size();
-    const std::size_t most = std::min(static_cast<std::size_t>(threads), Shared_inserter<d>::most_parts);
+    const std::size_t most = std::min(static_cast<std::size_t>(threads), Parallel_inserter<d>::most_parts);
     std::vector<Rank> pending;
     std::size_t first = 0;
     for (std::size_t last = 0; first < n; first = last) {

@@ -5,7 +5,7 @@
 #include <annulus/kernel/cell_order.h>
 #include <annulus/kernel/growing_cells.h>
 #include <annulus/kernel/inserter.h>
-#include <annulus/kernel/shared_inserter.h>
+#include <annulus/kernel/parallel_inserter.h>
 #include <annulus/kernel/spatial_order.h>
 #include <annulus/mesh/certificates.h>
 #include <annulus/mesh/corner_table.h>
@@ -18,9 +18,9 @@
 namespace annulus {
 
 /// Builds Delaunay triangulations from nothing, by incremental insertion (Bowyer, Watson) along a space-filling curve
-/// (Spatial_order, Inserter). Threads share the vertices of a round out by place (Shared_inserter).
+/// (Spatial_order, Inserter). Threads share the vertices of a round out by place (Parallel_inserter).
 ///
-/// All decisions are exact: a filter on spheres that are kept with the cells (Kept_sphere), then the exact stage,
+/// All decisions are exact: a filter on spheres that are kept with the cells (Cached_sphere), then the exact stage,
 /// then the symbolic perturbation where points are cospherical (perturbed_sign). So the cells are those that
 /// insertion one by one and repair give, and Cell_order puts them in one order whatever the number of threads.
 /// Buffers are kept from one build to the next: a rebuild touches no memory that is new.
@@ -63,10 +63,10 @@ class Builder {
     [[nodiscard]] bool copy_scaled(std::span<const Coordinates<d>> x, double scale, double back, int threads);
     [[nodiscard]] bool find_simplex();
     void first_cells();
-    void insert_alone(std::size_t first, std::size_t last);
+    void insert_sequentially(std::size_t first, std::size_t last);
     [[noreturn]] void throw_collision(Rank taken, Rank v) const;
     /// Vertices of rounds that are large are shared out, those of the others are not.
-    [[nodiscard]] bool insert_shared(const Bounding_box<d>& around, int threads);
+    [[nodiscard]] bool insert_in_parallel(const Bounding_box<d>& around, int threads);
     template <class Place>
     void find_parts(std::span<const Rank> pending, std::size_t last, std::size_t parts, Place place);
     [[nodiscard]] bool is_corner(Rank v) const {  // of the first cell
@@ -78,8 +78,8 @@ class Builder {
     Growing_cells<d> cells_;
     Simplex simplex_{};
     Inserter<d> inserter_;  // what threads do not insert is inserted by this one
-    Shared_inserter<d> shared_;
-    std::vector<std::uint8_t> part_;  // by rank: which thread's it is (Shared_inserter)
+    Parallel_inserter<d> shared_;
+    std::vector<std::uint8_t> part_;  // by rank: which thread's it is (Parallel_inserter)
     Cell_order<d> cell_order_;
 };
 

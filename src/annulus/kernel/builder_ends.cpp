@@ -109,7 +109,7 @@ void Builder<d>::first_cells() {
         const Coordinates<d>& p = cells_.at(cells[c].vertex[0]);
         std::array<Lifted<d>, static_cast<std::size_t>(d)> l;
         for (std::size_t k = 0; k < d; ++k) l[k] = cells_.lifted(cells[c].vertex[k + 1], p);
-        cells[c].sphere = std::apply([&](const auto&... b) { return kept_sphere(b..., cells_.bound(c)); }, l);
+        cells[c].sphere = std::apply([&](const auto&... b) { return cached_sphere(b..., cells_.bound(c)); }, l);
     }
     inserter_.begin(cells_);
 }

@@ -45,9 +45,9 @@ void Delaunay_mesh<d>::rebuild(std::span<const Coordinates<d>> x) {
 
 /// Whether p is outside of the affine hull of the vertices, which is not the whole space.
 template <int d>
-bool Delaunay_mesh<d>::spans_more(std::span<const Coordinates<d>> home, const Coordinates<d>& p) const {
+bool Delaunay_mesh<d>::spans_more(std::span<const Coordinates<d>> positions, const Coordinates<d>& p) const {
     std::array<const Coordinates<d>*, static_cast<std::size_t>(d)> independent{};
-    for (std::size_t k = 0; k < basis_.size(); ++k) independent[k] = &home[at(basis_[k])];
+    for (std::size_t k = 0; k < basis_.size(); ++k) independent[k] = &positions[at(basis_[k])];
     return annulus::spans_more<d>(std::span(independent).first(basis_.size()), p);
 }
 
@@ -98,58 +98,58 @@ void Delaunay_mesh<d>::keep_present(std::vector<Cell_index>& cells, std::size_t 
 
 /// What is outside of them is Delaunay there, and so were they.
 template <int d>
-void Delaunay_mesh<d>::restore_cells(std::span<const Coordinates<d>> home, std::span<const Cell_index> cells,
+void Delaunay_mesh<d>::restore_cells(std::span<const Coordinates<d>> positions, std::span<const Cell_index> cells,
                                      std::vector<Cell_index>& made) {
     std::vector<Cell_index> present;
     std::copy_if(cells.begin(), cells.end(), std::back_inserter(present),
                  [this](Cell_index c) { return table_.is_cell(c); });
     const std::size_t first = made.size();
-    if (!local_.rebuild(home, present, everything(), made)) {
-        replace_everything(home, made);
+    if (!local_.rebuild(positions, present, everything(), made)) {
+        replace_everything(positions, made);
     }
     keep_present(made, first);
 }
 
 template <int d>
-Cell_index Delaunay_mesh<d>::locate(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index own) {
-    const auto lives = [this](Index v) { return has(v) && table_.corner_of(v) != no_corner; };
-    const Index near = landmarks_.near(home, vertices_.bound(), p, own, lives);
+Cell_index Delaunay_mesh<d>::locate(std::span<const Coordinates<d>> positions, const Coordinates<d>& p, Index own) {
+    const auto is_present = [this](Index v) { return has(v) && table_.corner_of(v) != no_corner; };
+    const Index near = landmarks_.near(positions, vertices_.bound(), p, own, is_present);
     std::size_t steps = 0;
     const Corner_index start = near != none ? table_.corner_of(near) : table_.corner_of_infinity();
-    const Cell_index c = walk_to<d>(Table_walker<d>(table_, home), p, table_.cell_of(start), steps);
-    landmarks_.note(Landmarks<d>::nearest(home, cell_vertices(table_, c), p, own), steps);
+    const Cell_index c = walk_to<d>(Table_walker<d>(table_, positions), p, table_.cell_of(start), steps);
+    landmarks_.note(Landmarks<d>::nearest(positions, cell_vertices(table_, c), p, own), steps);
     return c;
 }
 
 template <int d>
-bool Delaunay_mesh<d>::is_taken(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Index but) {
+bool Delaunay_mesh<d>::is_taken(std::span<const Coordinates<d>> positions, const Coordinates<d>& p, Index but) {
     if (dimension_ < d) {
         for (std::size_t v = 0; v < vertices_.bound(); ++v)
-            if (has(static_cast<Index>(v)) && static_cast<Index>(v) != but && home[v] == p) return true;
+            if (has(static_cast<Index>(v)) && static_cast<Index>(v) != but && positions[v] == p) return true;
         return false;
     }
-    return is_at_corner(home, p, locate(home, p, but), but);
+    return is_at_corner(positions, p, locate(positions, p, but), but);
 }
 
 /// Whether a vertex of c, but one, is at p.
 template <int d>
-bool Delaunay_mesh<d>::is_at_corner(std::span<const Coordinates<d>> home, const Coordinates<d>& p, Cell_index c,
+bool Delaunay_mesh<d>::is_at_corner(std::span<const Coordinates<d>> positions, const Coordinates<d>& p, Cell_index c,
                                     Index but) const {
     const auto vertices = cell_vertices(table_, c);
-    const auto is_there = [&](Index v) { return v != infinite && v != but && home[at(v)] == p; };
+    const auto is_there = [&](Index v) { return v != infinite && v != but && positions[at(v)] == p; };
     return std::any_of(vertices.begin(), vertices.end(), is_there);
 }
 
 /// v goes to p, where there is no vertex, in the cell `place`.
 template <int d>
-void Delaunay_mesh<d>::attach(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p, Cell_index place,
+void Delaunay_mesh<d>::attach(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p, Cell_index place,
                               std::vector<Cell_index>& changed) {
-    const Coordinates<d> old = std::exchange(home[at(v)], p);
+    const Coordinates<d> old = std::exchange(positions[at(v)], p);
     const std::size_t first = changed.size();
     try {
-        insert_vertex<d>(table_, home, place, v, changed);
+        insert_vertex<d>(table_, positions, place, v, changed);
     } catch (...) {
-        home[at(v)] = old;
+        positions[at(v)] = old;
         throw;
     }
     keep_present(changed, first);
@@ -157,39 +157,39 @@ void Delaunay_mesh<d>::attach(std::span<Coordinates<d>> home, Index v, const Coo
 
 /// False, with nothing changed, when the rest would be flat.
 template <int d>
-bool Delaunay_mesh<d>::detach(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed) {
+bool Delaunay_mesh<d>::detach(std::span<const Coordinates<d>> positions, Index v, std::vector<Cell_index>& changed) {
     if (dimension_ != d || vertices() <= d + 1U) return false;
     std::vector<Cell_index> star;
     table_.for_each_corner(v, [&](Corner_index h) { star.push_back(table_.cell_of(h)); });
     const std::size_t first = changed.size();
-    if (!local_.remove(home, star, v, everything(), changed)) return false;
+    if (!local_.remove(positions, star, v, everything(), changed)) return false;
     keep_present(changed, first);
     table_.set_absent(v);
     return true;
 }
 
 template <int d>
-bool Delaunay_mesh<d>::insert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p,
+bool Delaunay_mesh<d>::insert(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p,
                               std::vector<Cell_index>& changed) {
     const bool flat = dimension_ < d;
-    const Cell_index place = flat ? no_cell : locate(home, p, none);
-    if (flat ? is_taken(home, p, none) : is_at_corner(home, p, place, none)) return false;
+    const Cell_index place = flat ? no_cell : locate(positions, p, none);
+    if (flat ? is_taken(positions, p, none) : is_at_corner(positions, p, place, none)) return false;
     vertices_.insert(v);
     if (flat) {
-        home[at(v)] = p;
-        insert_flat(home, v);
+        positions[at(v)] = p;
+        insert_flat(positions, v);
         return true;
     }
     table_.set_vertex_bound(vertices_.bound());
-    attach(home, v, p, place, changed);
+    attach(positions, v, p, place, changed);
     return true;
 }
 
 /// There are no cells to change unless v spans the space with the others.
 template <int d>
-void Delaunay_mesh<d>::insert_flat(std::span<const Coordinates<d>> home, Index v) {
-    if (spans_more(home, home[at(v)])) {
-        if (dimension_ + 1 == d) return rebuild(home);
+void Delaunay_mesh<d>::insert_flat(std::span<const Coordinates<d>> positions, Index v) {
+    if (spans_more(positions, positions[at(v)])) {
+        if (dimension_ + 1 == d) return rebuild(positions);
         basis_.push_back(v);
         ++dimension_;
     }
@@ -197,47 +197,47 @@ void Delaunay_mesh<d>::insert_flat(std::span<const Coordinates<d>> home, Index v
 }
 
 template <int d>
-void Delaunay_mesh<d>::remove(std::span<const Coordinates<d>> home, Index v, std::vector<Cell_index>& changed) {
-    const bool detached = detach(home, v, changed);
+void Delaunay_mesh<d>::remove(std::span<const Coordinates<d>> positions, Index v, std::vector<Cell_index>& changed) {
+    const bool detached = detach(positions, v, changed);
     vertices_.erase(v);
     if (detached) return;
-    if (dimension_ == d) rebuild(home);
-    else if (std::find(basis_.begin(), basis_.end(), v) != basis_.end()) find_basis(home);
+    if (dimension_ == d) rebuild(positions);
+    else if (std::find(basis_.begin(), basis_.end(), v) != basis_.end()) find_basis(positions);
 }
 
 template <int d>
-bool Delaunay_mesh<d>::reinsert(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p,
+bool Delaunay_mesh<d>::reinsert(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p,
                                 std::vector<Cell_index>& changed) {
-    if (is_taken(home, p, v)) throw Error(Error_code::collision, "another vertex is at that position");
-    if (!detach(home, v, changed)) return false;
-    attach(home, v, p, locate(home, p, none), changed);
+    if (is_taken(positions, p, v)) throw Error(Error_code::collision, "another vertex is at that position");
+    if (!detach(positions, v, changed)) return false;
+    attach(positions, v, p, locate(positions, p, none), changed);
     keep_present(changed, 0);
     return true;
 }
 
 template <int d>
-Relocation Delaunay_mesh<d>::relocate(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) {
-    if (is_taken(home, p, v)) return Relocation::refused;
+Relocation Delaunay_mesh<d>::relocate(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p) {
+    if (is_taken(positions, p, v)) return Relocation::refused;
     std::vector<Cell_index> changed;
-    if (detach(home, v, changed)) {
-        attach(home, v, p, locate(home, p, none), changed);
+    if (detach(positions, v, changed)) {
+        attach(positions, v, p, locate(positions, p, none), changed);
     } else {
-        std::vector<Coordinates<d>> x(home.begin(), home.end());
+        std::vector<Coordinates<d>> x(positions.begin(), positions.end());
         x[at(v)] = p;
         rebuild(x);
-        home[at(v)] = p;
+        positions[at(v)] = p;
     }
     return Relocation::reinserted;
 }
 
 template <int d>
-Relocation Delaunay_mesh<d>::relocate_in_place(std::span<Coordinates<d>> home, Index v, const Coordinates<d>& p) {
+Relocation Delaunay_mesh<d>::relocate_in_place(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p) {
     if (dimension_ == d) {
-        const Coordinates<d> old = std::exchange(home[at(v)], p);
-        if (star_holds<d>(table_, home, v)) return Relocation::kept;
-        home[at(v)] = old;
+        const Coordinates<d> old = std::exchange(positions[at(v)], p);
+        if (star_holds<d>(table_, positions, v)) return Relocation::kept;
+        positions[at(v)] = old;
     }
-    return relocate(home, v, p);
+    return relocate(positions, v, p);
 }
 
 template class Delaunay_mesh<2>;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/kernel/cached_sphere.h>
 #include <annulus/kernel/default_init_vector.h>
 #include <annulus/kernel/integer_signs.h>
-#include <annulus/kernel/kept_sphere.h>
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ struct Growing_cells {
     struct Shape {
         std::array<Rank, corners> vertex;
         std::array<Half_facet, corners> across;
-        Kept_sphere<d> sphere;
+        Cached_sphere<d> sphere;
     };
     struct Shape_with_bound : Shape {
         float bound;

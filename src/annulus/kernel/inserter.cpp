@@ -50,11 +50,11 @@ bool Inserter<d>::insert(Rank v) {
 }
 
 template <int d>
-auto Inserter<d>::insert_at_home(Rank v) -> Outcome {
+auto Inserter<d>::insert_in_partition(Rank v) -> Outcome {
     return insert_in<true>(v);
 }
 
-/// Beyond a cell at infinity the territory may end.
+/// Beyond a cell at infinity the partition may end.
 template <int d>
 void Inserter<d>::leave_infinity() {
     for (std::size_t f = cavity_.border_size; f-- > 0;) {
@@ -64,12 +64,12 @@ void Inserter<d>::leave_infinity() {
 }
 
 template <int d>
-void Inserter<d>::settle(const Territory& home, const Inserter& from) {
+void Inserter<d>::start_in(const Thread_partition& partition, const Inserter& from) {
     cells_ = from.cells_;
-    home_ = home;
+    partition_ = partition;
     free_.clear();
     last_ = from.last_;
-    ridges_.begin(d == 3 ? static_cast<std::size_t>(cells_->infinity) + 1 : 0);
+    cavity_edges_.begin(d == 3 ? static_cast<std::size_t>(cells_->infinity) + 1 : 0);
 }
 
 template <int d>
@@ -78,7 +78,7 @@ auto Inserter<d>::start_near(Rank v) -> Cell {
     if (c == Cells::no_cell) return c;
     last_ = c;
     const auto& cell = cells_->cells[c];
-    return cells_->slot_of_infinity(cell) < 0 && home_.has(c) ? c : Cells::no_cell;
+    return cells_->slot_of_infinity(cell) < 0 && partition_.has(c) ? c : Cells::no_cell;
 }
 
 template <int d>
@@ -92,7 +92,7 @@ auto Inserter<d>::locate(const Coordinates<d>& q, Cell start) -> Cell {
     std::uint32_t from = corners;  // the slot across which it came
     for (std::uint32_t steps = 0;; ++steps) {
         const auto& cell = g.cells[c];
-        if (shared && !home_.has(c)) return Cells::no_cell;
+        if (shared && !partition_.has(c)) return Cells::no_cell;
         // Where the vertex is postponed the next walk goes on from here, not from where the last one was inserted.
         if (shared && g.slot_of_infinity(cell) < 0) last_ = c;
         // Most walks end here, and those that leave the hull where they are strictly beyond a facet of it.
@@ -190,11 +190,11 @@ bool Inserter<d>::take_cells() {
 template <int d>
 bool Inserter<d>::claim_block() {
     constexpr std::size_t block = 1024;
-    const std::size_t first = home_.unused->fetch_add(block, std::memory_order_relaxed);
+    const std::size_t first = partition_.unused->fetch_add(block, std::memory_order_relaxed);
     const std::size_t last = std::min(first + block, cells_->room());
     for (std::size_t c = last; c-- > first;) {
         cells_->bound(static_cast<Cell>(c)) = -1;
-        home_.owner[c] = home_.own;
+        partition_.owner[c] = partition_.own;
         free_.push_back(static_cast<Cell>(c));
     }
     return first < last;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/kernel/cavity_edges.h>
 #include <annulus/kernel/growing_cells.h>
-#include <annulus/kernel/ridges.h>
-#include <annulus/kernel/territory.h>
+#include <annulus/kernel/thread_partition.h>
 
 #include <array>
 #include <cstddef>
@@ -24,8 +24,8 @@ class alignas(128) Inserter {
     enum class Outcome {
         inserted,
         taken,      ///< a vertex is there
-        lost,       ///< the walk left the territory
-        postponed,  ///< the cells to replace are not all in the territory
+        lost,       ///< the walk left the partition
+        postponed,  ///< the cells to replace are not all in the partition
     };
 
     /// Before the first vertex of a triangulation.
@@ -33,25 +33,25 @@ class alignas(128) Inserter {
         cells_ = &cells;
         free_.clear();
         last_ = 0;
-        ridges_.begin(d == 3 ? static_cast<std::size_t>(cells.infinity) + 1 : 0);
+        cavity_edges_.begin(d == 3 ? static_cast<std::size_t>(cells.infinity) + 1 : 0);
     }
     /// Inserts v. False where a vertex is there, which blocker() names. Throws Error(too_large), bad_alloc.
     [[nodiscard]] bool insert(Rank v);
     [[nodiscard]] Rank blocker() const { return blocker_; }
     [[nodiscard]] Cells& cells() const { return *cells_; }
 
-    /// Goes on with another's triangulation, within a territory.
-    void settle(const Territory& home, const Inserter& from);
-    /// After that, while no thread changes a cell: a finite cell of the territory near v, or no_cell. Searches go on
+    /// Goes on with another's triangulation, within a partition.
+    void start_in(const Thread_partition& partition, const Inserter& from);
+    /// After that, while no thread changes a cell: a finite cell of the partition near v, or no_cell. Searches go on
     /// from one another.
     [[nodiscard]] Cell start_near(Rank v);
-    /// Where the next walk begins: at a cell that start_near() gave. What was a cell of the territory is one still, or
+    /// Where the next walk begins: at a cell that start_near() gave. What was a cell of the partition is one still, or
     /// free; then nothing is done.
     void start_at(Cell c) {
         if (cells_->is_cell(c)) last_ = c;
     }
     /// Inserts v; with nothing changed but where the next walk begins where that fails.
-    [[nodiscard]] Outcome insert_at_home(Rank v);
+    [[nodiscard]] Outcome insert_in_partition(Rank v);
     /// Takes over from another, that has settled: its free cells, and where it was last.
     void go_on_from(Inserter& other) {
         free_.insert(free_.end(), other.free_.begin(), other.free_.end());
@@ -65,7 +65,7 @@ class alignas(128) Inserter {
     struct Facet {
         std::array<Rank, static_cast<std::size_t>(d)> vertex;
         Half_facet beyond;
-        std::array<std::uint32_t, static_cast<std::size_t>(d)> number;  // of its vertices (Ridges)
+        std::array<std::uint32_t, static_cast<std::size_t>(d)> number;  // of its vertices (Cavity_edges)
     };
     /// Buffers of one insertion.
     struct Cavity {
@@ -79,12 +79,12 @@ class alignas(128) Inserter {
     template <bool shared>
     [[nodiscard]] Outcome insert_in(Rank v);
     /// A cell whose sphere holds q, found from `start`; no_cell where a vertex is at q, then blocker_, or where the
-    /// walk would leave the territory, then infinity.
+    /// walk would leave the partition, then infinity.
     template <bool shared>
     [[nodiscard]] Cell locate(const Coordinates<d>& q, Cell start);
     /// Whether the sphere of c holds vertex v, by the exact stage and the perturbation.
     [[nodiscard]] bool holds_exactly(Cell c, Rank v) const;
-    /// False where it leaves the territory; then nothing has changed.
+    /// False where it leaves the partition; then nothing has changed.
     template <bool shared>
     [[nodiscard]] bool find_cavity(Rank v, Cell first);
     /// Takes the marks of the cells of the cavity back.
@@ -100,8 +100,8 @@ class alignas(128) Inserter {
     std::vector<Cell> free_;
     Cell last_ = 0;
     Cavity cavity_;
-    Ridges ridges_;
-    Territory home_;
+    Cavity_edges cavity_edges_;
+    Thread_partition partition_;
     Rank blocker_ = 0;
 };
 

@@ -30,7 +30,7 @@ bool Inserter<3>::find_cavity(Rank v, Cell first) {
     if (cavity.border.size() < room) cavity.border.resize(64);
     std::size_t cells = 1, facets = 0;
     bool abroad = false;
-    float elsewhere;  // of another territory nothing is written
+    float elsewhere;  // of another partition nothing is written
     const auto look = [&](Half_facet h) {
         const Half_facet t = g.cells[h >> 2].across[h & 3U];
         const Cell c = t >> 2;
@@ -40,7 +40,7 @@ bool Inserter<3>::find_cavity(Rank v, Cell first) {
         const bool met = std::signbit(constant);
         if (!value.certain() && !met) [[unlikely]]
             holds = holds_exactly(c, v);
-        const bool own = !shared || home_.has(c), comes = holds && !met && own;
+        const bool own = !shared || partition_.has(c), comes = holds && !met && own;
         abroad = abroad || (holds && !own);
         cavity.entered[cells] = t;
         cells += std::size_t{comes};
@@ -88,7 +88,7 @@ bool Inserter<2>::find_cavity(Rank v, Cell first) {
         const Cell c = t >> 2;
         const auto value = g.cells[c].sphere.at(Lifted<d>(q, g.at(g.cells[c].vertex[0])).from, g.bound(c));
         if (value.certain() ? value.inside() : holds_exactly(c, v)) {
-            if (shared && !home_.has(c)) return false;
+            if (shared && !partition_.has(c)) return false;
             crossing[waiting++] = (t & ~3U) | next_slot<d>(t & 3U, 2);
             crossing[waiting++] = (t & ~3U) | next_slot<d>(t & 3U, 1);
             cells[found++] = c;

@@ -2,7 +2,7 @@
 // Inserter: new cells in the place of a cavity.
 #include <annulus/kernel/inserter.h>
 
-#include <annulus/kernel/kept_spheres.h>
+#include <annulus/kernel/cached_spheres.h>
 
 #include <span>
 #include <tuple>
@@ -19,7 +19,7 @@ void Inserter<3>::read_border() {
     constexpr int d = 3;
     Cavity& cavity = cavity_;
     if (cavity.facets.size() < cavity.border_size) cavity.facets.resize(2 * cavity.border_size);
-    ridges_.with_numbers([&](auto number) {
+    cavity_edges_.with_numbers([&](auto number) {
         for (std::size_t f = 0; f < cavity.border_size; ++f) {
             const Half_facet h = cavity.border[f];
             const auto& cell = cells_->cells[h >> 2];
@@ -37,7 +37,7 @@ void Inserter<3>::fill(Rank v) {
     Cells& g = *cells_;
     const std::span<const Facet> facets(cavity_.facets.data(), cavity_.border_size);
     const Cell* const cells = cavity_.cells.data();
-    ridges_.with_edges(facets.size(), [&](auto edge) {
+    cavity_edges_.with_edges(facets.size(), [&](auto edge) {
         for (std::size_t f = 0; f < facets.size(); ++f) {
             const Facet& facet = facets[f];
             const auto& [a, b, c] = facet.number;
@@ -59,11 +59,11 @@ void Inserter<3>::fill(Rank v) {
         }
     });
     const std::span<const Cell> made(cells, facets.size());
-    if (!ridges_.has_met(g.infinity)) return kept_spheres(g, made);
+    if (!cavity_edges_.has_met(g.infinity)) return cached_spheres(g, made);
     const Coordinates<3>& p = g.at(v);
     for (std::size_t f = 0; f < facets.size(); ++f)
-        g.cells[cells[f]].sphere =
-            std::apply([&](auto... w) { return kept_sphere(g.lifted(w, p)..., g.bound(cells[f])); }, facets[f].vertex);
+        g.cells[cells[f]].sphere = std::apply(
+            [&](auto... w) { return cached_sphere(g.lifted(w, p)..., g.bound(cells[f])); }, facets[f].vertex);
 }
 
 /// The facets of the border follow one another, and so do the new cells.
@@ -92,7 +92,7 @@ void Inserter<2>::fill(Rank v) {
         cell.across = {beyond, 4 * after + 2, 4 * before + 1};
         g.cells[beyond >> 2].across[beyond & 3U] = 4 * c;
         const Lifted<d> b = g.lifted(facets[f + 1].vertex[0], p);
-        cell.sphere = kept_sphere(a, b, cell.bound);
+        cell.sphere = cached_sphere(a, b, cell.bound);
         a = b;
         before = c;
     }

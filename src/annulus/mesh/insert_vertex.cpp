@@ -59,7 +59,7 @@ class Conflicts {
 };
 
 /// Finds neighbours among the cells {v, facet of the border}: two of them share a facet where their facets share a
-/// ridge, of d - 1 corners. (kernel/ridges.h does so for numbers of vertices in the order of a border.)
+/// ridge, of d - 1 corners. (kernel/cavity_edges.h does so for numbers of vertices in the order of a border.)
 template <int d>
 class Ridge_pairs {
   public:

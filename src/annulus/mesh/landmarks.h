@@ -23,17 +23,17 @@ namespace annulus {
 template <int d>
 class Landmarks {
   public:
-    /// Of `own`, or none, the vertex of the last walk, and some landmarks around p, all of which lives() has to
+    /// Of `own`, or none, the vertex of the last walk, and some landmarks around p, all of which is_present() has to
     /// confirm, the nearest; `none` when none of them lives. Vertices are those below `bound` with lives(v), x their
     /// positions. O(log n), beside what is said above.
-    template <class Lives>
+    template <class Is_present>
     [[nodiscard]] Index near(std::span<const Coordinates<d>> x, std::size_t bound, const Coordinates<d>& p, Index own,
-                             Lives lives) {
-        if (excess_ > few + 2 * tree_.size()) renew(x, bound, lives);
+                             Is_present is_present) {
+        if (excess_ > few + 2 * tree_.size()) renew(x, bound, is_present);
         Index best = none;
         double least = std::numeric_limits<double>::infinity();
         const auto look = [&](Index v) {
-            if (v == none || static_cast<std::size_t>(v) >= bound || !lives(v)) return;
+            if (v == none || static_cast<std::size_t>(v) >= bound || !is_present(v)) return;
             const double far = distance(x[static_cast<std::size_t>(v)], p);
             if (best != none && !(far < least)) return;
             best = v;
@@ -100,8 +100,8 @@ class Landmarks {
     }
 
     /// One vertex of each of as many runs of indices, drawn, since indices may have an order that places know of.
-    template <class Lives>
-    void renew(std::span<const Coordinates<d>> x, std::size_t bound, Lives lives) {
+    template <class Is_present>
+    void renew(std::span<const Coordinates<d>> x, std::size_t bound, Is_present is_present) {
         const std::size_t count = std::min(bound / share + 1, excess_);
         excess_ = 0;
         tree_.clear();
@@ -113,7 +113,7 @@ class Landmarks {
             const std::size_t run = k * bound / count;
             const std::size_t length = (k + 1) * bound / count - run;
             const std::size_t v = run + (length > 0 ? (random >> 33) % length : 0);
-            if (v < bound && lives(static_cast<Index>(v))) tree_.push_back({x[v], static_cast<Index>(v)});
+            if (v < bound && is_present(static_cast<Index>(v))) tree_.push_back({x[v], static_cast<Index>(v)});
         }
         split_.resize(tree_.size());
         divide(0, tree_.size());

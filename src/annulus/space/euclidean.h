@@ -19,7 +19,7 @@ struct Euclidean {
     /// p - q, of two places: certificates, kernel, engine and statistics take differences from here. A place is
     /// whatever gives a coordinate for [c], of any type that `minus` takes: doubles, lanes of them, integers.
     /// Elsewhere stand how far one vertex moved, the audit, which shares no code with what it judges, and
-    /// kept_spheres.cpp, in lanes of one vertex.
+    /// cached_spheres.cpp, in lanes of one vertex.
     template <class P, class Minus = std::minus<>>
     [[nodiscard]] static constexpr auto difference(const P& p, const P& q, Minus minus = {}) {
         using T = std::decay_t<decltype(minus(p[0], q[0]))>;

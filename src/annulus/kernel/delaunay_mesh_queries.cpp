@@ -10,7 +10,7 @@
 namespace annulus {
 
 template <int d>
-void Delaunay_mesh<d>::list_cells(std::span<const Coordinates<d>> home, std::vector<Index>& vertices) const {
+void Delaunay_mesh<d>::list_cells(std::span<const Coordinates<d>> positions, std::vector<Index>& vertices) const {
     if (dimension_ == d) {
         for (const Cell_index c : table_.finite_cells()) {
             const auto v = cell_vertices(table_, c);
@@ -18,7 +18,7 @@ void Delaunay_mesh<d>::list_cells(std::span<const Coordinates<d>> home, std::vec
         }
         return;
     }
-    for (const auto& v : flat_cells(home).vertices) {
+    for (const auto& v : flat_cells(positions).vertices) {
         if (std::find(v.begin(), v.end(), infinite) != v.end()) continue;
         vertices.insert(vertices.end(), v.begin(), v.end());
         if constexpr (d == 3) vertices.push_back(none);
@@ -26,8 +26,8 @@ void Delaunay_mesh<d>::list_cells(std::span<const Coordinates<d>> home, std::vec
 }
 
 template <int d>
-void Delaunay_mesh<d>::list_all_cells(std::span<const Coordinates<d>> home, std::vector<Index>& vertices) const {
-    if (dimension_ != d) return list_cells(home, vertices);
+void Delaunay_mesh<d>::list_all_cells(std::span<const Coordinates<d>> positions, std::vector<Index>& vertices) const {
+    if (dimension_ != d) return list_cells(positions, vertices);
     for (const Cell_index c : table_.cells()) {
         const auto v = cell_vertices(table_, c);
         vertices.insert(vertices.end(), v.begin(), v.end());
@@ -35,26 +35,26 @@ void Delaunay_mesh<d>::list_all_cells(std::span<const Coordinates<d>> home, std:
 }
 
 template <int d>
-Mesh_cells<d> Delaunay_mesh<d>::cells(std::span<const Coordinates<d>> home, std::size_t bound) const {
+Mesh_cells<d> Delaunay_mesh<d>::cells(std::span<const Coordinates<d>> positions, std::size_t bound) const {
     if (dimension_ == d) return mesh_cells(table_);
     std::vector<Index> corners;
-    list_cells(home, corners);
+    list_cells(positions, corners);
     return mesh_cells<d>(corners, bound);
 }
 
 template <int d>
-double Delaunay_mesh<d>::star_tolerance(std::span<const Coordinates<d>> home, Index v) const {
-    return annulus::star_tolerance<d>(table_, home, v);
+double Delaunay_mesh<d>::star_tolerance(std::span<const Coordinates<d>> positions, Index v) const {
+    return annulus::star_tolerance<d>(table_, positions, v);
 }
 
 template <int d>
-double Delaunay_mesh<d>::theta(std::span<const Coordinates<d>> home, Index v) const {
-    return dimension_ == d ? star_theta<d>(table_, home, v) : 1.5707963267948966;
+double Delaunay_mesh<d>::theta(std::span<const Coordinates<d>> positions, Index v) const {
+    return dimension_ == d ? star_theta<d>(table_, positions, v) : 1.5707963267948966;
 }
 
 template <int d>
-Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>> home) const {
-    if (dimension_ == d) return annulus::measure<d>(table_, home);
+Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>> positions) const {
+    if (dimension_ == d) return annulus::measure<d>(table_, positions);
     Measures m;
     m.tolerance.assign(vertices_.bound(), std::numeric_limits<double>::infinity());
     return m;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Forward errors of the two terms of the in-circle determinant of src/annulus/kernel/kept_sphere.h, for its order of
+# Forward errors of the two terms of the in-circle determinant of src/annulus/kernel/cached_sphere.h, for its order of
 # operations.
 # Model and notation are those of certificates_2.g.
 @mul = mul_rel<53>;
@@ -30,6 +30,6 @@ Elinear_term = Ewx * Enx + Ewy * Eny;
   /\ |ux - Eux| <= 1b-53 /\ |uy - Euy| <= 1b-53 /\ |vx - Evx| <= 1b-53 /\ |vy - Evy| <= 1b-53
   /\ |wx - Ewx| <= 1b-53 /\ |wy - Ewy| <= 1b-53
 ->
-     |square_term - Esquare_term| <= 37b-53    # bounds: kept_sphere_2_square, refused at 35
-  /\ |linear_term - Elinear_term| <= 81b-53    # bounds: kept_sphere_2_linear, refused at 79
+     |square_term - Esquare_term| <= 37b-53    # bounds: cached_sphere_2_square, refused at 35
+  /\ |linear_term - Elinear_term| <= 81b-53    # bounds: cached_sphere_2_linear, refused at 79
 }

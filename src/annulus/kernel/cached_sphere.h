@@ -26,19 +26,20 @@ namespace annulus {
 ///
 /// N and D are divided by t^d, t the power of two above the largest coordinate m of the corners, so that bounds and
 /// values of large and small cells are alike. Error, for R = |q - p| and coordinates of q - p up to r <= R: of the two
-/// terms at most s u m^d r^2 and l u m^(d+1) r (bounds::kept_sphere_d_square, _linear; proofs/gappa/kept_sphere_d.g),
-/// and of their difference u times their sum, at most a m^d r^2 + b m^(d+1) r (a = 4, b = 8 in 2D, 18 and 54 in 3D: the
-/// largest values of the terms). With 2 r m <= r^2 + m^2 and m < t that is at most unit (R^2 + t^2) for a unit of s + a
-/// + (l + b) / 2 times u, and of more: the rest covers the rounding of R^2 and of the bound itself. It holds for t
-/// between 2^-200 and 2^60; `bound` is infinite outside, and at least 2^-120, which covers what underflows. Round to
-/// nearest.
+/// terms at most s u m^d r^2 and l u m^(d+1) r (bounds::cached_sphere_d_square, _linear;
+/// proofs/gappa/cached_sphere_d.g), and of their difference u times their sum, at most a m^d r^2 + b m^(d+1) r (a = 4,
+/// b = 8 in 2D, 18 and 54 in 3D: the largest values of the terms). With 2 r m <= r^2 + m^2 and m < t that is at most
+/// unit (R^2 + t^2) for a unit of s + a + (l + b) / 2 times u, and of more: the rest covers the rounding of R^2 and of
+/// the bound itself. It holds for t between 2^-200 and 2^60; `bound` is infinite outside, and at least 2^-120, which
+/// covers what underflows. Round to nearest.
 template <int d>
-struct Kept_sphere {
+struct Cached_sphere {
     static constexpr double units = d == 3 ? 1024 : 128;
     static constexpr double unit = units * bounds::u;
     static constexpr float least_bound = 0x1p-120F;
-    static_assert(d == 2 ? (bounds::kept_sphere_2_square + 5) + (bounds::kept_sphere_2_linear + 9) / 2 < 0.9 * units
-                         : (bounds::kept_sphere_3_square + 19) + (bounds::kept_sphere_3_linear + 55) / 2 < 0.9 * units);
+    static_assert(d == 2 ? (bounds::cached_sphere_2_square + 5) + (bounds::cached_sphere_2_linear + 9) / 2 < 0.9 * units
+                         : (bounds::cached_sphere_3_square + 19) + (bounds::cached_sphere_3_linear + 55) / 2 <
+                               0.9 * units);
 
     std::array<double, static_cast<std::size_t>(d)> normal;
     double determinant;
@@ -93,13 +94,14 @@ template <int d>
     const double power = std::bit_cast<double>(t), inverse = std::bit_cast<double>((2046ULL << 52) - t);
     if (!(m >= 0x1p-200 && m <= 0x1p60)) [[unlikely]]
         return {1.0, std::numeric_limits<float>::infinity()};
-    return {inverse, std::max(static_cast<float>(Kept_sphere<d>::unit * (power * power)), Kept_sphere<d>::least_bound)};
+    return {inverse,
+            std::max(static_cast<float>(Cached_sphere<d>::unit * (power * power)), Cached_sphere<d>::least_bound)};
 }
 
 }  // namespace detail
 
 /// The sphere of a positive cell p, a, b (, c), one of which but p may be infinity; `bound` receives its constant.
-[[nodiscard]] inline Kept_sphere<2> kept_sphere(Lifted<2> a, Lifted<2> b, float& bound) {
+[[nodiscard]] inline Cached_sphere<2> cached_sphere(Lifted<2> a, Lifted<2> b, float& bound) {
     const double m = std::max(a.magnitude(), b.magnitude());
     if (a.square < 0) a.square = m * m;
     if (b.square < 0) b.square = m * m;
@@ -110,7 +112,7 @@ template <int d>
         {(a.square * b.from[1] - b.square * a.from[1]) * scale, (b.square * a.from[0] - a.square * b.from[0]) * scale},
         (a.from[0] * b.from[1] - a.from[1] * b.from[0]) * scale};
 }
-[[nodiscard]] inline Kept_sphere<3> kept_sphere(Lifted<3> a, Lifted<3> b, Lifted<3> c, float& bound) {
+[[nodiscard]] inline Cached_sphere<3> cached_sphere(Lifted<3> a, Lifted<3> b, Lifted<3> c, float& bound) {
     const double m = std::max(a.magnitude(), std::max(b.magnitude(), c.magnitude()));
     if (a.square < 0) a.square = m * m;
     if (b.square < 0) b.square = m * m;
@@ -123,7 +125,7 @@ template <int d>
                           l.from[0] * r.from[1] - l.from[1] * r.from[0]};
     };
     const auto bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
-    Kept_sphere<3> s;
+    Cached_sphere<3> s;
     for (std::size_t k = 0; k < 3; ++k)
         s.normal[k] = ((a.square * bc[k] + b.square * ca[k]) + c.square * ab[k]) * scale;
     s.determinant = ((a.from[0] * bc[0] + a.from[1] * bc[1]) + a.from[2] * bc[2]) * scale;

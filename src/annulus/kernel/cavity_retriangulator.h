@@ -22,12 +22,12 @@ class Builder;
 /// triangulation there, since then the border consists of facets of it (docs/theory.md 6.5). Nothing is trusted: the
 /// caller looks at what came.
 template <int d>
-class Local_delaunay {
+class Cavity_retriangulator {
   public:
-    explicit Local_delaunay(Corner_table<d>& table);
-    ~Local_delaunay();
-    Local_delaunay(const Local_delaunay&) = delete;
-    Local_delaunay& operator=(const Local_delaunay&) = delete;
+    explicit Cavity_retriangulator(Corner_table<d>& table);
+    ~Cavity_retriangulator();
+    Cavity_retriangulator(const Cavity_retriangulator&) = delete;
+    Cavity_retriangulator& operator=(const Cavity_retriangulator&) = delete;
 
     /// Builds anew around these cells, at positions x; cells that touch are one region. `touched` receives what went
     /// and what came. False when that takes more than `most` points to triangulate, the same ones again where a
@@ -68,12 +68,12 @@ class Local_delaunay {
         std::vector<Fresh_neighbours<d>> neighbours;
     };
 
-    [[nodiscard]] bool rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region,
+    [[nodiscard]] bool rebuild_cavity(std::span<const Coordinates<d>> x, std::vector<Cell_index>& cavity,
                                       std::size_t most, std::vector<Cell_index>& touched);
     [[nodiscard]] bool triangulate(std::span<const Coordinates<d>> x);
     /// The Delaunay cells behind the border, in filled_. False when the border is not in them; `beyond` receives the
     /// cells that join.
-    [[nodiscard]] bool fill(std::span<const Cell_index> region, std::vector<Cell_index>& beyond);
+    [[nodiscard]] bool fill(std::span<const Cell_index> cavity, std::vector<Cell_index>& beyond);
     /// Notes with the small cells which of their facets are of the border. By facet of that, the small cell inside, or
     /// `nothing`.
     [[nodiscard]] std::vector<std::uint32_t> match_border();
@@ -92,10 +92,10 @@ class Local_delaunay {
     Region region_;
     std::vector<Small_cell> small_;  // by number; some have no cell
     Border_facets<d> border_;        // seen from inside
-    Filled filled_;
+    Filled new_cells_;
 };
 
-extern template class Local_delaunay<2>;
-extern template class Local_delaunay<3>;
+extern template class Cavity_retriangulator<2>;
+extern template class Cavity_retriangulator<3>;
 
 }  // namespace annulus

@@ -8,8 +8,8 @@
 
 namespace annulus {
 
-/// The spheres of these cells, none of which is at infinity, and their bounds: kept_sphere of each. Four at a time
+/// The spheres of these cells, none of which is at infinity, and their bounds: cached_sphere of each. Four at a time
 /// where the processor can (AVX2), with the same operations, so that not a bit depends on it.
-void kept_spheres(Growing_cells<3>& cells, std::span<const std::uint32_t> made);
+void cached_spheres(Growing_cells<3>& cells, std::span<const std::uint32_t> made);
 
 }  // namespace annulus

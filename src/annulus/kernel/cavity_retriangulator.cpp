@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/kernel/local_delaunay.h>
+#include <annulus/kernel/cavity_retriangulator.h>
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/kernel/builder.h>
@@ -15,12 +15,12 @@ constexpr std::uint32_t nothing = ~std::uint32_t{0};
 constexpr std::size_t many = 1U << 14;  // points: memory for so many is not kept
 
 /// A vertex that is named for the length of a call, however that ends.
-class Named {
+class Set_for_call {
   public:
-    Named(Index& name, Index v) : name_(name) { name_ = v; }
-    ~Named() { name_ = none; }
-    Named(const Named&) = delete;
-    Named& operator=(const Named&) = delete;
+    Set_for_call(Index& name, Index v) : name_(name) { name_ = v; }
+    ~Set_for_call() { name_ = none; }
+    Set_for_call(const Set_for_call&) = delete;
+    Set_for_call& operator=(const Set_for_call&) = delete;
 
   private:
     Index& name_;
@@ -28,38 +28,39 @@ class Named {
 }  // namespace
 
 template <int d>
-Local_delaunay<d>::Local_delaunay(Corner_table<d>& table) : table_(table), builder_(std::make_unique<Builder<d>>()) {}
+Cavity_retriangulator<d>::Cavity_retriangulator(Corner_table<d>& table)
+    : table_(table), builder_(std::make_unique<Builder<d>>()) {}
 
 template <int d>
-Local_delaunay<d>::~Local_delaunay() = default;
+Cavity_retriangulator<d>::~Cavity_retriangulator() = default;
 
 template <int d>
-bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, std::size_t most,
-                                std::vector<Cell_index>& touched) {
+bool Cavity_retriangulator<d>::rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells,
+                                       std::size_t most, std::vector<Cell_index>& touched) {
     points_ = 0;
     for (const Cell_index c : marks_.cells) marks_.of[c] = 0;  // those of a call that threw or gave up
     grow(marks_.of, table_.cell_bound());                      // there may be fewer
     marks_.cells.clear();
     for (const Cell_index c : cells) mark(c, 1);
-    std::vector<Cell_index> region;
+    std::vector<Cell_index> cavity;
     for (const Cell_index first : cells) {
         // Cells that were marked and are still there have not been met in an earlier region.
         if (!marks_.of.has(first) || marks_.of[first] != 1 || !table_.is_cell(first)) continue;
-        region.assign(1, first);
+        cavity.assign(1, first);
         mark(first, 2);
-        for (std::size_t k = 0; k < region.size(); ++k)
+        for (std::size_t k = 0; k < cavity.size(); ++k)
             for (int i = 0; i <= d; ++i) {
-                const Cell_index n = table_.cell_of(table_.twin(table_.corner(region[k], i)));
+                const Cell_index n = table_.cell_of(table_.twin(table_.corner(cavity[k], i)));
                 if (marks_.of[n] != 1) continue;
                 mark(n, 2);
-                region.push_back(n);
+                cavity.push_back(n);
             }
-        const bool built = rebuild_region(x, region, most, touched);
+        const bool built = rebuild_cavity(x, cavity, most, touched);
         if (points_ > many) {
             builder_->release();
             small_ = {};
             border_ = {};
-            filled_ = {};
+            new_cells_ = {};
         }
         if (!built) return false;
         grow(marks_.of, table_.cell_bound());
@@ -69,13 +70,13 @@ bool Local_delaunay<d>::rebuild(std::span<const Coordinates<d>> x, std::span<con
 
 /// marks_.of is 2 in the region.
 template <int d>
-bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::vector<Cell_index>& region,
-                                       std::size_t most, std::vector<Cell_index>& touched) {
+bool Cavity_retriangulator<d>::rebuild_cavity(std::span<const Coordinates<d>> x, std::vector<Cell_index>& cavity,
+                                              std::size_t most, std::vector<Cell_index>& touched) {
     std::vector<Cell_index> beyond;
     for (int round = 0; round < most_rounds; ++round) {
         region_.vertices.clear();
         region_.at_infinity = false;
-        for (const Cell_index c : region)
+        for (const Cell_index c : cavity)
             for (const Index v : cell_vertices(table_, c))
                 if (v != infinite) region_.vertices.push_back(v);
                 else region_.at_infinity = true;
@@ -84,38 +85,38 @@ bool Local_delaunay<d>::rebuild_region(std::span<const Coordinates<d>> x, std::v
         if (points_ + region_.vertices.size() > most) return false;
         points_ += region_.vertices.size();
         beyond.clear();
-        if (triangulate(x) && fill(region, beyond)) {
+        if (triangulate(x) && fill(cavity, beyond)) {
             std::vector<Cell_index> made;
-            replace_cells<d>(table_, region, filled_.sites, filled_.neighbours, made);
-            for (const Cell_index c : region) marks_.of[c] = 0;
-            touched.insert(touched.end(), region.begin(), region.end());
+            replace_cells<d>(table_, cavity, new_cells_.sites, new_cells_.neighbours, made);
+            for (const Cell_index c : cavity) marks_.of[c] = 0;
+            touched.insert(touched.end(), cavity.begin(), cavity.end());
             touched.insert(touched.end(), made.begin(), made.end());
             return true;
         }
         if (beyond.empty())  // a layer
-            for (const Cell_index c : region)
+            for (const Cell_index c : cavity)
                 for (int i = 0; i <= d; ++i) beyond.push_back(table_.cell_of(table_.twin(table_.corner(c, i))));
-        const std::size_t before = region.size();
+        const std::size_t before = cavity.size();
         for (const Cell_index c : beyond) {
             if (marks_.of[c] == 2) continue;
             mark(c, 2);
-            region.push_back(c);
+            cavity.push_back(c);
         }
-        if (region.size() == before) return false;  // it is everything
+        if (cavity.size() == before) return false;  // it is everything
     }
     return false;
 }
 
 template <int d>
-bool Local_delaunay<d>::remove(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
-                               std::size_t most, std::vector<Cell_index>& touched) {
-    const Named named(region_.without, v);
+bool Cavity_retriangulator<d>::remove(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, Index v,
+                                      std::size_t most, std::vector<Cell_index>& touched) {
+    const Set_for_call named(region_.without, v);
     return rebuild(x, cells, most, touched);
 }
 
 /// False when the vertices are flat, or two of them are at one place.
 template <int d>
-bool Local_delaunay<d>::triangulate(std::span<const Coordinates<d>> x) {
+bool Cavity_retriangulator<d>::triangulate(std::span<const Coordinates<d>> x) {
     try {
         if (!builder_->build(x, region_.vertices)) return false;
     } catch (const Error& e) {
@@ -130,7 +131,7 @@ bool Local_delaunay<d>::triangulate(std::span<const Coordinates<d>> x) {
 }
 
 template <int d>
-std::vector<std::uint32_t> Local_delaunay<d>::match_border() {
+std::vector<std::uint32_t> Cavity_retriangulator<d>::match_border() {
     std::vector<std::uint32_t> inside(border_.size(), nothing);
     builder_->for_each_cell([&](std::uint32_t number, const Sites& sites, const auto&) {
         for (int i = 0; i <= d; ++i) {
@@ -147,10 +148,10 @@ std::vector<std::uint32_t> Local_delaunay<d>::match_border() {
 }
 
 template <int d>
-bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cell_index>& beyond) {
+bool Cavity_retriangulator<d>::fill(std::span<const Cell_index> cavity, std::vector<Cell_index>& beyond) {
     const auto cell_beyond = [this](std::size_t k) { return table_.cell_of(border_[k].beyond); };
     border_.clear();
-    for (const Cell_index c : region) {
+    for (const Cell_index c : cavity) {
         const Sites sites = cell_sites(table_, c);
         for (int i = 0; i <= d; ++i) {
             const Corner_index twin = table_.twin(table_.corner(c, i));
@@ -162,7 +163,7 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
         twice.push_back(cell_beyond(k));
         twice.push_back(cell_beyond(j));
     });
-    filled_.cells.clear();
+    new_cells_.cells.clear();
     const std::vector<std::uint32_t> inside = match_border();
     for (std::size_t k = 0; k < border_.size(); ++k)
         if (inside[k] == nothing) beyond.push_back(cell_beyond(k));
@@ -171,8 +172,8 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
     if (!beyond.empty()) return false;
     if (border_.size() == 0)  // the region is everything
         builder_->for_each_cell([this](std::uint32_t number, const auto&, const auto&) { enter(number); });
-    for (std::size_t k = 0; k < filled_.cells.size(); ++k) {
-        const Small_cell& c = small_[filled_.cells[k]];
+    for (std::size_t k = 0; k < new_cells_.cells.size(); ++k) {
+        const Small_cell& c = small_[new_cells_.cells[k]];
         for (std::size_t i = 0; i <= d; ++i) {
             if (c.inside[i] != 0) continue;
             if (c.outside[i] != 0) {  // from outside: the border folds
@@ -187,20 +188,20 @@ bool Local_delaunay<d>::fill(std::span<const Cell_index> region, std::vector<Cel
 }
 
 template <int d>
-void Local_delaunay<d>::enter(std::uint32_t small) {
+void Cavity_retriangulator<d>::enter(std::uint32_t small) {
     if (small_[small].place != 0) return;
-    filled_.cells.push_back(small);
-    small_[small].place = static_cast<std::uint32_t>(filled_.cells.size());
+    new_cells_.cells.push_back(small);
+    small_[small].place = static_cast<std::uint32_t>(new_cells_.cells.size());
 }
 
 template <int d>
-void Local_delaunay<d>::link_filled() {
-    filled_.sites.clear();
-    filled_.neighbours.clear();
-    for (const std::uint32_t small : filled_.cells) {
+void Cavity_retriangulator<d>::link_filled() {
+    new_cells_.sites.clear();
+    new_cells_.neighbours.clear();
+    for (const std::uint32_t small : new_cells_.cells) {
         const Small_cell& c = small_[small];
-        filled_.sites.push_back(c.sites);
-        auto& n = filled_.neighbours.emplace_back();
+        new_cells_.sites.push_back(c.sites);
+        auto& n = new_cells_.neighbours.emplace_back();
         for (std::size_t i = 0; i <= d; ++i)
             n[i] = c.inside[i] != 0
                        ? Fresh_neighbour{0, border_[c.inside[i] - 1].beyond}
@@ -209,10 +210,10 @@ void Local_delaunay<d>::link_filled() {
 }
 
 template <int d>
-bool Local_delaunay<d>::has_every_vertex() const {
+bool Cavity_retriangulator<d>::has_every_vertex() const {
     std::vector<Index> found;
     bool at_infinity = false;
-    for (const Sites& x : filled_.sites)
+    for (const Sites& x : new_cells_.sites)
         for (const auto& [v, label] : x)
             if (v != infinite) found.push_back(v);
             else at_infinity = true;
@@ -220,7 +221,7 @@ bool Local_delaunay<d>::has_every_vertex() const {
     return found.size() == region_.vertices.size() && at_infinity == region_.at_infinity;
 }
 
-template class Local_delaunay<2>;
-template class Local_delaunay<3>;
+template class Cavity_retriangulator<2>;
+template class Cavity_retriangulator<3>;
 
 }  // namespace annulus

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Forward errors of the two terms of the in-sphere determinant of src/annulus/kernel/kept_sphere.h, for its order of
+# Forward errors of the two terms of the in-sphere determinant of src/annulus/kernel/cached_sphere.h, for its order of
 # operations.
 # Model and notation are those of certificates_2.g.
 @mul = mul_rel<53>;
@@ -57,6 +57,6 @@ Elinear_term = (Ewx * Enx + Ewy * Eny) + Ewz * Enz;
   /\ |wx| <= 1 /\ |wy| <= 1 /\ |wz| <= 1
   /\ |wx - Ewx| <= 1b-53 /\ |wy - Ewy| <= 1b-53 /\ |wz - Ewz| <= 1b-53
 ->
-     |square_term - Esquare_term| <= 241b-53    # bounds: kept_sphere_3_square, refused at 240
-  /\ |linear_term - Elinear_term| <= 811b-53    # bounds: kept_sphere_3_linear, refused at 809
+     |square_term - Esquare_term| <= 241b-53    # bounds: cached_sphere_3_square, refused at 240
+  /\ |linear_term - Elinear_term| <= 811b-53    # bounds: cached_sphere_3_linear, refused at 809
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/kernel/kept_spheres.h>
+#include <annulus/kernel/cached_spheres.h>
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ void one_by_one(Cells& g, std::span<const std::uint32_t> made) {
         auto& cell = g.cells[c];
         const Coordinates<3>& p = g.at(cell.vertex[0]);
         const auto corner = [&](std::size_t i) { return Lifted<3>(g.at(cell.vertex[i]), p); };
-        cell.sphere = kept_sphere(corner(1), corner(2), corner(3), g.bound(c));
+        cell.sphere = cached_sphere(corner(1), corner(2), corner(3), g.bound(c));
     }
 }
 
@@ -79,8 +79,8 @@ ANNULUS_AVX2 __m256d inverse_powers(__m256d m, Cells& g, const std::array<std::u
     const __m256i power = _mm256_add_epi64(exponent, _mm256_set1_epi64x(0x0010000000000000LL));
     const __m256d t = _mm256_castsi256_pd(power);
     const __m128 bound =
-        _mm_max_ps(_mm256_cvtpd_ps(_mm256_mul_pd(_mm256_set1_pd(Kept_sphere<3>::unit), _mm256_mul_pd(t, t))),
-                   _mm_set1_ps(Kept_sphere<3>::least_bound));
+        _mm_max_ps(_mm256_cvtpd_ps(_mm256_mul_pd(_mm256_set1_pd(Cached_sphere<3>::unit), _mm256_mul_pd(t, t))),
+                   _mm_set1_ps(Cached_sphere<3>::least_bound));
     alignas(16) std::array<float, 4> bounds;
     _mm_store_ps(bounds.data(), bound);
     for (std::size_t i = 0; i < 4; ++i) g.bounds[cell[i]] = bounds[i];
@@ -118,9 +118,9 @@ __attribute__((target("avx2"))) void four_at_a_time(Cells& g, std::span<const st
 
 }  // namespace
 
-void kept_spheres(Cells& cells, std::span<const std::uint32_t> made) {
+void cached_spheres(Cells& cells, std::span<const std::uint32_t> made) {
 #ifdef ANNULUS_HAS_AVX2
-    static_assert(sizeof(Kept_sphere<3>) == 32 && sizeof(Cells::Site) == 32);
+    static_assert(sizeof(Cached_sphere<3>) == 32 && sizeof(Cells::Site) == 32);
     static const bool has = __builtin_cpu_supports("avx2") != 0;
     if (has) return four_at_a_time(cells, made);
 #endif

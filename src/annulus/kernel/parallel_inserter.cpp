@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/kernel/shared_inserter.h>
+#include <annulus/kernel/parallel_inserter.h>
 
 #include <annulus/mesh/parallel_runs.h>
 
@@ -9,8 +9,8 @@
 namespace annulus {
 
 template <int d>
-void Shared_inserter<d>::insert(Inserter<d>& alone, std::span<const std::uint8_t> part, std::size_t parts,
-                                std::vector<Rank>& pending) {
+void Parallel_inserter<d>::insert(Inserter<d>& alone, std::span<const std::uint8_t> part, std::size_t parts,
+                                  std::vector<Rank>& pending) {
     constexpr std::size_t cells_a_vertex = d == 2 ? 2 : 7, spare = 2048;
     const int threads = static_cast<int>(parts);
     typename Inserter<d>::Cells& cells = alone.cells();
@@ -22,59 +22,59 @@ void Shared_inserter<d>::insert(Inserter<d>& alone, std::span<const std::uint8_t
     for (const Rank v : pending) parts_[part[static_cast<std::size_t>(v)]].pending.push_back(v);
 
     std::atomic<std::size_t> unused = cells.used;
-    for_each_run(parts, 1, threads, [&](std::size_t k, std::size_t) { settle(k, alone, unused); });
-    for_each_run(parts, 1, threads, [&](std::size_t k, std::size_t) { insert_at_home(k); });
+    for_each_run(parts, 1, threads, [&](std::size_t k, std::size_t) { start_in(k, alone, unused); });
+    for_each_run(parts, 1, threads, [&](std::size_t k, std::size_t) { insert_in_partition(k); });
     cells.used = std::min(unused.load(), cells.room());
     pending.clear();
     for (std::size_t k = 0; k < parts; ++k) {
-        if (parts_[k].settled) alone.go_on_from(inserters_[k]);
+        if (parts_[k].has_start) alone.go_on_from(inserters_[k]);
         pending.insert(pending.end(), parts_[k].pending.begin(), parts_[k].pending.end());
     }
 }
 
 /// A corner of the first cell may be a vertex of a later round: no one's.
 template <int d>
-void Shared_inserter<d>::find_owners(const typename Inserter<d>::Cells& cells, std::span<const std::uint8_t> part,
-                                     int threads) {
+void Parallel_inserter<d>::find_owners(const typename Inserter<d>::Cells& cells, std::span<const std::uint8_t> part,
+                                       int threads) {
     constexpr std::size_t run = 1U << 14;
-    constexpr Territory::Owner no_one = Territory::no_one;
+    constexpr Thread_partition::Owner no_owner = Thread_partition::no_owner;
     owner_.resize(cells.room());
     for_each_run(cells.used, run, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c) {
             const auto& vertices = cells.cells[c].vertex;
             const auto part_of = [&](Rank v) {
-                return static_cast<std::size_t>(v) < part.size() ? part[static_cast<std::size_t>(v)] : no_one;
+                return static_cast<std::size_t>(v) < part.size() ? part[static_cast<std::size_t>(v)] : no_owner;
             };
-            const Territory::Owner owner = part_of(vertices[vertices[0] == cells.infinity ? 1 : 0]);
+            const Thread_partition::Owner owner = part_of(vertices[vertices[0] == cells.infinity ? 1 : 0]);
             bool all = true;
             for (const Rank v : vertices) all = all && (v == cells.infinity || part_of(v) == owner);
-            owner_[c] = all ? owner : no_one;
+            owner_[c] = all ? owner : no_owner;
         }
     });
 }
 
 /// Looks for places to start from. While threads do so nothing changes.
 template <int d>
-void Shared_inserter<d>::settle(std::size_t k, const Inserter<d>& alone, std::atomic<std::size_t>& unused) {
+void Parallel_inserter<d>::start_in(std::size_t k, const Inserter<d>& alone, std::atomic<std::size_t>& unused) {
     Part& part = parts_[k];
     Inserter<d>& inserter = inserters_[k];
-    inserter.settle({owner_.data(), static_cast<Territory::Owner>(k), &unused}, alone);
+    inserter.start_in({owner_.data(), static_cast<Thread_partition::Owner>(k), &unused}, alone);
     part.starts.clear();
-    part.settled = false;
+    part.has_start = false;
     for (std::size_t i = 0; i < part.pending.size(); i += stretch) {
         part.starts.push_back(inserter.start_near(part.pending[i]));
-        part.settled = part.settled || part.starts.back() != Inserter<d>::Cells::no_cell;
+        part.has_start = part.has_start || part.starts.back() != Inserter<d>::Cells::no_cell;
     }
 }
 
-/// A walk that leaves the territory begins again from a place near by, as long as that helps: a place from which all
+/// A walk that leaves the partition begins again from a place near by, as long as that helps: a place from which all
 /// walks leave would otherwise be the start of all that follow.
 template <int d>
-void Shared_inserter<d>::insert_at_home(std::size_t k) {
+void Parallel_inserter<d>::insert_in_partition(std::size_t k) {
     using Outcome = typename Inserter<d>::Outcome;
     constexpr Cell no_cell = Inserter<d>::Cells::no_cell;
     Part& part = parts_[k];
-    if (!part.settled) return;
+    if (!part.has_start) return;
     const auto& starts = part.starts;
     Inserter<d>& inserter = inserters_[k];
     inserter.start_at(*std::find_if(starts.begin(), starts.end(), [](Cell c) { return c != no_cell; }));
@@ -84,10 +84,10 @@ void Shared_inserter<d>::insert_at_home(std::size_t k) {
         const Rank v = part.pending[i];
         const Cell start = starts[i / stretch];
         if (i % stretch == 0) helps = start != no_cell;
-        Outcome outcome = inserter.insert_at_home(v);
+        Outcome outcome = inserter.insert_in_partition(v);
         if (outcome == Outcome::lost && helps) {
             inserter.start_at(start);
-            outcome = inserter.insert_at_home(v);
+            outcome = inserter.insert_in_partition(v);
             helps = outcome != Outcome::lost;
         }
         if (outcome != Outcome::inserted) part.pending[postponed++] = v;
@@ -95,7 +95,7 @@ void Shared_inserter<d>::insert_at_home(std::size_t k) {
     part.pending.resize(postponed);
 }
 
-template class Shared_inserter<2>;
-template class Shared_inserter<3>;
+template class Parallel_inserter<2>;
+template class Parallel_inserter<3>;
 
 }  // namespace annulus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Spheres of four cells at a time are those of one cell, bit for bit, in and out of the range of their bounds.
-#include <annulus/kernel/kept_spheres.h>
+#include <annulus/kernel/cached_spheres.h>
 
 #include <support/catch.h>
 #include <support/generators.h>
@@ -37,11 +37,11 @@ TEST_CASE("Spheres of four cells at a time are those of one, whatever their size
         }
         std::vector<std::uint32_t> made(count);
         std::iota(made.begin(), made.end(), 0U);
-        kept_spheres(g, made);
+        cached_spheres(g, made);
         for (std::size_t c = 0; c < count; ++c) {
             const auto& v = g.cells[c].vertex;
             float bound = 0;
-            const Kept_sphere<3> one = kept_sphere(g.lifted(v[1], p), g.lifted(v[2], p), g.lifted(v[3], p), bound);
+            const Cached_sphere<3> one = cached_sphere(g.lifted(v[1], p), g.lifted(v[2], p), g.lifted(v[3], p), bound);
             CAPTURE(k, c);
             REQUIRE(std::bit_cast<std::uint32_t>(bound) == std::bit_cast<std::uint32_t>(g.bounds[c]));
             REQUIRE(std::bit_cast<std::array<std::uint64_t, 4>>(one) ==
