@@ -50,7 +50,7 @@ function(annulus_unite_core target)
         endforeach()
         get_target_property(sources ${target} SOURCES)
         list(FILTER sources INCLUDE REGEX "/annulus/${room}/[a-z_0-9]*[.]cpp$")
-        list(FILTER sources EXCLUDE REGEX "/(table_measures|repair_collisions)[.]cpp$")  # names of others of their room
+        list(FILTER sources EXCLUDE REGEX "/(table_measures|repair_duplicates)[.]cpp$")  # names of others of their room
         foreach(source IN LISTS sources)
             file(STRINGS "${source}" classes REGEX "^template class ")
             set(best "")
@@ -97,7 +97,7 @@ if(ANNULUS_PRECOMPILE)
             <oneapi/tbb/parallel_for.h> <oneapi/tbb/parallel_pipeline.h> <oneapi/tbb/task_arena.h>)
     endforeach()
     # Flags of their own
-    set_source_files_properties(${annulus_cool_sources} src/annulus/engine/signs.cpp
+    set_source_files_properties(${annulus_cool_sources} src/annulus/engine/sign_evaluator.cpp
                                 PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 endif()
 

@@ -5,7 +5,7 @@
 // but for some certificates in a million.
 #include "workbench.h"
 
-#include <annulus/engine/signs.h>
+#include <annulus/engine/sign_evaluator.h>
 
 #include <valgrind/callgrind.h>
 
@@ -43,7 +43,7 @@ std::vector<bench::Points<d>> way(Workbench<d>& w, double spacings) {
 template <int d>
 Move_report follow(Workbench<d>& w, const std::vector<bench::Points<d>>& way) {
     Move_report report;
-    for (const auto& x : way) w.filter().move_all(x, report);
+    for (const auto& x : way) w.strategy().move_all(x, report);
     return report;
 }
 
@@ -65,18 +65,18 @@ void loops(std::size_t n) {
     const auto near = way(w, short_way);
     count(d, "expired certificates", "evaluated", [&] { return static_cast<double>(follow(w, near).evaluated); });
 
-    w.stop_tracking();
-    Signs<d> signs(w.mesh().table());
+    w.drop_tolerances();
+    Sign_evaluator<d> signs(w.mesh().table());
     count(d, "signs of everything", "vertex", [&] {
         Budget budget;
         signs.begin(w.points(), budget);
-        signs.look_at_everything();
+        signs.test_all_cells();
         return all;
     });
     w.walk(1e-9);
     count(d, "step of signs, all hold", "vertex", [&] { return (void)w.step(), all; });
     // With what the signs around them cost.
-    w.stop_tracking();
+    w.drop_tolerances();
     const auto far = way(w, 0.03);
     count(d, "step of signs and flips", "flip", [&] { return static_cast<double>(follow(w, far).flips); });
 
@@ -86,9 +86,9 @@ void loops(std::size_t n) {
     count(d, "one vertex by 0.01 spacings", "move", [&] {
         for (std::size_t k = 0; k < 500; ++k) {
             const std::size_t v = 7919 * k % n;
-            auto p = w.filter().positions()[v];
+            auto p = w.strategy().positions()[v];
             p[0] += reach;
-            w.filter().move(static_cast<Index>(v), p, report);
+            w.strategy().move(static_cast<Index>(v), p, report);
         }
         return 500.0;
     });

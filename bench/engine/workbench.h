@@ -3,7 +3,7 @@
 
 #include "../motions/families.h"
 
-#include <annulus/engine/filter.h>
+#include <annulus/engine/tolerance_strategy.h>
 #include <annulus/kernel/delaunay_mesh.h>
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace bench {
 
-/// The parts of an engine by themselves: a triangulation of points of a family, and the strategy `filter` on it. What
+/// The parts of an engine by themselves: a triangulation of points of a family, and the strategy `strategy` on it. What
 /// Moving_delaunay does but for the door.
 template <int d>
 class Workbench {
@@ -26,15 +26,15 @@ class Workbench {
           spacing_(std::pow(static_cast<double>(n), -1.0 / d)) {
         mesh_ = std::make_unique<Mesh>();
         mesh_->build(x_);
-        filter_ = std::make_unique<annulus::Filter<d>>(*mesh_);
+        strategy_ = std::make_unique<annulus::Tolerance_strategy<d>>(*mesh_);
         annulus::Move_report report;
-        filter_->begin(x_, report);
+        strategy_->begin(x_, report);
     }
 
     [[nodiscard]] const Points<d>& points() const { return x_; }
     [[nodiscard]] Points<d>& points() { return x_; }
     [[nodiscard]] Mesh& mesh() { return *mesh_; }
-    [[nodiscard]] annulus::Filter<d>& filter() { return *filter_; }
+    [[nodiscard]] annulus::Tolerance_strategy<d>& strategy() { return *strategy_; }
     [[nodiscard]] double spacing() const { return spacing_; }
 
     /// Moves the points, and nothing else, by `spacings`: all of them, or each `share`-th.
@@ -44,19 +44,19 @@ class Workbench {
     }
     annulus::Move_report step() {
         annulus::Move_report report;
-        filter_->move_all(x_, report);
+        strategy_->move_all(x_, report);
         return report;
     }
     /// Steps so large that tolerances are given up.
-    void stop_tracking() {
-        for (int k = 0; k < 100 && filter_->tracks(); ++k) {
+    void drop_tolerances() {
+        for (int k = 0; k < 100 && strategy_->keeps_tolerances(); ++k) {
             walk(0.02);
             (void)step();
         }
     }
     void settle() {
         annulus::Move_report report;
-        filter_->settle(x_, report);
+        strategy_->settle(x_, report);
     }
 
   private:
@@ -64,7 +64,7 @@ class Workbench {
     Points<d> x_;
     double spacing_;
     std::unique_ptr<Mesh> mesh_;
-    std::unique_ptr<annulus::Filter<d>> filter_;
+    std::unique_ptr<annulus::Tolerance_strategy<d>> strategy_;
 };
 
 }  // namespace bench

@@ -85,11 +85,11 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
     int failed = 0;
     for (Runner<d>& r : runners) {
         std::vector<double> ratio;
-        std::vector<double> price;  // in rebuilds
+        std::vector<double> cost;  // in rebuilds
         std::vector<double> ns;
         for (std::size_t i = 0; i < cgal.size(); ++i) {
             ratio.push_back(cgal[i] / r.seconds[i]);
-            price.push_back(r.seconds[i] / cgal[i]);
+            cost.push_back(r.seconds[i] / cgal[i]);
             ns.push_back(1e9 * r.seconds[i] / std::max(count[i], 1.0));
         }
         if (race.audit && !r.follower->is_delaunay()) ++r.failed_audits;
@@ -98,7 +98,7 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
         const auto share = [&](std::uint64_t k) { return static_cast<double>(k) / asked; };
         const double whole = r.seconds.empty() ? 0.0 : sum(cgal) / sum(r.seconds);
         std::printf(" | %s %.0f ns, ratio %.2f, of sums %.2f, dearest %.2f%s", r.name.c_str(), quantile(ns, 0.5),
-                    quantile(ratio, 0.5), whole, quantile(price, 1.0), r.failed_audits != 0 ? " AUDIT FAILED" : "");
+                    quantile(ratio, 0.5), whole, quantile(cost, 1.0), r.failed_audits != 0 ? " AUDIT FAILED" : "");
         if (share(r.report.moves.rebuilt) > 0.0) std::printf(", rebuilt %.2f", share(r.report.moves.rebuilt));
         std::printf(", flips %.3f, again %.4f", share(r.report.flips), share(r.report.moves.reinserted));
         out[r.name] = {{"ns", quantile(ns, 0.5)},
@@ -106,7 +106,7 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
                        {"whole", whole},
                        {"ratio_low", quantile(ratio, 0.1)},
                        {"ratio_high", quantile(ratio, 0.9)},
-                       {"dearest", quantile(price, 1.0)},
+                       {"dearest", quantile(cost, 1.0)},
                        {"construction_ns", 1e9 * r.construction / quantile(count, 0.5)},
                        {"rebuilt", share(r.report.moves.rebuilt)},
                        {"within_tolerance", share(r.report.moves.within_tolerance)},

@@ -78,12 +78,12 @@ std::vector<std::size_t> living(const auto& sites) {
 }  // namespace
 
 template <int d>
-std::vector<Coordinates<d>> next_positions(const Operation_of<d>& o, int k, const Sites_of<d>& home,
+std::vector<Coordinates<d>> next_positions(const Operation_of<d>& o, int k, const Sites_of<d>& source,
                                            const Sites_of<d>& now,
                                            const std::function<Leeway<d>(std::size_t)>& leeway) {
     constexpr auto n = static_cast<std::size_t>(d);
     const auto step = static_cast<std::uint64_t>(k);
-    const Extent<d> extent(home);
+    const Extent<d> extent(source);
     const double far = o.pace * extent.size;
     const std::size_t axis = o.seed % n;
     const std::size_t other = (axis + 1) % n;
@@ -164,7 +164,7 @@ std::vector<Coordinates<d>> next_positions(const Operation_of<d>& o, int k, cons
             break;
         case Motion::there_and_back:
             each([&](std::size_t v) {
-                x[v] = *home[v];
+                x[v] = *source[v];
                 if (k % 2 == 0) shift(v, direction<d>(o.seed, v, 400 + (o.seed % 2) * step), far);
             });
             break;

@@ -19,10 +19,10 @@ struct Leeway {
     double tolerance = 0.0;
 };
 
-/// Positions after step k = 0, 1 .. of the motion, which began at `home`; all different, in the domain, and for
+/// Positions after step k = 0, 1 .. of the motion, which began at `source`; all different, in the domain, and for
 /// vacant indices anything.
 template <int d>
-[[nodiscard]] std::vector<Coordinates<d>> next_positions(const Operation_of<d>& o, int k, const Sites_of<d>& home,
+[[nodiscard]] std::vector<Coordinates<d>> next_positions(const Operation_of<d>& o, int k, const Sites_of<d>& source,
                                                          const Sites_of<d>& now,
                                                          const std::function<Leeway<d>(std::size_t)>& leeway);
 

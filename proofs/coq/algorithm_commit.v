@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What commit() writes: certificates that were evaluated, thresholds (algorithm_filter.v; src/annulus/engine/odometers_commit.cpp).
+(* What commit() writes: certificates that were evaluated, thresholds (algorithm_filter.v; src/annulus/engine/displacement_budget_commit.cpp).
 
    - set_room_protects       a threshold from the earliest expiry of a list protects all that the list knows
    - verdicts_committed      all that was evaluated: every certificate is good but for thresholds *)

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Between steps, and the first half of a step (algorithm_filter.v; src/annulus/engine/odometers_expired.cpp).
+(* Between steps, and the first half of a step (algorithm_filter.v; src/annulus/engine/displacement_budget_expired.cpp).
 
    - invariant, holds_everywhere   every certificate is good, hence holds
    - unreached_near    a point whose reading has not reached its expiry is near the reference of the record; overdue and clipped expiries

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* How a commit ends: rebase and thresholds of all that were anchored (algorithm_filter.v; src/annulus/engine/odometers_commit.cpp).
+(* How a commit ends: rebase and thresholds of all that were anchored (algorithm_filter.v; src/annulus/engine/displacement_budget_commit.cpp).
 
    - rebase_good             a base of 0, with its length taken off all expiries of the vertex, clipped at 0
    - finished                rebase or not, and thresholds, of all that were anchored: every certificate is good *)

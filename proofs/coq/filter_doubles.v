@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The arithmetic of `filter` errs on the right side: what algorithm_filter.v asks of it in `laws`, for the operations of the code in
-   binary64, all numbers of the format (src/annulus/engine/filter.h, displacement.h).
+   binary64, all numbers of the format (src/annulus/engine/tolerance_strategy.h, displacement.h).
 
-   - reading_above_2, _3     Odometers::reading is a number and at least base + distance
-   - threshold_below_2, _3   Odometers::set_threshold and passes, the threshold rounded down to an upper half: base + distance < earliest
+   - reading_above_2, _3     Displacement_budget::reading is a number and at least base + distance
+   - threshold_below_2, _3   Displacement_budget::set_threshold and passes, the threshold rounded down to an upper half: base + distance < earliest
    - sum_lower_down, less_down   what commit_points and rebase write
    - distance_zero_2, distance_zero_3, distance_triangle_2, distance_triangle_3     distances are a metric
 

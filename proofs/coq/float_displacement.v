@@ -4,7 +4,7 @@
 
    - distance_upper_2_sound, _3_sound      at least the distance, also where squares underflow
    - threshold_2_sound, threshold_3_sound  squared_distance < squared_threshold_lower(r) implies distance < r
-   - passes_2_sound, passes_3_sound        what Odometers::passes and set_threshold conclude from it *)
+   - passes_2_sound, passes_3_sound        what Displacement_budget::passes and set_threshold conclude from it *)
 Require Import Reals Lra Psatz ZArith.
 From Flocq Require Import Core.
 From Annulus Require Import float_model float_error float_tail float_sums.
@@ -216,7 +216,7 @@ Proof.
   rewrite <- (sqrt_square r) by lra. apply sqrt_lt_1_alt. lra.
 Qed.
 
-(* Odometers::set_threshold and passes: earliest - base, less a margin, as the radius. *)
+(* Displacement_budget::set_threshold and passes: earliest - base, less a margin, as the radius. *)
 Definition threshold (earliest base : R) : R := squared_threshold_lower (fmul (fsub earliest base) (1 - 8 * u)).
 
 Lemma threshold_passes A sq earliest base : squares_close A sq -> sqrt A <= bpow radix2 510 -> F earliest -> F base ->

@@ -91,7 +91,7 @@ Proof.
     + generalize (abs_le_both _ _ _ (sum_half_ulp a b)). fold s. generalize (ulp_ge_0 radix2 fexp64 s). lra.
 Qed.
 
-(* Odometers::rebase: a difference that is not negative, rounded down; none that is negative becomes positive. *)
+(* Displacement_budget::rebase: a difference that is not negative, rounded down; none that is negative becomes positive. *)
 Definition difference_lower (a b : R) : R := let s := fsub a b in fsub s (fmul s ulp52).
 
 Theorem difference_lower_sound a b : F a -> F b -> b <= a -> difference_lower a b <= a - b.

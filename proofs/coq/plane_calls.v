@@ -25,7 +25,7 @@ Definition keeps (e : event) (T T' : plane_mesh.mesh) : Prop := forall v, vertex
 
 (* ---- What a call does to the table ---- *)
 
-(* Nothing; cells inside are others now; cells at the border are, too (holds_after_mending: a cell with infinity was touched). *)
+(* Nothing; cells inside are others now; cells at the border are, too (holds_after_flips: a cell with infinity was touched). *)
 Inductive change := nothing | inside | at_border.
 Definition changed (w : change) (T T' : plane_mesh.mesh) : Prop :=
   match w with
@@ -40,13 +40,13 @@ Context {o : options}.
 (* place: who comes is put where the doubles say. *)
 Definition placed (f : doubles) (e : event) : list (vertex * position) := match e with comes v => [(v, at_doubles f v)] | _ => [] end.
 
-(* Repair::border_holds, with `many` as holds_after_mending leaves it: a cell or a ridge was evaluated, as after flips always. *)
+(* Repair::border_holds, with `many` as holds_after_flips leaves it: a cell or a ridge was evaluated, as after flips always. *)
 Definition many (movers : list nat) : bool := match movers with [_] => false | _ => true end.
 Definition turns (k : verdict) : bool := match of k with circle _ _ _ _ => false | _ => true end.
 Definition in_doubt (movers : list nat) (w : change) (verdicts : list verdict) : bool :=
   match w with nothing => many movers && existsb turns verdicts | inside => many movers | at_border => true end.
 
-(* Repair::evaluate and holds_after_mending, when they say yes. `touched`: the numbers of cells that were made or changed, and of their facets. *)
+(* Repair::evaluate and holds_after_flips, when they say yes. `touched`: the numbers of cells that were made or changed, and of their facets. *)
 Record evaluates (f : doubles) (old new : Z -> option certificate_2) (suspects touched : list Z) (verdicts : list verdict) : Prop := {
   each_told : forall k, In k verdicts -> new (id k) = Some (of k) /\ told f k;
   none_left : forall i c, In i suspects \/ In i touched -> new i = Some c -> In i (map id verdicts);

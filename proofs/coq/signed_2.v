@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Certificates of the plane by signs alone, without tolerances, as src/annulus/engine/signs.cpp asks them of doubles.
+(* Certificates of the plane by signs alone, without tolerances, as src/annulus/engine/sign_evaluator.cpp asks them of doubles.
 
    - turns_left, keeps_out, signed   a sign is that of the prepared circle of a triangle, its corners in whichever order the table has them, or of
                                      the exact stages; an answer 0 stands for a circle, or for a straight piece of the border where coordinates say so
@@ -15,7 +15,7 @@ Open Scope R_scope.
 
 (* The circle through three vertices, prepared. *)
 Definition prepared (f : doubles) (t : nat * nat * nat) : circumcircle machine := let '(a, b, c) := t in circumcircle_of machine (f a) (f b) (f c).
-(* Signs::look_at, is_inverted: orientation_sign.h computes what the prepared circle does. *)
+(* Sign_evaluator::test_cell, is_inverted: orientation_sign.h computes what the prepared circle does. *)
 Definition turns_left (f : doubles) (t : nat * nat * nat) : Prop :=
   circle_positive machine (prepared f t) = true \/ (let '(a, b, c) := t in exact_orientation_sign (f a) (f b) (f c)) = 1%Z.
 Definition straight (f : doubles) (t : nat * nat * nat) : Prop := let '(a, b, c) := t in exact_orientation_sign (f a) (f b) (f c) = 0%Z.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* signed_2.v in space: certificates by signs alone, without tolerances, as src/annulus/engine/signs.cpp asks them of doubles.
+(* signed_2.v in space: certificates by signs alone, without tolerances, as src/annulus/engine/sign_evaluator.cpp asks them of doubles.
 
    - turns_left_3, keeps_out_3, signed_3   a sign is that of the prepared sphere of a cell, its corners in whichever order the table has them, or of the
                                            exact stages; an answer 0 stands for a sphere, or for a flat piece of the border where the rule says so
@@ -18,7 +18,7 @@ Definition same_cell (t t' : nat * nat * nat * nat) : Prop := exists s, In s (si
 
 Definition prepared_3 (f : doubles_3) (t : nat * nat * nat * nat) : filter_3.circumsphere machine :=
   let '(a, b, c, d) := t in filter_3.circumsphere_of machine (f a) (f b) (f c) (f d).
-(* Signs::look_at, is_inverted: orientation_sign.h computes what the prepared sphere does. *)
+(* Sign_evaluator::test_cell, is_inverted: orientation_sign.h computes what the prepared sphere does. *)
 Definition turns_left_3 (f : doubles_3) (t : nat * nat * nat * nat) : Prop :=
   sphere_positive machine (prepared_3 f t) = true \/ (let '(a, b, c, d) := t in exact_orientation_sign_3 (f a) (f b) (f c) (f d)) = 1%Z.
 Definition flat_3 (f : doubles_3) (t : nat * nat * nat * nat) : Prop := let '(a, b, c, d) := t in exact_orientation_sign_3 (f a) (f b) (f c) (f d) = 0%Z.

@@ -21,7 +21,7 @@ Definition placed_3 (f : doubles_3) (newcomers : list nat) : list (vertex * posi
 Record complete (m : Z -> option certificate_3) : Prop := {
   numbers_are_ids : forall i c, m i = Some c -> is_id i;
   cells_are_there : forall i c d, m i = Some c -> counts_on_3 d c -> exists j, m j = Some d }.
-(* Repair::evaluate and holds_after_mending, when they say yes. `touched`: the numbers of cells that were made or changed, and of their facets. *)
+(* Repair::evaluate and holds_after_flips, when they say yes. `touched`: the numbers of cells that were made or changed, and of their facets. *)
 Record evaluates_3 (f : doubles_3) (old new : Z -> option certificate_3) (suspects touched : list Z) (verdicts : list verdict) : Prop := {
   each_told_3 : forall k, In k verdicts -> new (id k) = Some (of k) /\ told_in_space f k;
   none_left_3 : forall i c, In i suspects \/ In i touched -> new i = Some c -> In i (map id verdicts);

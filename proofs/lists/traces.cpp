@@ -47,7 +47,7 @@ void row() {
             case 1:
             case 2:
                 std::printf("Take %u", b);
-                list.take_reached(Expiry::of_bits(b).reading(), visit);
+                list.take_reached(Expiry::of_bits(b).path_length(), visit);
                 break;
             case 3: {
                 std::vector<Expiry> expiry(below(30));

@@ -51,7 +51,7 @@ Definition value_of (b : Z) : float :=
     ldshiftexp (of_uint63 (Uint63.of_Z (if (upper =? 0)%Z then lower else 0x100000 + lower))) (Uint63.of_Z (Z.max 1 upper - 1 + -1042 + shift))
   else infinity.
 
-(* ---- odometers.h, odometers_commit.cpp ---- *)
+(* ---- displacement_budget.h, displacement_budget_commit.cpp ---- *)
 
 Definition reading_at (b : float) (f p : point) : float := sum_upper b (distance_upper p f).
 Definition slack (e : Z) (b : float) : float := (value_of e - b) * 0x1.ffffffffffff8p-1.    (* 1 - 2^-50 *)

@@ -34,7 +34,7 @@ Variables (dimension : nat) (h : horizons).
 Definition place_of : reader machine.point := times dimension real_number.
 
 Record known := { of_points : list Z; expiries : list (Z * Z) }.
-(* Where a step is. open: vertices failed, or cells changed, and what became of it is not told; unlooked: anchored, to be looked at; tracks: there are tolerances. *)
+(* Where a step is. open: vertices failed, or cells changed, and what became of it is not told; unlooked: anchored, to be looked at; keeps_tolerances: there are tolerances. *)
 Record progress := { open : bool; unlooked : list Z; tracks : bool }.
 Definition at_rest : progress := {| open := false; unlooked := []; tracks := true |}.
 Record system := {

@@ -5,7 +5,7 @@
 // src/annulus/engine/trace.h says where this comes in. An event is its number (the enumeration below) and what the
 // comment beside it says; a position is d numbers, a list of things is how many there are and these. A number is its
 // bits, after `minus` when it is negative.
-#include <annulus/engine/odometers.h>
+#include <annulus/engine/displacement_budget.h>
 
 #include <algorithm>
 #include <bit>
@@ -88,7 +88,7 @@ struct Trace {
     }
 
     template <int d>
-    static void tell_positions(const Odometers<d>& o, std::span<const Coordinates<d>> x) {
+    static void tell_positions(const Displacement_budget<d>& o, std::span<const Coordinates<d>> x) {
         Told<d>& t = told<d>;
         std::vector<Index> changed, left;
         t.position.resize(std::max(t.position.size(), x.size()));
@@ -123,14 +123,14 @@ struct Trace {
     // ---- Named at ANNULUS_TRACED ----
 
     template <int d>
-    static void begun(const Odometers<d>& o, std::span<const Coordinates<d>> x) {
+    static void begun(const Displacement_budget<d>& o, std::span<const Coordinates<d>> x) {
         if (!on) return;
         told<d> = {};
         word(begin);
         tell_positions(o, x);
     }
     template <int d>
-    static void settled(const Odometers<d>& o) {
+    static void settled(const Displacement_budget<d>& o) {
         if (!on) return;
         word(settle);
         std::vector<Index> lives;
@@ -144,18 +144,18 @@ struct Trace {
         }
     }
     template <int d>
-    static void placed(const Odometers<d>& o, Index v) {
+    static void placed(const Displacement_budget<d>& o, Index v) {
         if (!on) return;
         word(place);
         vertex(v);
         numbers(o.vertex_[at(v)].fixed);
     }
     template <int d>
-    static void untracking(const Odometers<d>& o) {
+    static void untracking(const Displacement_budget<d>& o) {
         if (on && !o.kept()) word(untracked);
     }
     template <int d>
-    static void tested(const Odometers<d>& o, const Step<d>& step) {
+    static void tested(const Displacement_budget<d>& o, const Step<d>& step) {
         untracking(o);
         if (!on || !o.kept()) return;
         tell_positions(o, step.x);
@@ -165,7 +165,7 @@ struct Trace {
         for (const Index v : step.failed) vertex(v);
     }
     template <int d>
-    static void passed(const Odometers<d>& o, Index v, const Coordinates<d>& p) {
+    static void passed(const Displacement_budget<d>& o, Index v, const Coordinates<d>& p) {
         untracking(o);
         if (!on || !o.kept()) return;
         told<d>.position[at(v)] = p;
@@ -178,14 +178,14 @@ struct Trace {
         word(0);
     }
     template <int d>
-    static void anchoring(const Odometers<d>& o, const Step<d>& step) {
+    static void anchoring(const Displacement_budget<d>& o, const Step<d>& step) {
         if (!on) return;
         tell_positions(o, step.x);
         word(stamp);
         word(o.stamp_);
     }
     template <int d>
-    static void anchored(const Odometers<d>& o, const Step<d>& step) {
+    static void anchored(const Displacement_budget<d>& o, const Step<d>& step) {
         if (!on) return;
         word(anchor);
         word(step.failed.size());
@@ -198,7 +198,7 @@ struct Trace {
         if (on) suspects.push_back(id);
     }
     template <int d>
-    static void toured(const Odometers<d>& o, Index) {
+    static void toured(const Displacement_budget<d>& o, Index) {
         if (!on) return;
         has_toured = true;
         for (const std::uint32_t k : o.certificates_) {
@@ -207,7 +207,7 @@ struct Trace {
         }
     }
     template <int d>
-    static void examined(const Odometers<d>& o, Index v) {
+    static void examined(const Displacement_budget<d>& o, Index v) {
         if (!on) return;
         word(examine);
         vertex(v);
@@ -220,7 +220,7 @@ struct Trace {
         has_toured = false;
     }
     template <int d>
-    static void undone(const Odometers<d>&, const Step<d>&) {
+    static void undone(const Displacement_budget<d>&, const Step<d>&) {
         if (on) word(undo);
     }
     /// In their order where that matters, of a bi-cell: it names sides.
@@ -245,7 +245,7 @@ struct Trace {
         return listed<d>(facet_certificate(t, f, false).point);
     }
     template <int d>
-    static void committing(const Odometers<d>& o, const Checker<d>&) {
+    static void committing(const Displacement_budget<d>& o, const Certificate_checker<d>&) {
         if (!on) return;
         std::vector<std::uint64_t> lost;
         for (const auto& [id, points] : told<d>.points)
@@ -255,12 +255,12 @@ struct Trace {
         list(lost);
     }
     template <int d, class S, class Expiry_of>
-    static void written(const Odometers<d>& o, const S& s, Certificate_id id, Expiry_of expiry_of) {
+    static void written(const Displacement_budget<d>& o, const S& s, Certificate_id id, Expiry_of expiry_of) {
         if (!on) return;
         told<d>.points[id] = listed<d>(s.point);
         word(write);
         word(id);
-        number(s.verdict.tolerance);
+        number(s.value.tolerance);
         word(told<d>.points[id].size());
         for (std::size_t k = 0; k < s.point.size(); ++k) {
             if (s.point[k].vertex == none) continue;
@@ -270,7 +270,7 @@ struct Trace {
         }
     }
     template <int d>
-    static void rebased(const Odometers<d>& o, Index v) {
+    static void rebased(const Displacement_budget<d>& o, Index v) {
         if (!on) return;
         has_rebased = true;
         for_each_certificate(
@@ -278,7 +278,7 @@ struct Trace {
             [&](Corner_index h) { around.push_back(id_of_facet(o.table_.facet(h))); });
     }
     template <int d>
-    static void finished(const Odometers<d>& o, Index v) {
+    static void finished(const Displacement_budget<d>& o, Index v) {
         if (!on) return;
         word(finish);
         vertex(v);
@@ -291,7 +291,7 @@ struct Trace {
         has_rebased = false;
     }
     template <int d>
-    static void committed(const Odometers<d>& o) {
+    static void committed(const Displacement_budget<d>& o) {
         if (!on) return;
         std::uint64_t certificates = 0;
         for (const Cell_index c : o.table_.finite_cells()) {

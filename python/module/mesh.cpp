@@ -7,7 +7,7 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/environment.h>
-#include <annulus/engine/naming_collisions.h>
+#include <annulus/engine/naming_duplicates.h>
 
 #include <algorithm>
 #include <cmath>

@@ -93,7 +93,7 @@ py::object Report::simplices(const std::vector<Index>& vertices) const {
 py::dict Report::as_dict() const {
     py::dict out;
     for (const Field& f : fields) out[f.name] = value(f, *report_);
-    out["price"] = report_->price;
+    out["price"] = report_->cost;
     return out;
 }
 
@@ -118,7 +118,7 @@ Report Report::of_state(const py::object& object) {
     Move_report r;
     const auto numbers = state[0].cast<py::dict>();
     for (const Field& f : fields) f.of(r) = numbers[f.name].cast<std::uint64_t>();
-    r.price = numbers["price"].cast<double>();
+    r.cost = numbers["price"].cast<double>();
     const int d = state[1].cast<int>();
     if (d != 2 && d != 3) throw Error(Error_code::bad_input, "this is not the state of a report");
     const bool lists_changes = !state[2].is_none();
@@ -138,7 +138,7 @@ Counts, and the simplices that came and went. `repr` shows the counts that are n
             f.name, [&f](const Report& r) { return value(f, r.numbers()); }, f.doc);
     report
         .def_property_readonly(
-            "price", [](const Report& r) { return r.numbers().price; },
+            "price", [](const Report& r) { return r.numbers().cost; },
             "float: what it cost, in simplices looked at, by prices that were measured.")
         .def_property_readonly(
             "changed_simplices", &Report::changed_simplices,

@@ -95,7 +95,7 @@ typedef struct annulus_report {
     uint64_t sign_steps;       // with the signs of everything,
     uint64_t rebuild_steps;    // with a rebuild
     uint64_t changed;          // cells that annulus_changed lists
-    double price;              // what it cost, in cells looked at
+    double cost;               // what it cost, in cells looked at
 } annulus_report;
 
 // The verdict of an audit; `size` as above.

@@ -140,11 +140,11 @@ double Moving_mesh<d>::displacement(Index i) const {
 template <int d>
 double Moving_mesh<d>::theta(Index i) const {
     parts_->engine.require_vertex(i);
-    return parts_->mesh.theta(parts_->engine.standing(), i);
+    return parts_->mesh.theta(parts_->engine.delaunay_positions(), i);
 }
 template <int d>
 Measures Moving_mesh<d>::measure() const {
-    return parts_->mesh.measure(parts_->engine.standing());
+    return parts_->mesh.measure(parts_->engine.delaunay_positions());
 }
 template <int d>
 std::vector<double> Moving_mesh<d>::voronoi_volumes() const {

@@ -149,9 +149,9 @@ static void check_sizes_and_names(void) {
     CHECK_STATUS(annulus_move_all(mesh, SIZE_MAX - 1, x, NULL), ANNULUS_WRONG_SIZE);
     CHECK_STATUS(annulus_move_all(mesh, points, x, &report), ANNULUS_USAGE);  // size is 0
     report.size = sizeof report;
-    report.price = -1;
+    report.cost = -1;
     CHECK_STATUS(annulus_move_all(mesh, points, x, &report), ANNULUS_OK);
-    CHECK(report.asked == points && report.size == sizeof report && report.price >= 0);
+    CHECK(report.asked == points && report.size == sizeof report && report.cost >= 0);
     report.size = offsetof(annulus_report, within_tolerance);
     report.asked = 0;
     report.within_tolerance = 1234;

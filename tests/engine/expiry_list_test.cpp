@@ -21,10 +21,10 @@ TEST_CASE("An expiry is reached by the readings that are not below it", "[reloca
         for (int i = 0; i < 1000; ++i) {
             const Expiry e =
                 Expiry::lower(std::ldexp(1.0 + static_cast<double>(random() % 16) / 8, static_cast<int>(random() % 4)));
-            double reading = e.reading();
+            double path_length = e.path_length();
             for (std::uint64_t k = random() % 3; k > 0; --k)
-                reading = std::nextafter(reading, random() % 2 == 0 ? 0.0 : 100.0);
-            RC_ASSERT(e.reached(reading) == (reading >= e.reading()));
+                path_length = std::nextafter(path_length, random() % 2 == 0 ? 0.0 : 100.0);
+            RC_ASSERT(e.reached(path_length) == (path_length >= e.path_length()));
         }
     }));
     CHECK(!Expiry::never().reached(1e300));
@@ -37,10 +37,10 @@ TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not na
         Random random = seed.random();
         Expiry_list<capacity> list;
         std::map<std::uint32_t, Expiry> truth;  // every certificate of the vertex
-        double reading = 0.0;
+        double path_length = 0.0;
         const auto some_expiry = [&] {  // ties are frequent
             return random() % 16 == 0 ? Expiry::never()
-                                      : Expiry::lower(reading + static_cast<double>(random() % 32) / 4);
+                                      : Expiry::lower(path_length + static_cast<double>(random() % 32) / 4);
         };
         const std::uint32_t certificates = 1 + static_cast<std::uint32_t>(random() % 40);
         int dry = 0;
@@ -56,15 +56,15 @@ TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not na
             for (const auto& [id, e] : truth) first = std::min(first, e);
             RC_ASSERT(!(first < list.earliest()));
             if (random() % 3 != 0) continue;
-            reading += static_cast<double>(random() % 8) / 8;
+            path_length += static_cast<double>(random() % 8) / 8;
             std::set<std::uint32_t> taken;
-            list.take_reached(reading, [&](std::uint32_t id) { RC_ASSERT(taken.insert(id).second); });
-            const bool enough = !list.rest().reached(reading);
+            list.take_reached(path_length, [&](std::uint32_t id) { RC_ASSERT(taken.insert(id).second); });
+            const bool enough = !list.rest().reached(path_length);
             if (enough)
-                for (const auto& [id, e] : truth) RC_ASSERT(!e.reached(reading) || taken.count(id) == 1);
+                for (const auto& [id, e] : truth) RC_ASSERT(!e.reached(path_length) || taken.count(id) == 1);
             for (const std::uint32_t id : taken)  // evaluated anew, or not expired by its own record
-                list.put(id, truth[id] = truth[id].reached(reading)
-                                             ? Expiry::lower(reading + 1.0 + static_cast<double>(random() % 8))
+                list.put(id, truth[id] = truth[id].reached(path_length)
+                                             ? Expiry::lower(path_length + 1.0 + static_cast<double>(random() % 8))
                                              : truth[id]);
             if (!enough) {  // a tour
                 ++dry;
@@ -72,7 +72,7 @@ TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not na
                 std::vector<Expiry> expiry;
                 std::vector<std::uint32_t> ids;
                 for (auto& [id, e] : truth) {
-                    if (e.reached(reading)) e = Expiry::lower(reading + 1.0);
+                    if (e.reached(path_length)) e = Expiry::lower(path_length + 1.0);
                     expiry.push_back(e);
                     ids.push_back(id);
                 }

@@ -119,7 +119,7 @@ TEMPLATE_TEST_CASE_SIG("Who asks what changed has the same timestamps, dimension
                               b = other.move_all(std::span<const Coordinates<d>>(x));
             CHECK(a.moves == b.moves);
             CHECK(a.rebuild_steps == b.rebuild_steps);
-            CHECK(a.price == b.price);
+            CHECK(a.cost == b.cost);
             CHECK_FALSE(b.changed.empty());
             REQUIRE(other.audit().delaunay());
         }

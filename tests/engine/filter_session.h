@@ -6,7 +6,7 @@
 
 #include <support/arbitrary.h>
 
-#include <annulus/engine/filter.h>
+#include <annulus/engine/tolerance_strategy.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/published/paper_filter.h>
 

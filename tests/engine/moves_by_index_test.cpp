@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a call that moves some vertices costs, where each of them changes everything: counted in cells looked at,
 // certificates and bytes asked for.
-#include <annulus/engine/prices.h>
+#include <annulus/engine/cost_model.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
@@ -106,9 +106,9 @@ void check_cost(Scene scene, double pace) {
                 const Triangulation fresh(std::span<const Coordinates<d>>(x), plain);
                 once = Failing_new::bytes();
             }
-            CAPTURE(step, report.price / (Prices<d>::rebuild * n), report.evaluated, spent / once,
+            CAPTURE(step, report.cost / (Cost_model<d>::rebuild * n), report.evaluated, spent / once,
                     report.moves.reinserted, report.moves.rebuilt);
-            CHECK(report.price < 6.0 * Prices<d>::rebuild * std::max(n, cells / (d == 2 ? 2.0 : 6.7)));
+            CHECK(report.cost < 6.0 * Cost_model<d>::rebuild * std::max(n, cells / (d == 2 ? 2.0 : 6.7)));
             CHECK(static_cast<double>(report.evaluated) < 60.0 * cells);
             CHECK(spent < 10 * once);
             REQUIRE(std::equal(x.begin(), x.end(), positions<d>(dt).begin()));
@@ -190,10 +190,10 @@ void check_far(Strategy strategy, std::size_t n, std::size_t movers, double spac
             goal.push_back(x[i]);
         }
         const Move_report report = mesh.move(std::span<const Index>(index), std::span<const Coordinates<d>>(goal));
-        const double price = report.price / static_cast<double>(movers);
-        CAPTURE(call, price, report.evaluated, report.undone_flips, report.moves.flipped, report.moves.reinserted,
+        const double cost = report.cost / static_cast<double>(movers);
+        CAPTURE(call, cost, report.evaluated, report.undone_flips, report.moves.flipped, report.moves.reinserted,
                 report.moves.rebuilt);
-        CHECK(price < most * Prices<d>::reinsertion);
+        CHECK(cost < most * Cost_model<d>::reinsertion);
         CHECK(report.moves.rebuilt == 0);
         CHECK(report.settlings == 0);
         if (spacings > 5.0) CHECK(10 * report.moves.reinserted >= 9 * movers);

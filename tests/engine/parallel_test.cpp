@@ -32,7 +32,7 @@ std::vector<double> walked(int with, Strategy strategy, double spacings) {
                              r.moves.rebuilt, r.evaluated, r.arithmetic.filter, r.arithmetic.interval,
                              r.arithmetic.exact, r.flips, r.sign_steps, r.rebuild_steps})
             said.push_back(static_cast<double>(n));
-        said.push_back(r.price);
+        said.push_back(r.cost);
     };
     for (int step = 0; step < 8; ++step) {
         scene.step();

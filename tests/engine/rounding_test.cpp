@@ -153,18 +153,18 @@ TEST_CASE("An expiry is not above the reading it is made of, nor far below", "[r
         Random random = seed.random();
         for (int i = 0; i < 500; ++i) {
             const double x = positive(random, -1074, 1000);
-            const double e = Expiry::lower(x).reading();
+            const double e = Expiry::lower(x).path_length();
             if (!(e <= x && e >= 0.0)) RC_FAIL("above: " + as_code(x));
             if (x >= 0x1p-1000 && !(e > x * (1.0 - 0x1p-20))) RC_FAIL("far below: " + as_code(x));
             const double y = positive(random, -1074, 1000);
             if (x <= y && Expiry::lower(y) < Expiry::lower(x)) RC_FAIL("order: " + as_code(x) + ", " + as_code(y));
         }
     }));
-    CHECK(Expiry::lower(1.0 + 0x1p-20).reading() == 1.0 + 0x1p-20);
-    CHECK(Expiry::lower(1.0 + 0x1p-20 - 0x1p-52).reading() == 1.0);
+    CHECK(Expiry::lower(1.0 + 0x1p-20).path_length() == 1.0 + 0x1p-20);
+    CHECK(Expiry::lower(1.0 + 0x1p-20 - 0x1p-52).path_length() == 1.0);
     CHECK(Expiry::lower(0.0) == Expiry{});
     CHECK(Expiry::lower(-1.0) == Expiry{});
     CHECK(Expiry::lower(-HUGE_VAL) == Expiry{});
-    CHECK(Expiry::never().reading() == HUGE_VAL);
+    CHECK(Expiry::never().path_length() == HUGE_VAL);
     CHECK(Expiry::lower(std::numeric_limits<double>::max()) < Expiry::never());
 }

@@ -274,7 +274,7 @@ bool is_rough(Motion_kind kind) {
 }
 
 /// Microseconds a vertex and step, about.
-double price(const Case& c) {
+double cost(const Case& c) {
     const bool plane = c.dimension == 2;
     switch (c.setting.strategy) {
         case Strategy::filter:
@@ -303,8 +303,8 @@ void choose_size(Case& c) {
                        c.setting.strategy == Strategy::automatic || c.setting.strategy == Strategy::paper;
     c.steps = 50000;
     if (cheap && !is_rough(c.motion)) return;
-    const double affordable = 1e6 / (price(c) * static_cast<double>(c.points));
-    c.steps = static_cast<std::uint64_t>(std::clamp(affordable, 100.0, 50000.0));
+    const double within_limit = 1e6 / (cost(c) * static_cast<double>(c.points));
+    c.steps = static_cast<std::uint64_t>(std::clamp(within_limit, 100.0, 50000.0));
 }
 
 Outcome run(const Case& c) {

@@ -26,15 +26,15 @@ struct Wide_limits {
     /// Which bits of the upper half of a double are kept: the sign, 11 of exponent, 20 of significand
     /// (Truncated_double).
     static constexpr std::uint32_t half_mask = 0xFFFFFFFF;
-    /// A vertex whose odometer shows this many times what is left of its certificates starts at 0 again
-    /// (Odometers::rebase).
+    /// A vertex whose path length shows this many times what is left of its certificates starts at 0 again
+    /// (Displacement_budget::rebase).
     static constexpr double path_ratio = 0x1p8;
     /// What comes back of a tolerance that was written down as an expiry, at least, of one.
     static constexpr double kept = 1.0 - 0x1p-10;
 };
 
 /// Bounds that every run passes: stamps wrap at each third step, lists name one or two certificates, expiries have
-/// four significant bits, odometers start again almost at every step. The number of cells can be set, since few
+/// four significant bits, path lengths start again almost at every step. The number of cells can be set, since few
 /// inputs fit a small one.
 struct Tiny_limits {
     static constexpr bool tiny = true;

@@ -61,7 +61,7 @@ void write_report(annulus_report* to, const Move_report& done, int dimension, st
     r.sign_steps = done.sign_steps;
     r.rebuild_steps = done.rebuild_steps;
     r.changed = changed / static_cast<std::size_t>(dimension + 1);
-    r.price = done.price;
+    r.cost = done.cost;
     write_struct(to, r);
 }
 

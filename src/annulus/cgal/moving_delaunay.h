@@ -161,7 +161,7 @@ class Moving_delaunay {
     /// CGAL's object; its points are the positions and it is Delaunay. With tolerances that are not certified its
     /// points are the fixed positions, at which it is Delaunay. O(k) for the k cells that have changed and vertices
     /// that have moved since it was asked for last. Throws bad_alloc.
-    [[nodiscard]] const Triangulation& triangulation() const { return view_->update(engine_->standing()); }
+    [[nodiscard]] const Triangulation& triangulation() const { return view_->update(engine_->delaunay_positions()); }
     [[nodiscard]] std::size_t number_of_vertices() const { return mesh_->vertices(); }
     /// One more than the largest index in use or vacant: the number of points move_all takes.
     [[nodiscard]] std::size_t index_bound() const { return engine_->index_bound(); }
@@ -195,10 +195,10 @@ class Moving_delaunay {
     /// Upper bound of |position - fixed position|.
     [[nodiscard]] double displacement(Vertex_handle v) const { return engine_->displacement(index(v)); }
     /// Least theta of the finite bi-cells of v in radians (theory 4); pi/2 when it has none.
-    [[nodiscard]] double theta(Vertex_handle v) const { return mesh_->theta(engine_->standing(), index(v)); }
+    [[nodiscard]] double theta(Vertex_handle v) const { return mesh_->theta(engine_->delaunay_positions(), index(v)); }
 
     /// Fresh tolerances, annulus widths and theta of everything, whatever the strategy. O(n).
-    [[nodiscard]] Measures measure() const { return mesh_->measure(engine_->standing()); }
+    [[nodiscard]] Measures measure() const { return mesh_->measure(engine_->delaunay_positions()); }
 
     /// Every finite cell, by vertex indices. O(n).
     [[nodiscard]] Mesh_cells<d> cells() const { return engine_->cells(); }
@@ -210,7 +210,7 @@ class Moving_delaunay {
     [[nodiscard]] Audit_result audit() const {
         Audit_result object;
         (void)triangulation();
-        if (!view_->audit(engine_->standing(), object)) return object;
+        if (!view_->audit(engine_->delaunay_positions(), object)) return object;
         Audit_result result = annulus::audit(audit_input());
         result.topological_faults += object.topological_faults;
         if (!object.first_fault.empty()) result.first_fault = std::move(object.first_fault);

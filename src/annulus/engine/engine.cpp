@@ -8,7 +8,7 @@
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/guarded.h>
 #include <annulus/engine/listing_changes.h>
-#include <annulus/engine/upkeep.h>
+#include <annulus/engine/update_strategy.h>
 
 #include <algorithm>
 #include <map>
@@ -17,8 +17,8 @@
 namespace annulus {
 
 template <int d>
-Engine<d>::Engine(Delaunay_mesh<d>& mesh, const Options& options, std::unique_ptr<Upkeep<d>> upkeep)
-    : options_(options), mesh_(mesh), upkeep_(std::move(upkeep)) {
+Engine<d>::Engine(Delaunay_mesh<d>& mesh, const Options& options, std::unique_ptr<Update_strategy<d>> strategy)
+    : options_(options), mesh_(mesh), strategy_(std::move(strategy)) {
     if (options.report_changes) change_log_ = std::make_unique<Change_log<d>>();
     require_sound_environment();
     if (options.threads < 1)
@@ -31,7 +31,7 @@ Engine<d>::~Engine() = default;
 
 template <int d>
 Strategy Engine<d>::strategy() const {
-    return upkeep_->strategy();
+    return strategy_->strategy();
 }
 
 template <int d>
@@ -55,7 +55,7 @@ void Engine<d>::build(std::span<const Point> points) {
     }
     mesh_.build(points);
     Move_report report;
-    upkeep_->begin(points, report);
+    strategy_->begin(points, report);
 }
 
 template <int d>
@@ -70,10 +70,10 @@ template <int d>
 void Engine<d>::recover(std::size_t bound, Index fresh) noexcept {
     whole_ = false;
     try {
-        upkeep_->cut(bound);
+        strategy_->truncate(bound);
         mesh_.restore(positions(), fresh);
-        Move_report nobody_asked;
-        upkeep_->begin(positions(), nobody_asked);
+        Move_report discarded;
+        strategy_->begin(positions(), discarded);
         whole_ = true;
     } catch (...) {
         mesh_.clear_cells();
@@ -92,29 +92,29 @@ void Engine<d>::require_vertex(Index i) const {
 
 template <int d>
 auto Engine<d>::positions() const -> std::span<const Point> {
-    return upkeep_->positions();
+    return strategy_->positions();
 }
 
 template <int d>
-auto Engine<d>::standing() const -> std::span<const Point> {
-    return upkeep_->standing();
+auto Engine<d>::delaunay_positions() const -> std::span<const Point> {
+    return strategy_->delaunay_positions();
 }
 
 template <int d>
 auto Engine<d>::fixed_position(Index i) const -> Point {
-    return upkeep_->fixed_position(i);
+    return strategy_->fixed_position(i);
 }
 
 template <int d>
 double Engine<d>::tolerance(Index i) const {
     if (mesh_.dimension() != d) return 0.0;
-    const auto kept = upkeep_->tolerance(i);
-    return kept ? *kept : mesh_.star_tolerance(upkeep_->standing(), i);
+    const auto kept = strategy_->tolerance(i);
+    return kept ? *kept : mesh_.star_tolerance(strategy_->delaunay_positions(), i);
 }
 
 template <int d>
 double Engine<d>::displacement(Index i) const {
-    return distance_upper<d>(positions()[at(i)], upkeep_->fixed_position(i));
+    return distance_upper<d>(positions()[at(i)], strategy_->fixed_position(i));
 }
 
 template <int d>
@@ -122,7 +122,7 @@ Move_report Engine<d>::settle() {
     Move_report report;
     guarded([&] {
         listing_changes(report, {}, [&] {
-            if (upkeep_->trusted()) upkeep_->refresh_all(report);
+            if (strategy_->trusted()) strategy_->refresh_all(report);
             else make_trusted(report);
         });
     });
@@ -133,10 +133,10 @@ Move_report Engine<d>::settle() {
 /// one at other positions.
 template <int d>
 void Engine<d>::make_trusted(Move_report& report) {
-    if (upkeep_->trusted()) return;
+    if (strategy_->trusted()) return;
     const std::vector<Point> x(positions().begin(), positions().end());
     mesh_.rebuild(x);
-    upkeep_->begin(x, report);
+    strategy_->begin(x, report);
 }
 
 /// The name of the vertex at p, of all below the bound, is thrown.
@@ -166,17 +166,17 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
     const Point here = p;  // it may be one of positions(), which are about to grow
     const auto put = [&] {
         const std::size_t bound = index_bound();
-        if (!upkeep_->trusted() && vertex_at(here, bound) != none) throw_taken(here, bound);
+        if (!strategy_->trusted() && vertex_at(here, bound) != none) throw_taken(here, bound);
         make_trusted(report);
         std::vector<Cell_index> changed;
         const int before = mesh_.dimension();
-        if (!mesh_.insert(upkeep_->lend(std::max(bound, at(i) + 1)), i, here, changed)) {
-            (void)upkeep_->lend(bound);
+        if (!mesh_.insert(strategy_->resize_for_insertion(std::max(bound, at(i) + 1)), i, here, changed)) {
+            (void)strategy_->resize_for_insertion(bound);
             throw_taken(here, bound);
         }
-        upkeep_->place(i, here);
-        if (before == d) upkeep_->refresh(changed, report);
-        else if (mesh_.dimension() == d) upkeep_->refresh_rebuilt(report);
+        strategy_->add_vertex(i, here);
+        if (before == d) strategy_->refresh(changed, report);
+        else if (mesh_.dimension() == d) strategy_->refresh_rebuilt(report);
     };
     guarded([&] { listing_changes(report, {}, put); }, i);
     if (!vacant_.empty()) vacant_.pop_back();
@@ -197,15 +197,15 @@ void Engine<d>::remove(Index i, Move_report& report) {
             throw;
         }
         vacant_.push_back(i);
-        if (!changed.empty()) upkeep_->refresh(changed, report);
-        else if (before == d || mesh_.dimension() == d) upkeep_->refresh_rebuilt(report);
+        if (!changed.empty()) strategy_->refresh(changed, report);
+        else if (before == d || mesh_.dimension() == d) strategy_->refresh_rebuilt(report);
     };
     guarded([&] { listing_changes(report, {}, take); });
 }
 
 template <int d>
 Mesh_cells<d> Engine<d>::cells() const {
-    return mesh_.cells(standing(), index_bound());
+    return mesh_.cells(delaunay_positions(), index_bound());
 }
 
 template <int d>
@@ -219,7 +219,7 @@ Audit_input<d> Engine<d>::audit_input() const {
         input.names.push_back(static_cast<Index>(i));
     }
     std::vector<Index> corners;
-    mesh_.list_cells(standing(), corners);
+    mesh_.list_cells(delaunay_positions(), corners);
     for (std::size_t k = 0; k < corners.size(); k += d + 1) {
         auto& cell = input.cells.emplace_back();
         for (std::size_t i = 0; i <= d; ++i) cell[i] = corners[k + i] == none ? none : squeezed[at(corners[k + i])];

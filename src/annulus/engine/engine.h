@@ -15,7 +15,7 @@
 namespace annulus {
 
 template <int d>
-class Upkeep;
+class Update_strategy;
 
 /// Vertices that move, under a strategy, and their triangulation: what Moving_delaunay and Moving_mesh promise is kept
 /// here, and they say what it is. Vertices are named by index.
@@ -25,7 +25,7 @@ class Engine {
     using Point = Coordinates<d>;
 
     /// The mesh must outlive it, and is changed by nothing else. Throws environment, usage (threads below 1).
-    Engine(Delaunay_mesh<d>& mesh, const Options& options, std::unique_ptr<Upkeep<d>> upkeep);
+    Engine(Delaunay_mesh<d>& mesh, const Options& options, std::unique_ptr<Update_strategy<d>> strategy);
     ~Engine();
 
     /// Triangulates these points. Once.
@@ -46,7 +46,7 @@ class Engine {
     [[nodiscard]] std::span<const Index> index_of_input() const { return index_of_input_; }
     [[nodiscard]] std::span<const Point> positions() const;
     /// Those at which the triangulation is Delaunay: others only while tolerances that are not certified are kept.
-    [[nodiscard]] std::span<const Point> standing() const;
+    [[nodiscard]] std::span<const Point> delaunay_positions() const;
     [[nodiscard]] Point fixed_position(Index i) const;
     [[nodiscard]] double tolerance(Index i) const;
     [[nodiscard]] double displacement(Index i) const;
@@ -63,7 +63,7 @@ class Engine {
     /// The same, with the goals by index, all of them or those of the movers alone; a collision is thrown with the
     /// names of both vertices.
     template <class Call>
-    void guarded_moves(std::span<const Index> movers, std::span<const Point> goals, Call call);
+    void guarded_moves(std::span<const Index> movers, std::span<const Point> targets, Call call);
     void recover(std::size_t bound, Index fresh) noexcept;
     void require_whole();
     void rebuild_all(std::span<const Point> x, Move_report& report);
@@ -72,12 +72,12 @@ class Engine {
     void move_one(Index i, const Point& p, Move_report& report);
     void move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report);
     [[nodiscard]] bool move_one_by_one(std::span<const std::pair<Index, std::size_t>> movers,
-                                       std::span<const Point> points, std::vector<std::pair<Index, Point>>& home,
+                                       std::span<const Point> points, std::vector<std::pair<Index, Point>>& source,
                                        Move_report& report);
     static void count_movers(std::uint64_t movers, Move_counts& moves);
     void move_everything(std::span<const Point> points, Move_report& report);
-    void move_in_turn(std::span<const Point> x, Move_report& report);
-    void try_move_in_turn(std::span<const Point> x, Move_report& report);
+    void move_sequentially(std::span<const Point> x, Move_report& report);
+    void try_move_sequentially(std::span<const Point> x, Move_report& report);
     void order_by_blockers(std::span<const Point> x, std::vector<Index>& waiting) const;
     void make_trusted(Move_report& report);
     template <class Call>
@@ -85,7 +85,7 @@ class Engine {
 
     Options options_;
     Delaunay_mesh<d>& mesh_;
-    std::unique_ptr<Upkeep<d>> upkeep_;
+    std::unique_ptr<Update_strategy<d>> strategy_;
     std::vector<Index> vacant_;
     std::vector<Index> index_of_input_;
     std::unique_ptr<Change_log<d>> change_log_;  // where changes are reported

@@ -4,10 +4,10 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/error.h>
-#include <annulus/engine/chooser.h>
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/guarded.h>
 #include <annulus/engine/listing_changes.h>
+#include <annulus/engine/rebuild_policy.h>
 
 #include <algorithm>
 #include <functional>
@@ -20,17 +20,17 @@ Move_report Engine<d>::move(Index i, const Point& p) {
     require_vertex(i);
     require_in_domain(p, "vertex", i);
     Move_report report;
-    const Point goal = p;  // it may be one of positions(), which change on the way
-    guarded_moves(std::span(&i, 1), std::span(&goal, 1),
-                  [&] { listing_changes(report, std::span(&i, 1), [&] { move_one(i, goal, report); }); });
+    const Point target = p;  // it may be one of positions(), which change on the way
+    guarded_moves(std::span(&i, 1), std::span(&target, 1),
+                  [&] { listing_changes(report, std::span(&i, 1), [&] { move_one(i, target, report); }); });
     return report;
 }
 
 /// Under the filters single moves of flat sets are rebuilds.
 template <int d>
 void Engine<d>::move_one(Index i, const Point& p, Move_report& report) {
-    if (!upkeep_->repairs() || mesh_.dimension() == d) {
-        upkeep_->move(i, p, report);
+    if (!strategy_->repairs() || mesh_.dimension() == d) {
+        strategy_->move(i, p, report);
         return;
     }
     std::vector<Point> x(positions().begin(), positions().end());
@@ -50,9 +50,9 @@ Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Poin
     for (const Index i : indices) require_vertex(i);
     for (std::size_t k = 0; k < points.size(); ++k) require_in_domain(points[k], "vertex", indices[k]);
     Move_report report;
-    const std::vector<Point> goals(points.begin(), points.end());  // they may be positions(), which change on the way
-    guarded_moves(indices, goals,
-                  [&] { listing_changes(report, indices, [&] { move_some(indices, goals, report); }); });
+    const std::vector<Point> targets(points.begin(), points.end());  // they may be positions(), which change on the way
+    guarded_moves(indices, targets,
+                  [&] { listing_changes(report, indices, [&] { move_some(indices, targets, report); }); });
     return report;
 }
 
@@ -69,41 +69,42 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
     movers.erase(
         std::unique(movers.begin(), movers.end(), [](const auto& l, const auto& r) { return l.first == r.first; }),
         movers.end());
-    std::vector<std::pair<Index, Point>> home;  // of those that were moved, and of the one that was not
-    const auto put_back = [&] {
-        for (; !home.empty(); home.pop_back()) upkeep_->put_back(home.back().first, home.back().second);
+    std::vector<std::pair<Index, Point>> source;  // of those that were moved, and of the one that was not
+    const auto restore_position = [&] {
+        for (; !source.empty(); source.pop_back())
+            strategy_->restore_position(source.back().first, source.back().second);
     };
-    bool too_dear = false;
+    bool too_expensive = false;
     try {
-        if (share * movers.size() <= mesh_.vertices() && upkeep_->repairs() && mesh_.dimension() == d) {
-            home.reserve(movers.size());
+        if (share * movers.size() <= mesh_.vertices() && strategy_->repairs() && mesh_.dimension() == d) {
+            source.reserve(movers.size());
             try {
-                if (move_one_by_one(movers, points, home, report)) return;
-                too_dear = true;  // or flat, which is rebuilt all the same
+                if (move_one_by_one(movers, points, source, report)) return;
+                too_expensive = true;  // or flat, which is rebuilt all the same
             } catch (const Error& e) {
                 if (e.code() != Error_code::collision) throw;
             }
         }
         std::vector<Point> x(positions().begin(), positions().end());
-        for (auto it = home.rbegin(); it != home.rend(); ++it) x[at(it->first)] = it->second;
+        for (auto it = source.rbegin(); it != source.rend(); ++it) x[at(it->first)] = it->second;
         const std::vector<Point> old = x;
         for (const auto& [i, k] : movers) x[at(i)] = points[k];
         // Those that were reinserted go too far for flips, be they all of a timestamp.
-        const bool far = 2 * report.moves.reinserted > home.size();
+        const bool far = 2 * report.moves.reinserted > source.size();
         report.moves = {};
         try {
-            if (too_dear && (far || upkeep_->goes_in_turn())) rebuild_all(x, report);
+            if (too_expensive && (far || strategy_->is_sequential())) rebuild_all(x, report);
             else move_everything(x, report);
         } catch (const Error&) {
-            Move_report nobody_asked;
-            if (!home.empty()) move_everything(old, nobody_asked);
+            Move_report discarded;
+            if (!source.empty()) move_everything(old, discarded);
             throw;
         }
     } catch (const Error& e) {
-        if (e.code() == Error_code::too_large) put_back();
+        if (e.code() == Error_code::too_large) restore_position();
         throw;
     } catch (...) {
-        put_back();
+        restore_position();
         throw;
     }
     count_movers(movers.size(), report.moves);
@@ -121,18 +122,19 @@ void Engine<d>::count_movers(std::uint64_t movers, Move_counts& moves) {
     moves.within_tolerance = left;
 }
 
-/// `home` receives where they were. False: the rest would cost more than everything, or what there is by now is flat.
+/// `source` receives where they were. False: the rest would cost more than everything, or what there is by now is flat.
 template <int d>
 bool Engine<d>::move_one_by_one(std::span<const std::pair<Index, std::size_t>> movers, std::span<const Point> points,
-                                std::vector<std::pair<Index, Point>>& home, Move_report& report) {
-    const double before = report.price;
+                                std::vector<std::pair<Index, Point>>& source, Move_report& report) {
+    const double before = report.cost;
     for (const auto& [i, k] : movers) {
         if (mesh_.dimension() != d) return false;
-        const double price = report.price - before;
-        if (!home.empty() && Chooser<d>::is_too_dear_one_by_one(price, home.size(), movers.size(), mesh_.vertices()))
+        const double cost = report.cost - before;
+        if (!source.empty() &&
+            Rebuild_policy<d>::exceeds_rebuild_one_by_one(cost, source.size(), movers.size(), mesh_.vertices()))
             return false;
-        home.emplace_back(i, positions()[at(i)]);
-        upkeep_->move(i, points[k], report);
+        source.emplace_back(i, positions()[at(i)]);
+        strategy_->move(i, points[k], report);
     }
     return true;
 }
@@ -143,7 +145,7 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
         throw Error(Error_code::wrong_size, "move_all takes " + std::to_string(index_bound()) + " points, not " +
                                                 std::to_string(points.size()));
     // Strategies that repair whole timestamps look at every position anyway, and find out themselves.
-    if (!upkeep_->repairs() || upkeep_->goes_in_turn() || mesh_.dimension() != d)
+    if (!strategy_->repairs() || strategy_->is_sequential() || mesh_.dimension() != d)
         for (std::size_t i = 0; i < points.size(); ++i)
             if (is_vertex(static_cast<Index>(i))) require_in_domain(points[i], "vertex", static_cast<Index>(i));
     Move_report report;
@@ -158,10 +160,10 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
 
 template <int d>
 void Engine<d>::move_everything(std::span<const Point> points, Move_report& report) {
-    upkeep_->consider(points, report);
-    if (upkeep_->repairs() && mesh_.dimension() != d) rebuild_all(points, report);
-    else if (upkeep_->goes_in_turn()) move_in_turn(points, report);
-    else upkeep_->move_all(points, report);
+    strategy_->before_step(points, report);
+    if (strategy_->repairs() && mesh_.dimension() != d) rebuild_all(points, report);
+    else if (strategy_->is_sequential()) move_sequentially(points, report);
+    else strategy_->move_all(points, report);
 }
 
 template <int d>
@@ -169,7 +171,7 @@ void Engine<d>::rebuild_all(std::span<const Point> x, Move_report& report) {
     mesh_.rebuild(x);
     report.moves.asked += mesh_.vertices();
     report.moves.rebuilt += mesh_.vertices();
-    upkeep_->begin(x, report);
+    strategy_->begin(x, report);
 }
 
 /// Vertices in an order in which each finds its place left by the one that is there, as far as there is one (not in a
@@ -202,27 +204,27 @@ void Engine<d>::order_by_blockers(std::span<const Point> x, std::vector<Index>& 
 /// no collision of the timestamp: such vertices are moved last, in an order that is sought once, and when that does
 /// not help (a cycle) all is rebuilt.
 template <int d>
-void Engine<d>::try_move_in_turn(std::span<const Point> x, Move_report& report) {
+void Engine<d>::try_move_sequentially(std::span<const Point> x, Move_report& report) {
     std::vector<Index> waiting;
     for (Index i = 0; at(i) < x.size(); ++i)
         if (is_vertex(i)) waiting.push_back(i);
     std::vector<Index> refused;
     bool ordered = false;
-    const double before = report.price;
+    const double before = report.cost;
     std::size_t turns = 0;
     for (bool progress = true; progress && !waiting.empty();) {
         refused.clear();
         for (const Index i : waiting) {
-            if (upkeep_->repairs() &&
+            if (strategy_->repairs() &&
                 (mesh_.dimension() != d ||
-                 Chooser<d>::is_too_dear_in_turn(report.price - before, turns++, mesh_.vertices()))) {
+                 Rebuild_policy<d>::exceeds_rebuild_in_sequence(report.cost - before, turns++, mesh_.vertices()))) {
                 // Single moves of a flat set are rebuilds, and may be as dear where much is on one sphere: all at once.
                 report.moves = {};
                 rebuild_all(x, report);
                 return;
             }
             try {
-                upkeep_->move_in_turn(i, x[at(i)], report);
+                strategy_->move_sequentially(i, x[at(i)], report);
             } catch (const Error& e) {
                 if (e.code() != Error_code::collision) throw;
                 refused.push_back(i);
@@ -245,21 +247,21 @@ void Engine<d>::try_move_in_turn(std::span<const Point> x, Move_report& report) 
 }
 
 template <int d>
-void Engine<d>::move_in_turn(std::span<const Point> x, Move_report& report) {
-    upkeep_->begin_each(x, report);
+void Engine<d>::move_sequentially(std::span<const Point> x, Move_report& report) {
+    strategy_->begin_transaction(x, report);
     try {
-        try_move_in_turn(x, report);
+        try_move_sequentially(x, report);
     } catch (const Error& e) {
-        upkeep_->take_back();
+        strategy_->rollback();
         if (e.code() == Error_code::too_large) throw;
-        mesh_.rebuild(upkeep_->standing());
-        upkeep_->resume();
+        mesh_.rebuild(strategy_->delaunay_positions());
+        strategy_->resume_after_rollback();
         throw;
     } catch (...) {  // the caller builds anew
-        upkeep_->take_back();
+        strategy_->rollback();
         throw;
     }
-    upkeep_->end_each(report);
+    strategy_->commit_transaction(report);
 }
 
 template class Engine<2>;

@@ -15,10 +15,10 @@ namespace annulus {
 /// The number of a certificate in an expiry list.
 using Certificate_id = std::uint32_t;
 
-/// The certificates of one vertex that expire first, at its odometer readings, and a bound for all others.
+/// The certificates of one vertex that expire first, at its path length, and a bound for all others.
 ///
 /// For every certificate of the vertex, either it is listed with an expiry not above its own, or its expiry is at
-/// least `rest`. So nothing expires before `earliest()`, and while readings stay below `rest` only listed
+/// least `rest`. So nothing expires before `earliest()`, and while path lengths stay below `rest` only listed
 /// certificates have to be looked at: a full tour of the vertex' certificates is needed only beyond. Entries are
 /// hints; the record of the certificate is the truth.
 ///
@@ -41,10 +41,10 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
         return rest_;
     }
 
-    /// Takes those off whose expiry `reading` has reached and calls visit(id) for each; visit may put entries.
+    /// Takes those off whose expiry `path_length` has reached and calls visit(id) for each; visit may put entries.
     template <class Visit>
-    void take_reached(double reading, Visit visit) {
-        const Entry end = (Entry{Expiry::lower(reading).bits()} + 1) << 32;
+    void take_reached(double path_length, Visit visit) {
+        const Entry end = (Entry{Expiry::lower(path_length).bits()} + 1) << 32;
         std::size_t count = 0;
         for (const Entry e : entry_) count += static_cast<std::size_t>((e < end) & (e < vacant));
         std::array<Entry, 2 * capacity> queue{};
@@ -101,9 +101,9 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
         }
     }
 
-    /// Upper bound of the length of the path of fixed positions since the odometer was at 0.
+    /// Upper bound of the length of the path of fixed positions since the path length was at 0.
     double base = 0.0;
-    /// Of the step in which the vertex was anchored last (Odometers::stamp_).
+    /// Of the step in which the vertex was anchored last (Displacement_budget::stamp_).
     std::uint32_t stamp = 0;
 
   private:

@@ -4,8 +4,8 @@
 #include <annulus/engine/engine.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/engine/naming_collisions.h>
-#include <annulus/engine/upkeep.h>
+#include <annulus/engine/naming_duplicates.h>
+#include <annulus/engine/update_strategy.h>
 
 #include <utility>
 
@@ -31,14 +31,14 @@ void Engine<d>::guarded(Call call, Index fresh) {
 
 template <int d>
 template <class Call>
-void Engine<d>::guarded_moves(std::span<const Index> movers, std::span<const Point> goals, Call call) {
+void Engine<d>::guarded_moves(std::span<const Index> movers, std::span<const Point> targets, Call call) {
     try {
         guarded(call);
     } catch (const Error& e) {
         if (e.code() != Error_code::collision) throw;
         std::vector<Point> x(positions().begin(), positions().end());
-        for (std::size_t k = 0; k < goals.size(); ++k) x[movers.empty() ? k : at(movers[k])] = goals[k];
-        rethrow_naming<d>(e, std::span<const Point>(x), [this](Index i) { return is_vertex(i); });
+        for (std::size_t k = 0; k < targets.size(); ++k) x[movers.empty() ? k : at(movers[k])] = targets[k];
+        rethrow_with_vertices<d>(e, std::span<const Point>(x), [this](Index i) { return is_vertex(i); });
     }
 }
 

@@ -11,17 +11,17 @@ namespace annulus {
 
 /// From where to where vertices move.
 template <int d>
-struct Course {
+struct Motion_path {
     /// The goals of all vertices, at the beginning and at the end; in between those that are held back are elsewhere.
     std::span<Coordinates<d>> x;
     /// Where all vertices come from. Empty when one alone moves.
-    std::span<const Coordinates<d>> home{};
+    std::span<const Coordinates<d>> source{};
     Index mover = none;  ///< that one
-    Coordinates<d> mover_home{};
+    Coordinates<d> mover_source{};
 
-    [[nodiscard]] const Coordinates<d>& home_of(Index v) const {
+    [[nodiscard]] const Coordinates<d>& source_of(Index v) const {
         const auto i = static_cast<std::size_t>(v);
-        return v == mover ? mover_home : home.empty() ? x[i] : home[i];
+        return v == mover ? mover_source : source.empty() ? x[i] : source[i];
     }
 };
 
@@ -32,17 +32,17 @@ class Held_back {
   public:
     struct Held {
         Index vertex;
-        Coordinates<d> home;  // of this round
-        Coordinates<d> goal;
-        double share;  // of the way from there to the goal, that is tried
-        int times;     // held back in this round
+        Coordinates<d> source;  // of this round
+        Coordinates<d> target;
+        double fraction;  // of the way from there to the goal, that is tried
+        int times;        // held back in this round
     };
 
     /// All vertices, whose indices are below the bound, are at their goals.
-    void begin(const Course<d>& course, std::size_t bound);
+    void begin(const Motion_path<d>& path, std::size_t bound);
     [[nodiscard]] bool empty() const { return held_.empty(); }
     [[nodiscard]] std::span<const Held> held() const { return held_; }
-    [[nodiscard]] std::span<const Coordinates<d>> positions() const { return course_.x; }
+    [[nodiscard]] std::span<const Coordinates<d>> positions() const { return path_.x; }
 
     /// Puts that of these vertices that is farthest from where it comes from half way, and the next time home. Returns
     /// it, or `none` when all are there.
@@ -50,7 +50,7 @@ class Held_back {
     /// A new round: every vertex that is not at its goal goes on towards it; moved(v) is called after each. Whether one
     /// got nearer to its goal in the last round.
     template <class Moved>
-    [[nodiscard]] bool go_on(Moved moved);
+    [[nodiscard]] bool advance(Moved moved);
     /// Puts all at their goals; moved(v) is called after each that was elsewhere.
     template <class Moved>
     void release(Moved moved);
@@ -58,15 +58,15 @@ class Held_back {
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-    Course<d> course_;
+    Motion_path<d> path_;
     bool first_round_ = true;
     std::vector<Held> held_;
     std::vector<Index> place_of_;  // by vertex: 1 + its place in held_, 0 when it is not held
 };
 
 template <int d>
-void Held_back<d>::begin(const Course<d>& course, std::size_t bound) {
-    course_ = course;
+void Held_back<d>::begin(const Motion_path<d>& path, std::size_t bound) {
+    path_ = path;
     first_round_ = true;
     place_of_.resize(bound, 0);
 }
@@ -79,57 +79,58 @@ Index Held_back<d>::hold_back(const Cell_sites<d>& cell) {
         if (v == infinite) continue;
         const Index k = place_of_[at(v)];
         if (k == 0 && !first_round_) continue;  // where it is the others have been flipped for it
-        const Coordinates<d>& home = k != 0 ? held_[at(k - 1)].home : course_.home_of(v);
-        const double way = squared_distance<d>(course_.x[at(v)], home);  // may underflow
-        if (way > most || (farthest == none && course_.x[at(v)] != home)) {
+        const Coordinates<d>& source = k != 0 ? held_[at(k - 1)].source : path_.source_of(v);
+        const double way = squared_distance<d>(path_.x[at(v)], source);  // may underflow
+        if (way > most || (farthest == none && path_.x[at(v)] != source)) {
             most = way;
             farthest = v;
         }
     }
     if (farthest == none) return none;
     Index& k = place_of_[at(farthest)];
-    Coordinates<d>& x = course_.x[at(farthest)];
+    Coordinates<d>& x = path_.x[at(farthest)];
     if (k == 0) {
-        held_.push_back({farthest, course_.home_of(farthest), x, 1.0, 0});
+        held_.push_back({farthest, path_.source_of(farthest), x, 1.0, 0});
         k = static_cast<Index>(held_.size());
     }
     Held& held = held_[at(k - 1)];
-    held.share *= 0.5;
+    held.fraction *= 0.5;
     if (++held.times > 1) {
-        x = held.home;
+        x = held.source;
         return farthest;
     }
-    Coordinates<d> p = held.home;
-    for (std::size_t i = 0; i < p.size(); ++i) p[i] += held.share * (held.goal[i] - held.home[i]);
-    x = p == x ? held.home : p;
+    Coordinates<d> p = held.source;
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] += held.fraction * (held.target[i] - held.source[i]);
+    x = p == x ? held.source : p;
     return farthest;
 }
 
 template <int d>
 template <class Moved>
-bool Held_back<d>::go_on(Moved moved) {
+bool Held_back<d>::advance(Moved moved) {
     bool progress = false;
     std::size_t left = 0;
     first_round_ = false;
     for (Held held : held_) {
-        const Coordinates<d>& here = course_.x[at(held.vertex)];
-        if (here != held.home) {
+        const Coordinates<d>& here = path_.x[at(held.vertex)];
+        if (here != held.source) {
             progress = true;
-            held.share = 1.0;
+            held.fraction = 1.0;
         }
         place_of_[at(held.vertex)] = 0;
-        if (here == held.goal) continue;
-        held.home = here;
+        if (here == held.target) continue;
+        held.source = here;
         held.times = 0;
         held_[left++] = held;
         place_of_[at(held.vertex)] = static_cast<Index>(left);
     }
     held_.resize(left);
     for (const Held& held : held_) {
-        Coordinates<d> p = held.goal;
-        if (held.share < 1.0)
-            for (std::size_t i = 0; i < p.size(); ++i) p[i] = held.home[i] + held.share * (held.goal[i] - held.home[i]);
-        course_.x[at(held.vertex)] = p;
+        Coordinates<d> p = held.target;
+        if (held.fraction < 1.0)
+            for (std::size_t i = 0; i < p.size(); ++i)
+                p[i] = held.source[i] + held.fraction * (held.target[i] - held.source[i]);
+        path_.x[at(held.vertex)] = p;
         moved(held.vertex);
     }
     return progress;
@@ -140,8 +141,8 @@ template <class Moved>
 void Held_back<d>::release(Moved moved) {
     for (const Held& held : held_) {
         place_of_[at(held.vertex)] = 0;
-        if (course_.x[at(held.vertex)] == held.goal) continue;
-        course_.x[at(held.vertex)] = held.goal;
+        if (path_.x[at(held.vertex)] == held.target) continue;
+        path_.x[at(held.vertex)] = held.target;
         moved(held.vertex);
     }
     held_.clear();

@@ -3,7 +3,7 @@
 
 #include <annulus/engine/cell_changes.h>
 #include <annulus/engine/engine.h>
-#include <annulus/engine/upkeep.h>
+#include <annulus/engine/update_strategy.h>
 
 #include <vector>
 
@@ -15,15 +15,15 @@ template <int d>
 template <class Call>
 void Engine<d>::listing_changes(Move_report& report, std::span<const Index> movers, Call call) {
     if (!change_log_) return call();
-    std::vector<Point> home;
-    home.reserve(movers.size());
-    for (const Index i : movers) home.push_back(positions()[at(i)]);
-    Cell_changes<d> changes(mesh_, standing(), *change_log_);
+    std::vector<Point> source;
+    source.reserve(movers.size());
+    for (const Index i : movers) source.push_back(positions()[at(i)]);
+    Cell_changes<d> changes(mesh_, delaunay_positions(), *change_log_);
     call();
     try {
-        changes.list(standing(), report);
+        changes.list(delaunay_positions(), report);
     } catch (...) {
-        for (std::size_t k = 0; k < movers.size(); ++k) upkeep_->put_back(movers[k], home[k]);
+        for (std::size_t k = 0; k < movers.size(); ++k) strategy_->restore_position(movers[k], source[k]);
         throw;
     }
 }

@@ -26,7 +26,7 @@ void Move_outcomes<d>::count(const Step<d>& step, std::size_t asked, Move_counts
         --left;
     }
     // Marks the disturbed that are not reinserted; those of them that failed were flipped.
-    for (const Index v : step.disturbed)
+    for (const Index v : step.affected)
         if (mark(v) != stamp_) mark(v) = stamp_ + 1;
     for (const Index v : step.failed) {
         if (mark(v) == stamp_) continue;

@@ -43,7 +43,7 @@ struct Move_report {
     std::uint64_t sign_steps = 0;       ///< filters: timestamps that began with the signs of all certificates
     std::uint64_t rebuild_steps = 0;    ///< auto: timestamps that were rebuilt at once
     std::uint64_t settlings = 0;        ///< filters: times that all tolerances were computed
-    double price = 0.0;  ///< filters: what it cost, in cells looked at, by prices that were measured (prices.h)
+    double cost = 0.0;  ///< filters: what it cost, in cells looked at, by prices that were measured (cost_model.h)
     /// On request (Options::report_changes): the cells that came and those that went, d + 1 vertices a cell, -1 for
     /// the one at infinity. No cell is in both (one that was turned over is another one), but where all points are in
     /// a plane or on a line, before or after: then they are every finite cell there is, and there was (padded with
@@ -62,7 +62,7 @@ struct Move_report {
         sign_steps += o.sign_steps;
         rebuild_steps += o.rebuild_steps;
         settlings += o.settlings;
-        price += o.price;
+        cost += o.cost;
         changed.insert(changed.end(), o.changed.begin(), o.changed.end());
         gone.insert(gone.end(), o.gone.begin(), o.gone.end());
         return *this;

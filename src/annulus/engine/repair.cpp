@@ -2,8 +2,8 @@
 #include <annulus/engine/repair.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/engine/chooser.h>
-#include <annulus/engine/prices.h>
+#include <annulus/engine/cost_model.h>
+#include <annulus/engine/rebuild_policy.h>
 #include <annulus/mesh/border.h>
 
 #include <algorithm>
@@ -29,13 +29,13 @@ void Repair<d>::begin(Step<d>& step) {
     step.clear_findings();
     checker_.begin(step.x);
     signs_.begin(step.x, step.budget);
-    mender_.begin();
+    flip_repair_.begin();
 }
 
 template <int d>
 void Repair<d>::count(Step<d>& step, const Stage_counts& evaluated) {
     step.count(evaluated);
-    step.budget.charge(Checker<d>::price(evaluated));
+    step.budget.charge(Certificate_checker<d>::cost(evaluated));
 }
 
 template <int d>
@@ -52,7 +52,7 @@ bool Repair<d>::border_holds(Step<d>& step, bool many, bool by_signs) {
     if (!many || !in_doubt) return true;
     std::size_t seen = 0;
     const bool holds = border_winds_once(mesh_.table(), step.x, seen);
-    step.budget.charge(Prices<d>::border * static_cast<double>(seen));
+    step.budget.charge(Cost_model<d>::border * static_cast<double>(seen));
     return holds;
 }
 
@@ -62,43 +62,45 @@ void Repair<d>::collect_violated(Step<d>& step) {
     for (const auto& s : checker_.cells()) {
         if (!checker_.is_violated(s)) continue;
         signs_.inverted().push_back(s.id);
-        append_vertices(s.point, step.disturbed);
+        append_vertices(s.point, step.affected);
     }
     for (const auto& s : checker_.facets()) {
-        if (s.kind == Facet_kind::nothing || s.verdict.sign > 0) continue;
+        if (s.kind == Facet_kind::nothing || s.value.sign > 0) continue;
         signs_.violated().push_back(s.id);
-        if (s.kind == Facet_kind::empty_sphere && s.verdict.sign == 0) continue;  // degenerate, not violated yet
-        append_vertices(s.point, step.disturbed);
+        if (s.kind == Facet_kind::empty_sphere && s.value.sign == 0) continue;  // degenerate, not violated yet
+        append_vertices(s.point, step.affected);
     }
 }
 
 template <int d>
-bool Repair<d>::mend_all(Step<d>& step, std::span<const Coordinates<d>> old) {
+bool Repair<d>::repair_all(Step<d>& step, std::span<const Coordinates<d>> old) {
     std::vector<Coordinates<d>> trial(step.x.begin(), step.x.end());
-    return mend(step, {trial, old});
+    return repair(step, {trial, old});
 }
 
 template <int d>
-bool Repair<d>::mend_one(Step<d>& step, std::span<Coordinates<d>> x) {
+bool Repair<d>::repair_one(Step<d>& step, std::span<Coordinates<d>> x) {
     Budget& budget = step.budget;
-    const double price = reinsertion_price(step.mover);
+    const double cost = reinsertion_cost(step.mover);
     // Where many of its cells turn over, holding back and flips cost more than that, and lead nowhere half of the time.
     constexpr double share = d == 2 ? 0.3 : 0.5;
-    const bool far = Prices<d>::inverted * static_cast<double>(turned_over(step)) > share * price;
+    const bool far = Cost_model<d>::inverted * static_cast<double>(turned_over(step)) > share * cost;
     if (!far) {
         // Otherwise reinsertion meets the other vertex, or the rebuild does.
         if (collides(step)) throw Error(Error_code::collision, "another vertex is at that position");
-        const double limit = std::exchange(budget.limit, std::min(budget.limit, budget.spent + Prices<d>::reinsertion));
-        const bool mended = mend(step, {x, {}, step.mover, step.home});
+        const double limit =
+            std::exchange(budget.limit, std::min(budget.limit, budget.spent + Cost_model<d>::reinsertion));
+        const bool repaired = repair(step, {x, {}, step.mover, step.source});
         budget.limit = limit;
-        if (mended) return true;
+        if (repaired) return true;
     }
-    const Coordinates<d> goal = std::exchange(x[at(step.mover)], step.home);
-    const std::vector<Cell_index>& touched = mender_.result().touched;
+    const Coordinates<d> target = std::exchange(x[at(step.mover)], step.source);
+    const std::vector<Cell_index>& touched = flip_repair_.result().touched;
     mesh_.restore_cells(x, touched, step.renumbered);
-    budget.charge(Prices<d>::flip * static_cast<double>(touched.size()));
-    if (price <= Chooser<d>::most_generous_rebuild(mesh_.vertices()) && reinsert(step, x, goal, price)) return true;
-    x[at(step.mover)] = goal;
+    budget.charge(Cost_model<d>::flip * static_cast<double>(touched.size()));
+    if (cost <= Rebuild_policy<d>::generous_rebuild_limit(mesh_.vertices()) && reinsert(step, x, target, cost))
+        return true;
+    x[at(step.mover)] = target;
     return false;
 }
 
@@ -113,26 +115,26 @@ std::size_t Repair<d>::turned_over(const Step<d>& step) {
 /// Of taking v out and putting it back in: the gap is filled with the triangulation of its neighbours, which in the
 /// plane takes the square of their number where it goes badly.
 template <int d>
-double Repair<d>::reinsertion_price(Index v) const {
+double Repair<d>::reinsertion_cost(Index v) const {
     constexpr double filled = d == 2 ? 22.5 : 100.0;
     double cells = 0.0;
     mesh_.table().for_each_corner(v, [&cells](Corner_index) { ++cells; });
     const double filling = d == 2 ? filled * cells + 0.05 * cells * cells : filled * cells;
-    return std::max(Prices<d>::reinsertion, filling);
+    return std::max(Cost_model<d>::reinsertion, filling);
 }
 
 template <int d>
-bool Repair<d>::reinsert(Step<d>& step, std::span<Coordinates<d>> x, const Coordinates<d>& goal, double price) {
+bool Repair<d>::reinsert(Step<d>& step, std::span<Coordinates<d>> x, const Coordinates<d>& target, double cost) {
     const auto gone = [this](Cell_index c) { return !mesh_.table().is_cell(c); };
     std::vector<Cell_index> changed;
     try {
-        if (!mesh_.reinsert(x, step.mover, goal, changed)) return false;
+        if (!mesh_.reinsert(x, step.mover, target, changed)) return false;
     } catch (const Error&) {
         step.renumbered.insert(step.renumbered.end(), changed.begin(), changed.end());
         std::erase_if(step.renumbered, gone);
         throw;
     }
-    step.budget.charge(price);
+    step.budget.charge(cost);
     changed.insert(changed.end(), step.renumbered.begin(), step.renumbered.end());
     std::erase_if(changed, gone);
     step.reinserted.assign(1, step.mover);
@@ -148,31 +150,31 @@ bool Repair<d>::reinsert(Step<d>& step, std::span<Coordinates<d>> x, const Coord
 }
 
 template <int d>
-bool Repair<d>::mend(Step<d>& step, const Course<d>& course) {
-    if (step.hopeless || !step.budget.affordable()) return false;
+bool Repair<d>::repair(Step<d>& step, const Motion_path<d>& path) {
+    if (step.infeasible || !step.budget.within_limit()) return false;
     if (step.scope == Scope::expired) collect_violated(step);
     checker_.note_changes();
-    const Mending& mending = mender_.mend(course, step.budget);
+    const Repair_result& result = flip_repair_.repair(path, step.budget);
     step.count(signs_.take_counts());
-    if (!mending.done || !holds_after_mending(step, mending)) {
-        step.report.undone_flips += mending.flips;
+    if (!result.done || !holds_after_flips(step, result)) {
+        step.report.undone_flips += result.flips;
         return false;
     }
-    step.report.flips += mending.flips;
-    step.reinserted = mending.reinserted;
+    step.report.flips += result.flips;
+    step.reinserted = result.reinserted;
     return true;
 }
 
 template <int d>
-bool Repair<d>::holds_after_mending(Step<d>& step, const Mending& mending) {
+bool Repair<d>::holds_after_flips(Step<d>& step, const Repair_result& result) {
     const auto& t = mesh_.table();
     std::vector<Cell_index> alive;
-    std::copy_if(mending.touched.begin(), mending.touched.end(), std::back_inserter(alive),
+    std::copy_if(result.touched.begin(), result.touched.end(), std::back_inserter(alive),
                  [&t](Cell_index c) { return t.is_cell(c); });
     // Even one mover may have passed over a part of the hull that its cells do not touch.
     const bool at_border = std::any_of(alive.begin(), alive.end(), [&t](Cell_index c) { return t.is_infinite(c); });
     const bool many = step.mover == none || at_border;
-    if (at_border && mending.built_anew && !border_is_whole(t)) return false;
+    if (at_border && result.cells_rebuilt && !border_is_whole(t)) return false;
     if (step.scope != Scope::expired) return border_holds(step, many, true);
     // Their tolerances are to be paid for too, and what later stages cost is not known before.
     const std::size_t chunk = std::max(alive.size() / 16, std::size_t{128});
@@ -184,7 +186,7 @@ bool Repair<d>::holds_after_mending(Step<d>& step, const Mending& mending) {
         if (left.empty()) break;
         // Those that are new; entries of before that have become stale again come last.
         count(step, checker_.evaluate_from(facets, cells));
-        if (!step.budget.affordable()) return false;
+        if (!step.budget.within_limit()) return false;
     }
     count(step, checker_.evaluate());
     return checker_.all_hold() && border_holds(step, many, false);

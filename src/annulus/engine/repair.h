@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/checker.h>
-#include <annulus/engine/mender.h>
-#include <annulus/engine/signs.h>
+#include <annulus/engine/certificate_checker.h>
+#include <annulus/engine/flip_repair.h>
+#include <annulus/engine/sign_evaluator.h>
 #include <annulus/engine/step.h>
 #include <annulus/kernel/delaunay_mesh.h>
 
@@ -11,27 +11,27 @@
 
 namespace annulus {
 
-/// Makes every certificate hold at the goals of a step: evaluates, mends what is violated (Mender), takes a vertex that
-/// moved alone out and puts it back in; or says that it cannot, and the caller rebuilds. What it finds and spends is in
-/// the step.
+/// Makes every certificate hold at the goals of a step: evaluates, mends what is violated (Flip_repair), takes a vertex
+/// that moved alone out and puts it back in; or says that it cannot, and the caller rebuilds. What it finds and spends
+/// is in the step.
 ///
 /// A caller names the certificates that are not known to hold there, to `checker()`, with all others proved. After
-/// `mend_all` or `mend_one` every certificate of the mesh holds, hence it is Delaunay (theory 1), and `checker()`
+/// `repair_all` or `repair_one` every certificate of the mesh holds, hence it is Delaunay (theory 1), and `checker()`
 /// lists every certificate that was evaluated or created, with its verdict. Nothing but signs is trusted on the way:
 /// flips are a heuristic that either ends with every certificate positive, or not.
 template <int d>
 class Repair {
   public:
     explicit Repair(Delaunay_mesh<d>& mesh)
-        : mesh_(mesh), checker_(mesh.table()), signs_(mesh.table()), mender_(mesh, signs_) {}
+        : mesh_(mesh), checker_(mesh.table()), signs_(mesh.table()), flip_repair_(mesh, signs_) {}
 
     /// For evaluations and signs. Verdicts and counters do not depend on it.
     void set_threads(int threads) {
         checker_.set_threads(threads);
         signs_.set_threads(threads);
     }
-    [[nodiscard]] Checker<d>& checker() { return checker_; }
-    [[nodiscard]] const Checker<d>& checker() const { return checker_; }
+    [[nodiscard]] Certificate_checker<d>& checker() { return checker_; }
+    [[nodiscard]] const Certificate_checker<d>& checker() const { return checker_; }
 
     /// Starts an examination at step.x: nothing is pending, the step has found nothing. The step must outlive it.
     void begin(Step<d>& step);
@@ -53,29 +53,29 @@ class Repair {
 
     /// Repairs after `evaluate` or one of its kind returned false. False: it exceeded the budget or led nowhere; then
     /// the table is of no use any more, and all is to be rebuilt at the goals. `old` has the positions of before.
-    [[nodiscard]] bool mend_all(Step<d>& step, std::span<const Coordinates<d>> old);
+    [[nodiscard]] bool repair_all(Step<d>& step, std::span<const Coordinates<d>> old);
     /// The same after the mover of the step moved, from step.home. x is step.x, and changes for a while. Throws
     /// Error(collision), with nothing changed but numbers of cells (step.renumbered), when another vertex is where it
     /// goes. Where flips would be dearer, it is taken out and put back in.
-    [[nodiscard]] bool mend_one(Step<d>& step, std::span<Coordinates<d>> x);
+    [[nodiscard]] bool repair_one(Step<d>& step, std::span<Coordinates<d>> x);
 
   private:
     void collect_violated(Step<d>& step);
     [[nodiscard]] bool signs_hold(Step<d>& step, double most);
     /// `by_signs`: certificates were looked at that the checker does not list.
     [[nodiscard]] bool border_holds(Step<d>& step, bool many, bool by_signs);
-    [[nodiscard]] bool mend(Step<d>& step, const Course<d>& course);
-    [[nodiscard]] bool holds_after_mending(Step<d>& step, const Mending& mending);
-    [[nodiscard]] bool reinsert(Step<d>& step, std::span<Coordinates<d>> x, const Coordinates<d>& goal, double price);
+    [[nodiscard]] bool repair(Step<d>& step, const Motion_path<d>& path);
+    [[nodiscard]] bool holds_after_flips(Step<d>& step, const Repair_result& result);
+    [[nodiscard]] bool reinsert(Step<d>& step, std::span<Coordinates<d>> x, const Coordinates<d>& target, double cost);
     [[nodiscard]] bool collides(Step<d>& step);
     [[nodiscard]] std::size_t turned_over(const Step<d>& step);
-    [[nodiscard]] double reinsertion_price(Index v) const;
+    [[nodiscard]] double reinsertion_cost(Index v) const;
     void count(Step<d>& step, const Stage_counts& evaluated);
 
     Delaunay_mesh<d>& mesh_;
-    Checker<d> checker_;
-    Signs<d> signs_;
-    Mender<d> mender_;
+    Certificate_checker<d> checker_;
+    Sign_evaluator<d> signs_;
+    Flip_repair<d> flip_repair_;
 };
 
 extern template class Repair<2>;

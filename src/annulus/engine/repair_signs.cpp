@@ -14,19 +14,19 @@ bool Repair<d>::signs_hold(Step<d>& step, double most) {
     const auto& t = mesh_.table();
     // So far beyond what it may cost that asking all of them would only make it dearer.
     constexpr double margin = 1.5;
-    step.hopeless = std::isfinite(most) && step.budget.spent + signs_.outlook() > margin * most;
-    if (step.hopeless) {
+    step.infeasible = std::isfinite(most) && step.budget.spent + signs_.estimate() > margin * most;
+    if (step.infeasible) {
         step.count(signs_.take_counts());
         return false;
     }
-    const auto affordable = [&] { return step.budget.spent <= most; };
-    std::erase_if(signs_.inverted(), [&](Cell_index c) { return affordable() && !signs_.is_inverted(c); });
-    std::erase_if(signs_.violated(), [&](Corner_index f) { return affordable() && !signs_.is_violated(f); });
+    const auto within_limit = [&] { return step.budget.spent <= most; };
+    std::erase_if(signs_.inverted(), [&](Cell_index c) { return within_limit() && !signs_.is_inverted(c); });
+    std::erase_if(signs_.violated(), [&](Corner_index f) { return within_limit() && !signs_.is_violated(f); });
     for (const Cell_index c : signs_.inverted())
-        for (const Index v : cell_vertices(t, c)) step.disturbed.push_back(v);
+        for (const Index v : cell_vertices(t, c)) step.affected.push_back(v);
     for (const Corner_index f : signs_.violated())
         for (const auto& [v, label] : facet_certificate(t, f, false).point)
-            if (v != none) step.disturbed.push_back(v);
+            if (v != none) step.affected.push_back(v);
     step.count(signs_.take_counts());
     if (!signs_.inverted().empty() || !signs_.violated().empty()) return false;
     return border_holds(step, step.mover == none, true);
@@ -34,13 +34,13 @@ bool Repair<d>::signs_hold(Step<d>& step, double most) {
 
 template <int d>
 bool Repair<d>::evaluate_everything(Step<d>& step) {
-    signs_.look_at_everything();
+    signs_.test_all_cells();
     return signs_hold(step, step.budget.limit);
 }
 
 template <int d>
 bool Repair<d>::evaluate_star(Step<d>& step) {
-    signs_.look_around(step.mover, false);
+    signs_.test_star(step.mover, false);
     return signs_hold(step, std::numeric_limits<double>::infinity());
 }
 

@@ -26,7 +26,7 @@ using Vertex_expiries = Expiry_list<Limits::listed(d)>;
 /// vertices left their tolerances, what was violated and mended, what is to be written down. An exception drops it.
 template <int d>
 struct Step {
-    /// What a vertex was before its odometer was read.
+    /// What a vertex was before its path length was read.
     struct Before {
         Vertex_record<d> record;
         Vertex_expiries<d> list;
@@ -34,7 +34,7 @@ struct Step {
 
     std::span<const Coordinates<d>> x;  ///< goals, by vertex
     Index mover = none;                 ///< the vertex that moves alone
-    Coordinates<d> home{};              ///< where that was
+    Coordinates<d> source{};            ///< where that was
     Scope scope = Scope::expired;
     std::vector<Index> failed;    ///< those that left their tolerances; without tolerances those that move
     std::vector<Before> before;   ///< of these
@@ -44,8 +44,8 @@ struct Step {
     Move_report report;           ///< what was evaluated and flipped
 
     // What Repair found and did.
-    bool hopeless = false;               ///< mending would cost far more than it may, by a sample
-    std::vector<Index> disturbed;        ///< points of violated certificates
+    bool infeasible = false;             ///< mending would cost far more than it may, by a sample
+    std::vector<Index> affected;         ///< points of violated certificates
     std::vector<Index> reinserted;       ///< vertices around which cells were rebuilt
     std::vector<Cell_index> renumbered;  ///< the same cells as before a collision was found, with other numbers
     bool rebuilt = false;
@@ -59,8 +59,8 @@ struct Step {
     /// Forgets what an examination found.
     void clear_findings() {
         report = {};
-        hopeless = false;
-        disturbed.clear();
+        infeasible = false;
+        affected.clear();
         reinserted.clear();
         renumbered.clear();
     }

@@ -21,8 +21,8 @@ enum class Relocation { refused, kept, reinserted };
 /// A Delaunay triangulation of vertices, which indices name: who is in it, and its cells, which are a Corner_table and
 /// nothing else. It is built, inserted into and removed from here; the engine changes the table by flips.
 ///
-/// Positions are their owner's (Upkeep) and come with each call: `positions` are those at which the triangulation is
-/// Delaunay.
+/// Positions are their owner's (Update_strategy) and come with each call: `positions` are those at which the
+/// triangulation is Delaunay.
 template <int d>
 class Delaunay_mesh {
   public:

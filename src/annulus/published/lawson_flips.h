@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/signs.h>
+#include <annulus/engine/sign_evaluator.h>
 #include <annulus/mesh/corner_table.h>
 
 #include <span>
@@ -13,7 +13,7 @@ namespace annulus {
 /// is inside the hull and no triangle around it is turned over, edges that are not locally Delaunay are flipped until
 /// there are none; `changed` receives the triangles that were, once or more. False, with nothing changed, elsewhere.
 /// Expected O(degree + flips).
-[[nodiscard]] bool flip_after_move(Corner_table<2>& table, std::span<const Coordinates<2>> x, Index v, Signs<2>& signs,
-                                   std::vector<Cell_index>& changed);
+[[nodiscard]] bool flip_after_move(Corner_table<2>& table, std::span<const Coordinates<2>> x, Index v,
+                                   Sign_evaluator<2>& signs, std::vector<Cell_index>& changed);
 
 }  // namespace annulus

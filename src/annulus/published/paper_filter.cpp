@@ -68,7 +68,7 @@ void Paper_filter<d>::begin(std::span<const Coordinates<d>> x, Move_report& repo
     if (std::exchange(switch_.fresh, false)) this->set_strategy(Strategy::paper_hybrid);
     if (filters()) return settle(x, report);
     least_.clear();
-    Rebuilder<d>::begin(x, report);
+    Rebuild_strategy<d>::begin(x, report);
 }
 
 /// Whether v has a tolerance above its displacement to x, with all other vertices at rest.
@@ -83,7 +83,7 @@ bool Paper_filter<d>::stays(std::span<const Coordinates<d>> x, Index v, Move_rep
 }
 
 template <int d>
-void Paper_filter<d>::consider(std::span<const Coordinates<d>> x, Move_report& report) {
+void Paper_filter<d>::before_step(std::span<const Coordinates<d>> x, Move_report& report) {
     constexpr int sample = 40;
     constexpr double share = d == 2 ? 0.75 : 0.55;
     if (filters() || switch_.timestamps++ % 4 != 0) return;
@@ -103,8 +103,8 @@ void Paper_filter<d>::consider(std::span<const Coordinates<d>> x, Move_report& r
 }
 
 template <int d>
-void Paper_filter<d>::place(Index v, const Coordinates<d>& p) {
-    Rebuilder<d>::place(v, p);
+void Paper_filter<d>::add_vertex(Index v, const Coordinates<d>& p) {
+    Rebuild_strategy<d>::add_vertex(v, p);
     if (!filters()) return;
     resize();
     state_.fixed[at(v)] = p;
@@ -113,22 +113,22 @@ void Paper_filter<d>::place(Index v, const Coordinates<d>& p) {
 }
 
 template <int d>
-void Paper_filter<d>::begin_each(std::span<const Coordinates<d>> x, Move_report& report) {
-    Rebuilder<d>::begin_each(x, report);
-    noted_ = state_;
+void Paper_filter<d>::begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) {
+    Rebuild_strategy<d>::begin_transaction(x, report);
+    saved_ = state_;
 }
 
 template <int d>
-void Paper_filter<d>::end_each(Move_report& report) {
-    Rebuilder<d>::end_each(report);
-    noted_ = {};
+void Paper_filter<d>::commit_transaction(Move_report& report) {
+    Rebuild_strategy<d>::commit_transaction(report);
+    saved_ = {};
     switch_.fresh = false;
 }
 
 template <int d>
-void Paper_filter<d>::take_back() noexcept {
-    Rebuilder<d>::take_back();
-    std::swap(state_, noted_);
+void Paper_filter<d>::rollback() noexcept {
+    Rebuild_strategy<d>::rollback();
+    std::swap(state_, saved_);
     forget_queue();
     if (std::exchange(switch_.fresh, false)) this->set_strategy(Strategy::paper_hybrid);
 }
@@ -244,7 +244,7 @@ void Paper_filter<d>::begin_again(Move_report& report) {
 
 template <int d>
 void Paper_filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
-    if (!filters()) return Rebuilder<d>::move(v, p, report);
+    if (!filters()) return Rebuild_strategy<d>::move(v, p, report);
     const Coordinates<d> old = std::exchange(this->position_[at(v)], p);
     if (passes(v)) {
         ++report.moves.asked;
@@ -253,7 +253,7 @@ void Paper_filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report
     }
     const auto moves = report.moves;  // a vertex that meets another is asked to move again later
     bool begun = false;
-    const auto take_back = [&] {
+    const auto rollback = [&] {
         report.moves = moves;
         this->position_[at(v)] = old;
         forget_queue();
@@ -263,11 +263,11 @@ void Paper_filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report
         begun = true;
         for (std::size_t i = 0; i < queue_.vertex.size(); ++i) process(queue_.vertex[i], report, false);
     } catch (const Error&) {
-        take_back();
+        rollback();
         if (begun) begin_again(report);
         throw;
     } catch (...) {
-        take_back();
+        rollback();
         throw;
     }
     queue_.vertex.clear();

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <annulus/engine/displacement.h>
-#include <annulus/engine/rebuilder.h>
-#include <annulus/engine/signs.h>
+#include <annulus/engine/rebuild_strategy.h>
+#include <annulus/engine/sign_evaluator.h>
 #include <annulus/published/least_tolerance.h>
 #include <annulus/published/paper_tolerances.h>
 
@@ -27,11 +27,11 @@ namespace annulus {
 /// that is too large gives a wrong answer at the moving positions, and never breaks the mesh. In space those of the
 /// kind `paper` are too large (docs/theory.md 3).
 template <int d>
-class Paper_filter final : public Rebuilder<d> {
+class Paper_filter final : public Rebuild_strategy<d> {
   public:
     /// Precondition: `paper` or `paper_hybrid`. `seed` is of the samples of the latter.
     Paper_filter(Delaunay_mesh<d>& mesh, Strategy strategy, Tolerance_kind kind, std::uint64_t seed)
-        : Rebuilder<d>(mesh, strategy), tolerances_(mesh.table(), kind), signs_(mesh.table()), random_(seed) {}
+        : Rebuild_strategy<d>(mesh, strategy), tolerances_(mesh.table(), kind), signs_(mesh.table()), random_(seed) {}
 
     /// Every tolerance anew, with x as fixed and moving positions. When it throws, no position was written. O(n).
     void settle(std::span<const Coordinates<d>> x, Move_report& report);
@@ -39,15 +39,15 @@ class Paper_filter final : public Rebuilder<d> {
     void refresh_all(Move_report& report) override { begin(this->position_, report); }
     /// Whether to filter from now on: of 40 random vertices 75 % (55 % in space) have a tolerance above their
     /// displacement. Looks at every fourth timestamp (paper 4.2).
-    void consider(std::span<const Coordinates<d>> x, Move_report& report) override;
+    void before_step(std::span<const Coordinates<d>> x, Move_report& report) override;
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
     void refresh(std::span<const Cell_index> cells, Move_report& report) override;
-    void place(Index v, const Coordinates<d>& p) override;
+    void add_vertex(Index v, const Coordinates<d>& p) override;
 
-    void begin_each(std::span<const Coordinates<d>> x, Move_report& report) override;
-    void end_each(Move_report& report) override;
-    void take_back() noexcept override;
-    [[nodiscard]] std::span<const Coordinates<d>> standing() const override {
+    void begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) override;
+    void commit_transaction(Move_report& report) override;
+    void rollback() noexcept override;
+    [[nodiscard]] std::span<const Coordinates<d>> delaunay_positions() const override {
         const bool at_fixed = filters() && tolerances_.kind() != Tolerance_kind::certified;
         return at_fixed ? std::span<const Coordinates<d>>(state_.fixed) : this->positions();
     }
@@ -59,12 +59,12 @@ class Paper_filter final : public Rebuilder<d> {
         return filters() ? std::optional(std::max(0.0, state_.epsilon[at(v)])) : std::nullopt;
     }
     [[nodiscard]] bool repairs() const override { return filters(); }
-    [[nodiscard]] bool goes_in_turn() const override { return filters(); }
+    [[nodiscard]] bool is_sequential() const override { return filters(); }
     /// A vertex that came to the moving positions would have cells that need not be Delaunay at the fixed ones.
     [[nodiscard]] bool trusted() const override { return !filters(); }
 
   private:
-    using Rebuilder<d>::at;
+    using Rebuild_strategy<d>::at;
     [[nodiscard]] bool filters() const { return this->strategy() == Strategy::paper; }
     [[nodiscard]] bool passes(Index v) const {
         const Coordinates<d>& p = this->position_[at(v)];
@@ -98,9 +98,9 @@ class Paper_filter final : public Rebuilder<d> {
     };
 
     Paper_tolerances<d> tolerances_;
-    Signs<d> signs_;
+    Sign_evaluator<d> signs_;
     State state_;
-    State noted_;  // before a timestamp
+    State saved_;  // before a timestamp
     Queue queue_;
     Least_tolerance least_;  // of what is looked at
     Switch switch_;

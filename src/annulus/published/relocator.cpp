@@ -8,8 +8,8 @@ namespace annulus {
 template <int d>
 void Relocator<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     std::vector<Coordinates<d>>& x = this->position_;
-    const Coordinates<d> home = x[this->at(v)];
-    if (home == p) {
+    const Coordinates<d> source = x[this->at(v)];
+    if (source == p) {
         ++report.moves.asked;
         ++report.moves.within_tolerance;
         return;
@@ -22,7 +22,7 @@ void Relocator<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
             case Relocation::reinserted: ++report.moves.reinserted; break;
         }
     } catch (...) {
-        x[this->at(v)] = home;
+        x[this->at(v)] = source;
         throw;
     }
     ++report.moves.asked;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/rebuilder.h>
+#include <annulus/engine/rebuild_strategy.h>
 
 namespace annulus {
 
 /// The strategies `relocate` and `relocate-flips`: each vertex is taken out and put back in, always, or where a
 /// certificate of it does not hold at its new position (paper 3.1). No tolerances.
 template <int d>
-class Relocator final : public Rebuilder<d> {
+class Relocator final : public Rebuild_strategy<d> {
   public:
     /// Precondition: one of these two.
-    Relocator(Delaunay_mesh<d>& mesh, Strategy strategy) : Rebuilder<d>(mesh, strategy) {}
+    Relocator(Delaunay_mesh<d>& mesh, Strategy strategy) : Rebuild_strategy<d>(mesh, strategy) {}
 
-    [[nodiscard]] bool goes_in_turn() const override { return true; }
+    [[nodiscard]] bool is_sequential() const override { return true; }
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
 };
 

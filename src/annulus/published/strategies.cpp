@@ -2,8 +2,8 @@
 #include <annulus/published/strategies.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/engine/filter.h>
-#include <annulus/engine/rebuilder.h>
+#include <annulus/engine/rebuild_strategy.h>
+#include <annulus/engine/tolerance_strategy.h>
 #include <annulus/published/paper_filter.h>
 #include <annulus/published/relocator.h>
 
@@ -12,7 +12,7 @@
 namespace annulus {
 
 template <int d>
-std::unique_ptr<Upkeep<d>> make_strategy(Delaunay_mesh<d>& mesh, const Options& options) {
+std::unique_ptr<Update_strategy<d>> make_strategy(Delaunay_mesh<d>& mesh, const Options& options) {
     const Strategy strategy = options.strategy;
     const std::string name(name_of(strategy));
     switch (strategy) {
@@ -25,17 +25,17 @@ std::unique_ptr<Upkeep<d>> make_strategy(Delaunay_mesh<d>& mesh, const Options& 
         throw Error(Error_code::usage, "tolerances of kind '" + std::string(name_of(options.tolerance)) +
                                            "' are for the strategies 'paper' and 'paper-hybrid', not '" + name + "'");
     switch (strategy) {
-        case Strategy::rebuild: return std::make_unique<Rebuilder<d>>(mesh);
+        case Strategy::rebuild: return std::make_unique<Rebuild_strategy<d>>(mesh);
         case Strategy::relocate:
         case Strategy::relocate_flips: return std::make_unique<Relocator<d>>(mesh, strategy);
         default: break;
     }
-    auto filter = std::make_unique<Filter<d>>(mesh, strategy);
-    filter->set_threads(options.threads);
-    return filter;
+    auto made = std::make_unique<Tolerance_strategy<d>>(mesh, strategy);
+    made->set_threads(options.threads);
+    return made;
 }
 
-template std::unique_ptr<Upkeep<2>> make_strategy(Delaunay_mesh<2>&, const Options&);
-template std::unique_ptr<Upkeep<3>> make_strategy(Delaunay_mesh<3>&, const Options&);
+template std::unique_ptr<Update_strategy<2>> make_strategy(Delaunay_mesh<2>&, const Options&);
+template std::unique_ptr<Update_strategy<3>> make_strategy(Delaunay_mesh<3>&, const Options&);
 
 }  // namespace annulus

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/engine/options.h>
-#include <annulus/engine/upkeep.h>
+#include <annulus/engine/update_strategy.h>
 #include <annulus/kernel/delaunay_mesh.h>
 
 #include <memory>
@@ -12,9 +12,9 @@ namespace annulus {
 /// The strategy that the options name, for this mesh, which must outlive it. Throws Error(usage) where they do not fit:
 /// tolerances that are not certified are the paper's strategies' alone.
 template <int d>
-[[nodiscard]] std::unique_ptr<Upkeep<d>> make_strategy(Delaunay_mesh<d>& mesh, const Options& options);
+[[nodiscard]] std::unique_ptr<Update_strategy<d>> make_strategy(Delaunay_mesh<d>& mesh, const Options& options);
 
-extern template std::unique_ptr<Upkeep<2>> make_strategy(Delaunay_mesh<2>&, const Options&);
-extern template std::unique_ptr<Upkeep<3>> make_strategy(Delaunay_mesh<3>&, const Options&);
+extern template std::unique_ptr<Update_strategy<2>> make_strategy(Delaunay_mesh<2>&, const Options&);
+extern template std::unique_ptr<Update_strategy<3>> make_strategy(Delaunay_mesh<3>&, const Options&);
 
 }  // namespace annulus

@@ -14,11 +14,12 @@
 namespace annulus {
 
 /// Two vertices of one position among x[i] with lives(i); -0 and 0 are one position. O(n log n).
-template <int d, class Lives>
-[[nodiscard]] std::optional<std::pair<Index, Index>> coinciding(std::span<const Coordinates<d>> x, Lives lives) {
+template <int d, class Is_present>
+[[nodiscard]] std::optional<std::pair<Index, Index>> coinciding(std::span<const Coordinates<d>> x,
+                                                                Is_present is_present) {
     std::vector<Index> all;
     for (std::size_t i = 0; i < x.size(); ++i)
-        if (lives(static_cast<Index>(i))) all.push_back(static_cast<Index>(i));
+        if (is_present(static_cast<Index>(i))) all.push_back(static_cast<Index>(i));
     const auto place = [&](Index i) -> const Coordinates<d>& { return x[static_cast<std::size_t>(i)]; };
     std::sort(all.begin(), all.end(),
               [&](Index l, Index r) { return place(l) != place(r) ? place(l) < place(r) : l < r; });
@@ -28,19 +29,20 @@ template <int d, class Lives>
     return std::pair(*twice, *(twice + 1));
 }
 
-/// A handler of errors of a call that was to bring vertices to `goals`: throws a collision anew with the names of
+/// A handler of errors of a call that was to bring vertices to `targets`: throws a collision anew with the names of
 /// both vertices, which who met it need not have known, and anything else as it is.
-template <int d, class Lives>
-[[noreturn]] void rethrow_naming(const Error& e, std::span<const Coordinates<d>> goals, Lives lives) {
+template <int d, class Is_present>
+[[noreturn]] void rethrow_with_vertices(const Error& e, std::span<const Coordinates<d>> targets,
+                                        Is_present is_present) {
     if (e.code() != Error_code::collision) throw;
     const auto named = e.vertices();
     const auto is_true = [&](std::int64_t a, std::int64_t b) {
-        return a != b && lives(static_cast<Index>(a)) && lives(static_cast<Index>(b)) &&
-               goals[static_cast<std::size_t>(a)] == goals[static_cast<std::size_t>(b)];
+        return a != b && is_present(static_cast<Index>(a)) && is_present(static_cast<Index>(b)) &&
+               targets[static_cast<std::size_t>(a)] == targets[static_cast<std::size_t>(b)];
     };
     if (named.size() == 2 && is_true(named[0], named[1]))
         throw collision_of("vertices", "would have", named[0], named[1]);
-    if (const auto pair = coinciding<d>(goals, lives))
+    if (const auto pair = coinciding<d>(targets, is_present))
         throw collision_of("vertices", "would have", pair->first, pair->second);
     throw;
 }

@@ -29,9 +29,9 @@ template <int d>
 bool Repair<d>::collides(Step<d>& step) {
     const Index v = step.mover;
     const auto& t = mesh_.table();
-    const Coordinates<d>& goal = step.x[at(v)];
+    const Coordinates<d>& target = step.x[at(v)];
     Index nearest = v;
-    double least = distance(step.home, goal);
+    double least = distance(step.source, target);
     for (Index from = none; from != nearest;) {
         from = nearest;
         t.for_each_corner(from, [&](Corner_index h) {
@@ -40,14 +40,14 @@ bool Repair<d>::collides(Step<d>& step) {
             for (int i = 0; i <= d; ++i) {
                 const Index w = t.vertex(t.corner(c, i));
                 if (w == infinite || w == v) continue;
-                const double here = distance(step.x[at(w)], goal);
+                const double here = distance(step.x[at(w)], target);
                 if (!(here < least)) continue;
                 least = here;
                 nearest = w;
             }
         });
     }
-    return nearest != v && step.x[at(nearest)] == goal;
+    return nearest != v && step.x[at(nearest)] == target;
 }
 
 template class Repair<2>;

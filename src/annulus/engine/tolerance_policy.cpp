@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/engine/tracking.h>
+#include <annulus/engine/tolerance_policy.h>
 
 #include <annulus/engine/displacement.h>
 
@@ -16,27 +16,27 @@ constexpr std::uint64_t check_interval = 8;  // timestamps without tolerances, b
 /// So many failed, in this step and before, that with the signs of all certificates instead a settling would have
 /// been paid for.
 template <int d>
-bool Tracking<d>::is_too_dear(std::size_t failures, std::size_t vertices) const {
-    return overdraft_ + Prices<d>::failure * static_cast<double>(failures) >
-           (Prices<d>::settling + Prices<d>::signs) * static_cast<double>(vertices);
+bool Tolerance_policy<d>::exceeds_budget(std::size_t failures, std::size_t vertices) const {
+    return excess_cost_ + Cost_model<d>::failure * static_cast<double>(failures) >
+           (Cost_model<d>::recomputation + Cost_model<d>::signs) * static_cast<double>(vertices);
 }
 
 /// Savings are not put aside.
 template <int d>
-bool Tracking<d>::end_tracked(bool each, std::size_t vertices) {
-    const double price =
-        Prices<d>::failure * static_cast<double>(failures_) + Prices<d>::evaluation * static_cast<double>(evaluated_);
-    const double signs = (each ? Prices<d>::star : Prices<d>::signs) * static_cast<double>(vertices);
-    overdraft_ = std::max(0.0, overdraft_ + price - signs);
+bool Tolerance_policy<d>::end_step_with_tolerances(bool each, std::size_t vertices) {
+    const double cost = Cost_model<d>::failure * static_cast<double>(failures_) +
+                        Cost_model<d>::evaluation * static_cast<double>(evaluated_);
+    const double signs = (each ? Cost_model<d>::star : Cost_model<d>::signs) * static_cast<double>(vertices);
+    excess_cost_ = std::max(0.0, excess_cost_ + cost - signs);
     failures_ = evaluated_ = 0;
-    return each && overdraft_ > Prices<d>::settling * static_cast<double>(vertices);
+    return each && excess_cost_ > Cost_model<d>::recomputation * static_cast<double>(vertices);
 }
 
 template <int d>
-void Tracking<d>::note_displacements(const Corner_table<d>& table, std::span<const Coordinates<d>> from,
-                                     std::span<const Coordinates<d>> to) {
+void Tolerance_policy<d>::note_displacements(const Corner_table<d>& table, std::span<const Coordinates<d>> from,
+                                             std::span<const Coordinates<d>> to) {
     displacement_.clear();
-    if (untracked_ % check_interval != 0) return;
+    if (steps_without_ % check_interval != 0) return;
     displacement_.resize(to.size());
     for (std::size_t v = 0; v < to.size(); ++v)
         if (table.corner_of(static_cast<Index>(v)) != no_corner)
@@ -46,8 +46,8 @@ void Tracking<d>::note_displacements(const Corner_table<d>& table, std::span<con
 /// The share of the certificates that would expire at a step like this one, by a sample of facets: one of tolerance s
 /// expires after s / max |u| steps.
 template <int d>
-double Tracking<d>::outlook(const Corner_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x,
-                            Move_report& report) const {
+double Tolerance_policy<d>::estimate(const Corner_table<d>& table, Certificate_checker<d>& checker,
+                                     std::span<const Coordinates<d>> x, Move_report& report) const {
     const Index bound = table.facet_bound().value();
     const Index stride = 1 + bound / 1024;
     checker.begin(x);
@@ -65,7 +65,7 @@ double Tracking<d>::outlook(const Corner_table<d>& table, Checker<d>& checker, s
             fastest =
                 std::max(fastest, squared_distance<d>(displacement_[static_cast<std::size_t>(v)], Coordinates<d>{}));
         const double way = std::sqrt(fastest);
-        const double room = s.verdict.tolerance;
+        const double room = s.value.tolerance;
         sum += way < room ? way / room : way > 0.0 ? 1.0 : 0.0;
         ++sampled;
     }
@@ -73,55 +73,55 @@ double Tracking<d>::outlook(const Corner_table<d>& table, Checker<d>& checker, s
 }
 
 template <int d>
-void Tracking<d>::reconsider(const Corner_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x,
-                             bool each, Move_report& report) {
+void Tolerance_policy<d>::reconsider(const Corner_table<d>& table, Certificate_checker<d>& checker,
+                                     std::span<const Coordinates<d>> x, bool each, Move_report& report) {
     if (displacement_.empty()) return;
     double share = 0.0;
     try {
-        share = outlook(table, checker, x, report);
+        share = estimate(table, checker, x, report);
     } catch (const std::bad_alloc&) {  // the timestamp has been made, and this has no say in what is right
         release(displacement_);
         return;
     }
     constexpr double margin = 0.75;  // the first of them costs a settling
-    settles_next_ =
-        Prices<d>::expected * Prices<d>::certificates * share <= margin * (each ? Prices<d>::star : Prices<d>::signs);
+    recomputes_next_ = Cost_model<d>::expected * Cost_model<d>::certificates * share <=
+                       margin * (each ? Cost_model<d>::star : Cost_model<d>::signs);
     release(displacement_);
 }
 
 /// Signs around one vertex cost a thousandth of settling, which then pays for those to come (rent or buy). Moves that
 /// flips had to mend, or more, do not count: no tolerance lets them pass.
 template <int d>
-bool Tracking<d>::settles_for_single_move(std::size_t vertices) const {
+bool Tolerance_policy<d>::recomputes_for_single_move(std::size_t vertices) const {
     constexpr std::uint64_t share = 64;
     return share * (calm_moves_ + 1) > vertices;
 }
 
 /// What they cost above what signs would have, as for timestamps.
 template <int d>
-bool Tracking<d>::end_single(std::size_t vertices) {
-    const double price =
-        Prices<d>::failure * static_cast<double>(failures_) + Prices<d>::evaluation * static_cast<double>(evaluated_);
-    overdraft_ = std::max(0.0, overdraft_ + price - Prices<d>::star);
+bool Tolerance_policy<d>::end_single_move(std::size_t vertices) {
+    const double cost = Cost_model<d>::failure * static_cast<double>(failures_) +
+                        Cost_model<d>::evaluation * static_cast<double>(evaluated_);
+    excess_cost_ = std::max(0.0, excess_cost_ + cost - Cost_model<d>::star);
     failures_ = evaluated_ = 0;
-    return overdraft_ > Prices<d>::settling * static_cast<double>(vertices);
+    return excess_cost_ > Cost_model<d>::recomputation * static_cast<double>(vertices);
 }
 
 template <int d>
-void Tracking<d>::settled() {
+void Tolerance_policy<d>::note_recomputed() {
     failures_ = evaluated_ = 0;
-    overdraft_ = 0.0;
-    settles_next_ = false;
+    excess_cost_ = 0.0;
+    recomputes_next_ = false;
 }
 
 template <int d>
-void Tracking<d>::stopped() {
-    settles_next_ = false;
-    untracked_ = 0;
+void Tolerance_policy<d>::note_dropped() {
+    recomputes_next_ = false;
+    steps_without_ = 0;
     calm_moves_ = 0;
 }
 
-template class Tracking<2>;
-template class Tracking<3>;
+template class Tolerance_policy<2>;
+template class Tolerance_policy<3>;
 
 }  // namespace annulus

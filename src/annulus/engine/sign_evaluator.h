@@ -3,8 +3,8 @@
 
 #include <annulus/certificate/exact_sign.h>
 #include <annulus/engine/budget.h>
+#include <annulus/engine/cost_model.h>
 #include <annulus/engine/move_report.h>
-#include <annulus/engine/prices.h>
 #include <annulus/mesh/certificates.h>
 
 #include <optional>
@@ -21,11 +21,11 @@ namespace annulus {
 /// is_inverted and is_violated tell. Positions may change between calls; then what contains the vertex has to be
 /// looked at again.
 template <int d>
-class Signs {
+class Sign_evaluator {
   public:
-    explicit Signs(const Corner_table<d>& table) : table_(table) {}
+    explicit Sign_evaluator(const Corner_table<d>& table) : table_(table) {}
 
-    /// For look_at_everything(). What it finds does not depend on it.
+    /// For test_all_cells(). What it finds does not depend on it.
     void set_threads(int threads) { threads_ = threads; }
 
     /// Starts at positions x. These and the budget, which is charged with what is asked, must outlive the
@@ -36,14 +36,14 @@ class Signs {
     void rebind(std::span<const Coordinates<d>> x) { x_ = x; }
 
     /// The cell c and its facets; of an infinite cell the ridges, and with `border` whether it faces the middle.
-    void look_at(Cell_index c, bool border) {
-        budget_->charge(Prices<d>::alone);
-        look_at(c, border, found_);
+    void test_cell(Cell_index c, bool border) {
+        budget_->charge(Cost_model<d>::alone);
+        test_cell(c, border, found_);
     }
     /// Every cell.
-    void look_at_everything();
+    void test_all_cells();
     /// Every certificate that contains v.
-    void look_around(Index v, bool border);
+    void test_star(Index v, bool border);
 
     /// Exact. A cell with infinity is inverted when its facet faces away from the middle of the points: that is a
     /// hint, no certificate.
@@ -57,7 +57,7 @@ class Signs {
     [[nodiscard]] std::vector<Corner_index>& violated() { return found_.violated; }  ///< facets
     /// About what it will cost at least to mend what is on the lists: by a sample, of which the filter stage is asked
     /// what clearly fails.
-    [[nodiscard]] double outlook();
+    [[nodiscard]] double estimate();
     /// What was asked since begin(), or since this was called last, by stage.
     [[nodiscard]] Stage_counts take_counts() {
         Stage_counts all = std::exchange(decided_, {});
@@ -76,7 +76,7 @@ class Signs {
         std::uint64_t clear_halves = 0;
         std::uint64_t cells = 0;
     };
-    void look_at(Cell_index c, bool border, Found& found) const;
+    void test_cell(Cell_index c, bool border, Found& found) const;
     void take(const Found& found);
     int decided(Staged_sign s);
     [[nodiscard]] bool clearly(int sign);
@@ -92,7 +92,7 @@ class Signs {
     Budget* budget_ = nullptr;
 };
 
-extern template class Signs<2>;
-extern template class Signs<3>;
+extern template class Sign_evaluator<2>;
+extern template class Sign_evaluator<3>;
 
 }  // namespace annulus

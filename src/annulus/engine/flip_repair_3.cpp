@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/engine/mender.h>
+#include <annulus/engine/flip_repair.h>
 #include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/table_flips_3.h>
 
@@ -12,7 +12,7 @@ namespace annulus {
 /// crosses the facet, 3-2 where it passes by one side. Where four of the points are coplanar, 4-4 if the two edges
 /// cross.
 template <>
-bool Mender<3>::flip(Corner_index h) {
+bool Flip_repair<3>::flip(Corner_index h) {
     const Cell_sites<3> x = facet_and_vertex(table_, h);
     const Site<3> q = x[3];
     const Site<3> p = table_.opposite(h);
@@ -55,7 +55,7 @@ bool Mender<3>::flip(Corner_index h) {
 /// A cell at the hull that its vertex turned over by leaving: the facet of the hull that it crossed goes. Not beside
 /// another inverted cell: then more is wrong than this flip would tell.
 template <>
-bool Mender<3>::unfold(Cell_index c) {
+bool Flip_repair<3>::untangle(Cell_index c) {
     if (table_.is_infinite(c)) return false;
     for (int i = 0; i <= 3; ++i) {
         const Corner_index h = table_.corner(c, i);

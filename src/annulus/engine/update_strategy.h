@@ -16,14 +16,14 @@ namespace annulus {
 /// What throws leaves positions() as they were, unless it says otherwise; the triangulation and all else is then
 /// unspecified but after Error(collision), after which it is right. Engine builds anew after the others.
 template <int d>
-class Upkeep {
+class Update_strategy {
   public:
-    explicit Upkeep(Strategy strategy) : strategy_(strategy) {}
-    virtual ~Upkeep() = default;
+    explicit Update_strategy(Strategy strategy) : strategy_(strategy) {}
+    virtual ~Update_strategy() = default;
     /// The one in force.
     [[nodiscard]] Strategy strategy() const { return strategy_; }
-    /// Whether a timestamp is a move of one vertex after another (`move_in_turn`); else it is `move_all`.
-    [[nodiscard]] virtual bool goes_in_turn() const = 0;
+    /// Whether a timestamp is a move of one vertex after another (`move_sequentially`); else it is `move_all`.
+    [[nodiscard]] virtual bool is_sequential() const = 0;
     /// Whether the mesh is Delaunay at positions() for certain, so that a vertex may be inserted or removed there.
     [[nodiscard]] virtual bool trusted() const { return true; }
 
@@ -45,7 +45,7 @@ class Upkeep {
     [[nodiscard]] virtual bool repairs() const = 0;
 
     /// A timestamp to x is about to begin.
-    virtual void consider(std::span<const Coordinates<d>> x, Move_report& report) {
+    virtual void before_step(std::span<const Coordinates<d>> x, Move_report& report) {
         static_cast<void>(x);
         static_cast<void>(report);
     }
@@ -55,28 +55,28 @@ class Upkeep {
     virtual void move(Index v, const Coordinates<d>& p, Move_report& report) = 0;
 
     /// The positions, for who inserts, with room for indices below the bound, and no more.
-    [[nodiscard]] virtual std::span<Coordinates<d>> lend(std::size_t bound) = 0;
+    [[nodiscard]] virtual std::span<Coordinates<d>> resize_for_insertion(std::size_t bound) = 0;
     /// The vertex takes position p; it was not in the triangulation, and is now.
-    virtual void place(Index v, const Coordinates<d>& p) = 0;
+    virtual void add_vertex(Index v, const Coordinates<d>& p) = 0;
     /// After these cells were replaced by other hands (insertion, removal) at the present positions.
     virtual void refresh(std::span<const Cell_index> cells, Move_report& report) = 0;
     /// Forgets what is at indices from this one on, or writes a position and nothing else; a rebuild and `begin` have
     /// to follow.
-    virtual void cut(std::size_t bound) = 0;
-    virtual void put_back(Index v, const Coordinates<d>& p) noexcept = 0;
+    virtual void truncate(std::size_t bound) = 0;
+    virtual void restore_position(Index v, const Coordinates<d>& p) noexcept = 0;
 
     // A timestamp of single moves, which is taken back as a whole when one of them is refused.
     /// Notes the present state. x are where vertices are going to be.
-    virtual void begin_each(std::span<const Coordinates<d>> x, Move_report& report) = 0;
-    virtual void end_each(Move_report& report) = 0;
+    virtual void begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) = 0;
+    virtual void commit_transaction(Move_report& report) = 0;
     /// Single moves of it, which do not look whether tolerances pay.
-    virtual void move_in_turn(Index v, const Coordinates<d>& p, Move_report& report) { move(v, p, report); }
+    virtual void move_sequentially(Index v, const Coordinates<d>& p, Move_report& report) { move(v, p, report); }
     /// Positions, and what is kept with them, as noted.
-    virtual void take_back() noexcept = 0;
-    /// The positions at which the triangulation is Delaunay; after take_back(), at which it is to be rebuilt, before
+    virtual void rollback() noexcept = 0;
+    /// The positions at which the triangulation is Delaunay; after rollback(), at which it is to be rebuilt, before
     /// the rest.
-    [[nodiscard]] virtual std::span<const Coordinates<d>> standing() const { return positions(); }
-    virtual void resume() = 0;
+    [[nodiscard]] virtual std::span<const Coordinates<d>> delaunay_positions() const { return positions(); }
+    virtual void resume_after_rollback() = 0;
 
   protected:
     void set_strategy(Strategy strategy) noexcept { strategy_ = strategy; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How `filter` starts, when it keeps tolerances, and its rebuilds.
-#include <annulus/engine/filter.h>
+#include <annulus/engine/tolerance_strategy.h>
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/engine/sample.h>
@@ -12,86 +12,86 @@
 namespace annulus {
 
 template <int d>
-void Filter<d>::resize() {
+void Tolerance_strategy<d>::resize() {
     const std::size_t n = at(table_.vertex_bound());
     grow(position_, n);
     outcomes_.resize(n);
-    if (odometers_.kept()) odometers_.resize();
+    if (displacement_budget_.kept()) displacement_budget_.resize();
 }
 
 /// The cells are worked on from now on.
 template <int d>
-void Filter<d>::stop_rebuilding() {
+void Tolerance_strategy<d>::stop_rebuilding() {
     if (!std::exchange(rebuilding_, false)) return;
     resize();
 }
 
 template <int d>
-void Filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
+void Tolerance_strategy<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
     const bool own = x.data() == position_.data();
     rebuilding_ = false;
-    odometers_.invalidate();
+    displacement_budget_.invalidate();
     resize();
     if (own) x = position_;
-    take_up(x, report);
+    compute_tolerances(x, report);
     if (!own) std::copy(x.begin(), x.end(), position_.begin());
 }
 
 /// Fresh tolerances of everything at x.
 template <int d>
-void Filter<d>::take_up(std::span<const Coordinates<d>> x, Move_report& report) {
-    tracking_.settled();
+void Tolerance_strategy<d>::compute_tolerances(std::span<const Coordinates<d>> x, Move_report& report) {
+    tolerance_policy_.note_recomputed();
     ++report.settlings;
-    odometers_.begin(x);
+    displacement_budget_.begin(x);
     if (mesh_.dimension() == d) evaluate_all(x, report);
-    odometers_.finish_beginning();
+    displacement_budget_.finish_beginning();
 }
 
 template <int d>
-void Filter<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
+void Tolerance_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
     if (means_ == Means::tolerances) return settle(x, report);
     if (x.data() != position_.data()) position_.assign(x.begin(), x.end());
-    stop_tracking();
+    drop_tolerances();
     rebuilding_ = means_ == Means::any;
     if (!rebuilding_) resize();
 }
 
 template <int d>
-void Filter<d>::refresh_all(Move_report& report) {
+void Tolerance_strategy<d>::refresh_all(Move_report& report) {
     if (means_ == Means::signs) return begin(position_, report);
     settle(position_, report);
 }
 
 template <int d>
-void Filter<d>::begin_each(std::span<const Coordinates<d>> x, Move_report& report) {
-    noted_ = position_;
-    settle_if_it_pays(report);
+void Tolerance_strategy<d>::begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) {
+    saved_ = position_;
+    recompute_if_worthwhile(report);
     note_displacements(x);
 }
 
 template <int d>
-void Filter<d>::end_each(Move_report& report) {
-    noted_.clear();
-    end_timestamp(true, report);
+void Tolerance_strategy<d>::commit_transaction(Move_report& report) {
+    saved_.clear();
+    end_step(true, report);
 }
 
 template <int d>
-void Filter<d>::take_back() noexcept {
-    position_.swap(noted_);
-    odometers_.invalidate();
+void Tolerance_strategy<d>::rollback() noexcept {
+    position_.swap(saved_);
+    displacement_budget_.invalidate();
 }
 
 template <int d>
-void Filter<d>::resume() {
-    Move_report nobody_asked;
-    refresh_all(nobody_asked);
+void Tolerance_strategy<d>::resume_after_rollback() {
+    Move_report discarded;
+    refresh_all(discarded);
 }
 
 /// In blocks that stay in the cache from the evaluation to what is written down; several threads want larger ones.
 /// The order is the same.
 template <int d>
-void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& report) {
-    Checker<d>& checker = repair_.checker();
+void Tolerance_strategy<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& report) {
+    Certificate_checker<d>& checker = repair_.checker();
     const auto in_blocks = [&]<class I>(I bound, auto add) {
         const Index block = threads_ > 1 ? 1 << 16 : 1024;
         for (Index first = 0; first < bound.value(); first += block) {
@@ -99,7 +99,7 @@ void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& rep
             const Index last = std::min(bound.value(), first + block);
             for (I i(first); i.value() < last; ++i) add(i);
             const Stage_counts counts = checker.evaluate();
-            odometers_.commit_fresh(checker);
+            displacement_budget_.commit_fresh(checker);
             report.evaluated += counts.total();
             report.arithmetic += counts;
         }
@@ -114,97 +114,97 @@ void Filter<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& rep
 
 /// Tolerances are given up: no vertex that moves passes until the next settling.
 template <int d>
-void Filter<d>::stop_tracking() {
-    odometers_.drop();
-    tracking_.stopped();
+void Tolerance_strategy<d>::drop_tolerances() {
+    displacement_budget_.drop();
+    tolerance_policy_.note_dropped();
 }
 
 template <int d>
-void Filter<d>::place(Index v, const Coordinates<d>& p) {
+void Tolerance_strategy<d>::add_vertex(Index v, const Coordinates<d>& p) {
     if (at(v) >= position_.size()) position_.resize(at(v) + 1);
     position_[at(v)] = p;
     if (rebuilding_) return;
     resize();
-    if (odometers_.kept()) odometers_.place(v, p);
+    if (displacement_budget_.kept()) displacement_budget_.add_vertex(v, p);
 }
 
 template <int d>
-void Filter<d>::put_back(Index v, const Coordinates<d>& p) noexcept {
+void Tolerance_strategy<d>::restore_position(Index v, const Coordinates<d>& p) noexcept {
     position_[at(v)] = p;
-    odometers_.invalidate();
+    displacement_budget_.invalidate();
 }
 
 template <int d>
-void Filter<d>::cut(std::size_t bound) {
+void Tolerance_strategy<d>::truncate(std::size_t bound) {
     position_.resize(bound);
-    odometers_.invalidate();
+    displacement_budget_.invalidate();
 }
 
 template <int d>
-void Filter<d>::refresh(std::span<const Cell_index> cells, Move_report& report) {
+void Tolerance_strategy<d>::refresh(std::span<const Cell_index> cells, Move_report& report) {
     if (rebuilding_) return;
     resize();
-    if (!odometers_.kept()) return;
+    if (!displacement_budget_.kept()) return;
     Step<d> step = new_step(position_, none, Scope::expired);
-    odometers_.begin_anchoring(step);
-    Checker<d>& checker = repair_.checker();
+    displacement_budget_.begin_anchoring(step);
+    Certificate_checker<d>& checker = repair_.checker();
     checker.begin(position_);
     checker.add_cells(cells);
     const Stage_counts counts = checker.evaluate();
-    odometers_.commit(step, checker);
+    displacement_budget_.commit(step, checker);
     report.evaluated += counts.total();
     report.arithmetic += counts;
 }
 
 /// Displacements are kept from time to time while no tolerances are, unless there never are any.
 template <int d>
-void Filter<d>::note_displacements(std::span<const Coordinates<d>> x) {
-    if (odometers_.kept() || means_ == Means::signs) tracking_.forget_displacements();
-    else tracking_.note_displacements(table_, position_, x);
+void Tolerance_strategy<d>::note_displacements(std::span<const Coordinates<d>> x) {
+    if (displacement_budget_.kept() || means_ == Means::signs) tolerance_policy_.forget_displacements();
+    else tolerance_policy_.note_displacements(table_, position_, x);
 }
 
 template <int d>
-void Filter<d>::end_timestamp(bool each, Move_report& report) {
-    if (odometers_.kept()) {
-        if (tracking_.end_tracked(each, mesh_.vertices())) stop_tracking();
+void Tolerance_strategy<d>::end_step(bool each, Move_report& report) {
+    if (displacement_budget_.kept()) {
+        if (tolerance_policy_.end_step_with_tolerances(each, mesh_.vertices())) drop_tolerances();
     } else if (each) {
-        tracking_.note_untracked();
+        tolerance_policy_.note_step_without_tolerances();
     }
-    tracking_.reconsider(table_, repair_.checker(), position_, each, report);
+    tolerance_policy_.reconsider(table_, repair_.checker(), position_, each, report);
 }
 
 /// At the end of a timestamp that was mended by signs (after a rebuild nothing is settled), not the one that found
 /// out: at its beginning nobody knows whether a rebuild is to come. The two cost no more than a timestamp may.
 template <int d>
-void Filter<d>::settle_afterwards(Move_report& report) {
-    static_assert(Chooser<d>::share() + Prices<d>::settling < 1.45 * Prices<d>::insertion);
+void Tolerance_strategy<d>::recompute_afterwards(Move_report& report) {
+    static_assert(Rebuild_policy<d>::share() + Cost_model<d>::recomputation < 1.45 * Cost_model<d>::insertion);
     try {
-        settle_if_it_pays(report);
+        recompute_if_worthwhile(report);
     } catch (const std::bad_alloc&) {  // the timestamp has been made
     }
 }
 
 template <int d>
-void Filter<d>::settle_if_it_pays(Move_report& report) {
-    if (!tracking_.take_settling()) return;
-    report.price += Prices<d>::settling * static_cast<double>(mesh_.vertices());
+void Tolerance_strategy<d>::recompute_if_worthwhile(Move_report& report) {
+    if (!tolerance_policy_.take_recomputation()) return;
+    report.cost += Cost_model<d>::recomputation * static_cast<double>(mesh_.vertices());
     settle(position_, report);
 }
 
 /// While timestamps are rebuilt, by what this one brings: whether it will pay to mend the next. This one is rebuilt
 /// all the same.
 template <int d>
-bool Filter<d>::next_is_mended(std::span<const Coordinates<d>> x) {
+bool Tolerance_strategy<d>::next_is_repaired(std::span<const Coordinates<d>> x) {
     constexpr std::size_t most_cells = 512;
     constexpr std::size_t share = 16;
     const std::size_t cells = std::min(most_cells, 1 + x.size() / share);
-    return !chooser_.is_hopeless(sample_cells<d>(table_, x, cells / 8)) &&
-           chooser_.mends(sample_cells<d>(table_, x, cells));
+    return !rebuild_policy_.is_clearly_infeasible(sample_cells<d>(table_, x, cells / 8)) &&
+           rebuild_policy_.repairs(sample_cells<d>(table_, x, cells));
 }
 
 template <int d>
-void Filter<d>::rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_report& report) {
-    report.price += Chooser<d>::rebuild_price(mesh_.vertices());
+void Tolerance_strategy<d>::rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_report& report) {
+    report.cost += Rebuild_policy<d>::rebuild_cost(mesh_.vertices());
     mesh_.rebuild(x);
     if (last) stop_rebuilding();
     std::copy(x.begin(), x.end(), position_.begin());
@@ -215,23 +215,23 @@ void Filter<d>::rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_r
 
 /// After repair gave up. After a collision the cells are built at the old positions, with other numbers.
 template <int d>
-void Filter<d>::rebuild(Step<d>& step) {
+void Tolerance_strategy<d>::rebuild(Step<d>& step) {
     try {
         if (means_ == Means::any) {
-            chooser_.gave_up();
-            stop_tracking();
+            rebuild_policy_.gave_up();
+            drop_tolerances();
             rebuilding_ = true;
         }
         mesh_.rebuild(step.x);
     } catch (const Error&) {
-        if (step.mover != none) position_[at(step.mover)] = step.home;
+        if (step.mover != none) position_[at(step.mover)] = step.source;
         mesh_.rebuild(position_);
         step.renumbered_all = !rebuilding_;
         throw;
     }
 }
 
-template class Filter<2>;
-template class Filter<3>;
+template class Tolerance_strategy<2>;
+template class Tolerance_strategy<3>;
 
 }  // namespace annulus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Odometers: started, tested at every step, dropped.
-#include <annulus/engine/odometers.h>
+// Displacement_budget: started, tested at every step, dropped.
+#include <annulus/engine/displacement_budget.h>
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/engine/trace.h>
@@ -11,7 +11,7 @@
 namespace annulus {
 
 template <int d>
-void Odometers<d>::drop() noexcept {
+void Displacement_budget<d>::drop() noexcept {
     kept_ = false;
     release(vertex_);
     release(list_);
@@ -19,7 +19,7 @@ void Odometers<d>::drop() noexcept {
 }
 
 template <int d>
-void Odometers<d>::resize() {
+void Displacement_budget<d>::resize() {
     const std::size_t n = at(table_.vertex_bound());
     grow(vertex_, n);
     grow(list_, n);
@@ -27,7 +27,7 @@ void Odometers<d>::resize() {
 }
 
 template <int d>
-void Odometers<d>::begin(std::span<const Coordinates<d>> x) {
+void Displacement_budget<d>::begin(std::span<const Coordinates<d>> x) {
     kept_ = false;
     resize();
     for (std::size_t v = 0; v < x.size(); ++v) vertex_[v] = {x[v], {}};
@@ -36,7 +36,7 @@ void Odometers<d>::begin(std::span<const Coordinates<d>> x) {
 }
 
 template <int d>
-void Odometers<d>::finish_beginning() {
+void Displacement_budget<d>::finish_beginning() {
     for (Index v = 0; v < table_.vertex_bound(); ++v)
         if (table_.corner_of(v) != no_corner) set_threshold(v);
     kept_ = true;
@@ -44,7 +44,7 @@ void Odometers<d>::finish_beginning() {
 }
 
 template <int d>
-void Odometers<d>::place(Index v, const Coordinates<d>& p) {
+void Displacement_budget<d>::add_vertex(Index v, const Coordinates<d>& p) {
     vertex_[at(v)] = {p, {}};
     list_[at(v)].clear();
     ANNULUS_TRACED(placed(*this, v));
@@ -52,8 +52,8 @@ void Odometers<d>::place(Index v, const Coordinates<d>& p) {
 
 /// The one pass over all vertices, of which this is a run.
 template <int d>
-bool Odometers<d>::find_failed(std::span<const Coordinates<d>> x, std::size_t first, std::size_t last,
-                               std::vector<Index>& failed) const {
+bool Displacement_budget<d>::find_failed(std::span<const Coordinates<d>> x, std::size_t first, std::size_t last,
+                                         std::vector<Index>& failed) const {
     const Vertex_record<d>* const record = vertex_.data();
     double farthest = 0.0;  // coordinate; may miss what is no number, which fails below
     bool near = true;
@@ -75,7 +75,7 @@ bool Odometers<d>::find_failed(std::span<const Coordinates<d>> x, std::size_t fi
     return near && farthest <= coordinate_limit;
 }
 
-template class Odometers<2>;
-template class Odometers<3>;
+template class Displacement_budget<2>;
+template class Displacement_budget<3>;
 
 }  // namespace annulus

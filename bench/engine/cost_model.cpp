@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the prices of engine/prices.h are on this machine, in cells looked at. One measurement of each in every
+// What the prices of engine/cost_model.h are on this machine, in cells looked at. One measurement of each in every
 // repetition, with another seed, and all divided by what looking at a cell took in the same repetition
 // (bench/calibrate makes a table of it).
 #include "timing.h"
@@ -9,7 +9,7 @@
 
 #include <annulus/certificate/batch.h>
 #include <annulus/engine/sample.h>
-#include <annulus/engine/signs.h>
+#include <annulus/engine/sign_evaluator.h>
 #include <annulus/mesh/evaluate.h>
 
 #include <CLI/CLI.hpp>
@@ -38,7 +38,7 @@ class Repetition {
         find_unit();
         building();
         find_unit();
-        settling();
+        recomputation();
         find_unit();
         steps_of_tolerances();
         find_unit();
@@ -56,12 +56,12 @@ class Repetition {
     /// machine is not always as fast.
     void find_unit() {
         const auto& table = w_.mesh().table();
-        Signs<d> signs(table);
+        Sign_evaluator<d> signs(table);
         Budget budget;
         const double s = least(5, [&] {
             budget = {};
             signs.begin(w_.points(), budget);
-            signs.look_at_everything();
+            signs.test_all_cells();
         });
         unit_ = s / budget.spent;
     }
@@ -116,7 +116,7 @@ class Repetition {
         out_["insertion"] = vertex(*std::min_element(insertion.begin(), insertion.end()));
     }
 
-    void settling() {
+    void recomputation() {
         out_["settling"] = vertex(least(3, [&] { w_.settle(); }));
         w_.walk(1e-9);
         (void)w_.step();
@@ -143,13 +143,13 @@ class Repetition {
                     Move_report report;
                     const double t = seconds([&] { report = w_.step(); });
                     if (report.tolerance_steps != 1 || report.settlings != 0 || report.moves.rebuilt != 0 ||
-                        !w_.filter().tracks())
+                        !w_.strategy().keeps_tolerances())
                         break;
                     if (k < 3) continue;  // just after settling nothing fails
                     const auto failed = static_cast<double>(report.moves.asked - report.moves.within_tolerance);
-                    factor.add(
-                        Prices<d>::failure * failed + Prices<d>::evaluation * static_cast<double>(report.evaluated),
-                        (t - pass_) / unit_);
+                    factor.add(Cost_model<d>::failure * failed +
+                                   Cost_model<d>::evaluation * static_cast<double>(report.evaluated),
+                               (t - pass_) / unit_);
                     sum += t / unit_;
                     expiries += expiring;
                     ++counted;
@@ -157,8 +157,8 @@ class Repetition {
                 if (share == 1 && counted == 7) expected.add(expiries, sum);
             }
         }
-        out_["failure"] = factor.value() * Prices<d>::failure;
-        out_["evaluation"] = factor.value() * Prices<d>::evaluation;
+        out_["failure"] = factor.value() * Cost_model<d>::failure;
+        out_["evaluation"] = factor.value() * Cost_model<d>::evaluation;
         out_["expected"] = expected.value();
     }
 
@@ -189,7 +189,7 @@ class Repetition {
     /// Without tolerances: when all holds, and by what a sample of all cells says before. Violated facets and
     /// inverted cells come together, too.
     void steps_of_signs() {
-        w_.stop_tracking();
+        w_.drop_tolerances();
         double hold = 1e9;
         for (int k = 0; k < 6; ++k) {  // the eighth looks whether tolerances would pay
             w_.walk(1e-9);
@@ -209,12 +209,12 @@ class Repetition {
                 if (report.sign_steps != 1 || report.settlings != 0 || report.moves.rebuilt != 0) continue;
                 const double scale =
                     out_["cells"].get<double>() * all_ / static_cast<double>(std::max<std::size_t>(sample.cells, 1));
-                factor.add(scale * (Prices<d>::violated * 0.5 * static_cast<double>(sample.violated) +
-                                    Prices<d>::inverted * static_cast<double>(sample.inverted)),
+                factor.add(scale * (Cost_model<d>::violated * 0.5 * static_cast<double>(sample.violated) +
+                                    Cost_model<d>::inverted * static_cast<double>(sample.inverted)),
                            (t - hold) / unit_);
             }
-        out_["violated"] = factor.value() * Prices<d>::violated;
-        out_["inverted"] = factor.value() * Prices<d>::inverted;
+        out_["violated"] = factor.value() * Cost_model<d>::violated;
+        out_["inverted"] = factor.value() * Cost_model<d>::inverted;
     }
 
     /// Certificates that the filter stage cannot tell: a lattice with noise of an ulp.
@@ -222,14 +222,14 @@ class Repetition {
         Workbench<d> lattice("lattice", n_ / 2, seed_);
         const Sample sample = annulus::sample_cells<d>(lattice.mesh().table(), lattice.points(), 10 * n_);
         const auto& table = lattice.mesh().table();
-        Signs<d> signs(table);
+        Sign_evaluator<d> signs(table);
         std::size_t cells = 0;
         for ([[maybe_unused]] const Cell_index c : table.cells()) ++cells;
         std::size_t broken = 0;
         const double s = least(2, [&] {
             Budget budget;
             signs.begin(lattice.points(), budget);
-            signs.look_at_everything();
+            signs.test_all_cells();
             const auto inverted = signs.inverted();
             for (const Cell_index c : inverted) broken += signs.is_inverted(c) ? 1U : 0U;
             const auto facets = signs.violated();
@@ -252,8 +252,8 @@ class Repetition {
             return b.seconds / unit_ - filter.seconds / unit_ * b.count / filter.count;
         };
         const double determinant = middle.interval * near.exact - near.interval * middle.exact;
-        out_["interval_evaluation_price"] = (above(middle) * near.exact - above(near) * middle.exact) / determinant;
-        out_["exact_evaluation_price"] = (middle.interval * above(near) - near.interval * above(middle)) / determinant;
+        out_["interval_evaluation_cost"] = (above(middle) * near.exact - above(near) * middle.exact) / determinant;
+        out_["exact_evaluation_cost"] = (middle.interval * above(near) - near.interval * above(middle)) / determinant;
     }
 
     struct Bicells {
@@ -305,14 +305,14 @@ ordered_json run(std::size_t n, int repeat) {
 
 int main(int argc, char** argv) {
     int repeat = 5;
-    CLI::App app{"The prices of engine/prices.h on this machine, in cells looked at."};
+    CLI::App app{"The prices of engine/cost_model.h on this machine, in cells looked at."};
     app.add_option("--repeat", repeat)->check(CLI::Range(1, 1000));
     CLI11_PARSE(app, argc, argv);
     try {
         const ordered_json out{{"2", run<2>(10000, repeat)}, {"3", run<3>(8000, repeat)}};
         std::printf("%s\n", out.dump().c_str());
     } catch (const std::exception& e) {
-        std::fprintf(stderr, "annulus-prices: %s\n", e.what());
+        std::fprintf(stderr, "annulus-cost-model: %s\n", e.what());
         return 3;
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Holding back, flipping, going on: what is the same in every dimension.
-#include <annulus/engine/mender.h>
+#include <annulus/engine/flip_repair.h>
 
-#include <annulus/engine/prices.h>
+#include <annulus/engine/cost_model.h>
 #include <annulus/mesh/sort_unique.h>
 
 #include <algorithm>
@@ -15,42 +15,43 @@ constexpr int most_idle_rounds = 3;
 }  // namespace
 
 template <int d>
-void Mender<d>::made(std::span<const Cell_index> cells) {
+void Flip_repair<d>::made(std::span<const Cell_index> cells) {
     ++result_.flips;
-    budget_->charge(Prices<d>::flip);
+    budget_->charge(Cost_model<d>::flip);
     for (const Cell_index c : cells) {
         result_.touched.push_back(c);
-        signs_.look_at(c, true);
+        signs_.test_cell(c, true);
     }
 }
 
 template <int d>
-void Mender<d>::moved(Index v) {
-    signs_.look_around(v, true);
+void Flip_repair<d>::moved(Index v) {
+    signs_.test_star(v, true);
 }
 
-/// No cell is inverted afterwards, except those that are at hand in `folded`. False when it has become too dear.
+/// No cell is inverted afterwards, except those that are at hand in `inverted_at_source`. False when it has become too
+/// dear.
 template <int d>
-bool Mender<d>::unfold_or_hold() {
+bool Flip_repair<d>::untangle_or_hold_back() {
     auto& inverted = signs_.inverted();
     while (!inverted.empty()) {
         const Cell_index c = inverted.back();
         inverted.pop_back();
         if (!table_.is_cell(c) || !signs_.is_inverted(c)) continue;
-        if (!budget_->affordable()) return false;
-        if (unfold(c)) continue;
+        if (!budget_->within_limit()) return false;
+        if (untangle(c)) continue;
         const Index v = held_.hold_back(cell_sites(table_, c));
         if (v != none) moved(v);
-        else left_.folded.push_back(c);
+        else left_.inverted_at_source.push_back(c);
     }
     return true;
 }
 
 /// What no flip mends has to wait for others, and is stuck when there are none left.
 template <int d>
-bool Mender<d>::flip_violated() {
+bool Flip_repair<d>::flip_violated() {
     auto& violated = signs_.violated();
-    auto& [folded, stuck, waiting] = left_;
+    auto& [inverted_at_source, stuck, waiting] = left_;
     violated.insert(violated.end(), stuck.begin(), stuck.end());
     stuck.clear();
     bool flipped = false;
@@ -63,7 +64,7 @@ bool Mender<d>::flip_violated() {
         const Corner_index f = violated.back();
         violated.pop_back();
         if (!table_.is_facet(f) || !signs_.is_violated(f)) continue;
-        if (!budget_->affordable()) return false;
+        if (!budget_->within_limit()) return false;
         if (flip(f)) flipped = true;
         else waiting.push_back(f);
     }
@@ -75,7 +76,7 @@ bool Mender<d>::flip_violated() {
 /// The cells at which it is stuck, and their vertices, with all vertices at their goals. The lists are empty
 /// afterwards.
 template <int d>
-void Mender<d>::note_stuck(std::vector<Cell_index>& seeds) {
+void Flip_repair<d>::note_stuck(std::vector<Cell_index>& seeds) {
     const auto seed = [&](Cell_index c) {
         seeds.push_back(c);
         for (const Index v : cell_vertices(table_, c))
@@ -84,9 +85,9 @@ void Mender<d>::note_stuck(std::vector<Cell_index>& seeds) {
     auto& violated = signs_.violated();
     violated.insert(violated.end(), left_.stuck.begin(), left_.stuck.end());
     left_.stuck.clear();
-    for (const Cell_index c : left_.folded)
+    for (const Cell_index c : left_.inverted_at_source)
         if (table_.is_cell(c)) seed(c);
-    left_.folded.clear();
+    left_.inverted_at_source.clear();
     for (const Cell_index c : signs_.inverted())
         if (table_.is_cell(c) && signs_.is_inverted(c)) seed(c);
     for (const Corner_index f : violated) {
@@ -102,75 +103,76 @@ void Mender<d>::note_stuck(std::vector<Cell_index>& seeds) {
 
 /// All vertices go to their goals, and what does not hold there is rebuilt.
 template <int d>
-bool Mender<d>::finish_locally() {
+bool Flip_repair<d>::finish_locally() {
     std::vector<Cell_index> seeds;
     for (const auto& held : held_.held()) result_.reinserted.push_back(held.vertex);
     held_.release([this](Index v) { moved(v); });
     note_stuck(seeds);
-    result_.built_anew = true;
+    result_.cells_rebuilt = true;
     const std::size_t first = result_.touched.size();
-    const double room = std::max(0.0, budget_->left()) / Prices<d>::point;
+    const double room = std::max(0.0, budget_->left()) / Cost_model<d>::point;
     const std::size_t most_points = at(table_.vertex_bound()) + 64;  // with more, everything is rebuilt
     const bool built =
         local_.rebuild(held_.positions(), seeds,
                        static_cast<std::size_t>(std::min(room, static_cast<double>(most_points))), result_.touched);
-    budget_->charge(Prices<d>::point * static_cast<double>(local_.points()));
+    budget_->charge(Cost_model<d>::point * static_cast<double>(local_.points()));
     if (!built) return false;
     for (std::size_t i = first; i < result_.touched.size(); ++i)
-        if (table_.is_cell(result_.touched[i])) signs_.look_at(result_.touched[i], true);
+        if (table_.is_cell(result_.touched[i])) signs_.test_cell(result_.touched[i], true);
     return nothing_inverted() && flip_violated() && left_.stuck.empty() && nothing_inverted();
 }
 
 /// And then the list is empty.
 template <int d>
-bool Mender<d>::nothing_inverted() {
+bool Flip_repair<d>::nothing_inverted() {
     std::erase_if(signs_.inverted(), [this](Cell_index c) { return !table_.is_cell(c) || !signs_.is_inverted(c); });
     return signs_.inverted().empty();
 }
 
 template <int d>
-void Mender<d>::run() {
+void Flip_repair<d>::run() {
     int idle = 0;
     for (int round = 0; round < most_rounds && idle < most_idle_rounds; ++round) {
-        signs_.inverted().insert(signs_.inverted().end(), left_.folded.begin(), left_.folded.end());
-        left_.folded.clear();
-        if (!unfold_or_hold() || !flip_violated()) return;
-        if (held_.empty() && left_.folded.empty() && nothing_inverted()) break;
-        idle = held_.go_on([this](Index v) { moved(v); }) ? 0 : idle + 1;
+        signs_.inverted().insert(signs_.inverted().end(), left_.inverted_at_source.begin(),
+                                 left_.inverted_at_source.end());
+        left_.inverted_at_source.clear();
+        if (!untangle_or_hold_back() || !flip_violated()) return;
+        if (held_.empty() && left_.inverted_at_source.empty() && nothing_inverted()) break;
+        idle = held_.advance([this](Index v) { moved(v); }) ? 0 : idle + 1;
     }
-    const bool lists_empty =
-        left_.folded.empty() && left_.stuck.empty() && signs_.inverted().empty() && signs_.violated().empty();
+    const bool lists_empty = left_.inverted_at_source.empty() && left_.stuck.empty() && signs_.inverted().empty() &&
+                             signs_.violated().empty();
     result_.done = (held_.empty() && lists_empty) || finish_locally();
 }
 
 template <int d>
-void Mender<d>::begin() {
-    result_.done = result_.built_anew = false;
+void Flip_repair<d>::begin() {
+    result_.done = result_.cells_rebuilt = false;
     result_.flips = 0;
     result_.touched.clear();
     result_.reinserted.clear();
-    left_.folded.clear();
+    left_.inverted_at_source.clear();
     left_.stuck.clear();
     left_.waiting.clear();
 }
 
 template <int d>
-const Mending& Mender<d>::mend(const Course<d>& course, Budget& budget) {
+const Repair_result& Flip_repair<d>::repair(const Motion_path<d>& path, Budget& budget) {
     budget_ = &budget;
-    signs_.rebind(course.x);
-    held_.begin(course, at(table_.vertex_bound()));
+    signs_.rebind(path.x);
+    held_.begin(path, at(table_.vertex_bound()));
     struct Back {
-        Mender& mender;
+        Flip_repair& repair;
         ~Back() {
-            mender.held_.release([](Index) {});
-            sort_unique(mender.result_.touched);
+            repair.held_.release([](Index) {});
+            sort_unique(repair.result_.touched);
         }
     } back{*this};
     run();
     return result_;
 }
 
-template class Mender<2>;
-template class Mender<3>;
+template class Flip_repair<2>;
+template class Flip_repair<3>;
 
 }  // namespace annulus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Odometers: which certificates of the vertices that failed have expired.
-#include <annulus/engine/odometers.h>
+// Displacement_budget: which certificates of the vertices that failed have expired.
+#include <annulus/engine/displacement_budget.h>
 
 #include <annulus/engine/trace.h>
 
@@ -10,7 +10,7 @@ namespace annulus {
 
 /// Looks at one certificate of v, which is anchored: expired, or else back on the list.
 template <int d>
-void Odometers<d>::look_at(Certificate_id id, Index v, Checker<d>& checker) {
+void Displacement_budget<d>::check_expiry(Certificate_id id, Index v, Certificate_checker<d>& checker) {
     List& list = list_[at(v)];
     if (is_of_cell(id)) {
         const Cell_index c = cell_of(id);
@@ -41,7 +41,7 @@ void Odometers<d>::look_at(Certificate_id id, Index v, Checker<d>& checker) {
 /// Looks at every certificate of v and fills the list anew. First all records are fetched, so that the loads overlap;
 /// then they are sorted out.
 template <int d>
-void Odometers<d>::tour(Index v, Step<d>& step, Checker<d>& checker) {
+void Displacement_budget<d>::visit_star(Index v, Step<d>& step, Certificate_checker<d>& checker) {
     List& list = list_[at(v)];
     ++step.tours;
     list.clear();
@@ -68,7 +68,7 @@ void Odometers<d>::tour(Index v, Step<d>& step, Checker<d>& checker) {
             expiry = expiries_.of_facet(table_, h, own);
         }
         if (expiry.reached(list.base)) {
-            look_at(id, v, checker);
+            check_expiry(id, v, checker);
         } else {
             tour_.listed.push_back(expiry);
             tour_.listed_id.push_back(id);
@@ -79,7 +79,7 @@ void Odometers<d>::tour(Index v, Step<d>& step, Checker<d>& checker) {
 }
 
 template <int d>
-void Odometers<d>::begin_anchoring(Step<d>& step) {
+void Displacement_budget<d>::begin_anchoring(Step<d>& step) {
     if (stamp_ == Limits::stamps) {
         for (auto& list : list_) list.stamp = 0;
         stamp_ = 0;
@@ -91,19 +91,19 @@ void Odometers<d>::begin_anchoring(Step<d>& step) {
 }
 
 template <int d>
-void Odometers<d>::anchor(Index v, Step<d>& step) {
+void Displacement_budget<d>::anchor(Index v, Step<d>& step) {
     List& list = list_[at(v)];
     if (list.stamp == stamp_) return;
     list.stamp = stamp_;
     step.anchored.push_back(v);
     Vertex_record<d>& r = vertex_[at(v)];
     if (step.x[at(v)] == r.fixed) return;
-    list.base = reading(v, step.x[at(v)]);
+    list.base = path_length(v, step.x[at(v)]);
     r.fixed = step.x[at(v)];
 }
 
 template <int d>
-void Odometers<d>::find_expired(Step<d>& step, Checker<d>& checker) {
+void Displacement_budget<d>::find_expired(Step<d>& step, Certificate_checker<d>& checker) {
     begin_anchoring(step);
     for (const Index v : step.failed) step.before.push_back({vertex_[at(v)], list_[at(v)]});
     for (const Index v : step.failed) anchor(v, step);
@@ -111,14 +111,14 @@ void Odometers<d>::find_expired(Step<d>& step, Checker<d>& checker) {
     for (const Index v : step.failed) {
         List& list = list_[at(v)];
         if (!list.rest().reached(list.base))  // else the tour looks at these as well
-            list.take_reached(list.base, [&](Certificate_id id) { look_at(id, v, checker); });
-        if (list.rest().reached(list.base)) tour(v, step, checker);
+            list.take_reached(list.base, [&](Certificate_id id) { check_expiry(id, v, checker); });
+        if (list.rest().reached(list.base)) visit_star(v, step, checker);
         ANNULUS_TRACED(examined(*this, v));
     }
 }
 
 template <int d>
-void Odometers<d>::undo(const Step<d>& step) {
+void Displacement_budget<d>::undo(const Step<d>& step) {
     for (std::size_t i = 0; i < step.before.size(); ++i) {
         vertex_[at(step.failed[i])] = step.before[i].record;
         list_[at(step.failed[i])] = step.before[i].list;
@@ -126,7 +126,7 @@ void Odometers<d>::undo(const Step<d>& step) {
     ANNULUS_TRACED(undone(*this, step));
 }
 
-template class Odometers<2>;
-template class Odometers<3>;
+template class Displacement_budget<2>;
+template class Displacement_budget<3>;
 
 }  // namespace annulus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How pending certificates get their verdicts: the filtered predicate, in batches.
-#include <annulus/engine/checker.h>
+#include <annulus/engine/certificate_checker.h>
 
 #include <annulus/certificate/batch.h>
 #include <annulus/mesh/degenerate.h>
@@ -34,18 +34,18 @@ struct Batch {
 /// The filtered predicate for a run of entries, in batches. Reads and writes nothing else.
 template <int d>
 template <class S>
-Stage_counts Checker<d>::evaluate_run(std::span<S> entries) const {
+Stage_counts Certificate_checker<d>::evaluate_run(std::span<S> entries) const {
     constexpr bool of_facets = std::is_same_v<S, Pending_facet>;
     Stage_counts counts;
     const auto evaluate = [&]<class T>(Batch<S, T>& batch) {
         if (batch.size == 0) return;
-        boost::container::static_vector<Certificate_value, Batch<S, T>::capacity> verdict(
+        boost::container::static_vector<Certificate_value, Batch<S, T>::capacity> value(
             batch.size);  // an array would be filled whole
         counts += annulus::evaluate(std::span<const T>(batch.tuple.data(), batch.size),
-                                    Tolerance_precision::lower_bound, {verdict.data(), batch.size});
+                                    Tolerance_precision::lower_bound, {value.data(), batch.size});
         for (std::size_t i = 0; i < batch.size; ++i) {
             S& s = *batch.entry[i];
-            s.verdict = verdict[i];
+            s.value = value[i];
             s.stale = false;
         }
         batch.size = 0;
@@ -60,7 +60,7 @@ Stage_counts Checker<d>::evaluate_run(std::span<S> entries) const {
     for (S& s : entries) {
         if (!s.stale || !exists(s)) continue;
         if (s.kind == Facet_kind::nothing) {
-            s.verdict = {no_limit, 1, Stage::filter};
+            s.value = {no_limit, 1, Stage::filter};
             s.stale = false;
             continue;
         }
@@ -79,7 +79,7 @@ Stage_counts Checker<d>::evaluate_run(std::span<S> entries) const {
 
 template <int d>
 template <class S>
-Stage_counts Checker<d>::evaluate_stale(std::span<S> entries) const {
+Stage_counts Certificate_checker<d>::evaluate_stale(std::span<S> entries) const {
     if (entries.empty()) return {};    // as cells often are
     constexpr std::size_t run = 1024;  // whatever the number of threads
     if (entries.size() <= run) return evaluate_run(entries);
@@ -93,30 +93,30 @@ Stage_counts Checker<d>::evaluate_stale(std::span<S> entries) const {
 }
 
 template <int d>
-Stage_counts Checker<d>::evaluate_from(std::size_t facet, std::size_t cell) {
+Stage_counts Certificate_checker<d>::evaluate_from(std::size_t facet, std::size_t cell) {
     Stage_counts counts = evaluate_stale(std::span(facets_).subspan(facet));
     counts += evaluate_stale(std::span(cells_).subspan(cell));
     return counts;
 }
 
 template <int d>
-bool Checker<d>::is_violated(const Pending_facet& s) const {
+bool Certificate_checker<d>::is_violated(const Pending_facet& s) const {
     if (s.kind == Facet_kind::nothing) return false;
     if (s.kind == Facet_kind::ridge) {
-        if (s.verdict.sign != 0) return s.verdict.sign < 0;
+        if (s.value.sign != 0) return s.value.sign < 0;
         return !flat_ridge_holds(tuple<d, d + 1>(s.point, x_));
     }
-    if (s.verdict.sign != 0) return s.verdict.sign < 0;
+    if (s.value.sign != 0) return s.value.sign < 0;
     return perturbed_sign(tuple<d, d + 2>(s.point, x_)) < 0;
 }
 
 template <int d>
-bool Checker<d>::all_hold() const {
+bool Certificate_checker<d>::all_hold() const {
     const auto fails = [this](const auto& s) { return this->exists(s) && this->is_violated(s); };
     return std::none_of(cells_.begin(), cells_.end(), fails) && std::none_of(facets_.begin(), facets_.end(), fails);
 }
 
-template class Checker<2>;
-template class Checker<3>;
+template class Certificate_checker<2>;
+template class Certificate_checker<3>;
 
 }  // namespace annulus

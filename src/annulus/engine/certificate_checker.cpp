@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checker: what is pending. Verdicts are in checker_evaluate.cpp.
-#include <annulus/engine/checker.h>
+// Certificate_checker: what is pending. Verdicts are in certificate_checker_evaluate.cpp.
+#include <annulus/engine/certificate_checker.h>
 
 #include <algorithm>
 
 namespace annulus {
 
 template <int d>
-void Checker<d>::begin(std::span<const Coordinates<d>> x) {
+void Certificate_checker<d>::begin(std::span<const Coordinates<d>> x) {
     clear();
     x_ = x;
     grow(entries_of_, table_.cell_bound());
@@ -15,7 +15,7 @@ void Checker<d>::begin(std::span<const Coordinates<d>> x) {
 }
 
 template <int d>
-void Checker<d>::clear() {
+void Certificate_checker<d>::clear() {
     if (placed_) {
         for (const auto& s : facets_) entries_of_[Corner_table<d>::cell_of(s.id)] = 0;
         for (const auto& s : cells_) entries_of_[s.id] = 0;
@@ -26,7 +26,7 @@ void Checker<d>::clear() {
 }
 
 template <int d>
-void Checker<d>::assign_places() {
+void Certificate_checker<d>::assign_places() {
     if (placed_) return;
     placed_ = true;
     for (std::size_t i = 0; i < facets_.size(); ++i)
@@ -37,14 +37,14 @@ void Checker<d>::assign_places() {
 /// Puts an entry on the list of its cell.
 template <int d>
 template <class S>
-void Checker<d>::enter(S& s, Cell_index cell, Place place) {
+void Certificate_checker<d>::enter(S& s, Cell_index cell, Place place) {
     s.next = entries_of_[cell];
     entries_of_[cell] = place;
 }
 
 /// Where facet f is, or is put.
 template <int d>
-auto Checker<d>::entry(Corner_index f) -> Pending_facet& {
+auto Certificate_checker<d>::entry(Corner_index f) -> Pending_facet& {
     assign_places();
     const Cell_index c = Corner_table<d>::cell_of(f);
     if (!entries_of_.has(c)) grow(entries_of_, c.offset() + 1);
@@ -56,7 +56,7 @@ auto Checker<d>::entry(Corner_index f) -> Pending_facet& {
 }
 
 template <int d>
-auto Checker<d>::entry(Cell_index c) -> Pending_cell& {
+auto Certificate_checker<d>::entry(Cell_index c) -> Pending_cell& {
     assign_places();
     if (!entries_of_.has(c)) grow(entries_of_, c.offset() + 1);
     for (Place p = entries_of_[c]; p != 0; p = next(p))
@@ -67,7 +67,7 @@ auto Checker<d>::entry(Cell_index c) -> Pending_cell& {
 }
 
 template <int d>
-void Checker<d>::describe(Pending_facet& s, Corner_index f) const {
+void Certificate_checker<d>::describe(Pending_facet& s, Corner_index f) const {
     s.id = f;
     s.stale = true;
     const Facet_certificate<d> facet = facet_certificate(table_, f, false);
@@ -76,7 +76,7 @@ void Checker<d>::describe(Pending_facet& s, Corner_index f) const {
 }
 
 template <int d>
-void Checker<d>::describe(Pending_cell& s, Cell_index c) const {
+void Certificate_checker<d>::describe(Pending_cell& s, Cell_index c) const {
     s.id = c;
     s.stale = true;
     s.point = cell_sites(table_, c);
@@ -86,17 +86,17 @@ void Checker<d>::describe(Pending_cell& s, Cell_index c) const {
 }
 
 template <int d>
-void Checker<d>::add_facet(Corner_index f) {
+void Certificate_checker<d>::add_facet(Corner_index f) {
     describe(entry(f), f);
 }
 
 template <int d>
-void Checker<d>::add_cell(Cell_index c) {
+void Certificate_checker<d>::add_cell(Cell_index c) {
     describe(entry(c), c);
 }
 
 template <int d>
-void Checker<d>::add_star(Index v) {
+void Certificate_checker<d>::add_star(Index v) {
     const bool alone = facets_.empty() && cells_.empty();
     if (alone) placed_ = false;
     for_each_certificate(
@@ -112,14 +112,14 @@ void Checker<d>::add_star(Index v) {
 }
 
 template <int d>
-void Checker<d>::add_cells(std::span<const Cell_index> cells) {
+void Certificate_checker<d>::add_cells(std::span<const Cell_index> cells) {
     for (const Cell_index c : cells) {
         add_cell(c);
         for (int i = 0; i <= d; ++i) add_facet(table_.facet(table_.corner(c, i)));
     }
 }
 
-template class Checker<2>;
-template class Checker<3>;
+template class Certificate_checker<2>;
+template class Certificate_checker<3>;
 
 }  // namespace annulus

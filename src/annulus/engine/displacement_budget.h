@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/engine/certificate_checker.h>
 #include <annulus/engine/certificate_expiries.h>
-#include <annulus/engine/checker.h>
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/step.h>
 
@@ -14,9 +14,9 @@ namespace annulus {
 
 /// Who may still move how far: the tolerances of a mesh whose certificates were evaluated at different times.
 ///
-/// Every vertex has an odometer: `base` is an upper bound of the length of the path of its fixed positions since it
-/// was at 0, and its reading is base + |moving - fixed|. A certificate evaluated when its points read r_i and found
-/// to have tolerance s holds while every reading stays below its expiry r_i + s, because a reading bounds the
+/// Every vertex has a path length: `base` is an upper bound of the length of the path of its fixed positions since it
+/// was at 0, and its path length is base + |moving - fixed|. A certificate evaluated when its points read r_i and found
+/// to have tolerance s holds while every path length stays below its expiry r_i + s, because a path length bounds the
 /// distance travelled, hence the distance from where the point was when the certificate was evaluated. Different
 /// certificates have different references, which theory 1 allows: it asks that each holds now. A vertex keeps the
 /// earliest expiries among its certificates (Expiry_list), so its step test compares |moving - fixed|^2 with one
@@ -26,9 +26,9 @@ namespace annulus {
 ///
 /// While none are kept all of it is void, and its memory given back.
 template <int d>
-class Odometers {
+class Displacement_budget {
   public:
-    explicit Odometers(const Corner_table<d>& table) : table_(table) {}
+    explicit Displacement_budget(const Corner_table<d>& table) : table_(table) {}
 
     [[nodiscard]] bool kept() const { return kept_; }
     /// They are not to be trusted any more.
@@ -38,13 +38,13 @@ class Odometers {
 
     /// Starts afresh at x: no certificate expires, until commit_fresh() has been told of it. O(n).
     void begin(std::span<const Coordinates<d>> x);
-    /// What Checker evaluated there; no certificate that it names has an expiry.
-    void commit_fresh(const Checker<d>& checker);
+    /// What Certificate_checker evaluated there; no certificate that it names has an expiry.
+    void commit_fresh(const Certificate_checker<d>& checker);
     /// Then the step test may be asked.
     void finish_beginning();
 
     /// A vertex that was not there, or none of whose certificates there are any more, is at p.
-    void place(Index v, const Coordinates<d>& p);
+    void add_vertex(Index v, const Coordinates<d>& p);
     /// Room for the vertices and cells that there are.
     void resize();
 
@@ -53,7 +53,7 @@ class Odometers {
     /// How far v may be from there (proofs/coq/float_displacement.v, passes_2_sound).
     [[nodiscard]] double slack(Index v) const {
         const List& list = list_[at(v)];
-        return (list.earliest().reading() - list.base) * (1.0 - 0x1p-50);
+        return (list.earliest().path_length() - list.base) * (1.0 - 0x1p-50);
     }
     /// The step test of one vertex.
     [[nodiscard]] bool passes(Index v, const Coordinates<d>& p) const {
@@ -65,12 +65,12 @@ class Odometers {
     [[nodiscard]] bool find_failed(std::span<const Coordinates<d>> x, std::size_t first, std::size_t last,
                                    std::vector<Index>& failed) const;
 
-    /// Takes what is due: anchors those that failed, and names their certificates that expired to Checker.
-    void find_expired(Step<d>& step, Checker<d>& checker);
+    /// Takes what is due: anchors those that failed, and names their certificates that expired to Certificate_checker.
+    void find_expired(Step<d>& step, Certificate_checker<d>& checker);
     /// Takes that back.
     void undo(const Step<d>& step);
     /// Writes down what was evaluated or created; the mesh is Delaunay at step.x.
-    void commit(Step<d>& step, const Checker<d>& checker);
+    void commit(Step<d>& step, const Certificate_checker<d>& checker);
     /// Before what find_expired() is not called for: certificates that others name are about to be evaluated.
     void begin_anchoring(Step<d>& step);
 
@@ -79,22 +79,22 @@ class Odometers {
     using List = Vertex_expiries<d>;
 
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    /// Odometer reading of v at x: an upper bound.
-    [[nodiscard]] double reading(Index v, const Coordinates<d>& x) const {
+    /// Path length of v at x: an upper bound.
+    [[nodiscard]] double path_length(Index v, const Coordinates<d>& x) const {
         return sum_upper(list_[at(v)].base, distance_upper<d>(x, vertex_[at(v)].fixed));
     }
     void set_threshold(Index v) {
         vertex_[at(v)].threshold = Truncated_double::lower(squared_threshold_lower(slack(v)));
     }
     void anchor(Index v, Step<d>& step);
-    void look_at(Certificate_id id, Index v, Checker<d>& checker);
-    void tour(Index v, Step<d>& step, Checker<d>& checker);
+    void check_expiry(Certificate_id id, Index v, Certificate_checker<d>& checker);
+    void visit_star(Index v, Step<d>& step, Certificate_checker<d>& checker);
     void rebase(Index v);
     template <class Points>
     void prefetch(const Points& points) const;
     /// `fresh`: no certificate in question is on any list, and nobody is anchored.
     template <bool fresh>
-    void commit_evaluated(const Checker<d>& checker, Step<d>* step);
+    void commit_evaluated(const Certificate_checker<d>& checker, Step<d>* step);
     template <bool fresh, class S, class Expiry_of>
     void commit_points(const S& suspect, Certificate_id id, Expiry_of expiry_of, Step<d>* step);
 
@@ -111,7 +111,7 @@ class Odometers {
     } tour_;
 };
 
-extern template class Odometers<2>;
-extern template class Odometers<3>;
+extern template class Displacement_budget<2>;
+extern template class Displacement_budget<3>;
 
 }  // namespace annulus

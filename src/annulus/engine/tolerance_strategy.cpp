@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A step of `filter`: who failed, what became of it.
-#include <annulus/engine/filter.h>
+#include <annulus/engine/tolerance_strategy.h>
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/error.h>
@@ -15,9 +15,10 @@ namespace annulus {
 /// Of vertices [first, last): those that left their tolerances, or, without tolerances, that move. False when a
 /// coordinate is outside the domain, be it at a vacant index.
 template <int d>
-bool Filter<d>::find_failed(Step<d>& step, std::size_t first, std::size_t last, std::vector<Index>& failed) const {
+bool Tolerance_strategy<d>::find_failed(Step<d>& step, std::size_t first, std::size_t last,
+                                        std::vector<Index>& failed) const {
     const auto x = step.x;
-    if (odometers_.kept()) return odometers_.find_failed(x, first, last, failed);
+    if (displacement_budget_.kept()) return displacement_budget_.find_failed(x, first, last, failed);
     bool near = true;
     for (std::size_t v = first; v < last; ++v) {
         // No branch: this runs over all positions.
@@ -29,7 +30,7 @@ bool Filter<d>::find_failed(Step<d>& step, std::size_t first, std::size_t last, 
 }
 
 template <int d>
-bool Filter<d>::find_failed(Step<d>& step) const {
+bool Tolerance_strategy<d>::find_failed(Step<d>& step) const {
     constexpr std::size_t run = 1U << 15;
     const std::size_t n = step.x.size();
     if (threads_ == 1 || n <= run) return find_failed(step, 0, n, step.failed);
@@ -44,28 +45,29 @@ bool Filter<d>::find_failed(Step<d>& step) const {
 
 /// What stands at a vacant index does not count.
 template <int d>
-void Filter<d>::require_domain(std::span<const Coordinates<d>> x) const {
+void Tolerance_strategy<d>::require_domain(std::span<const Coordinates<d>> x) const {
     for (std::size_t v = 0; v < x.size(); ++v)
-        if (lives(v)) require_in_domain(x[v], "vertex", static_cast<Index>(v));
+        if (is_present(v)) require_in_domain(x[v], "vertex", static_cast<Index>(v));
 }
 
 /// Whether looking for what expired would already cost a good part of what repair may.
 template <int d>
-bool Filter<d>::too_many_failed(const Step<d>& step) const {
-    return tracking_.is_too_dear(step.failed.size(), mesh_.vertices()) ||
-           Prices<d>::failure * static_cast<double>(step.failed.size()) > 0.25 * step.budget.limit;
+bool Tolerance_strategy<d>::too_many_failed(const Step<d>& step) const {
+    return tolerance_policy_.exceeds_budget(step.failed.size(), mesh_.vertices()) ||
+           Cost_model<d>::failure * static_cast<double>(step.failed.size()) > 0.25 * step.budget.limit;
 }
 
 template <int d>
-void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
-    if (odometers_.kept() || means_ == Means::signs || !tracking_.settles_for_single_move(mesh_.vertices())) {
+void Tolerance_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
+    if (displacement_budget_.kept() || means_ == Means::signs ||
+        !tolerance_policy_.recomputes_for_single_move(mesh_.vertices())) {
         stop_rebuilding();
         const std::uint64_t calm = report.moves.kept_in_place + report.moves.within_tolerance;
         move_one(v, p, report);
-        if (odometers_.kept()) {
-            if (tracking_.end_single(mesh_.vertices())) stop_tracking();
+        if (displacement_budget_.kept()) {
+            if (tolerance_policy_.end_single_move(mesh_.vertices())) drop_tolerances();
         } else {
-            tracking_.note_single(report.moves.kept_in_place + report.moves.within_tolerance > calm);
+            tolerance_policy_.note_single_move(report.moves.kept_in_place + report.moves.within_tolerance > calm);
         }
         return;
     }
@@ -73,29 +75,29 @@ void Filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     try {
         move_one(v, p, report);
     } catch (...) {
-        stop_tracking();
+        drop_tolerances();
         throw;
     }
 }
 
 template <int d>
-void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) {
-    if (odometers_.kept() ? odometers_.passes(v, p) : p == position_[at(v)]) {
+void Tolerance_strategy<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) {
+    if (displacement_budget_.kept() ? displacement_budget_.passes(v, p) : p == position_[at(v)]) {
         position_[at(v)] = p;
-        ANNULUS_TRACED(passed(odometers_, v, p));
+        ANNULUS_TRACED(passed(displacement_budget_, v, p));
         ++report.moves.asked;
         ++report.moves.within_tolerance;
         return;
     }
     const Coordinates<d> old = std::exchange(position_[at(v)], p);
-    Step<d> step = new_step(position_, v, odometers_.kept() ? Scope::expired : Scope::star);
+    Step<d> step = new_step(position_, v, displacement_budget_.kept() ? Scope::expired : Scope::star);
     try {
-        step.home = old;
+        step.source = old;
         step.failed.push_back(v);
-        ANNULUS_TRACED(tested(odometers_, step));
-        step.budget.limit = Chooser<d>::most_generous_repair(mesh_.vertices());
+        ANNULUS_TRACED(tested(displacement_budget_, step));
+        step.budget.limit = Rebuild_policy<d>::generous_repair_limit(mesh_.vertices());
         process(
-            step, [&] { return repair_.mend_one(step, position_); }, report);
+            step, [&] { return repair_.repair_one(step, position_); }, report);
     } catch (const Error& e) {
         position_[at(v)] = old;
         if (e.code() == Error_code::collision) renew_renumbered(step);
@@ -107,50 +109,50 @@ void Filter<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) 
 }
 
 template <int d>
-void Filter<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
+void Tolerance_strategy<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
     if (rebuilding_) {
         require_domain(x);
-        ANNULUS_TRACED(untracking(odometers_));
-        rebuild_all(x, next_is_mended(x), report);
+        ANNULUS_TRACED(untracking(displacement_budget_));
+        rebuild_all(x, next_is_repaired(x), report);
         return;
     }
     Step<d> step = new_step(x, none, Scope::expired);
     if (!find_failed(step)) require_domain(x);
-    ANNULUS_TRACED(tested(odometers_, step));
-    if (!step.failed.empty()) step.budget.limit = most_repair();
-    if (!odometers_.kept() || too_many_failed(step)) step.scope = Scope::everything;
+    ANNULUS_TRACED(tested(displacement_budget_, step));
+    if (!step.failed.empty()) step.budget.limit = repair_limit();
+    if (!displacement_budget_.kept() || too_many_failed(step)) step.scope = Scope::everything;
     note_displacements(x);
     if (step.failed.empty()) {
         report.moves.asked += mesh_.vertices();
         report.moves.within_tolerance += mesh_.vertices();
         std::copy(x.begin(), x.end(), position_.begin());
-        over_ = std::move(step);
+        previous_ = std::move(step);
     } else {
         try {
             process(
-                step, [&] { return repair_.mend_all(step, position_); }, report);
+                step, [&] { return repair_.repair_all(step, position_); }, report);
         } catch (const Error& e) {
             if (e.code() == Error_code::collision) renew_renumbered(step);
             throw;
         }
     }
     if (rebuilding_) return;
-    if (!odometers_.kept()) settle_afterwards(report);
-    end_timestamp(false, report);
+    if (!displacement_budget_.kept()) recompute_afterwards(report);
+    end_step(false, report);
 }
 
 /// Whether everything holds. When so many certificates have expired that their tolerances would cost more than repair
 /// may, signs are asked instead.
 template <int d>
-bool Filter<d>::examine(Step<d>& step) {
+bool Tolerance_strategy<d>::examine(Step<d>& step) {
     repair_.begin(step);
     if (step.scope == Scope::star) return repair_.evaluate_star(step);
     if (step.scope == Scope::expired) {
-        odometers_.find_expired(step, repair_.checker());
-        step.budget.charge(Prices<d>::failure * static_cast<double>(step.failed.size()));
-        const double price = step.budget.spent + repair_.checker().pending_price();
-        if (step.mover != none || price <= 0.5 * step.budget.limit) return repair_.evaluate(step);
-        odometers_.undo(step);
+        displacement_budget_.find_expired(step, repair_.checker());
+        step.budget.charge(Cost_model<d>::failure * static_cast<double>(step.failed.size()));
+        const double cost = step.budget.spent + repair_.checker().pending_cost();
+        if (step.mover != none || cost <= 0.5 * step.budget.limit) return repair_.evaluate(step);
+        displacement_budget_.undo(step);
         step.scope = Scope::everything;
         repair_.begin(step);
     }
@@ -160,50 +162,50 @@ bool Filter<d>::examine(Step<d>& step) {
 /// Examines, mends and commits. Positions are written last, so that whoever meets an exception on the way can build
 /// anew at them; a collision is met before anything is committed.
 template <int d>
-template <class Mend>
-void Filter<d>::process(Step<d>& step, Mend mend, Move_report& report) {
+template <class Repair_call>
+void Tolerance_strategy<d>::process(Step<d>& step, Repair_call repair, Move_report& report) {
     try {
-        if (!examine(step) && !mend()) {
-            step.budget.charge(Chooser<d>::rebuild_price(mesh_.vertices()));
+        if (!examine(step) && !repair()) {
+            step.budget.charge(Rebuild_policy<d>::rebuild_cost(mesh_.vertices()));
             rebuild(step);
             step.rebuilt = true;
         }
     } catch (...) {
-        if (step.scope == Scope::expired && odometers_.kept()) odometers_.undo(step);
+        if (step.scope == Scope::expired && displacement_budget_.kept()) displacement_budget_.undo(step);
         throw;
     }
     finish(step, report);
-    over_ = std::move(step);
+    previous_ = std::move(step);
 }
 
 template <int d>
-void Filter<d>::finish(Step<d>& step, Move_report& report) {
+void Tolerance_strategy<d>::finish(Step<d>& step, Move_report& report) {
     const bool tolerances = step.scope == Scope::expired;
     const bool alone = step.mover != none;
     report += step.report;
-    report.price += step.budget.spent;
+    report.cost += step.budget.spent;
     report.tours += step.tours;
     if (!alone) ++(tolerances ? report.tolerance_steps : report.sign_steps);
-    if (tolerances) tracking_.note_step(step.failed.size(), step.report.evaluated);
+    if (tolerances) tolerance_policy_.note_step(step.failed.size(), step.report.evaluated);
     outcomes_.count(step, alone ? 1 : mesh_.vertices(), report.moves);
     if (!step.rebuilt) {
-        if (!alone) chooser_.mended();
-        if (tolerances) odometers_.commit(step, repair_.checker());
+        if (!alone) rebuild_policy_.repaired();
+        if (tolerances) displacement_budget_.commit(step, repair_.checker());
     }
-    if (odometers_.kept() && (step.scope == Scope::everything || step.rebuilt)) stop_tracking();
-    if (!odometers_.kept() && !alone) tracking_.note_untracked();
+    if (displacement_budget_.kept() && (step.scope == Scope::everything || step.rebuilt)) drop_tolerances();
+    if (!displacement_budget_.kept() && !alone) tolerance_policy_.note_step_without_tolerances();
     if (step.x.data() != position_.data()) std::copy(step.x.begin(), step.x.end(), position_.begin());
 }
 
 /// After a collision, when cells have other numbers than those that records name.
 template <int d>
-void Filter<d>::renew_renumbered(const Step<d>& step) {
-    Move_report nobody_asked;
-    if (step.renumbered_all && odometers_.kept()) settle(position_, nobody_asked);
-    else if (!step.renumbered.empty()) refresh(step.renumbered, nobody_asked);
+void Tolerance_strategy<d>::renew_renumbered(const Step<d>& step) {
+    Move_report discarded;
+    if (step.renumbered_all && displacement_budget_.kept()) settle(position_, discarded);
+    else if (!step.renumbered.empty()) refresh(step.renumbered, discarded);
 }
 
-template class Filter<2>;
-template class Filter<3>;
+template class Tolerance_strategy<2>;
+template class Tolerance_strategy<3>;
 
 }  // namespace annulus

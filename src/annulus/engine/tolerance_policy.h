@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/checker.h>
+#include <annulus/engine/certificate_checker.h>
+#include <annulus/engine/cost_model.h>
 #include <annulus/engine/move_report.h>
-#include <annulus/engine/prices.h>
 
 #include <cstdint>
 #include <span>
@@ -13,17 +13,17 @@
 namespace annulus {
 
 /// Whether `filter` keeps tolerances, or asks for signs alone: by what steps cost and what a sample promises, in
-/// cells looked at (prices.h). Nothing here has a say in what is right.
+/// cells looked at (cost_model.h). Nothing here has a say in what is right.
 ///
 /// While so many certificates expire at every step (the first steps of an optimisation) that the signs of all of them
 /// cost less than the tolerances of these, tolerances are not kept at all. What they cost above what signs would have
 /// is added up; when that has come to what a settling costs they are given up (rent or buy). Without them every
 /// eighth timestamp a sample of certificates, and the displacements of that timestamp, tell whether they would last.
 template <int d>
-class Tracking {
+class Tolerance_policy {
   public:
     /// With tolerances: whether they have to be given up, now that so many vertices failed in this step.
-    [[nodiscard]] bool is_too_dear(std::size_t failures, std::size_t vertices) const;
+    [[nodiscard]] bool exceeds_budget(std::size_t failures, std::size_t vertices) const;
     /// A step of this timestamp, with tolerances.
     void note_step(std::size_t failures, std::uint64_t evaluated) {
         failures_ += failures;
@@ -31,44 +31,44 @@ class Tracking {
     }
     /// The end of a timestamp with tolerances; `each` when its vertices moved one by one. True when they are to be
     /// given up.
-    [[nodiscard]] bool end_tracked(bool each, std::size_t vertices);
+    [[nodiscard]] bool end_step_with_tolerances(bool each, std::size_t vertices);
     /// Of one without.
-    void note_untracked() { ++untracked_; }
+    void note_step_without_tolerances() { ++steps_without_; }
 
     /// Without tolerances: notes how far vertices go, if it is time to look.
     void note_displacements(const Corner_table<d>& table, std::span<const Coordinates<d>> from,
                             std::span<const Coordinates<d>> to);
     void forget_displacements() { displacement_.clear(); }
     /// Decides by these displacements whether to settle next; asks `checker` for a sample of tolerances at x.
-    void reconsider(const Corner_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x, bool each,
-                    Move_report& report);
+    void reconsider(const Corner_table<d>& table, Certificate_checker<d>& checker, std::span<const Coordinates<d>> x,
+                    bool each, Move_report& report);
     /// Whether tolerances would last, as the last timestamp was; once.
-    [[nodiscard]] bool take_settling() { return std::exchange(settles_next_, false); }
+    [[nodiscard]] bool take_recomputation() { return std::exchange(recomputes_next_, false); }
 
     /// A vertex moves alone without tolerances: whether to settle for it and those to come.
-    [[nodiscard]] bool settles_for_single_move(std::size_t vertices) const;
+    [[nodiscard]] bool recomputes_for_single_move(std::size_t vertices) const;
     /// After that: `calm` when everything held where it went, as it has to within a tolerance.
-    void note_single(bool calm) { calm_moves_ += calm ? 1 : 0; }
+    void note_single_move(bool calm) { calm_moves_ += calm ? 1 : 0; }
     /// A vertex moved alone, with tolerances: whether they have to be given up.
-    [[nodiscard]] bool end_single(std::size_t vertices);
+    [[nodiscard]] bool end_single_move(std::size_t vertices);
 
-    void settled();
-    void stopped();
+    void note_recomputed();
+    void note_dropped();
 
   private:
-    [[nodiscard]] double outlook(const Corner_table<d>& table, Checker<d>& checker, std::span<const Coordinates<d>> x,
-                                 Move_report& report) const;
+    [[nodiscard]] double estimate(const Corner_table<d>& table, Certificate_checker<d>& checker,
+                                  std::span<const Coordinates<d>> x, Move_report& report) const;
 
     std::vector<Coordinates<d>> displacement_;  // while it is considered whether tolerances would last
     std::uint64_t failures_ = 0;                // with tolerances, of this timestamp
     std::uint64_t evaluated_ = 0;               // certificates, for these
-    double overdraft_ = 0.0;                    // by which tolerances cost more than signs since the last settling
-    std::uint64_t untracked_ = 0;               // timestamps since they were given up
+    double excess_cost_ = 0.0;                  // by which tolerances cost more than signs since the last settling
+    std::uint64_t steps_without_ = 0;           // timestamps since they were given up
     std::uint64_t calm_moves_ = 0;              // since then, of vertices alone
-    bool settles_next_ = false;
+    bool recomputes_next_ = false;
 };
 
-extern template class Tracking<2>;
-extern template class Tracking<3>;
+extern template class Tolerance_policy<2>;
+extern template class Tolerance_policy<3>;
 
 }  // namespace annulus

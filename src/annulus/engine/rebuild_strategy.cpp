@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/engine/rebuilder.h>
+#include <annulus/engine/rebuild_strategy.h>
 
 #include <algorithm>
 
 namespace annulus {
 
 template <int d>
-void Rebuilder<d>::begin(std::span<const Coordinates<d>> x, Move_report&) {
+void Rebuild_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_report&) {
     if (x.data() != position_.data()) position_.assign(x.begin(), x.end());
 }
 
 template <int d>
-void Rebuilder<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
+void Rebuild_strategy<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
     mesh_.rebuild(x);
     report.moves.asked += mesh_.vertices();
     report.moves.rebuilt += mesh_.vertices();
@@ -19,7 +19,7 @@ void Rebuilder<d>::move_all(std::span<const Coordinates<d>> x, Move_report& repo
 }
 
 template <int d>
-void Rebuilder<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
+void Rebuild_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     if (position_[at(v)] != p) {
         std::vector<Coordinates<d>> x = position_;
         x[at(v)] = p;
@@ -33,12 +33,12 @@ void Rebuilder<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
 }
 
 template <int d>
-void Rebuilder<d>::place(Index v, const Coordinates<d>& p) {
+void Rebuild_strategy<d>::add_vertex(Index v, const Coordinates<d>& p) {
     if (at(v) >= position_.size()) position_.resize(at(v) + 1);
     position_[at(v)] = p;
 }
 
-template class Rebuilder<2>;
-template class Rebuilder<3>;
+template class Rebuild_strategy<2>;
+template class Rebuild_strategy<3>;
 
 }  // namespace annulus

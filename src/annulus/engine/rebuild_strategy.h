@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/upkeep.h>
+#include <annulus/engine/update_strategy.h>
 #include <annulus/kernel/delaunay_mesh.h>
 
 #include <vector>
@@ -11,10 +11,10 @@ namespace annulus {
 /// The strategy `rebuild`: positions, and a mesh that is rebuilt at every call. What changes the mesh in other ways
 /// and keeps nothing but positions derives from it.
 template <int d>
-class Rebuilder : public Upkeep<d> {
+class Rebuild_strategy : public Update_strategy<d> {
   public:
-    explicit Rebuilder(Delaunay_mesh<d>& mesh, Strategy strategy = Strategy::rebuild)
-        : Upkeep<d>(strategy), mesh_(mesh) {}
+    explicit Rebuild_strategy(Delaunay_mesh<d>& mesh, Strategy strategy = Strategy::rebuild)
+        : Update_strategy<d>(strategy), mesh_(mesh) {}
 
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
     void refresh_all(Move_report&) override {}
@@ -22,24 +22,24 @@ class Rebuilder : public Upkeep<d> {
     [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const override { return position_[at(v)]; }
     [[nodiscard]] std::optional<double> tolerance(Index) const override { return std::nullopt; }
     [[nodiscard]] bool repairs() const override { return false; }
-    [[nodiscard]] bool goes_in_turn() const override { return false; }
+    [[nodiscard]] bool is_sequential() const override { return false; }
 
     /// O(n log n).
     void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
-    void place(Index v, const Coordinates<d>& p) override;
+    void add_vertex(Index v, const Coordinates<d>& p) override;
     void refresh(std::span<const Cell_index>, Move_report&) override {}
-    [[nodiscard]] std::span<Coordinates<d>> lend(std::size_t bound) override {
+    [[nodiscard]] std::span<Coordinates<d>> resize_for_insertion(std::size_t bound) override {
         position_.resize(bound);
         return position_;
     }
-    void cut(std::size_t bound) override { position_.resize(bound); }
-    void put_back(Index v, const Coordinates<d>& p) noexcept override { position_[at(v)] = p; }
+    void truncate(std::size_t bound) override { position_.resize(bound); }
+    void restore_position(Index v, const Coordinates<d>& p) noexcept override { position_[at(v)] = p; }
 
-    void begin_each(std::span<const Coordinates<d>>, Move_report&) override { noted_ = position_; }
-    void end_each(Move_report&) override { noted_.clear(); }
-    void take_back() noexcept override { position_.swap(noted_); }
-    void resume() override {}
+    void begin_transaction(std::span<const Coordinates<d>>, Move_report&) override { saved_ = position_; }
+    void commit_transaction(Move_report&) override { saved_.clear(); }
+    void rollback() noexcept override { position_.swap(saved_); }
+    void resume_after_rollback() override {}
 
   protected:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -50,10 +50,10 @@ class Rebuilder : public Upkeep<d> {
 
   private:
     Delaunay_mesh<d>& mesh_;
-    std::vector<Coordinates<d>> noted_;
+    std::vector<Coordinates<d>> saved_;
 };
 
-extern template class Rebuilder<2>;
-extern template class Rebuilder<3>;
+extern template class Rebuild_strategy<2>;
+extern template class Rebuild_strategy<3>;
 
 }  // namespace annulus

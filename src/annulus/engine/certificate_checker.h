@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/prices.h>
+#include <annulus/engine/cost_model.h>
 #include <annulus/mesh/certificates.h>
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace annulus {
 /// A caller names them (`add_*`), each as often as it likes; `evaluate` gives those that are stale their verdicts, in
 /// one batch. An entry whose facet or cell a repair has taken away stays in the list, and does not exist.
 template <int d>
-class Checker {
+class Certificate_checker {
   public:
     template <class Id, class Points>
     struct Pending {
@@ -24,12 +24,12 @@ class Checker {
         Points point{};          ///< its points, in the order of the determinant
         Facet_kind kind{};       ///< of a facet; a cell has `nothing` when it is infinite, else `empty_sphere`
         bool stale = true;       ///< verdict not computed for its present points
-        Certificate_value verdict;
+        Certificate_value value;
     };
     using Pending_facet = Pending<Corner_index, Facet_sites<d>>;
     using Pending_cell = Pending<Cell_index, Cell_sites<d>>;
 
-    explicit Checker(const Corner_table<d>& table) : table_(table) {}
+    explicit Certificate_checker(const Corner_table<d>& table) : table_(table) {}
     /// For evaluate(). Verdicts and counts do not depend on it.
     void set_threads(int threads) { threads_ = threads; }
 
@@ -55,7 +55,7 @@ class Checker {
     [[nodiscard]] bool all_hold() const;
     /// The certificate does not hold. That of a degenerate sphere only counts once its cells are positive.
     [[nodiscard]] bool is_violated(const Pending_facet& s) const;
-    [[nodiscard]] bool is_violated(const Pending_cell& s) const { return s.verdict.sign <= 0; }
+    [[nodiscard]] bool is_violated(const Pending_cell& s) const { return s.value.sign <= 0; }
 
     [[nodiscard]] std::span<const Pending_facet> facets() const { return facets_; }
     [[nodiscard]] std::span<const Pending_cell> cells() const { return cells_; }
@@ -63,13 +63,13 @@ class Checker {
     [[nodiscard]] bool exists(const Pending_cell& s) const { return !changing_ || table_.is_cell(s.id); }
 
     /// What it costs, in cells looked at, to evaluate all entries by the first stage; and what evaluation cost.
-    [[nodiscard]] double pending_price() const {
-        return Prices<d>::evaluation * static_cast<double>(facets_.size() + cells_.size());
+    [[nodiscard]] double pending_cost() const {
+        return Cost_model<d>::evaluation * static_cast<double>(facets_.size() + cells_.size());
     }
-    [[nodiscard]] static double price(const Stage_counts& counts) {
-        return Prices<d>::evaluation * static_cast<double>(counts.total()) +
-               interval_evaluation_price * static_cast<double>(counts.interval) +
-               exact_evaluation_price * static_cast<double>(counts.exact);
+    [[nodiscard]] static double cost(const Stage_counts& counts) {
+        return Cost_model<d>::evaluation * static_cast<double>(counts.total()) +
+               interval_evaluation_cost * static_cast<double>(counts.interval) +
+               exact_evaluation_cost * static_cast<double>(counts.exact);
     }
 
   private:
@@ -104,7 +104,7 @@ class Checker {
     bool changing_ = false;
 };
 
-extern template class Checker<2>;
-extern template class Checker<3>;
+extern template class Certificate_checker<2>;
+extern template class Certificate_checker<3>;
 
 }  // namespace annulus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Large steps: walks of up to a spacing in every family of points, near-degenerate and with moving hulls; what repair
 // costs, and where.
-#include <annulus/engine/chooser.h>
+#include <annulus/engine/rebuild_policy.h>
 #include <annulus/moving_mesh.h>
 #include <common/program.h>
 
@@ -44,7 +44,7 @@ void check_cells(const Moving_of<d>& dt) {
 TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the Delaunay triangulation, dimension",
                        "[mender]", ((int d), d), 2, 3) {
     // By reach: timestamps of `filter` in which something was flipped and nothing rebuilt.
-    std::map<double, int> mended;
+    std::map<double, int> repaired;
     for (const Strategy strategy : {Strategy::filter, Strategy::automatic, Strategy::filter_each, Strategy::in_place})
         for (const std::string_view family : bench::families)
             for (const double spacings : {0.01, 0.03, 0.1, 0.3, 1.0}) {
@@ -60,7 +60,7 @@ TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the D
                             scene.step();
                             const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
                             if (strategy == Strategy::filter && report.flips > 0 && report.moves.rebuilt == 0)
-                                ++mended[spacings];
+                                ++repaired[spacings];
                             check_cells<d>(dt);
                             mesh.move_all(std::span<const Coordinates<d>>(scene.points()));
                             REQUIRE(mesh.audit().delaunay());
@@ -69,7 +69,7 @@ TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the D
             }
     for (const double spacings : {0.01, 0.03, 0.1, 0.3, 1.0}) {
         CAPTURE(spacings);
-        CHECK(mended[spacings] > 0);  // it is repair that was tested
+        CHECK(repaired[spacings] > 0);  // it is repair that was tested
     }
 }
 
@@ -80,17 +80,17 @@ TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dim
         bench::Scene<d> scene("uniform", "walk", 1500, d == 2 ? 0.1 : 0.01, random());
         auto dt = moving<d>(scene.points(), Strategy::filter);
         Move_report all;  // of the steps that were mended
-        std::uint64_t mended = 0;
+        std::uint64_t repaired = 0;
         for (int step = 0; step < 8; ++step) {
             scene.step();
             const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
             if (report.moves.rebuilt > 0) continue;  // too dear to mend: one of 400 in the plane
             all += report;
-            ++mended;
+            ++repaired;
         }
         CHECK(dt.audit().delaunay());
-        CHECK(mended >= 6);
-        CHECK(all.flips > mended * 150);
+        CHECK(repaired >= 6);
+        CHECK(all.flips > repaired * 150);
         CHECK(all.undone_flips == 0);
         CHECK(all.moves.reinserted < all.moves.asked / 50);
     });
@@ -98,7 +98,7 @@ TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dim
 
 TEMPLATE_TEST_CASE_SIG("What one place needs costs another nothing: the price a vertex does not grow, dimension",
                        "[mender]", ((int d), d), 2, 3) {
-    const auto price = [](std::size_t n) {
+    const auto cost = [](std::size_t n) {
         bench::Scene<d> scene("uniform", "walk", n, d == 2 ? 0.03 : 0.01, 5);
         auto dt = moving<d>(scene.points(), Strategy::automatic);
         Move_report all;
@@ -108,9 +108,9 @@ TEMPLATE_TEST_CASE_SIG("What one place needs costs another nothing: the price a 
             if (step > 1) all += report;
         }
         CHECK(all.moves.rebuilt == 0);
-        return all.price / static_cast<double>(all.moves.asked);
+        return all.cost / static_cast<double>(all.moves.asked);
     };
-    CHECK(price(16000) < 1.3 * price(1000));
+    CHECK(cost(16000) < 1.3 * cost(1000));
 }
 
 TEMPLATE_TEST_CASE_SIG("A step that is clearly too dear is given up before it is mended, dimension", "[mender]",
@@ -127,7 +127,7 @@ TEMPLATE_TEST_CASE_SIG("A step that is clearly too dear is given up before it is
     CHECK(report.sign_steps == 1);
     CHECK(report.moves.rebuilt == n);
     CHECK(report.undone_flips == 0);
-    CHECK(report.price < 1.2 * Chooser<d>::rebuild_price(n));
+    CHECK(report.cost < 1.2 * Rebuild_policy<d>::rebuild_cost(n));
     CHECK(dt.audit().delaunay());
 }
 
@@ -146,10 +146,10 @@ TEMPLATE_TEST_CASE_SIG(
                         CAPTURE(step);
                         scene.step();
                         const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
-                        const double most = 1.5 * Prices<d>::insertion * static_cast<double>(n);
+                        const double most = 1.5 * Cost_model<d>::insertion * static_cast<double>(n);
                         // A flip that the repair that gives up was trying.
-                        const double in_hand = 6.0 * Prices<d>::exact;
-                        REQUIRE(report.price < most + in_hand);
+                        const double in_hand = 6.0 * Cost_model<d>::exact;
+                        REQUIRE(report.cost < most + in_hand);
                         REQUIRE(report.tolerance_steps + report.sign_steps + report.rebuild_steps <= 1);
                     }
                     CHECK(dt.audit().delaunay());
@@ -191,7 +191,7 @@ TEST_CASE("auto is the same run from the same input", "[mender]") {
             for (const auto k : {r.moves.rebuilt, r.moves.flipped, r.flips, r.evaluated, r.arithmetic.exact,
                                  r.sign_steps, r.rebuild_steps})
                 numbers.push_back(static_cast<double>(k));
-            numbers.push_back(r.price);
+            numbers.push_back(r.cost);
         }
         return numbers;
     };

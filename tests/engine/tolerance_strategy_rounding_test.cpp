@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the filters write down is rounded in the safe direction, to the last bit: readings up, expiries and tolerances
-// down. Moves cannot show this, because an expiry is cut to 21 bits and hides the last ones unless it happens to have
-// no others. So these tests put numbers into the filters' books for which rounding to nearest goes the wrong way, and
-// compare with rational numbers.
+// What the filters write down is rounded in the safe direction, to the last bit: path lengths up, expiries and
+// tolerances down. Moves cannot show this, because an expiry is cut to 21 bits and hides the last ones unless it
+// happens to have no others. So these tests put numbers into the filters' books for which rounding to nearest goes the
+// wrong way, and compare with rational numbers.
 
 #include <engine/filter_session.h>
 
@@ -21,17 +21,17 @@ using namespace annulus::testing;
 
 namespace {
 
-REVEAL(Odometer, &Filter<2>::odometers_);
-REVEAL(Examination, &Filter<2>::repair_);
-REVEAL(List, &Odometers<2>::list_);
-REVEAL(Expiries, &Odometers<2>::expiries_);
-REVEAL(Reading, &Odometers<2>::reading);
-REVEAL(Set_threshold, &Odometers<2>::set_threshold);
-REVEAL(Rebase, &Odometers<2>::rebase);
+REVEAL(Odometer, &Tolerance_strategy<2>::displacement_budget_);
+REVEAL(Examination, &Tolerance_strategy<2>::repair_);
+REVEAL(List, &Displacement_budget<2>::list_);
+REVEAL(Expiries, &Displacement_budget<2>::expiries_);
+REVEAL(Reading, &Displacement_budget<2>::path_length);
+REVEAL(Set_threshold, &Displacement_budget<2>::set_threshold);
+REVEAL(Rebase, &Displacement_budget<2>::rebase);
 
-struct Filter_session : Session<Filter<2>> {
+struct Filter_session : Session<Tolerance_strategy<2>> {
     explicit Filter_session(Random& random) : Session(random, Strategy::filter) {}
-    [[nodiscard]] Odometers<2>& odometers() { return Session::operator[](Odometer{}); }
+    [[nodiscard]] Displacement_budget<2>& odometers() { return Session::operator[](Odometer{}); }
     template <class Name>
     auto& operator[](Name) {
         return odometers().*member(Name{});
@@ -40,7 +40,7 @@ struct Filter_session : Session<Filter<2>> {
     auto call(Name, Arguments&&... arguments) {
         return (odometers().*member(Name{}))(std::forward<Arguments>(arguments)...);
     }
-    [[nodiscard]] Checker<2>& examination() { return Session::operator[](Examination{}).checker(); }
+    [[nodiscard]] Certificate_checker<2>& examination() { return Session::operator[](Examination{}).checker(); }
 };
 
 /// The expiries of facet f, point by point.
@@ -82,7 +82,7 @@ TEST_CASE("What a vertex may move, and what passes, is below earliest expiry les
             list.clear();
             const double span = std::ldexp(1.0 + unit(random), -integer(random, 0, 40));
             list.put_new(0, Expiry::lower(random() % 8 == 0 ? list.base : list.base + span));
-            const Rational room = Rational(list.earliest().reading()) - Rational(list.base);
+            const Rational room = Rational(list.earliest().path_length()) - Rational(list.base);
             const double tolerance = s.odometers().slack(v);
             RC_ASSERT(Rational(tolerance) <= room || tolerance <= 0.0);
             s.call(Set_threshold{}, v);
@@ -117,7 +117,7 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
             }
             s.filter.refresh(cells, s.report);
             const auto check = [&](Index v, Expiry e, double tolerance) {
-                RC_ASSERT(Rational(e.reading()) <= Rational(s[List{}][at(v)].base) + Rational(tolerance));
+                RC_ASSERT(Rational(e.path_length()) <= Rational(s[List{}][at(v)].base) + Rational(tolerance));
             };
             for (const auto& e : s.examination().facets()) {
                 if (e.kind == Facet_kind::nothing) continue;
@@ -150,13 +150,13 @@ TEST_CASE("Rebasing leaves no certificate more than it had", "[relocation][round
             std::vector<Rational> before;
             for (Expiry* e : of_v) {
                 *e = Expiry::lower(1.0 + std::ldexp(integer(random, 0, 9), -20));
-                before.push_back(Rational(e->reading()) - Rational(base));
+                before.push_back(Rational(e->path_length()) - Rational(base));
             }
             s[List{}][at(v)].base = base;
             s.call(Rebase{}, v);
             RC_ASSERT(s[List{}][at(v)].base == 0.0);
             for (std::size_t k = 0; k < of_v.size(); ++k)
-                if (*of_v[k] != Expiry::never()) RC_ASSERT(Rational(of_v[k]->reading()) <= before[k]);
+                if (*of_v[k] != Expiry::never()) RC_ASSERT(Rational(of_v[k]->path_length()) <= before[k]);
         }
     }));
 }
@@ -168,7 +168,7 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
     const Point moved{0x1p-600, 0};
     SECTION("filter") {
         Delaunay_mesh<2> mesh;
-        Filter<2> filter(mesh);
+        Tolerance_strategy<2> filter(mesh);
         Move_report report;
         mesh.build(square);
         filter.settle(square, report);

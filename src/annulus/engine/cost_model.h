@@ -5,20 +5,20 @@
 
 namespace annulus {
 
-/// What things cost, in cells looked at (Signs::look_at): some 24 ns in space and 21 in the plane on one machine.
-/// Ratios measured there (bench/README.md); nothing here has a say in what is right, and the same input gives the
-/// same run whatever they are.
+/// What things cost, in cells looked at (Sign_evaluator::test_cell): some 24 ns in space and 21 in the plane on one
+/// machine. Ratios measured there (bench/README.md); nothing here has a say in what is right, and the same input gives
+/// the same run whatever they are.
 template <int d>
-struct Prices;
+struct Cost_model;
 
 template <>
-struct Prices<2> {
+struct Cost_model<2> {
     // A vertex, of a timestamp:
     static constexpr double insertion = 22.5;  // of all points, one by one (cgal/): beside which no step is to be dear
     static constexpr double rebuild = 12.4;
     static constexpr double cells = 2.0;   // the signs of everything: cells a vertex
     static constexpr double signs = 2.45;  // with what is written for each vertex
-    static constexpr double settling = 13.7;
+    static constexpr double recomputation = 13.7;
     // Each, of cells that a sample shows:
     static constexpr double violated = 14.0;
     static constexpr double inverted = 112.0;
@@ -37,16 +37,16 @@ struct Prices<2> {
     static constexpr double evaluation = 6.5;
     static constexpr double star = 9.5;          // for comparison: the signs around a vertex that moves alone
     static constexpr double certificates = 5.0;  // a vertex
-    static constexpr double expected = 4.8;      // of a certificate that the outlook lets expire
+    static constexpr double expected = 4.8;      // of a certificate that the estimate lets expire
 };
 
 template <>
-struct Prices<3> {
+struct Cost_model<3> {
     static constexpr double insertion = 125.0;
     static constexpr double rebuild = 48.0;
     static constexpr double cells = 6.7;
     static constexpr double signs = 8.0;
-    static constexpr double settling = 94.0;
+    static constexpr double recomputation = 94.0;
     static constexpr double violated = 10.0;
     static constexpr double inverted = 210.0;
     static constexpr double unclear = 37.0;
@@ -66,7 +66,7 @@ struct Prices<3> {
 };
 
 /// A certificate's tolerance by the later stages, besides.
-inline constexpr double interval_evaluation_price = 14.0;
-inline constexpr double exact_evaluation_price = 167.0;
+inline constexpr double interval_evaluation_cost = 14.0;
+inline constexpr double exact_evaluation_cost = 167.0;
 
 }  // namespace annulus

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/engine/signs.h>
+#include <annulus/engine/sign_evaluator.h>
 
 #include <annulus/certificate/circumcircle_2.h>
 #include <annulus/certificate/circumsphere_3.h>
 #include <annulus/certificate/orientation_sign.h>
-#include <annulus/engine/prices.h>
+#include <annulus/engine/cost_model.h>
 #include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/parallel_runs.h>
 #include <annulus/mesh/sort_unique.h>
@@ -24,7 +24,7 @@ using Circumsphere = std::conditional_t<d == 2, Circumcircle_2, Circumsphere_3>;
 }  // namespace
 
 template <int d>
-void Signs<d>::begin(std::span<const Coordinates<d>> x, Budget& budget) {
+void Sign_evaluator<d>::begin(std::span<const Coordinates<d>> x, Budget& budget) {
     x_ = x;
     budget_ = &budget;
     middle_.reset();
@@ -36,7 +36,7 @@ void Signs<d>::begin(std::span<const Coordinates<d>> x, Budget& budget) {
 
 /// Some points are enough, because all that is asked of the middle is to be inside.
 template <int d>
-void Signs<d>::find_middle() {
+void Sign_evaluator<d>::find_middle() {
     Coordinates<d>& middle = middle_.emplace();
     const Index stride = 1 + table_.vertex_bound() / 64;
     double points = 0.0;
@@ -49,14 +49,14 @@ void Signs<d>::find_middle() {
 }
 
 template <int d>
-int Signs<d>::decided(Staged_sign s) {
+int Sign_evaluator<d>::decided(Staged_sign s) {
     decided_.count(s.stage);
-    budget_->charge(s.stage == Stage::interval ? Prices<d>::interval : Prices<d>::exact);
+    budget_->charge(s.stage == Stage::interval ? Cost_model<d>::interval : Cost_model<d>::exact);
     return s.sign;
 }
 
 template <int d>
-int Signs<d>::sign(const Cell_sites<d>& x) {
+int Sign_evaluator<d>::sign(const Cell_sites<d>& x) {
     bool at_infinity = false;
     for (const Site<d> s : x) at_infinity |= s.vertex == infinite;
     if (at_infinity && !middle_) find_middle();
@@ -69,16 +69,16 @@ int Signs<d>::sign(const Cell_sites<d>& x) {
 
 /// Counts what the filter stage answered.
 template <int d>
-bool Signs<d>::clearly(int sign) {
+bool Sign_evaluator<d>::clearly(int sign) {
     if (sign == 0) return false;
     ++decided_.filter;
-    budget_->charge(Prices<d>::filter);
+    budget_->charge(Cost_model<d>::filter);
     return true;
 }
 
 /// Of the bi-cell at half-facet h, by the filter stage: 0 where the next stage has to tell.
 template <int d>
-[[gnu::flatten]] int Signs<d>::sphere_sign(Corner_index h) {
+[[gnu::flatten]] int Sign_evaluator<d>::sphere_sign(Corner_index h) {
     const Cell_sites<d> v = cell_sites(table_, table_.cell_of(h));
     const Coordinates<d>& p = x_[at(table_.opposite(h).vertex)];
     return [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -90,7 +90,7 @@ template <int d>
 }
 
 template <int d>
-bool Signs<d>::is_violated(Corner_index f) {
+bool Sign_evaluator<d>::is_violated(Corner_index f) {
     const Facet_kind kind = facet_kind(table_, f);
     if (kind == Facet_kind::nothing) return false;
     if (kind == Facet_kind::ridge) {
@@ -113,7 +113,7 @@ bool Signs<d>::is_violated(Corner_index f) {
 /// processor predicts, dearer than the answer. Flattened: a call between two halves of a formula would spill every
 /// register.
 template <int d>
-[[gnu::flatten]] void Signs<d>::look_at(Cell_index c, bool border, Found& found) const {
+[[gnu::flatten]] void Sign_evaluator<d>::test_cell(Cell_index c, bool border, Found& found) const {
     const auto& t = table_;
     const Cell_sites<d> v = cell_sites(t, c);
     ++found.cells;
@@ -151,7 +151,7 @@ template <int d>
 
 /// Adds what was found in a run of cells, in the order of the runs.
 template <int d>
-void Signs<d>::take(const Found& found) {
+void Sign_evaluator<d>::take(const Found& found) {
     found_.inverted.insert(found_.inverted.end(), found.inverted.begin(), found.inverted.end());
     found_.violated.insert(found_.violated.end(), found.violated.begin(), found.violated.end());
     found_.clear_halves += found.clear_halves;
@@ -159,7 +159,7 @@ void Signs<d>::take(const Found& found) {
 }
 
 template <int d>
-void Signs<d>::look_at_everything() {
+void Sign_evaluator<d>::test_all_cells() {
     constexpr std::size_t run = 1U << 14;  // whatever the number of threads
     const std::size_t cells = table_.cell_bound().offset();
     std::vector<Found> found((cells + run - 1) / run);
@@ -176,7 +176,7 @@ void Signs<d>::look_at_everything() {
                     if (const Corner_index t = table_.twin(table_.corner(c, i)); t != no_corner)
                         __builtin_prefetch(&x_[at(std::max(table_.vertex(t), Index{0}))]);
             for (Cell_index c(begin); c.value() < next; ++c)
-                if (table_.is_cell(c)) look_at(c, false, here);
+                if (table_.is_cell(c)) test_cell(c, false, here);
         }
     });
     for (const Found& here : found) take(here);
@@ -186,12 +186,12 @@ void Signs<d>::look_at_everything() {
 }
 
 template <int d>
-void Signs<d>::look_around(Index v, bool border) {
-    table_.for_each_corner(v, [&](Corner_index h) { look_at(Corner_table<d>::cell_of(h), border); });
+void Sign_evaluator<d>::test_star(Index v, bool border) {
+    table_.for_each_corner(v, [&](Corner_index h) { test_cell(Corner_table<d>::cell_of(h), border); });
 }
 
 template <int d>
-double Signs<d>::outlook() {
+double Sign_evaluator<d>::estimate() {
     constexpr std::size_t sampled = 64;
     const auto failing = [](const auto& list, auto fails) {
         const std::size_t stride = 1 + list.size() / sampled;
@@ -201,18 +201,18 @@ double Signs<d>::outlook() {
                           : static_cast<double>(list.size()) * static_cast<double>(failed) / static_cast<double>(asked);
     };
     const auto folded = [this](Cell_index c) {
-        budget_->charge(Prices<d>::filter);
+        budget_->charge(Cost_model<d>::filter);
         return !table_.is_infinite(c) && orientation_sign(tuple<d, d + 1>(cell_sites(table_, c), x_)) < 0;
     };
     const auto crossed = [this](Corner_index f) {
-        budget_->charge(Prices<d>::filter);
+        budget_->charge(Cost_model<d>::filter);
         return facet_kind(table_, f) == Facet_kind::empty_sphere && sphere_sign(f) < 0;
     };
-    return Prices<d>::inverted * failing(found_.inverted, folded) +
-           Prices<d>::violated * failing(found_.violated, crossed);
+    return Cost_model<d>::inverted * failing(found_.inverted, folded) +
+           Cost_model<d>::violated * failing(found_.violated, crossed);
 }
 
-template class Signs<2>;
-template class Signs<3>;
+template class Sign_evaluator<2>;
+template class Sign_evaluator<3>;
 
 }  // namespace annulus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Odometers: what is written down of certificates that were evaluated.
-#include <annulus/engine/odometers.h>
+// Displacement_budget: what is written down of certificates that were evaluated.
+#include <annulus/engine/displacement_budget.h>
 
 #include <annulus/engine/trace.h>
 
@@ -16,13 +16,13 @@ constexpr std::size_t prefetched = 8;  // certificates ahead
 /// Gives a certificate evaluated at the step's positions its expiries and tells its points.
 template <int d>
 template <bool fresh, class S, class Expiry_of>
-void Odometers<d>::commit_points(const S& s, Certificate_id id, Expiry_of expiry_of, Step<d>* step) {
+void Displacement_budget<d>::commit_points(const S& s, Certificate_id id, Expiry_of expiry_of, Step<d>* step) {
     for (std::size_t k = 0; k < s.point.size(); ++k) {
         const Index v = s.point[k].vertex;
         if (v == none) continue;
         if constexpr (!fresh) anchor(v, *step);
         List& list = list_[at(v)];
-        const Expiry expiry = Expiry::lower(sum_lower(list.base, s.verdict.tolerance));
+        const Expiry expiry = Expiry::lower(sum_lower(list.base, s.value.tolerance));
         expiry_of(k) = expiry;
         if constexpr (fresh) {
             list.put_new(id, expiry);
@@ -36,7 +36,7 @@ void Odometers<d>::commit_points(const S& s, Certificate_id id, Expiry_of expiry
 /// What commit_points() needs of these points first: whether they are anchored. A guess would have to wait for it.
 template <int d>
 template <class Points>
-void Odometers<d>::prefetch(const Points& points) const {
+void Displacement_budget<d>::prefetch(const Points& points) const {
     for (const auto& [v, label] : points)
         if (v != none) {
             __builtin_prefetch(&list_[at(v)], 1);
@@ -46,7 +46,7 @@ void Odometers<d>::prefetch(const Points& points) const {
 
 template <int d>
 template <bool fresh>
-void Odometers<d>::commit_evaluated(const Checker<d>& checker, Step<d>* step) {
+void Displacement_budget<d>::commit_evaluated(const Certificate_checker<d>& checker, Step<d>* step) {
     const auto facets = checker.facets();
     if (!fresh)
         for (std::size_t i = 0; i < std::min(prefetched, facets.size()); ++i) prefetch(facets[i].point);
@@ -80,17 +80,17 @@ void Odometers<d>::commit_evaluated(const Checker<d>& checker, Step<d>* step) {
     }
 }
 
-/// Starts v's odometer at 0 again: what is left of each of its certificates stays what it is. Odometers that have come
-/// a long way would round tolerances away.
+/// Starts v's path length at 0 again: what is left of each of its certificates stays what it is. Displacement_budget
+/// that have come a long way would round tolerances away.
 template <int d>
-void Odometers<d>::rebase(Index v) {
+void Displacement_budget<d>::rebase(Index v) {
     List& list = list_[at(v)];
     const double base = list.base;
     list.clear();
     list.base = 0.0;
     const auto shift = [&](Expiry& e, Certificate_id id) {
         if (e == never) return;
-        const double left = e.reading() - base;
+        const double left = e.path_length() - base;
         e = Expiry::lower(left - left * 0x1p-52);
         list.put(id, e);
     };
@@ -106,13 +106,13 @@ void Odometers<d>::rebase(Index v) {
 }
 
 template <int d>
-void Odometers<d>::commit(Step<d>& step, const Checker<d>& checker) {
+void Displacement_budget<d>::commit(Step<d>& step, const Certificate_checker<d>& checker) {
     resize();
     ANNULUS_TRACED(committing(*this, checker));
     commit_evaluated<false>(checker, &step);
     for (const Index v : step.anchored) {
         const List& list = list_[at(v)];
-        if (list.base > Limits::path_ratio * (list.latest().reading() - list.base)) rebase(v);
+        if (list.base > Limits::path_ratio * (list.latest().path_length() - list.base)) rebase(v);
         set_threshold(v);
         ANNULUS_TRACED(finished(*this, v));
     }
@@ -120,11 +120,11 @@ void Odometers<d>::commit(Step<d>& step, const Checker<d>& checker) {
 }
 
 template <int d>
-void Odometers<d>::commit_fresh(const Checker<d>& checker) {
+void Displacement_budget<d>::commit_fresh(const Certificate_checker<d>& checker) {
     commit_evaluated<true>(checker, nullptr);
 }
 
-template class Odometers<2>;
-template class Odometers<3>;
+template class Displacement_budget<2>;
+template class Displacement_budget<3>;
 
 }  // namespace annulus

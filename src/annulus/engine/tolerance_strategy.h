@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/chooser.h>
+#include <annulus/engine/displacement_budget.h>
 #include <annulus/engine/move_outcomes.h>
-#include <annulus/engine/odometers.h>
 #include <annulus/engine/options.h>
+#include <annulus/engine/rebuild_policy.h>
 #include <annulus/engine/repair.h>
 #include <annulus/engine/step.h>
-#include <annulus/engine/tracking.h>
-#include <annulus/engine/upkeep.h>
+#include <annulus/engine/tolerance_policy.h>
+#include <annulus/engine/update_strategy.h>
 
 #include <span>
 #include <vector>
@@ -18,11 +18,11 @@ namespace annulus {
 /// The strategies that repair the mesh: `filter`, `auto`, `filter-each`, `in-place`.
 ///
 /// A step goes from where vertices go to what is written down: who left its tolerance and which certificates expired
-/// (Odometers), or else all of them, or all of one vertex; their verdicts, flips and holding back (Repair); new
-/// expiries (Odometers again). What one stage finds reaches the next in a Step. Whether tolerances are kept is
-/// Tracking's to say, whether a timestamp is rebuilt Chooser's.
+/// (Displacement_budget), or else all of them, or all of one vertex; their verdicts, flips and holding back (Repair);
+/// new expiries (Displacement_budget again). What one stage finds reaches the next in a Step. Whether tolerances are
+/// kept is Tolerance_policy's to say, whether a timestamp is rebuilt Rebuild_policy's.
 template <int d>
-class Filter final : public Upkeep<d> {
+class Tolerance_strategy final : public Update_strategy<d> {
   public:
     /// By what means.
     enum class Means : std::uint8_t {
@@ -31,15 +31,15 @@ class Filter final : public Upkeep<d> {
         signs,       ///< of all certificates of what moves, never tolerances: `in-place`
     };
     /// Precondition: one of these four.
-    explicit Filter(Delaunay_mesh<d>& mesh, Strategy strategy = Strategy::filter)
-        : Upkeep<d>(strategy),
+    explicit Tolerance_strategy(Delaunay_mesh<d>& mesh, Strategy strategy = Strategy::filter)
+        : Update_strategy<d>(strategy),
           means_(strategy == Strategy::automatic  ? Means::any
                  : strategy == Strategy::in_place ? Means::signs
                                                   : Means::tolerances),
           mesh_(mesh),
           table_(mesh.table()),
           repair_(mesh),
-          odometers_(table_) {}
+          displacement_budget_(table_) {}
 
     /// For the step test, evaluations and signs. Nothing that is found or counted depends on it.
     void set_threads(int threads) {
@@ -64,52 +64,52 @@ class Filter final : public Upkeep<d> {
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
 
     /// While so many vertices fail that the signs around a vertex cost less than its tolerances, without tolerances.
-    void begin_each(std::span<const Coordinates<d>> x, Move_report& report) override;
-    void move_in_turn(Index v, const Coordinates<d>& p, Move_report& report) override { move_one(v, p, report); }
-    void end_each(Move_report& report) override;
-    void take_back() noexcept override;
-    void resume() override;
+    void begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) override;
+    void move_sequentially(Index v, const Coordinates<d>& p, Move_report& report) override { move_one(v, p, report); }
+    void commit_transaction(Move_report& report) override;
+    void rollback() noexcept override;
+    void resume_after_rollback() override;
 
     /// Evaluates the certificates of these cells.
     void refresh(std::span<const Cell_index> cells, Move_report& report) override;
     /// The vertex takes position p as moving and fixed position.
-    void place(Index v, const Coordinates<d>& p) override;
-    void put_back(Index v, const Coordinates<d>& p) noexcept override;
-    [[nodiscard]] std::span<Coordinates<d>> lend(std::size_t bound) override {
+    void add_vertex(Index v, const Coordinates<d>& p) override;
+    void restore_position(Index v, const Coordinates<d>& p) noexcept override;
+    [[nodiscard]] std::span<Coordinates<d>> resize_for_insertion(std::size_t bound) override {
         position_.resize(bound);
         return position_;
     }
-    void cut(std::size_t bound) override;
+    void truncate(std::size_t bound) override;
 
     [[nodiscard]] std::span<const Coordinates<d>> positions() const override { return position_; }
     [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const override {
-        return odometers_.kept() ? odometers_.fixed(v) : position_[at(v)];
+        return displacement_budget_.kept() ? displacement_budget_.fixed(v) : position_[at(v)];
     }
     [[nodiscard]] bool repairs() const override { return true; }
-    [[nodiscard]] bool goes_in_turn() const override {
+    [[nodiscard]] bool is_sequential() const override {
         return this->strategy() == Strategy::filter_each || this->strategy() == Strategy::in_place;
     }
     /// False while the motion is so fast that tolerances would not last a step and are not kept.
-    [[nodiscard]] bool tracks() const { return odometers_.kept(); }
+    [[nodiscard]] bool keeps_tolerances() const { return displacement_budget_.kept(); }
     /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own; while
-    /// tracks().
+    /// keeps_tolerances().
     [[nodiscard]] std::optional<double> tolerance(Index v) const override {
-        return odometers_.kept() ? std::optional(std::max(0.0, odometers_.slack(v))) : std::nullopt;
+        return displacement_budget_.kept() ? std::optional(std::max(0.0, displacement_budget_.slack(v))) : std::nullopt;
     }
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    [[nodiscard]] bool lives(std::size_t v) const { return mesh_.has(static_cast<Index>(v)); }
+    [[nodiscard]] bool is_present(std::size_t v) const { return mesh_.has(static_cast<Index>(v)); }
     /// Of a timestamp.
-    [[nodiscard]] double most_repair() const {
+    [[nodiscard]] double repair_limit() const {
         const std::size_t n = mesh_.vertices();
-        return means_ == Means::any ? Chooser<d>::most_repair(n) : Chooser<d>::most_generous_repair(n);
+        return means_ == Means::any ? Rebuild_policy<d>::repair_limit(n) : Rebuild_policy<d>::generous_repair_limit(n);
     }
     [[nodiscard]] Step<d> new_step(std::span<const Coordinates<d>> x, Index mover, Scope scope) {
-        return Step<d>::recycled(over_, x, mover, scope);
+        return Step<d>::recycled(previous_, x, mover, scope);
     }
 
-    // filter.cpp: a step.
+    // tolerance_strategy.cpp: a step.
     [[nodiscard]] bool find_failed(Step<d>& step) const;
     [[nodiscard]] bool find_failed(Step<d>& step, std::size_t first, std::size_t last,
                                    std::vector<Index>& failed) const;
@@ -117,22 +117,22 @@ class Filter final : public Upkeep<d> {
     [[nodiscard]] bool too_many_failed(const Step<d>& step) const;
     void move_one(Index v, const Coordinates<d>& p, Move_report& report);
     [[nodiscard]] bool examine(Step<d>& step);
-    template <class Mend>
-    void process(Step<d>& step, Mend mend, Move_report& report);
+    template <class Repair_call>
+    void process(Step<d>& step, Repair_call repair, Move_report& report);
     void finish(Step<d>& step, Move_report& report);
     void renew_renumbered(const Step<d>& step);
 
-    // filter_upkeep.cpp: how it starts, what it keeps, rebuilds.
+    // tolerance_strategy_state.cpp: how it starts, what it keeps, rebuilds.
     void resize();
     void stop_rebuilding();
-    void take_up(std::span<const Coordinates<d>> x, Move_report& report);
+    void compute_tolerances(std::span<const Coordinates<d>> x, Move_report& report);
     void evaluate_all(std::span<const Coordinates<d>> x, Move_report& report);
-    void stop_tracking();
-    void settle_if_it_pays(Move_report& report);
-    void settle_afterwards(Move_report& report);
+    void drop_tolerances();
+    void recompute_if_worthwhile(Move_report& report);
+    void recompute_afterwards(Move_report& report);
     void note_displacements(std::span<const Coordinates<d>> x);
-    void end_timestamp(bool each, Move_report& report);
-    [[nodiscard]] bool next_is_mended(std::span<const Coordinates<d>> x);
+    void end_step(bool each, Move_report& report);
+    [[nodiscard]] bool next_is_repaired(std::span<const Coordinates<d>> x);
     void rebuild(Step<d>& step);
     void rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_report& report);
 
@@ -142,16 +142,16 @@ class Filter final : public Upkeep<d> {
     Delaunay_mesh<d>& mesh_;
     const Corner_table<d>& table_;
     Repair<d> repair_;
-    Odometers<d> odometers_;
-    Tracking<d> tracking_;
-    Chooser<d> chooser_;
+    Displacement_budget<d> displacement_budget_;
+    Tolerance_policy<d> tolerance_policy_;
+    Rebuild_policy<d> rebuild_policy_;
     Move_outcomes<d> outcomes_;
     std::vector<Coordinates<d>> position_;
-    std::vector<Coordinates<d>> noted_;  // position_ before a timestamp of single moves
-    Step<d> over_;                       // the last one, for its memory
+    std::vector<Coordinates<d>> saved_;  // position_ before a timestamp of single moves
+    Step<d> previous_;                   // the last one, for its memory
 };
 
-extern template class Filter<2>;
-extern template class Filter<3>;
+extern template class Tolerance_strategy<2>;
+extern template class Tolerance_strategy<3>;
 
 }  // namespace annulus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/engine/mender.h>
+#include <annulus/engine/flip_repair.h>
 
 #include <array>
 
@@ -17,7 +17,7 @@ std::array<Cell_sites<2>, 2> flipped(const Corner_table<2>& t, Corner_index h) {
 }  // namespace
 
 template <>
-bool Mender<2>::flip(Corner_index h) {
+bool Flip_repair<2>::flip(Corner_index h) {
     const std::array<Cell_index, 2> cells{table_.cell_of(h), table_.cell_of(table_.twin(h))};
     if (table_.site(h) == table_.opposite(h)) return false;
     for (const Corner_index k : {table_.ccw(h), table_.cw(h), table_.ccw(table_.twin(h)), table_.cw(table_.twin(h))}) {
@@ -33,7 +33,7 @@ bool Mender<2>::flip(Corner_index h) {
 
 /// A triangle at the border that its vertex turned over by leaving: the edge of the border that it crossed goes.
 template <>
-bool Mender<2>::unfold(Cell_index c) {
+bool Flip_repair<2>::untangle(Cell_index c) {
     for (int i = 0; i <= 2; ++i) {
         const Corner_index h = table_.corner(c, i);
         if (table_.is_infinite(c) != table_.is_infinite(table_.cell_of(table_.twin(h))) && flip(h)) return true;

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/cost_model.h>
+#include <annulus/engine/sample.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace annulus {
+
+/// Whether `auto` rebuilds a timestamp or mends it: by what a few cells say before, what repair cost, and how it
+/// ended. No clock has a say in it, nor has it one in what is right.
+template <int d>
+class Rebuild_policy {
+  public:
+    [[nodiscard]] static double rebuild_cost(std::size_t vertices) {
+        return Cost_model<d>::rebuild * static_cast<double>(vertices);
+    }
+    /// What repair may cost before it gives up.
+    [[nodiscard]] static double repair_limit(std::size_t vertices) { return share() * static_cast<double>(vertices); }
+    /// The same where no step is promised to cost so little: a few vertices are not rebuilt because they are few.
+    [[nodiscard]] static double generous_repair_limit(std::size_t vertices) { return 4000.0 + repair_limit(vertices); }
+
+    /// What may be done to a part before all is built anew instead.
+    [[nodiscard]] static double generous_rebuild_limit(std::size_t vertices) { return 4000.0 + rebuild_cost(vertices); }
+    /// Of vertices that move one by one, `done` of them at a price so far: whether all `movers` are going to cost
+    /// more than a rebuild, by what these did. Not before they have cost a part of one, so that they tell something.
+    [[nodiscard]] static bool exceeds_rebuild_one_by_one(double cost, std::size_t done, std::size_t movers,
+                                                         std::size_t vertices) {
+        const double rebuild = rebuild_cost(vertices);
+        return cost > rebuild / 8.0 && cost / static_cast<double>(done) * static_cast<double>(movers) > rebuild;
+    }
+    /// The same where a strategy goes one by one: more than such moves cost where what they change is local, and a
+    /// rebuild.
+    [[nodiscard]] static bool exceeds_rebuild_in_sequence(double cost, std::size_t done, std::size_t vertices) {
+        return cost > generous_rebuild_limit(vertices) + 4.0 * Cost_model<d>::reinsertion * static_cast<double>(done);
+    }
+
+    /// While every step is a rebuild: no need to ask a larger sample, nor to count how often it was asked.
+    [[nodiscard]] bool is_clearly_infeasible(const Sample& few) const { return cost_of(few) > 3.0 * share(); }
+    /// While every step is a rebuild: whether the next is to be mended, as far as these cells tell.
+    [[nodiscard]] bool repairs(const Sample& sample) {
+        const double cost = cost_of(sample);
+        const bool calmer = cost < 0.4 * gave_up_at_;
+        if (wait_ > 0 && !calmer) {
+            --wait_;
+            return false;
+        }
+        wait_ = 0;
+        tried_ = cost;
+        return cost < share();
+    }
+    /// A step was mended.
+    void repaired() {
+        backoff_ = std::max(backoff_ / 2, std::uint32_t{1});
+        tried_ = 0.0;
+    }
+    /// Repair gave up: it is not tried again for a while, the longer the oftener that happens, unless the motion
+    /// becomes calmer.
+    void gave_up() {
+        gave_up_at_ = tried_;
+        wait_ = backoff_;
+        backoff_ = std::min(2 * backoff_, longest_wait);
+    }
+
+    /// That, a vertex: as much as a rebuild, so that with the one that follows no step costs more than twice what was
+    /// the best (rent or buy), which is less than one and a half insertions of all points.
+    static constexpr double share() { return Cost_model<d>::rebuild - (Cost_model<d>::signs - Cost_model<d>::cells); }
+    static_assert(share() + Cost_model<d>::rebuild + (Cost_model<d>::signs - Cost_model<d>::cells) <
+                  1.45 * Cost_model<d>::insertion);
+
+  private:
+    static constexpr std::uint32_t longest_wait = 64;
+
+    /// A vertex, of mending.
+    [[nodiscard]] static double cost_of(const Sample& sample) {
+        if (sample.cells == 0) return 0.0;
+        const double more = Cost_model<d>::violated * 0.5 * static_cast<double>(sample.violated) +
+                            Cost_model<d>::inverted * static_cast<double>(sample.inverted) +
+                            Cost_model<d>::unclear * static_cast<double>(sample.unclear);
+        return Cost_model<d>::cells * (1.0 + more / static_cast<double>(sample.cells));
+    }
+
+    std::uint32_t wait_ = 0;
+    std::uint32_t backoff_ = 1;
+    double tried_ = 0.0;       // what the sample said of the step before the first mended one; 0 once one was mended
+    double gave_up_at_ = 0.0;  // what it had said when repair gave up; 0 if others had been mended before
+};
+
+}  // namespace annulus
