@@ -8,7 +8,7 @@
 
 #include <annulus/engine/tolerance_strategy.h>
 #include <annulus/kernel/delaunay_mesh.h>
-#include <annulus/published/paper_filter.h>
+#include <annulus/published/paper_strategy.h>
 
 #include <gmpxx.h>
 

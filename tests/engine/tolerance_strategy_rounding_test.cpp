@@ -179,7 +179,7 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
     }
     SECTION("paper") {
         Delaunay_mesh<2> mesh;
-        Paper_filter<2> filter(mesh, Strategy::paper, Tolerance_kind::floating, 0U);
+        Paper_strategy<2> filter(mesh, Strategy::paper, Tolerance_kind::floating, 0U);
         Move_report report;
         mesh.build(square);
         filter.settle(square, report);

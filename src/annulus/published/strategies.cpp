@@ -4,8 +4,8 @@
 #include <annulus/arithmetic/error.h>
 #include <annulus/engine/rebuild_strategy.h>
 #include <annulus/engine/tolerance_strategy.h>
-#include <annulus/published/paper_filter.h>
-#include <annulus/published/relocator.h>
+#include <annulus/published/paper_strategy.h>
+#include <annulus/published/relocation_strategy.h>
 
 #include <string>
 
@@ -18,7 +18,7 @@ std::unique_ptr<Update_strategy<d>> make_strategy(Delaunay_mesh<d>& mesh, const 
     switch (strategy) {
         case Strategy::paper:
         case Strategy::paper_hybrid:
-            return std::make_unique<Paper_filter<d>>(mesh, strategy, options.tolerance, options.seed);
+            return std::make_unique<Paper_strategy<d>>(mesh, strategy, options.tolerance, options.seed);
         default: break;
     }
     if (options.tolerance != Tolerance_kind::certified)
@@ -27,7 +27,7 @@ std::unique_ptr<Update_strategy<d>> make_strategy(Delaunay_mesh<d>& mesh, const 
     switch (strategy) {
         case Strategy::rebuild: return std::make_unique<Rebuild_strategy<d>>(mesh);
         case Strategy::relocate:
-        case Strategy::relocate_flips: return std::make_unique<Relocator<d>>(mesh, strategy);
+        case Strategy::relocate_flips: return std::make_unique<Relocation_strategy<d>>(mesh, strategy);
         default: break;
     }
     auto made = std::make_unique<Tolerance_strategy<d>>(mesh, strategy);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/published/paper_filter.h>
+#include <annulus/published/paper_strategy.h>
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/mesh/table_measures.h>
@@ -23,7 +23,7 @@ void append_star(const Corner_table<d>& table, Index v, std::vector<Cell_index>&
 }  // namespace
 
 template <int d>
-void Paper_filter<d>::resize() {
+void Paper_strategy<d>::resize() {
     const std::size_t n = this->mesh().vertex_bound();
     this->position_.resize(n);
     state_.fixed.resize(n);
@@ -34,19 +34,19 @@ void Paper_filter<d>::resize() {
 }
 
 template <int d>
-void Paper_filter<d>::forget_queue() noexcept {
+void Paper_strategy<d>::forget_queue() noexcept {
     for (const Index w : queue_.vertex) queue_.has[at(w)] = 0;
     queue_.vertex.clear();
 }
 
 template <int d>
-void Paper_filter<d>::set_tolerance(Index v, double tolerance) {
+void Paper_strategy<d>::set_tolerance(Index v, double tolerance) {
     state_.epsilon[at(v)] = tolerance;
     state_.threshold[at(v)] = squared_threshold_lower(tolerance);
 }
 
 template <int d>
-void Paper_filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
+void Paper_strategy<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
     const bool own = x.data() == this->position_.data();
     forget_queue();
     least_.clear();  // it may name a vertex that a call which ran out of memory has not inserted
@@ -64,16 +64,16 @@ void Paper_filter<d>::settle(std::span<const Coordinates<d>> x, Move_report& rep
 }
 
 template <int d>
-void Paper_filter<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
+void Paper_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
     if (std::exchange(switch_.fresh, false)) this->set_strategy(Strategy::paper_hybrid);
-    if (filters()) return settle(x, report);
+    if (has_switched()) return settle(x, report);
     least_.clear();
     Rebuild_strategy<d>::begin(x, report);
 }
 
 /// Whether v has a tolerance above its displacement to x, with all other vertices at rest.
 template <int d>
-bool Paper_filter<d>::stays(std::span<const Coordinates<d>> x, Index v, Move_report& report) {
+bool Paper_strategy<d>::stays(std::span<const Coordinates<d>> x, Index v, Move_report& report) {
     std::vector<Cell_index> star;
     append_star(this->mesh().table(), v, star);
     tolerances_.note(star, this->position_, least_, report);
@@ -83,10 +83,10 @@ bool Paper_filter<d>::stays(std::span<const Coordinates<d>> x, Index v, Move_rep
 }
 
 template <int d>
-void Paper_filter<d>::before_step(std::span<const Coordinates<d>> x, Move_report& report) {
+void Paper_strategy<d>::before_step(std::span<const Coordinates<d>> x, Move_report& report) {
     constexpr int sample = 40;
     constexpr double share = d == 2 ? 0.75 : 0.55;
-    if (filters() || switch_.timestamps++ % 4 != 0) return;
+    if (has_switched() || switch_.timestamps++ % 4 != 0) return;
     if (this->mesh().dimension() != d || this->mesh().vertices() < 4) return;
     least_.resize(this->mesh().vertex_bound());
     int within = 0;
@@ -103,9 +103,9 @@ void Paper_filter<d>::before_step(std::span<const Coordinates<d>> x, Move_report
 }
 
 template <int d>
-void Paper_filter<d>::add_vertex(Index v, const Coordinates<d>& p) {
+void Paper_strategy<d>::add_vertex(Index v, const Coordinates<d>& p) {
     Rebuild_strategy<d>::add_vertex(v, p);
-    if (!filters()) return;
+    if (!has_switched()) return;
     resize();
     state_.fixed[at(v)] = p;
     state_.epsilon[at(v)] = unlimited;
@@ -113,20 +113,20 @@ void Paper_filter<d>::add_vertex(Index v, const Coordinates<d>& p) {
 }
 
 template <int d>
-void Paper_filter<d>::begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) {
+void Paper_strategy<d>::begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) {
     Rebuild_strategy<d>::begin_transaction(x, report);
     saved_ = state_;
 }
 
 template <int d>
-void Paper_filter<d>::commit_transaction(Move_report& report) {
+void Paper_strategy<d>::commit_transaction(Move_report& report) {
     Rebuild_strategy<d>::commit_transaction(report);
     saved_ = {};
     switch_.fresh = false;
 }
 
 template <int d>
-void Paper_filter<d>::rollback() noexcept {
+void Paper_strategy<d>::rollback() noexcept {
     Rebuild_strategy<d>::rollback();
     std::swap(state_, saved_);
     forget_queue();
@@ -134,7 +134,7 @@ void Paper_filter<d>::rollback() noexcept {
 }
 
 template <int d>
-void Paper_filter<d>::lower(Index v, double tolerance) {
+void Paper_strategy<d>::lower(Index v, double tolerance) {
     if (!(tolerance < state_.epsilon[at(v)])) return;
     set_tolerance(v, tolerance);
     if (queue_.has[at(v)] != 0 || passes(v)) return;
@@ -143,13 +143,13 @@ void Paper_filter<d>::lower(Index v, double tolerance) {
 }
 
 template <int d>
-void Paper_filter<d>::lower_points() {
+void Paper_strategy<d>::lower_points() {
     least_.take([this](Index w, double least) { lower(w, least); });
 }
 
 template <int d>
-void Paper_filter<d>::refresh(std::span<const Cell_index> cells, Move_report& report) {
-    if (!filters()) return;
+void Paper_strategy<d>::refresh(std::span<const Cell_index> cells, Move_report& report) {
+    if (!has_switched()) return;
     resize();
     tolerances_.note(cells, state_.fixed, least_, report);
     lower_points();
@@ -160,7 +160,7 @@ void Paper_filter<d>::refresh(std::span<const Cell_index> cells, Move_report& re
 /// Makes the moving position of h its fixed one, and the mesh Delaunay there; `changed` receives the cells around h and
 /// those that are new. Returns what has become of h. Throws Error(collision), with nothing changed.
 template <int d>
-std::uint64_t& Paper_filter<d>::bring(Index h, std::vector<Cell_index>& changed, Move_counts& moves) {
+std::uint64_t& Paper_strategy<d>::bring(Index h, std::vector<Cell_index>& changed, Move_counts& moves) {
     Delaunay_mesh<d>& mesh = this->mesh();
     const Coordinates<d> old = std::exchange(state_.fixed[at(h)], this->position_[at(h)]);
     std::uint64_t* done = nullptr;
@@ -180,7 +180,7 @@ std::uint64_t& Paper_filter<d>::bring(Index h, std::vector<Cell_index>& changed,
 }
 
 template <int d>
-void Paper_filter<d>::process(Index h, Move_report& report, bool first) {
+void Paper_strategy<d>::process(Index h, Move_report& report, bool first) {
     const Coordinates<d> old_fixed = state_.fixed[at(h)];
     Move_counts moves;
     std::uint64_t* done = &moves.rebuilt;
@@ -210,7 +210,7 @@ void Paper_filter<d>::process(Index h, Move_report& report, bool first) {
 
 /// Whether another vertex is where h is. O(n).
 template <int d>
-bool Paper_filter<d>::is_taken(Index h) const {
+bool Paper_strategy<d>::is_taken(Index h) const {
     const Coordinates<d>& p = this->position_[at(h)];
     for (Index w = 0; at(w) < this->position_.size(); ++w)
         if (w != h && this->mesh().has(w) && this->position_[at(w)] == p) return true;
@@ -220,7 +220,7 @@ bool Paper_filter<d>::is_taken(Index h) const {
 /// At the moving positions. Where two of them coincide, as tolerances that are not certified may let them, the cells of
 /// before are built again.
 template <int d>
-void Paper_filter<d>::rebuild(Index h, const Coordinates<d>& old_fixed) {
+void Paper_strategy<d>::rebuild(Index h, const Coordinates<d>& old_fixed) {
     try {
         this->mesh().rebuild(this->position_);
     } catch (const Error&) {
@@ -232,7 +232,7 @@ void Paper_filter<d>::rebuild(Index h, const Coordinates<d>& old_fixed) {
 
 /// After a move that went half way and was taken back: cells and tolerances anew at the moving positions, O(n).
 template <int d>
-void Paper_filter<d>::begin_again(Move_report& report) {
+void Paper_strategy<d>::begin_again(Move_report& report) {
     try {
         this->mesh().rebuild(this->position_);
     } catch (const Error&) {  // two coincide: as in rebuild()
@@ -243,8 +243,8 @@ void Paper_filter<d>::begin_again(Move_report& report) {
 }
 
 template <int d>
-void Paper_filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
-    if (!filters()) return Rebuild_strategy<d>::move(v, p, report);
+void Paper_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
+    if (!has_switched()) return Rebuild_strategy<d>::move(v, p, report);
     const Coordinates<d> old = std::exchange(this->position_[at(v)], p);
     if (passes(v)) {
         ++report.moves.asked;
@@ -273,7 +273,7 @@ void Paper_filter<d>::move(Index v, const Coordinates<d>& p, Move_report& report
     queue_.vertex.clear();
 }
 
-template class Paper_filter<2>;
-template class Paper_filter<3>;
+template class Paper_strategy<2>;
+template class Paper_strategy<3>;
 
 }  // namespace annulus

@@ -27,10 +27,10 @@ namespace annulus {
 /// that is too large gives a wrong answer at the moving positions, and never breaks the mesh. In space those of the
 /// kind `paper` are too large (docs/theory.md 3).
 template <int d>
-class Paper_filter final : public Rebuild_strategy<d> {
+class Paper_strategy final : public Rebuild_strategy<d> {
   public:
     /// Precondition: `paper` or `paper_hybrid`. `seed` is of the samples of the latter.
-    Paper_filter(Delaunay_mesh<d>& mesh, Strategy strategy, Tolerance_kind kind, std::uint64_t seed)
+    Paper_strategy(Delaunay_mesh<d>& mesh, Strategy strategy, Tolerance_kind kind, std::uint64_t seed)
         : Rebuild_strategy<d>(mesh, strategy), tolerances_(mesh.table(), kind), signs_(mesh.table()), random_(seed) {}
 
     /// Every tolerance anew, with x as fixed and moving positions. When it throws, no position was written. O(n).
@@ -48,24 +48,24 @@ class Paper_filter final : public Rebuild_strategy<d> {
     void commit_transaction(Move_report& report) override;
     void rollback() noexcept override;
     [[nodiscard]] std::span<const Coordinates<d>> delaunay_positions() const override {
-        const bool at_fixed = filters() && tolerances_.kind() != Tolerance_kind::certified;
+        const bool at_fixed = has_switched() && tolerances_.kind() != Tolerance_kind::certified;
         return at_fixed ? std::span<const Coordinates<d>>(state_.fixed) : this->positions();
     }
 
     [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const override {
-        return filters() ? state_.fixed[at(v)] : this->position_[at(v)];
+        return has_switched() ? state_.fixed[at(v)] : this->position_[at(v)];
     }
     [[nodiscard]] std::optional<double> tolerance(Index v) const override {
-        return filters() ? std::optional(std::max(0.0, state_.epsilon[at(v)])) : std::nullopt;
+        return has_switched() ? std::optional(std::max(0.0, state_.epsilon[at(v)])) : std::nullopt;
     }
-    [[nodiscard]] bool repairs() const override { return filters(); }
-    [[nodiscard]] bool is_sequential() const override { return filters(); }
+    [[nodiscard]] bool repairs() const override { return has_switched(); }
+    [[nodiscard]] bool is_sequential() const override { return has_switched(); }
     /// A vertex that came to the moving positions would have cells that need not be Delaunay at the fixed ones.
-    [[nodiscard]] bool trusted() const override { return !filters(); }
+    [[nodiscard]] bool trusted() const override { return !has_switched(); }
 
   private:
     using Rebuild_strategy<d>::at;
-    [[nodiscard]] bool filters() const { return this->strategy() == Strategy::paper; }
+    [[nodiscard]] bool has_switched() const { return this->strategy() == Strategy::paper; }
     [[nodiscard]] bool passes(Index v) const {
         const Coordinates<d>& p = this->position_[at(v)];
         return squared_distance<d>(p, state_.fixed[at(v)]) < state_.threshold[at(v)] || p == state_.fixed[at(v)];
@@ -107,7 +107,7 @@ class Paper_filter final : public Rebuild_strategy<d> {
     std::mt19937_64 random_;
 };
 
-extern template class Paper_filter<2>;
-extern template class Paper_filter<3>;
+extern template class Paper_strategy<2>;
+extern template class Paper_strategy<3>;
 
 }  // namespace annulus

@@ -17,17 +17,17 @@ using namespace annulus::testing;
 
 namespace {
 
-REVEAL(State_of, &Paper_filter<2>::state_);
-REVEAL(Moving_position, &Paper_filter<2>::position_);
-REVEAL(Lower, &Paper_filter<2>::lower);
-REVEAL(Paper_passes, &Paper_filter<2>::passes);
+REVEAL(State_of, &Paper_strategy<2>::state_);
+REVEAL(Moving_position, &Paper_strategy<2>::position_);
+REVEAL(Lower, &Paper_strategy<2>::lower);
+REVEAL(Paper_passes, &Paper_strategy<2>::passes);
 
 }  // namespace
 
 TEST_CASE("paper: what passes is nearer to its fixed position than its tolerance", "[relocation][rounding]") {
     REQUIRE(for_all("of tolerances of any magnitude", [](const Seed& seed) {
         Random random = seed.random();
-        Session<Paper_filter<2>> s(random, Strategy::paper, Tolerance_kind::floating, 0U);
+        Session<Paper_strategy<2>> s(random, Strategy::paper, Tolerance_kind::floating, 0U);
         for (int i = 0; i < 500; ++i) {
             const auto v = static_cast<Index>(random() % s.points.size());
             const double tolerance = std::ldexp(1.0 + unit(random), integer(random, -30, 0));

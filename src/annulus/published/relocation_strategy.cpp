@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/published/relocator.h>
+#include <annulus/published/relocation_strategy.h>
 
 #include <annulus/arithmetic/error.h>
 
 namespace annulus {
 
 template <int d>
-void Relocator<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
+void Relocation_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     std::vector<Coordinates<d>>& x = this->position_;
     const Coordinates<d> source = x[this->at(v)];
     if (source == p) {
@@ -29,7 +29,7 @@ void Relocator<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     x[this->at(v)] = p;
 }
 
-template class Relocator<2>;
-template class Relocator<3>;
+template class Relocation_strategy<2>;
+template class Relocation_strategy<3>;
 
 }  // namespace annulus

@@ -8,16 +8,16 @@ namespace annulus {
 /// The strategies `relocate` and `relocate-flips`: each vertex is taken out and put back in, always, or where a
 /// certificate of it does not hold at its new position (paper 3.1). No tolerances.
 template <int d>
-class Relocator final : public Rebuild_strategy<d> {
+class Relocation_strategy final : public Rebuild_strategy<d> {
   public:
     /// Precondition: one of these two.
-    Relocator(Delaunay_mesh<d>& mesh, Strategy strategy) : Rebuild_strategy<d>(mesh, strategy) {}
+    Relocation_strategy(Delaunay_mesh<d>& mesh, Strategy strategy) : Rebuild_strategy<d>(mesh, strategy) {}
 
     [[nodiscard]] bool is_sequential() const override { return true; }
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
 };
 
-extern template class Relocator<2>;
-extern template class Relocator<3>;
+extern template class Relocation_strategy<2>;
+extern template class Relocation_strategy<3>;
 
 }  // namespace annulus
