@@ -27,7 +27,7 @@ Cell_list_3 cells_of_table(const Corner_table<3>& t) {
 
 /// A view that is brought up to date after flips.
 void check_same(const Delaunay_mesh<3>& e, Cgal_view_3<No_info>& view, const Points_3& x) {
-    view.outdate_cells();
+    view.invalidate_cells();
     const auto& tr = view.update(x);
     CHECK(tr.tds().is_valid());
     for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)

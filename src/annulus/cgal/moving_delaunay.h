@@ -76,14 +76,14 @@ class Moving_delaunay {
     /// unknown_vertex.
     Move_report move(Vertex_handle v, const Point& p) { return move(index(v), View::coordinates(p)); }
     Move_report move(Index i, const Coordinates<d>& p) {
-        outdate({&i, 1});
+        invalidate({&i, 1});
         return engine_->move(i, p);
     }
     /// Moves some vertices: indices[k] to points[k], all at once (a vertex may go where another one was); the last
     /// holds for an index that is named twice. While they are fewer than one in 64, under the filters, it costs as
     /// much as their single moves, else as much as move_all. Throws wrong_size, and what move throws.
     Move_report move(std::span<const Index> indices, std::span<const Coordinates<d>> points) {
-        outdate(indices);
+        invalidate(indices);
         return engine_->move(indices, points);
     }
     template <class Range>
@@ -111,7 +111,7 @@ class Moving_delaunay {
     /// O(n) with a small constant when few tolerances fail. Throws wrong_size unless there are index_bound() points,
     /// not_finite, out_of_domain, collision.
     Move_report move_all(std::span<const Coordinates<d>> points) {
-        view_->outdate();
+        view_->invalidate();
         return engine_->move_all(points);
     }
     template <class Range>
@@ -123,7 +123,7 @@ class Moving_delaunay {
     /// Inserts a vertex. Throws not_finite, out_of_domain, collision.
     Vertex_handle insert(const Point& p, Move_report* report = nullptr) {
         Move_report done;
-        outdate({});
+        invalidate({});
         view_->reserve_vertex();
         Index i = none;
         try {
@@ -140,7 +140,7 @@ class Moving_delaunay {
     void remove(Vertex_handle v, Move_report* report = nullptr) {
         Move_report done;
         const Index i = index(v);
-        outdate({});
+        invalidate({});
         try {
             engine_->remove(i, done);
         } catch (...) {
@@ -154,7 +154,7 @@ class Moving_delaunay {
     /// certified two vertices may have come to one place unnoticed; then it throws collision, as insert and remove
     /// do, until one of them has moved away.
     Move_report settle() {
-        view_->outdate();
+        view_->invalidate();
         return engine_->settle();
     }
 
@@ -236,10 +236,10 @@ class Moving_delaunay {
 
     /// These vertices are about to move. Under the paper's algorithm the triangulation stands at other positions than
     /// these, of which others may move, too.
-    void outdate(std::span<const Index> indices) noexcept {
-        if (strategy() == Strategy::paper) return view_->outdate();
-        view_->outdate_cells();
-        for (const Index i : indices) view_->outdate(i);
+    void invalidate(std::span<const Index> indices) noexcept {
+        if (strategy() == Strategy::paper) return view_->invalidate();
+        view_->invalidate_cells();
+        for (const Index i : indices) view_->invalidate(i);
     }
 
     std::unique_ptr<Delaunay_mesh<d>> mesh_;

@@ -57,15 +57,15 @@ void Cgal_view<Traits>::forget(Index v) noexcept {
 }
 
 template <class Traits>
-void Cgal_view<Traits>::outdate(Index v) noexcept {
+void Cgal_view<Traits>::invalidate(Index v) noexcept {
     constexpr std::size_t share = 16;
     state_.current = false;
     if (moved_.all) return;
-    if (share * moved_.vertices.size() > handle_.size()) return outdate();
+    if (share * moved_.vertices.size() > handle_.size()) return invalidate();
     try {
         moved_.vertices.push_back(v);
     } catch (const std::bad_alloc&) {
-        outdate();
+        invalidate();
     }
 }
 
@@ -91,9 +91,9 @@ auto Cgal_view<Traits>::update(std::span<const Coordinates<d>> x) const -> const
 template <class Traits>
 void Cgal_view<Traits>::update_cells(std::span<const Coordinates<d>> x) const {
     if (mesh_.dimension() < 0 && mesh_.vertices() > 0) remove_cells();  // there was no memory for cells
-    else if (mesh_.dimension() < d) follow_flat(x);
-    else if (dirty_cells_.everything() || tr_.dimension() != d) follow_everything();
-    else follow(dirty_cells_.cells());
+    else if (mesh_.dimension() < d) write_flat_cells(x);
+    else if (dirty_cells_.everything() || tr_.dimension() != d) write_all_cells();
+    else write_cells(dirty_cells_.cells());
 }
 
 template <class Traits>
@@ -125,7 +125,7 @@ void Cgal_view<Traits>::write_cell(Cell_index c) const {
 }
 
 template <class Traits>
-void Cgal_view<Traits>::follow(std::span<const Cell_index> cells) const {
+void Cgal_view<Traits>::write_cells(std::span<const Cell_index> cells) const {
     const Corner_table<d>& t = mesh_.table();
     auto& tds = tr_.tds();
     grow(cell_, t.cell_bound().offset());
@@ -149,12 +149,12 @@ void Cgal_view<Traits>::follow(std::span<const Cell_index> cells) const {
 
 /// The cells that there are are written over, in their order in memory.
 template <class Traits>
-void Cgal_view<Traits>::follow_everything() const {
+void Cgal_view<Traits>::write_all_cells() const {
     const Corner_table<d>& t = mesh_.table();
     auto& tds = tr_.tds();
     auto& there = Traits::cells(tds);
     const std::size_t bound = t.cell_bound().offset();
-    cell_.reserve(bound + bound / 32);  // so that follow() seldom moves it
+    cell_.reserve(bound + bound / 32);  // so that write_cells() seldom moves it
     cell_.assign(bound, Cell_handle());
     auto next = there.begin();
     for (const Cell_index c : t.cells())
@@ -178,9 +178,9 @@ void Cgal_view<Traits>::remove_cells() const noexcept {
 
 /// CGAL's cells of points in a hyperplane have a corner less, or two.
 template <class Traits>
-void Cgal_view<Traits>::follow_flat(std::span<const Coordinates<d>> x) const {
+void Cgal_view<Traits>::write_flat_cells(std::span<const Coordinates<d>> x) const {
     const Flat_cells flat = mesh_.flat_cells(x);
-    if (flat.dimension < 1) return follow_point();
+    if (flat.dimension < 1) return write_vertices();
     remove_cells();
     auto& tds = tr_.tds();
     std::vector<Cell_handle> made(flat.vertices.size());
@@ -198,7 +198,7 @@ void Cgal_view<Traits>::follow_flat(std::span<const Coordinates<d>> x) const {
 
 /// At most one vertex: the cells that CGAL has for it.
 template <class Traits>
-void Cgal_view<Traits>::follow_point() const {
+void Cgal_view<Traits>::write_vertices() const {
     const auto one = std::find_if(handle_.begin(), handle_.end(), [](Vertex_handle v) { return v != Vertex_handle(); });
     Triangulation other;
     if (one != handle_.end()) other.insert((*one)->point());

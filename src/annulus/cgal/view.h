@@ -43,9 +43,9 @@ class Cgal_view {
     /// (bad_alloc), the next call begins again.
     const Triangulation& update(std::span<const Coordinates<d>> x) const;
     /// Cells are about to change, and vertex v, or all vertices, to move.
-    void outdate_cells() noexcept { state_.current = false; }
-    void outdate(Index v) noexcept;
-    void outdate() noexcept {
+    void invalidate_cells() noexcept { state_.current = false; }
+    void invalidate(Index v) noexcept;
+    void invalidate() noexcept {
         moved_.all = true;
         state_.current = false;
     }
@@ -78,11 +78,11 @@ class Cgal_view {
     void create_vertices();
     void update_cells(std::span<const Coordinates<d>> x) const;
     void update_points(std::span<const Coordinates<d>> x) const;
-    void follow(std::span<const Cell_index> cells) const;
+    void write_cells(std::span<const Cell_index> cells) const;
     void write_cell(Cell_index c) const;
-    void follow_everything() const;
-    void follow_flat(std::span<const Coordinates<d>> x) const;
-    void follow_point() const;
+    void write_all_cells() const;
+    void write_flat_cells(std::span<const Coordinates<d>> x) const;
+    void write_vertices() const;
     void remove_cells() const noexcept;
 
     // view_audit.h
