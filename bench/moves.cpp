@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A timestamp of 10,000 uniform points: when every vertex passes, against reading and comparing the arrays; and under
+// A time step of 10,000 uniform points: when every vertex passes, against reading and comparing the arrays; and under
 // rebuild, relocate and filter at displacements of 1e-4 to 0.3 spacings.
 #include <annulus/engine/displacement.h>
 #include <annulus/moving_delaunay_2.h>
@@ -35,7 +35,7 @@ Points shaken(Points x, double reach, std::uint64_t seed) {
 
 void vertices(benchmark::State& state) { state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(n)); }
 
-/// Two timestamps so near each other that no tolerance fails.
+/// Two time steps so near each other that no tolerance fails.
 std::array<Points, 2> within_tolerance(const Moving_delaunay_2& dt, const Points& x) {
     std::array<Points, 2> y{x, x};
     for (std::size_t i = 0; i < n; ++i) {

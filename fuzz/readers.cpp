@@ -101,7 +101,7 @@ void check_frame(const Recorded_motion& motion, const Frame& frame) {
     try {
         (void)points_of<d>(motion.name, frame, Coincident::refuse);
     } catch (const Input_error& error) {
-        refused = error.code() == Error_code::collision;
+        refused = error.code() == Error_code::duplicate_point;
     }
     require(refused == (merged.merged > 0), "points at one place are refused, others not");
 }

@@ -117,7 +117,7 @@ class Repetition {
     }
 
     void recomputation() {
-        out_["settling"] = vertex(least(3, [&] { w_.settle(); }));
+        out_["settling"] = vertex(least(3, [&] { w_.recompute_tolerances(); }));
         w_.walk(1e-9);
         (void)w_.step();
         pass_ = least(5, [&] { (void)w_.step(); });
@@ -132,7 +132,7 @@ class Repetition {
         const double scale = d == 2 ? 10.0 : 1.0;
         for (const double s : {1e-5, 3e-5, 1e-4}) {
             for (const std::size_t share : {std::size_t{1}, std::size_t{10}, std::size_t{100}}) {
-                w_.settle();
+                w_.recompute_tolerances();
                 double sum = 0.0;
                 double expiries = 0.0;
                 int counted = 0;
@@ -142,8 +142,8 @@ class Repetition {
                     const double expiring = share == 1 && k >= 3 ? certificates * expiring_share(before) : 0.0;
                     Move_report report;
                     const double t = seconds([&] { report = w_.step(); });
-                    if (report.tolerance_steps != 1 || report.settlings != 0 || report.moves.rebuilt != 0 ||
-                        !w_.strategy().keeps_tolerances())
+                    if (report.tolerance_steps != 1 || report.tolerance_recomputations != 0 ||
+                        report.moves.rebuilt != 0 || !w_.strategy().keeps_tolerances())
                         break;
                     if (k < 3) continue;  // just after settling nothing fails
                     const auto failed = static_cast<double>(report.moves.asked - report.moves.within_tolerance);
@@ -195,7 +195,7 @@ class Repetition {
             w_.walk(1e-9);
             Move_report report;
             const double t = seconds([&] { report = w_.step(); });
-            if (report.sign_steps == 1 && report.settlings == 0) hold = std::min(hold, t);
+            if (report.sign_steps == 1 && report.tolerance_recomputations == 0) hold = std::min(hold, t);
         }
         out_["signs"] = vertex(hold);
         Factor factor;
@@ -206,7 +206,8 @@ class Repetition {
                     annulus::sample_cells<d>(w_.mesh().table(), w_.points(), static_cast<std::size_t>(10.0 * all_));
                 Move_report report;
                 const double t = seconds([&] { report = w_.step(); });
-                if (report.sign_steps != 1 || report.settlings != 0 || report.moves.rebuilt != 0) continue;
+                if (report.sign_steps != 1 || report.tolerance_recomputations != 0 || report.moves.rebuilt != 0)
+                    continue;
                 const double scale =
                     out_["cells"].get<double>() * all_ / static_cast<double>(std::max<std::size_t>(sample.cells, 1));
                 factor.add(scale * (Cost_model<d>::violated * 0.5 * static_cast<double>(sample.violated) +

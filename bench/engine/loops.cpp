@@ -55,7 +55,7 @@ void loops(std::size_t n) {
     const bench::Points<d> start = w.points();
     count(d, "construction", "vertex", [&] { return fresh.build(start), all; });
     count(d, "rebuild", "vertex", [&] { return fresh.rebuild(start), all; });
-    count(d, "settling", "vertex", [&] { return w.settle(), all; });
+    count(d, "settling", "vertex", [&] { return w.recompute_tolerances(), all; });
     w.walk(1e-9);
     count(d, "step, all pass", "vertex", [&] { return (void)w.step(), all; });
 
@@ -80,7 +80,7 @@ void loops(std::size_t n) {
     const auto far = way(w, 0.03);
     count(d, "step of signs and flips", "flip", [&] { return static_cast<double>(follow(w, far).flips); });
 
-    w.settle();
+    w.recompute_tolerances();
     Move_report report;
     const double reach = 0.01 * w.spacing();
     count(d, "one vertex by 0.01 spacings", "move", [&] {

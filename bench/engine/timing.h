@@ -11,7 +11,7 @@
 
 namespace bench {
 
-/// After others have used the caches, as they do between two timestamps.
+/// After others have used the caches, as they do between two time steps.
 inline double seconds(const std::function<void()>& f) {
     static std::vector<std::uint64_t> others(std::size_t{1} << 20);
     for (std::uint64_t& word : others) word += 1;

@@ -54,9 +54,9 @@ class Workbench {
             (void)step();
         }
     }
-    void settle() {
+    void recompute_tolerances() {
         annulus::Move_report report;
-        strategy_->settle(x_, report);
+        strategy_->recompute_tolerances(x_, report);
     }
 
   private:

@@ -77,7 +77,7 @@ bool Crowd::is_free(const Point& p) const {
 bool Crowd::advance() {
     for (int k = 0; k < every_; ++k) integrate();
     // Those who have gone out of the corridor leave, and as many come in at the other end. Somebody new gets the
-    // number vacated last.
+    // number freed last.
     std::vector<std::pair<double, int>> newcomers;
     for (std::size_t i = 0; i < x_.size(); ++i) {
         if (x_[i][0] >= 0.0 && x_[i][0] <= length_) continue;

@@ -11,7 +11,7 @@ namespace bench {
 
 /// A crowd: two streams of people that walk against each other through a corridor 20 m wide with columns in its
 /// middle, one person on two square metres, by the social forces of Helbing and Molnar (1995) with their constants,
-/// integrated 50 times a second. Who reaches the end leaves, and somebody else arrives at the other end. Timestamps
+/// integrated 50 times a second. Who reaches the end leaves, and somebody else arrives at the other end. Time steps
 /// are `every` steps of integration apart: with 1 a person goes some 0.02 spacings, with 5 (ten a second) what
 /// cameras see, with 20 (one each 0.4 s) what published recordings of streets have.
 class Crowd : public Motion<2> {

@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
                    "family nor spacings");
     app.add_option("-n,--points", choice.points)->check(CLI::Range(10, 100000000));
     app.add_option("-s,--spacings", choice.spacings, "root mean square displacement a step, in spacings");
-    app.add_option("--every", choice.every, "dynamics, crowd: steps of integration between timestamps")
+    app.add_option("--every", choice.every, "dynamics, crowd: steps of integration between time steps")
         ->check(CLI::Range(1, 100000));
     app.add_option("-k,--steps", choice.race.steps);
     app.add_option("-w,--warm", choice.race.warm, "steps before those that count");

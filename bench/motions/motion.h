@@ -17,8 +17,8 @@ using annulus::Index;
 template <int d>
 using Points = std::vector<annulus::Coordinates<d>>;
 
-/// Points from timestamp to timestamp. Their numbers are those that Moving_delaunay gives them: the first ones 0, 1,
-/// 2 ..; who leaves makes a number vacant, and who arrives gets the one vacated last. A timestamp is removals, one
+/// Points from time step to time step. Their numbers are those that Moving_delaunay gives them: the first ones 0, 1,
+/// 2 ..; who leaves makes a number free, and who arrives gets the one freed last. A time step is removals, one
 /// move_all to `points`, insertions.
 template <int d>
 class Motion {
@@ -28,23 +28,23 @@ class Motion {
     Motion(const Motion&) = delete;
     Motion& operator=(const Motion&) = delete;
 
-    /// Goes on to the next timestamp; false when there is none.
+    /// Goes on to the next time step; false when there is none.
     bool step() {
         settle_arrivals();
         before_ = x_;
         return advance();
     }
-    /// By number; those who arrive are not among them yet, and what stands at vacant numbers means nothing.
+    /// By number; those who arrive are not among them yet, and what stands at free numbers means nothing.
     [[nodiscard]] const Points<d>& points() const { return x_; }
     [[nodiscard]] std::span<const Index> leave() const { return leave_; }
     [[nodiscard]] std::span<const annulus::Coordinates<d>> arrive() const { return arrive_; }
-    /// What number the k-th who arrives in this timestamp will have.
+    /// What number the k-th who arrives in this time step will have.
     [[nodiscard]] Index number_of_arrival(std::size_t k) const {
-        const std::size_t vacant = vacant_.size() + leave_.size();
+        const std::size_t vacant = free_indices_.size() + leave_.size();
         if (k >= vacant) return static_cast<Index>(x_.size() + k - vacant);
-        return k < leave_.size() ? leave_[leave_.size() - 1 - k] : vacant_[vacant - 1 - k];
+        return k < leave_.size() ? leave_[leave_.size() - 1 - k] : free_indices_[vacant - 1 - k];
     }
-    /// Everybody who is there after the timestamp.
+    /// Everybody who is there after the time step.
     [[nodiscard]] Points<d> present() const {
         Points<d> all;
         all.reserve(x_.size() + arrive_.size());
@@ -68,7 +68,7 @@ class Motion {
     }
 
   protected:
-    /// Changes x_, calls `leaves` and `arrives`; false when there is no further timestamp.
+    /// Changes x_, calls `leaves` and `arrives`; false when there is no further time step.
     virtual bool advance() = 0;
     void start(Points<d> x, double spacing) {
         x_ = std::move(x);
@@ -88,8 +88,8 @@ class Motion {
     void settle_arrivals() {
         std::vector<Index> numbers(arrive_.size());
         for (std::size_t k = 0; k < arrive_.size(); ++k) numbers[k] = number_of_arrival(k);
-        vacant_.insert(vacant_.end(), leave_.begin(), leave_.end());
-        vacant_.resize(vacant_.size() - std::min(vacant_.size(), numbers.size()));
+        free_indices_.insert(free_indices_.end(), leave_.begin(), leave_.end());
+        free_indices_.resize(free_indices_.size() - std::min(free_indices_.size(), numbers.size()));
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             const auto i = static_cast<std::size_t>(numbers[k]);
             if (i == x_.size()) {
@@ -105,7 +105,7 @@ class Motion {
 
     Points<d> before_;
     std::vector<char> there_;
-    std::vector<Index> vacant_;  // the last one first to be given away
+    std::vector<Index> free_indices_;  // the last one first to be given away
     std::vector<Index> leave_;
     Points<d> arrive_;
     double spacing_ = 1.0;

@@ -23,7 +23,7 @@ struct Race {
     bool audit_all = false;  ///< after every step that counts, not only the last
 };
 
-/// Strategies and CGAL's rebuild on the same timestamps, step by step in turn, each of them first at every so many
+/// Strategies and CGAL's rebuild on the same time steps, step by step in turn, each of them first at every so many
 /// steps: nanoseconds a vertex and step, ratios of the same step and of the sums. `out` gets what came out, and a
 /// line is printed that begins with `name`. Returns how many audits failed.
 template <int d>

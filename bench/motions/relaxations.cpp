@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strategies, CGAL's rebuild and the motion itself on Lloyd iterations and natural ODT, as the tool makes them.
-// Blocks of timestamps are computed first, and each strategy follows them by itself, so that neither the others nor
+// Blocks of time steps are computed first, and each strategy follows them by itself, so that neither the others nor
 // the motion use up its caches, and yet all are timed within the same seconds.
 #include "cgal_rebuild.h"
 #include "relaxation.h"
@@ -18,7 +18,7 @@ namespace {
 using namespace annulus;
 using nlohmann::ordered_json;
 
-/// Timestamps. At the first of a block caches are cold: with 20, Lloyd's cheapest steps cost half as much again.
+/// Time steps. At the first of a block caches are cold: with 20, Lloyd's cheapest steps cost half as much again.
 constexpr std::uint64_t block_size = 100;
 
 struct Choice {
@@ -27,7 +27,7 @@ struct Choice {
     std::string json;
 };
 
-/// NAME[:KIND][@K]: KIND is a kind of tolerance; with K it follows each Kth timestamp only, and its seconds count K
+/// NAME[:KIND][@K]: KIND is a kind of tolerance; with K it follows each Kth time step only, and its seconds count K
 /// times.
 struct Word {
     std::string name;  // without @K
@@ -39,7 +39,7 @@ struct Word {
         const std::size_t at = word.find('@');
         name = word.substr(0, at);
         if (at != std::string::npos) every = std::stoull(word.substr(at + 1));
-        if (every == 0) throw std::invalid_argument(word + ": each 0th timestamp");
+        if (every == 0) throw std::invalid_argument(word + ": each 0th time step");
         cgal = name == "cgal";
         if (cgal) return;
         const std::size_t colon = name.find(':');
@@ -54,7 +54,7 @@ template <class Moving>
 struct Follower {
     Word word;
     std::unique_ptr<Moving> dt;
-    double seconds = 0.0;  // of the timestamps that were followed
+    double seconds = 0.0;  // of the time steps that were followed
     std::uint64_t followed = 0;
     Move_report report;
 };
@@ -158,7 +158,7 @@ int main(int argc, char** argv) {
     cli::Nodt_arguments nodt;
     CLI::App app{"Strategies, CGAL's rebuild and the motion itself on the tool's motions: seconds in all."};
     app.add_option("--strategies", choice.strategies,
-                   "NAME[:KIND][@K] or cgal[@K]; with @K each Kth timestamp only, which counts K times")
+                   "NAME[:KIND][@K] or cgal[@K]; with @K each Kth time step only, which counts K times")
         ->delimiter(',');
     app.add_option("--seed", choice.seed);
     app.add_option("--json", choice.json, "file that a line is appended to");

@@ -33,7 +33,7 @@ def simulations(bench):
                 "A Lennard-Jones liquid in a container (one step of integration is 0.005 of its units of time), and "
                 "two streams of people in a corridor (one step",
                 "is 0.02 s), who leave at its ends while others arrive: `bench/motions/dynamics.h`, `crowd.h`. "
-                "Timestamps are so many steps of integration apart. Ratios are of sums.", "", *HEAD]
+                "Time steps are so many steps of integration apart. Ratios are of sums.", "", *HEAD]
     for every in (1, 10, 100):
         yield row(f"molecular dynamics, each {every}", bench_runs(bench, "dynamics", 3, 2000, every, steps))
     for every in (1, 5, 20):
@@ -57,7 +57,7 @@ def recorded(bench, names):
                     "(none is kept here: they have other licences).", ""]
         return
     steps = 40 if bench.quick else 400
-    yield from [f"At most {steps} timestamps of each, around its fullest frame. A spacing is that of this frame in its "
+    yield from [f"At most {steps} time steps of each, around its fullest frame. A spacing is that of this frame in its "
                 "box. Ratios are of sums.", "", *HEAD]
     for file in files:
         yield row(file.name, [bench.call("annulus-recordings", file, steps=steps)[0] for _ in range(bench.repeat)])

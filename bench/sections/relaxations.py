@@ -13,7 +13,7 @@ HEAD = ["| | vertices | spacings a step | CGAL's / auto | must | reached | aim |
         "s | motion, s | motion / CGAL's | must | reached | aim "
         "| certified / plain double | must | reached | audits |",
         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
-WHAT = ["Seconds are of all iterations. \"CGAL's\" is its insertion of a range, timed at each 20th timestamp; "
+WHAT = ["Seconds are of all iterations. \"CGAL's\" is its insertion of a range, timed at each 20th time step; "
         "`rebuild` is the strategy, which inserts in the order of its last sort.",
         "\"Motion\" is the time to compute where vertices go; \"certified / plain double\" is strategy `paper` over "
         "`paper:floating`."]
@@ -63,7 +63,7 @@ def nodt(bench):
                       f"| {run['filter-each']['ns']:.0f} | {run['relocate']['ns']:.0f} | "
                       f"{'right' if run['filter-each']['audit'] else '**WRONG**'} |")
     yield from ["", "### One vertex at a time", "",
-                "The same motion. `relocate` takes so long that it follows each 20th timestamp only: its vertices go "
+                "The same motion. `relocate` takes so long that it follows each 20th time step only: its vertices go "
                 "twenty times as far at once, which costs it little.", "Nanoseconds are a vertex and step.", "",
                 "| | CGAL's / filter-each | must | reached | aim | `rebuild` / filter-each | relocate / filter-each | "
                 "must | reached | aim | filter-each, ns | relocate, ns | audit |",

@@ -118,7 +118,7 @@ class Decoder {
             }
             case 10: return Do::insert_near(point<d>());
             case 11: return Do::remove_some(byte());
-            case 12: return Do::settle();
+            case 12: return Do::recompute_tolerances();
             case 13: return Do::stay();
             case 14: return Do::refused(static_cast<Refusal>(static_cast<std::size_t>(code >> 4) % refusals), byte());
             default: break;

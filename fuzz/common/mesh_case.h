@@ -194,8 +194,8 @@ class Mesh_case {
         try {
             if (!mesh_.reinsert(home_, static_cast<Index>(v), p, changed)) return "reinsert of what spans";
         } catch (const Error& e) {
-            return taken && e.code() == Error_code::collision ? "reinsert at another"
-                                                              : std::string("! reinsert: ") + e.what();
+            return taken && e.code() == Error_code::duplicate_point ? "reinsert at another"
+                                                                    : std::string("! reinsert: ") + e.what();
         }
         if (taken) return "! reinsert at another";
         x_[v] = p;
@@ -248,7 +248,7 @@ class Mesh_case {
         try {
             mesh_.rebuild(there);
         } catch (const Error& e) {
-            return taken && e.code() == Error_code::collision ? "rebuild with two at one place" : "! rebuild";
+            return taken && e.code() == Error_code::duplicate_point ? "rebuild with two at one place" : "! rebuild";
         }
         if (taken) return "! rebuild with two at one place";
         home_ = there;
@@ -275,7 +275,7 @@ class Mesh_case {
     Bytes bytes_;
     int scale_ = 0;
     Point_kind kind_{};
-    std::vector<std::optional<Coordinates<d>>> x_;  // by vertex; none for a vacant index
+    std::vector<std::optional<Coordinates<d>>> x_;  // by vertex; none for a free index
     std::vector<Coordinates<d>> home_;
     Delaunay_mesh<d> mesh_;
 };

@@ -2,7 +2,7 @@
 #pragma once
 
 // The same program on a Moving_mesh: it has to accept and refuse the same calls, and to have the same cells
-// afterwards. Timestamps alternate between move_all and a move of those who go anywhere.
+// afterwards. Time steps alternate between move_all and a move of those who go anywhere.
 
 #include "operation.h"
 
@@ -34,7 +34,7 @@ class Mesh_twin {
             switch (o.kind) {
                 case Kind::steady:
                 case Kind::refused:
-                case Kind::settle: (void)mesh_->settle(); break;
+                case Kind::recompute_tolerances: (void)mesh_->recompute_tolerances(); break;
                 case Kind::remove: mesh_->remove(o.vertex); break;
                 case Kind::move: (void)mesh_->move(o.vertex, o.points[0]); break;
                 case Kind::stay: (void)mesh_->move_all(mesh_->points()); break;

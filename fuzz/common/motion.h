@@ -10,7 +10,7 @@
 namespace annulus::oracle {
 
 template <int d>
-using Sites_of = std::vector<std::optional<Coordinates<d>>>;  ///< by vertex index; empty for a vacant one
+using Sites_of = std::vector<std::optional<Coordinates<d>>>;  ///< by vertex index; empty for a free one
 
 /// Where tolerances are measured from, and how large they are.
 template <int d>
@@ -20,14 +20,14 @@ struct Leeway {
 };
 
 /// Positions after step k = 0, 1 .. of the motion, which began at `source`; all different, in the domain, and for
-/// vacant indices anything.
+/// free indices anything.
 template <int d>
 [[nodiscard]] std::vector<Coordinates<d>> next_positions(const Operation_of<d>& o, int k, const Sites_of<d>& source,
                                                          const Sites_of<d>& now,
                                                          const std::function<Leeway<d>(std::size_t)>& leeway);
 
-/// Makes x the positions of a legal timestamp: vertices that would leave the domain or meet stay where they are. At
-/// vacant indices there may be anything; what there is follows from the seed.
+/// Makes x the positions of a legal time step: vertices that would leave the domain or meet stay where they are. At
+/// free indices there may be anything; what there is follows from the seed.
 template <int d>
 void make_fit(std::vector<Coordinates<d>>& x, const Sites_of<d>& now, std::uint64_t seed);
 

@@ -32,7 +32,7 @@ std::string operation_as_code(const Operation_of<d>& o) {
         case Operation_kind::move_all: return call(o.fits ? "move_most" : "move_all", "{" + point() + "}");
         case Operation_kind::insert: return call(o.fits ? "insert_near" : "insert", point());
         case Operation_kind::remove: return call(o.fits ? "remove_some" : "remove", who);
-        case Operation_kind::settle: return call("settle", "");
+        case Operation_kind::recompute_tolerances: return call("recompute_tolerances", "");
         case Operation_kind::stay: return call("stay", "");
         case Operation_kind::steady:
             return call("steady", "Motion::" + identifier(name_of(o.motion)) + ", " + std::to_string(o.times) + ", " +
@@ -104,7 +104,7 @@ std::string Coverage::words(std::string_view prefix) const {
     line("operations", operations);
     line("legal_percent", std::lround(100.0 * legal_share()));
     line("calls", calls);
-    line("collisions_refused", collisions());
+    line("duplicate_points_refused", duplicate_points());
     line("within_tolerance", report.moves.within_tolerance);
     line("kept_in_place", report.moves.kept_in_place);
     line("flipped", report.moves.flipped);
@@ -112,7 +112,7 @@ std::string Coverage::words(std::string_view prefix) const {
     line("rebuilt", report.moves.rebuilt);
     line("flips", report.flips);
     line("undone_flips", report.undone_flips);
-    line("tours", report.tours);
+    line("star_walks", report.star_walks);
     line("requeued", report.requeued);
     line("decided_by_filter", report.arithmetic.filter);
     line("decided_by_interval", report.arithmetic.interval);

@@ -75,13 +75,13 @@ enum class Operation_kind {
     move_all,
     insert,
     remove,
-    settle,
+    recompute_tolerances,
     stay,     ///< move_all with the object's own positions()
-    steady,   ///< many timestamps of one motion
+    steady,   ///< many time steps of one motion
     refused,  ///< a call that must be refused
 };
 
-/// What all vertices do in a timestamp, from where they are.
+/// What all vertices do in a time step, from where they are.
 enum class Motion {
     drift,           ///< all the same way
     own_ways,        ///< straight on, each its own way
@@ -118,7 +118,7 @@ enum class Refusal {
     move_meets,      ///< the place of another
     insert_meets,    ///<
     move_all_meets,  ///< two at one place, and the others a little way off
-    move_vacant,     ///< a vacant index, or, where there is none, the first beyond
+    move_vacant,     ///< a free index, or, where there is none, the first beyond
     remove_vacant,   ///<
     move_beyond,     ///< no index at all
 };
@@ -127,12 +127,12 @@ inline constexpr std::size_t refusals = static_cast<std::size_t>(Refusal::move_b
 template <int d>
 struct Operation_of {
     using Kind = Operation_kind;
-    Kind kind = Kind::settle;
+    Kind kind = Kind::recompute_tolerances;
     Index vertex = none;                   ///< move, remove; refused: who or what in particular
     std::vector<Coordinates<d>> points{};  ///< one for move and insert, all for move_all
     bool fits = false;  ///< made legal: `vertex` counts the living ones, places that are taken or none are replaced
     Motion motion{};    ///< steady
-    int times = 0;      ///< steady: timestamps
+    int times = 0;      ///< steady: time steps
     double pace = 0.0;  ///< steady: share of the extent; in bursts and so on whatever their comment says
     std::uint64_t seed = 0;  ///< steady: of all that is arbitrary in it. refused: which Refusal
 };
@@ -151,7 +151,7 @@ struct Calls {
     [[nodiscard]] static Operation move_all(std::vector<Place> x) { return {Kind::move_all, none, std::move(x)}; }
     [[nodiscard]] static Operation insert(const Place& p) { return {Kind::insert, none, {p}}; }
     [[nodiscard]] static Operation remove(Index v) { return {Kind::remove, v, {}}; }
-    [[nodiscard]] static Operation settle() { return {}; }
+    [[nodiscard]] static Operation recompute_tolerances() { return {}; }
     [[nodiscard]] static Operation stay() { return {Kind::stay, none, {}}; }
     // Made legal.
     [[nodiscard]] static Operation move_some(Index k, const Place& p) { return {Kind::move, k, {p}, true}; }
@@ -175,7 +175,7 @@ using Position = Coordinates<2>;
 [[nodiscard]] inline Operation move_all(std::vector<Position> x) { return Calls<2>::move_all(std::move(x)); }
 [[nodiscard]] inline Operation insert(Position p) { return Calls<2>::insert(p); }
 [[nodiscard]] inline Operation remove(Index v) { return Calls<2>::remove(v); }
-[[nodiscard]] inline Operation settle() { return {}; }
+[[nodiscard]] inline Operation recompute_tolerances() { return {}; }
 
 template <int d>
 struct Program_of {
@@ -208,16 +208,18 @@ template <int d>
 
 /// What programs have reached, added up.
 struct Coverage {
-    std::uint64_t operations = 0;             ///< but settle(), which is always legal; a steady motion is one
-    std::uint64_t legal_operations = 0;       ///< of these: what the model expects to be accepted
-    std::uint64_t calls = 0;                  ///< of the library
+    std::uint64_t operations = 0;        ///< but recompute_tolerances(), which is always legal; a steady motion is one
+    std::uint64_t legal_operations = 0;  ///< of these: what the model expects to be accepted
+    std::uint64_t calls = 0;             ///< of the library
     std::array<std::uint64_t, 32> refused{};  ///< by error code
     Move_report report;                       ///< of all calls that were accepted
     std::uint64_t switches = 0;               ///< of paper-hybrid to paper
 
     Coverage& operator+=(const Coverage& o);
     [[nodiscard]] double legal_share() const;
-    [[nodiscard]] std::uint64_t collisions() const { return refused[static_cast<std::size_t>(Error_code::collision)]; }
+    [[nodiscard]] std::uint64_t duplicate_points() const {
+        return refused[static_cast<std::size_t>(Error_code::duplicate_point)];
+    }
     /// A line each, `prefix` before it.
     [[nodiscard]] std::string words(std::string_view prefix = "") const;
 };

@@ -77,8 +77,8 @@ inline constexpr mp_bitcnt_t precision = 320;
 /// Half the width of the standard annulus of the edge a b, p right of it and q left, by its centre; 0 when the circle
 /// is not empty.
 [[nodiscard]] mpf_class half_annulus(const Position& a, const Position& b, const Position& p, const Position& q);
-/// The least tolerance of the certificates of every vertex of a Delaunay triangulation of the sites; by index, 0 for a
-/// vacant one and for sites on one line.
+/// The least tolerance of the certificates of every vertex of a Delaunay triangulation of the sites; by index, 0 for
+/// a free one and for sites on one line.
 [[nodiscard]] std::vector<mpf_class> vertex_tolerances(const Moving_delaunay_2::Triangulation& tr, const Sites& sites);
 
 }  // namespace annulus::oracle

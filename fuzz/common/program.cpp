@@ -59,7 +59,7 @@ std::optional<Error_code> verdict(const std::vector<Coordinates<d>>& points) {
     for (const auto& p : points)
         if (const auto bad = domain_verdict<d>(p)) return bad;
     const std::set<Coordinates<d>> distinct(points.begin(), points.end());
-    return distinct.size() == points.size() ? std::nullopt : std::optional(Error_code::collision);
+    return distinct.size() == points.size() ? std::nullopt : std::optional(Error_code::duplicate_point);
 }
 
 /// A call that had to be refused for no fault of the caller's: there is no room, where room is made scarce for the
@@ -101,7 +101,7 @@ void Session_of<d>::apply(const Operation_of<d>& o) {
         return;
     }
     const Operation_of<d> call = resolved(o);
-    if (o.kind != Kind::settle) {
+    if (o.kind != Kind::recompute_tolerances) {
         ++coverage_.operations;
         if (!expected_refusal(call)) ++coverage_.legal_operations;
     }
@@ -137,8 +137,8 @@ void Session_of<d>::make(const Operation_of<d>& o) {
         call(o);
     } catch (const Error& e) {
         ++coverage_.refused[static_cast<std::size_t>(e.code()) % coverage_.refused.size()];
-        if (!certified() && (e.code() == Error_code::collision || is_out_of_room(e.code()))) {
-            wrecked_ = true;  // the model cannot tell when a wrong triangulation notices a collision
+        if (!certified() && (e.code() == Error_code::duplicate_point || is_out_of_room(e.code()))) {
+            wrecked_ = true;  // the model cannot tell when a wrong triangulation notices a duplicate point
             (void)twin_->apply(o, e.code());
             return;
         }
@@ -166,12 +166,12 @@ void Session_of<d>::make(const Operation_of<d>& o) {
 // ---- The model ----------------------------------------------------------------------------------------------------
 
 /// Whether a call that fails may leave other tolerances. A move that finds its place taken may have flipped by then:
-/// the cells are built anew and evaluated (Tolerance_strategy::renew_renumbered). A timestamp of single moves may have
+/// the cells are built anew and evaluated (Tolerance_strategy::renew_renumbered). A time step of single moves may have
 /// gone half way: everything is evaluated where it was.
 template <int d>
 bool Session_of<d>::renews_tolerances(Kind kind, Error_code code) const {
     if (is_out_of_room(code)) return true;
-    if (code != Error_code::collision) return false;
+    if (code != Error_code::duplicate_point) return false;
     return kind == Kind::move || kind == Kind::move_all;
 }
 
@@ -179,7 +179,7 @@ template <int d>
 std::optional<Error_code> Session_of<d>::expected_refusal(const Operation_of<d>& o) const {
     std::vector<Coordinates<d>> after;
     switch (o.kind) {
-        case Kind::settle:
+        case Kind::recompute_tolerances:
         case Kind::stay:
         case Kind::steady:
         case Kind::refused: return std::nullopt;
@@ -196,7 +196,8 @@ std::optional<Error_code> Session_of<d>::expected_refusal(const Operation_of<d>&
     }
     if (const auto bad = domain_verdict<d>(o.points[0])) return bad;
     for (std::size_t i = 0; i < sites_.size(); ++i)
-        if (sites_[i] && static_cast<Index>(i) != o.vertex && *sites_[i] == o.points[0]) return Error_code::collision;
+        if (sites_[i] && static_cast<Index>(i) != o.vertex && *sites_[i] == o.points[0])
+            return Error_code::duplicate_point;
     return std::nullopt;
 }
 
@@ -205,7 +206,7 @@ void Session_of<d>::call(const Operation_of<d>& o) {
     switch (o.kind) {
         case Kind::steady:
         case Kind::refused:
-        case Kind::settle: last_ = dt_->settle(); break;
+        case Kind::recompute_tolerances: last_ = dt_->recompute_tolerances(); break;
         case Kind::remove:
             dt_->remove(o.vertex < 0 ? typename Moving::Vertex_handle() : dt_->vertex(at(o.vertex)), &last_);
             break;
@@ -221,11 +222,11 @@ void Session_of<d>::follow(const Operation_of<d>& o) {
     switch (o.kind) {
         case Kind::steady:
         case Kind::refused:
-        case Kind::settle: break;
+        case Kind::recompute_tolerances: break;
         case Kind::remove:
             sites_[at(o.vertex)].reset();
             handles_[at(o.vertex)] = {};
-            vacant_.push_back(o.vertex);
+            free_indices_.push_back(o.vertex);
             break;
         case Kind::move:
             sites_[at(o.vertex)] = o.points[0];
@@ -243,8 +244,8 @@ void Session_of<d>::follow(const Operation_of<d>& o) {
             break;
         }
         case Kind::insert: {
-            const Index i = vacant_.empty() ? static_cast<Index>(sites_.size()) : vacant_.back();
-            if (!vacant_.empty()) vacant_.pop_back();
+            const Index i = free_indices_.empty() ? static_cast<Index>(sites_.size()) : free_indices_.back();
+            if (!free_indices_.empty()) free_indices_.pop_back();
             sites_.resize(std::max(sites_.size(), at(i) + 1));
             handles_.resize(sites_.size());
             sites_[at(i)] = o.points[0];

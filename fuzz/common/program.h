@@ -60,13 +60,13 @@ class Session_of {
     void apply(const Operation_of<d>& o);
     /// Everything that must be true between calls. Throws Fault.
     void check() const;
-    /// To be called after settle(): tolerances against the exact ones. Throws Fault.
+    /// To be called after recompute_tolerances(): tolerances against the exact ones. Throws Fault.
     void check_settled_tolerances() const;
 
     [[nodiscard]] bool certified() const { return setting_.tolerance == Tolerance_kind::certified; }
     /// The last call was, and left everything as it was: there is nothing new to check.
     [[nodiscard]] bool refused() const { return refused_; }
-    /// A collision was met under a kind of tolerance that promises nothing: the model has lost track.
+    /// A duplicate point was met under a kind of tolerance that promises nothing: the model has lost track.
     [[nodiscard]] bool wrecked() const { return wrecked_; }
 
   private:
@@ -89,7 +89,7 @@ class Session_of {
     std::optional<Mesh_twin<d>> twin_;
     Sites_of<d> sites_;
     std::vector<typename Moving::Vertex_handle> handles_;
-    std::vector<Index> vacant_;
+    std::vector<Index> free_indices_;
     typename Moving::Vertex_handle inserted_;
     Move_report last_;
     Coverage coverage_;

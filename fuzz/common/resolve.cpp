@@ -34,7 +34,7 @@ Operation_of<d> Session_of<d>::resolved(const Operation_of<d>& o) const {
     Operation_of<d> call = o;
     const std::vector<Index> alive = living();
     if (o.kind == Kind::move || o.kind == Kind::remove) {
-        if (alive.empty()) return Calls<d>::settle();
+        if (alive.empty()) return Calls<d>::recompute_tolerances();
         call.vertex = alive[at(std::max(o.vertex, 0)) % alive.size()];
     }
     if (o.kind == Kind::move || o.kind == Kind::insert)
@@ -109,11 +109,12 @@ Operation_of<d> Session_of<d>::refusal_of(Refusal why, std::size_t who) const {
             return Calls<d>::move_all(x);
         }
         case Refusal::move_vacant:
-            return Calls<d>::move(vacant_.empty() ? static_cast<Index>(sites_.size()) : vacant_[who % vacant_.size()],
-                                  Coordinates<d>{});
+            return Calls<d>::move(
+                free_indices_.empty() ? static_cast<Index>(sites_.size()) : free_indices_[who % free_indices_.size()],
+                Coordinates<d>{});
         case Refusal::remove_vacant:
-            return Calls<d>::remove(vacant_.empty() ? static_cast<Index>(sites_.size())
-                                                    : vacant_[who % vacant_.size()]);
+            return Calls<d>::remove(free_indices_.empty() ? static_cast<Index>(sites_.size())
+                                                          : free_indices_[who % free_indices_.size()]);
         case Refusal::move_beyond:
             return Calls<d>::move(std::array{-1, 1000000, -2000000000}[who % 3], Coordinates<d>{});
     }

@@ -93,7 +93,7 @@ std::string run_program(const Program_of<d>& program, int rational, Coverage* co
             ++step;
             session->apply(o);
             if (!session->refused()) session->check();
-            if (o.kind == Operation_kind::settle && session->certified() && rational-- > 0)
+            if (o.kind == Operation_kind::recompute_tolerances && session->certified() && rational-- > 0)
                 session->check_settled_tolerances();
         }
     } catch (const typename Session_of<d>::Fault& f) {

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Any sequence of calls of `filter`: steps of all vertices or of one, calls that fail, insertions and removals, settlings, steps without tolerances.
+(* Any sequence of calls of `filter`: steps of all vertices or of one, calls that fail, insertions and removals, tolerance_recomputations, steps without tolerances.
 
    - settle_keeps, place_keeps, pass_keeps, undo_keeps      what algorithm_step.v leaves out
    - call           what one call may be, as a relation: what Repair and the caller may choose is left free

@@ -73,7 +73,7 @@ struct Trace {
     static void expiries(const List& l) {
         std::vector<std::uint64_t> entries;
         for (const std::uint64_t e : l.entry_)
-            if (e != List::vacant) entries.push_back(e);
+            if (e != List::empty_entry) entries.push_back(e);
         word(l.rest_.bits());
         list(entries);
     }

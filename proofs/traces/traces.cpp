@@ -2,10 +2,11 @@
 // usage: traces SEED WORDS
 //
 // Histories of triangulations that move, in the plane and in space, under `filter` and `filter-each`: steps of all
-// vertices, of some, of one, insertions, removals, settlings, calls that fail. Compiled with ANNULUS_TRACE the engine
-// tells what it decided (trace.h); a line is what it told of one history, as hexadecimal words, after two for the
-// dimension and the bounds in use. Lines that begin with `table` are triangulations of the plane as they are after a
-// call (audits.v). Ends when so many words have been written; on stderr how often what occurred.
+// vertices, of some, of one, insertions, removals, tolerance_recomputations, calls that fail. Compiled with
+// ANNULUS_TRACE the engine tells what it decided (trace.h); a line is what it told of one history, as hexadecimal
+// words, after two for the dimension and the bounds in use. Lines that begin with `table` are triangulations of the
+// plane as they are after a call (audits.v). Ends when so many words have been written; on stderr how often what
+// occurred.
 #ifndef ANNULUS_TRACE
 #error "the engine and this are to be compiled with ANNULUS_TRACE"
 #endif
@@ -145,7 +146,7 @@ struct History {
                 mesh.remove(v);
                 return;
             }
-            case 2: mesh.settle(); return;
+            case 2: mesh.recompute_tolerances(); return;
             case 3: move(mesh, someone(), x[static_cast<std::size_t>(someone())]); return;  // collides, as a rule
             case 4: {  // all to where one is, or nowhere
                 x[static_cast<std::size_t>(someone())] = x[static_cast<std::size_t>(someone())];

@@ -16,7 +16,7 @@ class Error(ValueError):
             a coordinate is NaN or infinite
         ``out_of_domain``
             a coordinate is larger than 2**500 in magnitude; with `lloyd`, a point is outside of the domain
-        ``collision``
+        ``duplicate_point``
             two vertices would share a position
         ``too_few``
             an operation needs more points than there are
@@ -34,7 +34,7 @@ class Error(ValueError):
         ``bad_input``
             a file, a surface or a domain that is none
     vertices : tuple of int
-        Indices of the vertices concerned, as far as they are known. Of a ``collision`` both, the smaller one first:
+        Indices of the vertices concerned, as far as they are known. Of a ``duplicate_point`` both, the smaller one first:
         rows of the input where a triangulation is made, the one vertex that is there already where a point is
         inserted, and none where two points to be inserted are equal: the message has their rows. Else the vertex
         or point whose position or index is refused.

@@ -42,7 +42,7 @@ def degeneracy(points: ArrayLike, merge_duplicates: bool = False) -> dict[str, t
     points : array_like, shape (n, 2) or (n, 3)
         At least two that differ.
     merge_duplicates : bool, optional
-        Count equal points once, instead of raising an `Error` with the code ``collision``.
+        Count equal points once, instead of raising an `Error` with the code ``duplicate_point``.
 
     Returns
     -------

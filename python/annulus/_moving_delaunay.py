@@ -36,8 +36,8 @@ class MovingDelaunay(Readings):
         ``certified``, a proved lower bound; with the strategies ``paper`` and ``paper-hybrid`` also ``paper`` and
         ``floating``, which are uncertified, for comparison. ``paper`` is unsound in 3D.
     merge_duplicates : bool, optional
-        Equal points become one vertex (see `index_of_input`). Without it they are an `Error` with the code
-        ``collision``.
+        Equal points become one vertex (see `vertex_of_input`). Without it they are an `Error` with the code
+        ``duplicate_point``.
     threads : int, optional
         How many may work on what is parallel. Results do not depend on it.
     report_changes : bool, optional
@@ -48,14 +48,14 @@ class MovingDelaunay(Readings):
     Raises
     ------
     Error
-        With the codes ``wrong_size``, ``not_finite``, ``out_of_domain``, ``collision``, ``too_large``,
+        With the codes ``wrong_size``, ``not_finite``, ``out_of_domain``, ``duplicate_point``, ``too_large``,
         ``usage``, ``environment``.
 
     Notes
     -----
     **Indices.** Vertices have the index of their row in `points`; negative ones name nobody. `remove` leaves
-    an index vacant, `insert` takes those that are vacant, the one vacated last first, and then new ones. At
-    vacant indices every array of numbers by vertex (`points`, `tolerances`, `theta`, `displacements`,
+    an index free, `insert` takes those that are free, the one freed last first, and then new ones. At
+    free indices every array of numbers by vertex (`points`, `tolerances`, `theta`, `displacements`,
     `voronoi_volumes`) is NaN, `vertex_to_simplex` is -1, the list of neighbours is empty, and no simplex names
     them. `move` takes a row for them all the same and ignores it.
 
@@ -98,7 +98,7 @@ class MovingDelaunay(Readings):
         mesh = (_core.Mesh2 if shape[1] == 2 else _core.Mesh3).build(array, options_of(options))
         self._options = options
         self._mesh = mesh
-        self._index_of_input = mesh.index_of_input
+        self._index_of_input = mesh.vertex_of_input
         self._index_of_input.flags.writeable = False
 
     # ---- What changes it ---------------------------------------------------------------------
@@ -109,7 +109,7 @@ class MovingDelaunay(Readings):
         Parameters
         ----------
         points : array_like, shape (npoints, d) or (k, d)
-            Where they go. Rows of vacant indices are ignored.
+            Where they go. Rows of free indices are ignored.
         indices : array_like of int, shape (k,), optional
             Who goes, by index; all without it. For one that is named twice the last row holds.
 
@@ -121,7 +121,7 @@ class MovingDelaunay(Readings):
         Raises
         ------
         Error
-            ``collision`` where two vertices would be at one place, ``wrong_size``, ``unknown_vertex``,
+            ``duplicate_point`` where two vertices would be at one place, ``wrong_size``, ``unknown_vertex``,
             ``not_finite``, ``out_of_domain``; nobody has moved then.
         """
         return self._mesh.move(points, indices)
@@ -136,12 +136,12 @@ class MovingDelaunay(Readings):
         Returns
         -------
         ndarray of int32, shape (k,)
-            Their indices: those that are vacant, the one vacated last first, then new ones.
+            Their indices: those that are free, the one freed last first, then new ones.
 
         Raises
         ------
         Error
-            ``collision`` where a vertex is (`merge_duplicates` does not apply here), ``wrong_size``,
+            ``duplicate_point`` where a vertex is (`merge_duplicates` does not apply here), ``wrong_size``,
             ``not_finite``, ``out_of_domain``, ``too_large``.
 
         Notes
@@ -151,13 +151,13 @@ class MovingDelaunay(Readings):
         the plane, some forty in space. What else it costs: the first insertion after a construction copies arrays,
         O(n); while all points are in a plane or on a line each one builds everything anew, O(n log n); where a vertex
         has k neighbours it may take O(k). More than one at once are first compared with all positions, which takes
-        O(n). When memory runs out half way, those that were inserted are taken out again, and there may be more vacant
+        O(n). When memory runs out half way, those that were inserted are taken out again, and there may be more free
         indices than before.
         """
         return self._mesh.insert(points)
 
     def remove(self, indices: ArrayLike) -> None:
-        """Removes vertices, all of them or, when it raises an `Error`, none; their indices become vacant.
+        """Removes vertices, all of them or, when it raises an `Error`, none; their indices become free.
 
         Parameters
         ----------
@@ -170,9 +170,9 @@ class MovingDelaunay(Readings):
         """
         self._mesh.remove(indices)
 
-    def settle(self) -> _core.MoveReport:
+    def recompute_tolerances(self) -> _core.MoveReport:
         """Makes every tolerance fresh, to be measured from where the vertices are now. O(n)."""
-        return self._mesh.settle()
+        return self._mesh.recompute_tolerances()
 
     def __repr__(self) -> str:
         if not hasattr(self, "_mesh"):
@@ -186,11 +186,11 @@ class MovingDelaunay(Readings):
 
     def __getstate__(self) -> dict[str, typing.Any]:
         more = {name: value for name, value in self.__dict__.items() if name != "_mesh"}
-        points, vacant = self._mesh.state()
-        return {"format": 1, "points": points, "vacant": vacant, "more": more}
+        points, free_indices = self._mesh.state()
+        return {"format": 1, "points": points, "free_indices": free, "more": more}
 
     def __setstate__(self, state: dict[str, typing.Any]) -> None:
-        if not isinstance(state, dict) or not {"format", "points", "vacant", "more"} <= state.keys():
+        if not isinstance(state, dict) or not {"format", "points", "free_indices", "more"} <= state.keys():
             raise Error(f"state must be that of a pickled MovingDelaunay, not {_arguments.described(state)}",
                         "bad_input")
         if state["format"] != 1:
@@ -198,7 +198,7 @@ class MovingDelaunay(Readings):
                         f"{_arguments.described(state['format'])}", "bad_input")
         points, more = state["points"], state["more"]
         kind = _core.Mesh2 if points.shape[1] == 2 else _core.Mesh3
-        self._mesh = kind.build_again(points, state["vacant"], options_of(more["_options"]))
+        self._mesh = kind.build_again(points, state["free_indices"], options_of(more["_options"]))
         self.__dict__.update(more)
         self._index_of_input.flags.writeable = False
 

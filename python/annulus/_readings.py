@@ -42,7 +42,7 @@ class Readings:
 
     @property
     def points(self) -> Floats:
-        """ndarray of float64, shape (npoints, d): positions by vertex index, NaN at vacant indices. Read-only, as of
+        """ndarray of float64, shape (npoints, d): positions by vertex index, NaN at free indices. Read-only, as of
         now."""
         return self._mesh.points
 
@@ -84,7 +84,7 @@ class Readings:
 
     @property
     def vertex_to_simplex(self) -> Indices:
-        """ndarray of int32, shape (npoints,): a simplex of each vertex; -1 at vacant indices and where there are no
+        """ndarray of int32, shape (npoints,): a simplex of each vertex; -1 at free indices and where there are no
         simplices."""
         return self._mesh.vertex_to_simplex
 
@@ -95,7 +95,7 @@ class Readings:
 
         While every vertex is within its own, the triangulation is Delaunay; with ``tolerance="certified"``
         these are proved lower bounds. While no tolerances are kept (``auto`` decides when), the least
-        tolerance of the certificates of each vertex. 0 where the points do not span the space, NaN at vacant
+        tolerance of the certificates of each vertex. 0 where the points do not span the space, NaN at free
         indices.
         """
         return self._mesh.tolerances
@@ -103,7 +103,7 @@ class Readings:
     @property
     def theta(self) -> Floats:
         """ndarray of float64, shape (npoints,): the least theta of the bi-cells of each vertex, in radians; pi/2
-        without one, NaN if vacant.
+        without one, NaN if free.
 
         It is small where two neighbouring simplices have nearly the same circumscribed circle or sphere.
         """
@@ -112,7 +112,7 @@ class Readings:
     @property
     def displacements(self) -> Floats:
         """ndarray of float64, shape (npoints,): an upper bound of how far each vertex is from where its tolerance is
-        measured; NaN if vacant."""
+        measured; NaN if free."""
         return self._mesh.displacements
 
     def voronoi_volumes(self) -> Floats:
@@ -121,7 +121,7 @@ class Readings:
         Returns
         -------
         ndarray of float64, shape (npoints,)
-            ``inf`` for unbounded cells, at the vertices of the hull; NaN at vacant indices.
+            ``inf`` for unbounded cells, at the vertices of the hull; NaN at free indices.
 
         Notes
         -----
@@ -177,12 +177,12 @@ class Readings:
 
     @property
     def npoints(self) -> int:
-        """int: rows of `points`, vacant indices included."""
+        """int: rows of `points`, free indices included."""
         return self._mesh.npoints
 
     @property
     def nvertices(self) -> int:
-        """int: vertices, vacant indices not counted."""
+        """int: vertices, free indices not counted."""
         return self._mesh.vertices
 
     @property
@@ -192,11 +192,11 @@ class Readings:
 
     @property
     def is_vertex(self) -> NDArray[np.bool_]:
-        """ndarray of bool, shape (npoints,): False at vacant indices."""
+        """ndarray of bool, shape (npoints,): False at free indices."""
         return self._mesh.is_vertex
 
     @property
-    def index_of_input(self) -> Indices:
+    def vertex_of_input(self) -> Indices:
         """ndarray of int32, shape (n,): the vertex that each point became in the beginning; not 0, 1, 2 .. only where
         some were merged."""
         return self._index_of_input

@@ -33,7 +33,7 @@ std::vector<Coordinates<d>> distinct(std::span<const Coordinates<d>> points, boo
         require_in_domain(points[i], "point", static_cast<std::int64_t>(i));
         if (seen.add(points[i])) out.push_back(points[i]);
         else if (!merge_duplicates)
-            throw Error(Error_code::collision,
+            throw Error(Error_code::duplicate_point,
                         "points " + std::to_string(first_at(i)) + " and " + std::to_string(i) +
                             " have the same position (merge_duplicates=True counts such once)",
                         {static_cast<std::int64_t>(first_at(i)), static_cast<std::int64_t>(i)});

@@ -15,7 +15,7 @@ std::string_view name_of(Error_code code) {
     switch (code) {
         case Error_code::not_finite: return "not_finite";
         case Error_code::out_of_domain: return "out_of_domain";
-        case Error_code::collision: return "collision";
+        case Error_code::duplicate_point: return "duplicate_point";
         case Error_code::too_few: return "too_few";
         case Error_code::wrong_size: return "wrong_size";
         case Error_code::unknown_vertex: return "unknown_vertex";

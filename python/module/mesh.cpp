@@ -24,14 +24,15 @@ Moving_mesh<d> mesh_of(std::span<const Coordinates<d>> points, const Options& op
     return Moving_mesh<d>(points, options);
 }
 
-/// The same with somebody at every vacant index, at a place where nobody is.
+/// The same with somebody at every free index, at a place where nobody is.
 template <int d>
-Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vector<Index>& vacant,
+Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vector<Index>& free_indices,
                          const Options& options) {
     const Without_gil without_gil;
     std::vector<Coordinates<d>> x(points.begin(), points.end());
-    for (const Index i : vacant) {
-        if (at(i) >= x.size()) throw Error(Error_code::bad_input, "vacant: there is no index " + std::to_string(i));
+    for (const Index i : free_indices) {
+        if (at(i) >= x.size())
+            throw Error(Error_code::bad_input, "free_indices: there is no index " + std::to_string(i));
         x[at(i)] = {};
     }
     double far = 0x1p-500;
@@ -40,7 +41,7 @@ Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vect
     far = std::min(far, 0x1p499);
     const Point_set<d> taken(x);
     double step = 0;
-    for (const Index i : vacant) {
+    for (const Index i : free_indices) {
         auto& p = x[at(i)];
         do p[0] = far * (1 + 0x1p-40 * ++step);
         while (taken.has(p));
@@ -52,8 +53,9 @@ Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vect
 template <int d>
 [[noreturn]] void throw_equal(std::span<const Coordinates<d>> points) {
     const auto pair = coinciding<d>(points, [](Index) { return true; });
-    throw Error(Error_code::collision, "points " + std::to_string(pair->first) + " and " +
-                                           std::to_string(pair->second) + " to be inserted have the same position");
+    throw Error(Error_code::duplicate_point, "points " + std::to_string(pair->first) + " and " +
+                                                 std::to_string(pair->second) +
+                                                 " to be inserted have the same position");
 }
 
 }  // namespace
@@ -63,9 +65,9 @@ Mesh<d>::Mesh(const Points_in<d>& points, const Options& options)
     : options_(options), mesh_(mesh_of<d>(points.span(), options)) {}
 
 template <int d>
-Mesh<d>::Mesh(const Points_in<d>& points, std::vector<Index> vacant, const Options& options)
-    : options_(options), mesh_(mesh_with<d>(points.span(), vacant, options)) {
-    remove(vacant);
+Mesh<d>::Mesh(const Points_in<d>& points, std::vector<Index> free_indices, const Options& options)
+    : options_(options), mesh_(mesh_with<d>(points.span(), free_indices, options)) {
+    remove(free_indices);
 }
 
 /// Makes a call that may change something. Whatever it throws, positions are as they were, but other cells may be as
@@ -105,9 +107,9 @@ Move_report Mesh<d>::move(const std::vector<Index>& indices, const Points_in<d>&
 }
 
 template <int d>
-Move_report Mesh<d>::settle() {
+Move_report Mesh<d>::recompute_tolerances() {
     return changing([&](Move_report& report) {
-        report = mesh_.settle();
+        report = mesh_.recompute_tolerances();
         cells_.reset();  // of tolerances that are not certified others may come
         adjacency_.reset();
     });
@@ -123,7 +125,7 @@ void Mesh<d>::require_free(std::span<const Point> points) const {
     const auto x = mesh_.points();
     for (std::size_t i = 0; i < x.size(); ++i)
         if (mesh_.is_vertex(static_cast<Index>(i)) && fresh.has(x[i]))
-            throw Error(Error_code::collision,
+            throw Error(Error_code::duplicate_point,
                         "vertex " + std::to_string(i) + " has the position of point " +
                             std::to_string(std::find(points.begin(), points.end(), x[i]) - points.begin()) +
                             " to be inserted",
@@ -136,11 +138,11 @@ std::vector<Index> Mesh<d>::insert(const Points_in<d>& points) {
     (void)changing([&](Move_report&) {
         require_free(points.span());
         indices.reserve(points.span().size());
-        vacant_.reserve(vacant_.size() + points.span().size());
+        free_indices_.reserve(free_indices_.size() + points.span().size());
         try {
             for (const Point& p : points.span()) {
                 indices.push_back(mesh_.insert(p));
-                if (!vacant_.empty()) vacant_.pop_back();
+                if (!free_indices_.empty()) free_indices_.pop_back();
             }
         } catch (...) {
             for (; !indices.empty(); indices.pop_back()) remove_one(indices.back());
@@ -157,10 +159,10 @@ void Mesh<d>::remove_one(Index i) {
     try {
         mesh_.remove(i);
     } catch (...) {
-        if (!mesh_.is_vertex(i)) vacant_.push_back(i);
+        if (!mesh_.is_vertex(i)) free_indices_.push_back(i);
         throw;
     }
-    vacant_.push_back(i);
+    free_indices_.push_back(i);
 }
 
 template <int d>
@@ -174,7 +176,7 @@ void Mesh<d>::remove(const std::vector<Index>& indices) {
                             mesh_.is_vertex(once[k]) ? "vertex " + std::to_string(once[k]) + " is to be removed twice"
                                                      : "no vertex has index " + std::to_string(once[k]),
                             {once[k]});
-        vacant_.reserve(vacant_.size() + indices.size());
+        free_indices_.reserve(free_indices_.size() + indices.size());
         for (const Index i : indices) remove_one(i);
         cells_.reset();
         adjacency_.reset();

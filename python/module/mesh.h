@@ -27,29 +27,29 @@ class Mesh {
     using Point = Coordinates<d>;
 
     Mesh(const Points_in<d>& points, const Options& options);
-    /// As it was pickled: `points` has rows for vacant indices too, `vacant` says which these are, the one that was
-    /// vacated last at the end.
-    Mesh(const Points_in<d>& points, std::vector<Index> vacant, const Options& options);
+    /// As it was pickled: `points` has rows for free indices too, `free_indices` says which these are, the one that was
+    /// freed last at the end.
+    Mesh(const Points_in<d>& points, std::vector<Index> free_indices, const Options& options);
 
     Move_report move(const Points_in<d>& points);
     Move_report move(const std::vector<Index>& indices, const Points_in<d>& points);
-    /// All of them or none; memory that runs out on the way may leave more vacant indices.
+    /// All of them or none; memory that runs out on the way may leave more free indices.
     std::vector<Index> insert(const Points_in<d>& points);
     /// All of them or, unless memory runs out on the way, none.
     void remove(const std::vector<Index>& indices);
-    Move_report settle();
+    Move_report recompute_tolerances();
 
     [[nodiscard]] py::array points();
     [[nodiscard]] py::array is_vertex() const;
-    /// What it can be made again from, all of one moment: `points` as above, and which indices are vacant, the last
+    /// What it can be made again from, all of one moment: `points` as above, and which indices are free, the last
     /// one at the end.
     [[nodiscard]] std::pair<py::array, std::vector<Index>> state();
-    [[nodiscard]] std::vector<Index> index_of_input() const;
+    [[nodiscard]] std::vector<Index> vertex_of_input() const;
     [[nodiscard]] std::shared_ptr<const Cells<d>> cells();
     [[nodiscard]] std::shared_ptr<const Adjacency> adjacency();
     [[nodiscard]] std::vector<Index> find(const Points_in<d>& points);
 
-    // By vertex index, NaN at vacant ones.
+    // By vertex index, NaN at free ones.
     [[nodiscard]] std::vector<double> tolerances() const;
     [[nodiscard]] std::vector<double> thetas() const;
     [[nodiscard]] std::vector<double> displacements() const;
@@ -81,7 +81,7 @@ class Mesh {
     const Options options_;
     mutable Turn lock_;
     Moving_mesh<d> mesh_;
-    std::vector<Index> vacant_;
+    std::vector<Index> free_indices_;
     std::shared_ptr<const std::vector<Point>> points_;  // null once they have changed; so are the others
     std::shared_ptr<const Cells<d>> cells_;
     std::shared_ptr<const Adjacency> adjacency_;

@@ -20,7 +20,7 @@ auto Mesh<d>::kept_points() -> std::shared_ptr<const std::vector<Point>> {
     if (!points_) {
         const auto x = mesh_.points();
         auto copy = std::make_shared<std::vector<Point>>(x.begin(), x.end());
-        for (const Index i : vacant_) (*copy)[static_cast<std::size_t>(i)].fill(nan);
+        for (const Index i : free_indices_) (*copy)[static_cast<std::size_t>(i)].fill(nan);
         points_ = std::move(copy);
     }
     return points_;
@@ -34,8 +34,8 @@ py::array Mesh<d>::points() {
 
 template <int d>
 std::pair<py::array, std::vector<Index>> Mesh<d>::state() {
-    auto [points, vacant] = locked([this] { return std::pair(kept_points(), vacant_); });
-    return {view_rows(*points, points), std::move(vacant)};
+    auto [points, free_indices] = locked([this] { return std::pair(kept_points(), free_indices_); });
+    return {view_rows(*points, points), std::move(free_indices)};
 }
 
 template <int d>
@@ -53,8 +53,9 @@ py::array Mesh<d>::is_vertex() const {
 }
 
 template <int d>
-std::vector<Index> Mesh<d>::index_of_input() const {
-    return locked([this] { return std::vector<Index>(mesh_.index_of_input().begin(), mesh_.index_of_input().end()); });
+std::vector<Index> Mesh<d>::vertex_of_input() const {
+    return locked(
+        [this] { return std::vector<Index>(mesh_.vertex_of_input().begin(), mesh_.vertex_of_input().end()); });
 }
 
 template <int d>
@@ -151,7 +152,7 @@ Strategy Mesh<d>::strategy() const {
     template std::pair<py::array, std::vector<Index>> Mesh<d>::state();              \
     template std::pair<std::size_t, Strategy> Mesh<d>::summary() const;              \
     template py::array Mesh<d>::is_vertex() const;                                   \
-    template std::vector<Index> Mesh<d>::index_of_input() const;                     \
+    template std::vector<Index> Mesh<d>::vertex_of_input() const;                    \
     template std::shared_ptr<const Cells<d>> Mesh<d>::kept_cells();                  \
     template std::shared_ptr<const Cells<d>> Mesh<d>::cells();                       \
     template std::shared_ptr<const Adjacency> Mesh<d>::adjacency();                  \

@@ -44,8 +44,8 @@ void add_mesh(py::module_& m, const char* name) {
         .def_static("build", [](const py::object& points,
                                 const Options& o) { return std::make_unique<M>(Points_in<d>(points), o); })
         .def_static("build_again",
-                    [](const py::object& points, const py::object& vacant, const Options& o) {
-                        return std::make_unique<M>(Points_in<d>(points), indices_of(vacant), o);
+                    [](const py::object& points, const py::object& free_indices, const Options& o) {
+                        return std::make_unique<M>(Points_in<d>(points), indices_of(free_indices), o);
                     })
         .def("move",
              [report](M& mesh, const py::object& points, const py::object& indices) {
@@ -56,21 +56,21 @@ void add_mesh(py::module_& m, const char* name) {
         .def("remove", [](M& mesh, const py::object& indices) { mesh.remove(indices_of(indices)); })
         .def("state",
              [](M& mesh) {
-                 auto [points, vacant] = mesh.state();
-                 return py::make_tuple(std::move(points), give(std::move(vacant)));
+                 auto [points, free_indices] = mesh.state();
+                 return py::make_tuple(std::move(points), give(std::move(free_indices)));
              })
         .def("summary",
              [](const M& mesh) {
                  const auto [vertices, strategy] = mesh.summary();
                  return py::make_tuple(vertices, std::string(name_of(strategy)));
              })
-        .def("settle", [report](M& mesh) { return report(mesh, mesh.settle()); })
+        .def("recompute_tolerances", [report](M& mesh) { return report(mesh, mesh.recompute_tolerances()); })
         .def("find_simplex", &find_simplex<d>)
         .def("audit", [](const M& mesh) { return audit_tuple(mesh.audit()); })
         .def("voronoi_volumes", [](M& mesh) { return give(mesh.voronoi_volumes()); })
         .def_property_readonly("points", &M::points)
         .def_property_readonly("is_vertex", &M::is_vertex)
-        .def_property_readonly("index_of_input", [](const M& mesh) { return give(mesh.index_of_input()); })
+        .def_property_readonly("vertex_of_input", [](const M& mesh) { return give(mesh.vertex_of_input()); })
         .def_property_readonly("simplices",
                                [](M& mesh) {
                                    const auto cells = mesh.cells();

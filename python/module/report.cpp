@@ -36,21 +36,21 @@ constexpr Field fields[] = {
     {"exact", "int: certificates decided in integers.",
      [](Move_report& r) -> std::uint64_t& { return r.arithmetic.exact; }},
     {"evaluated", "int: certificates evaluated.", [](Move_report& r) -> std::uint64_t& { return r.evaluated; }},
-    {"tours", "int: vertices all of whose certificates had to be looked at.",
-     [](Move_report& r) -> std::uint64_t& { return r.tours; }},
+    {"star_walks", "int: vertices all of whose certificates had to be looked at.",
+     [](Move_report& r) -> std::uint64_t& { return r.star_walks; }},
     {"requeued", "int: vertices whose reference another vertex renewed (filter-each).",
      [](Move_report& r) -> std::uint64_t& { return r.requeued; }},
     {"flips", "int: flips that stand.", [](Move_report& r) -> std::uint64_t& { return r.flips; }},
     {"undone_flips", "int: flips taken back because they led nowhere.",
      [](Move_report& r) -> std::uint64_t& { return r.undone_flips; }},
-    {"tolerance_steps", "int: timestamps that began with the tolerances.",
+    {"tolerance_steps", "int: time steps that began with the tolerances.",
      [](Move_report& r) -> std::uint64_t& { return r.tolerance_steps; }},
-    {"sign_steps", "int: timestamps that began with the signs of all certificates.",
+    {"sign_steps", "int: time steps that began with the signs of all certificates.",
      [](Move_report& r) -> std::uint64_t& { return r.sign_steps; }},
-    {"rebuild_steps", "int: timestamps that were rebuilt at once (auto).",
+    {"rebuild_steps", "int: time steps that were rebuilt at once (auto).",
      [](Move_report& r) -> std::uint64_t& { return r.rebuild_steps; }},
-    {"settlings", "int: times that all tolerances were computed.",
-     [](Move_report& r) -> std::uint64_t& { return r.settlings; }},
+    {"tolerance_recomputations", "int: times that all tolerances were computed.",
+     [](Move_report& r) -> std::uint64_t& { return r.tolerance_recomputations; }},
 };
 
 std::uint64_t value(const Field& field, const Move_report& report) {
@@ -93,7 +93,7 @@ py::object Report::simplices(const std::vector<Index>& vertices) const {
 py::dict Report::as_dict() const {
     py::dict out;
     for (const Field& f : fields) out[f.name] = value(f, *report_);
-    out["price"] = report_->cost;
+    out["cost"] = report_->cost;
     return out;
 }
 
@@ -118,7 +118,7 @@ Report Report::of_state(const py::object& object) {
     Move_report r;
     const auto numbers = state[0].cast<py::dict>();
     for (const Field& f : fields) f.of(r) = numbers[f.name].cast<std::uint64_t>();
-    r.cost = numbers["price"].cast<double>();
+    r.cost = numbers["cost"].cast<double>();
     const int d = state[1].cast<int>();
     if (d != 2 && d != 3) throw Error(Error_code::bad_input, "this is not the state of a report");
     const bool lists_changes = !state[2].is_none();
@@ -130,7 +130,8 @@ Report Report::of_state(const py::object& object) {
 }
 
 void add_report(py::module_& m) {
-    py::class_<Report> report(m, "MoveReport", not_by_new(), R"(What a call of `MovingDelaunay.move` or `settle` did.
+    py::class_<Report> report(m, "MoveReport", not_by_new(),
+                              R"(What a call of `MovingDelaunay.move` or `recompute_tolerances` did.
 
 Counts, and the simplices that came and went. `repr` shows the counts that are not 0, `as_dict` has all of them.)");
     for (const Field& f : fields)
@@ -138,7 +139,7 @@ Counts, and the simplices that came and went. `repr` shows the counts that are n
             f.name, [&f](const Report& r) { return value(f, r.numbers()); }, f.doc);
     report
         .def_property_readonly(
-            "price", [](const Report& r) { return r.numbers().cost; },
+            "cost", [](const Report& r) { return r.numbers().cost; },
             "float: what it cost, in simplices looked at, by prices that were measured.")
         .def_property_readonly(
             "changed_simplices", &Report::changed_simplices,

@@ -74,7 +74,7 @@ def test_moves_insertions_and_removals(kind, d, strategy, data):
             elif dt.nvertices > 3:
                 dt.remove(rng.choice(np.flatnonzero(dt.is_vertex), 3, replace=False))
         except annulus.Error as e:
-            assert e.code == "collision"
+            assert e.code == "duplicate_point"
             assert np.array_equal(dt.points, before, equal_nan=True)
         beside_scipy(dt)
 

@@ -44,7 +44,7 @@ RIGHT = {
     "insert": (lambda **named: annulus.MovingDelaunay(X).insert(**named), {"points": X[:3] + 1}),
     "remove": (lambda **named: annulus.MovingDelaunay(X).remove(**named), {"indices": [1, 2]}),
     "find_simplex": (lambda **named: annulus.MovingDelaunay(X).find_simplex(**named), {"xi": X}),
-    "settle": (lambda **named: annulus.MovingDelaunay(X).settle(**named), {}),
+    "recompute_tolerances": (lambda **named: annulus.MovingDelaunay(X).recompute_tolerances(**named), {}),
     "audit": (lambda **named: annulus.MovingDelaunay(X).audit(**named), {}),
     "voronoi_volumes": (lambda **named: annulus.MovingDelaunay(X).voronoi_volumes(**named), {}),
     "degeneracy": (annulus.degeneracy, {"points": X}),

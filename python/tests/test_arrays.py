@@ -17,7 +17,7 @@ from support import as_set, check
 
 X = np.random.default_rng(0).random((40, 2))
 ARRAYS = ["points", "simplices", "neighbors", "vertex_to_simplex", "is_vertex", "flat_simplices", "convex_hull",
-          "tolerances", "theta", "displacements", "index_of_input"]
+          "tolerances", "theta", "displacements", "vertex_of_input"]
 
 
 class Likeness:
@@ -100,9 +100,9 @@ def test_points_from_one():
     """An array whose rows are all the same memory."""
     with pytest.raises(annulus.Error) as e:
         annulus.MovingDelaunay(np.broadcast_to([1.0, 2.0], (5, 2)))
-    assert e.value.code == "collision"
+    assert e.value.code == "duplicate_point"
     dt = annulus.MovingDelaunay(np.broadcast_to([1.0, 2.0], (5, 2)), merge_duplicates=True)
-    assert dt.npoints == 1 and dt.index_of_input.tolist() == [0] * 5
+    assert dt.npoints == 1 and dt.vertex_of_input.tolist() == [0] * 5
 
 
 @pytest.mark.parametrize("x", [X.astype(complex), X.astype(object), X.astype("U10"), X.astype(np.longdouble),
@@ -221,7 +221,7 @@ def test_memory_that_another_process_writes():
             try:
                 dt.move(x)
             except annulus.Error as e:
-                assert e.code == "collision"
+                assert e.code == "duplicate_point"
             assert dt.audit()
     finally:
         over[0] = 1
@@ -263,7 +263,7 @@ def test_an_array_outlives_everything(name):
 def test_what_is_shared_is_read_only():
     dt = annulus.MovingDelaunay(X)
     for array in (dt.points, dt.simplices, dt.neighbors, dt.vertex_to_simplex, *dt.vertex_neighbor_vertices,
-                  dt.index_of_input):
+                  dt.vertex_of_input):
         with pytest.raises(ValueError):
             array[0] = 0
         with pytest.raises(ValueError):

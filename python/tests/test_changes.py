@@ -28,7 +28,7 @@ def test_reports_add_up(strategy, d):
         assert (len(r.changed_simplices) == len(now - before)
                 and len(r.removed_simplices) == len(before - now)), "each once"
         assert r.changed_simplices.shape[1] == d + 1 and not r.changed_simplices.flags.writeable
-        assert r.as_dict()["asked"] == 120 and r.as_dict().keys() >= {"flips", "price", "exact"}
+        assert r.as_dict()["asked"] == 120 and r.as_dict().keys() >= {"flips", "cost", "exact"}
         assert "asked 120" in repr(r)
         check(dt)
 
@@ -76,7 +76,7 @@ def test_vacant_indices():
     dt.move(x)  # ignored
     check(dt)
     assert dt.insert([[0.5, 0.51], [0.2, 0.3], [0.9, 0.1]]).tolist() == [9, 4, 20], (
-        "the one vacated last first, then new ones")
+        "the one freed last first, then new ones")
     check(dt)
     with pytest.raises(annulus.Error) as e:
         dt.remove([3, 3])
@@ -96,7 +96,7 @@ def test_faults_name_indices_after_a_removal():
     grown[:2] = [[0, 0, 0.997], [0, 0, -0.997]]
     dt = annulus.MovingDelaunay(np.vstack([[[5, 5, 5]], spindle]), "paper", tolerance="paper")
     dt.remove([0])
-    dt.settle()
+    dt.recompute_tolerances()
     dt.move(np.vstack([[[5, 5, 5]], grown]))
     audit = dt.audit()
     assert not audit and audit.violated_facets > 0
@@ -109,7 +109,7 @@ def test_all_or_nothing():
     dt = annulus.MovingDelaunay(x)
     before = dt.points
     new = np.random.default_rng(5).random((4, 3))
-    for wrong, code in [(x[7], "collision"), (new[1], "collision"), ([np.nan] * 3, "not_finite"),
+    for wrong, code in [(x[7], "duplicate_point"), (new[1], "duplicate_point"), ([np.nan] * 3, "not_finite"),
                         ([1e200, 0, 0], "out_of_domain")]:
         for at in range(4):
             with pytest.raises(annulus.Error) as e:
@@ -132,14 +132,14 @@ def test_merged_points():
     x = np.array([[0, 0], [1, 0], [0, 1], [1, 0], [-0.0, 0], [2, 3]])
     with pytest.raises(annulus.Error) as e:
         annulus.MovingDelaunay(x)
-    assert e.value.code == "collision"
+    assert e.value.code == "duplicate_point"
     dt = annulus.MovingDelaunay(x, merge_duplicates=True)
-    assert dt.index_of_input.tolist() == [0, 1, 2, 1, 0, 3] and dt.npoints == 4
-    assert np.array_equal(dt.points[dt.index_of_input], x)
+    assert dt.vertex_of_input.tolist() == [0, 1, 2, 1, 0, 3] and dt.npoints == 4
+    assert np.array_equal(dt.points[dt.vertex_of_input], x)
     check(dt)
     with pytest.raises(annulus.Error) as e:
         dt.insert([[1, 0]])
-    assert e.value.code == "collision"
+    assert e.value.code == "duplicate_point"
 
 
 @repeats(40)
@@ -173,6 +173,6 @@ def test_tolerances_hold():
     assert dt.move(dt.points + way).within_tolerance == 200
     assert (as_set(dt.simplices) == simplices and (dt.displacements <= dt.tolerances).all()
             and dt.displacements.max() > 0)
-    dt.settle()
+    dt.recompute_tolerances()
     assert dt.displacements.max() == 0
     check(dt)

@@ -33,9 +33,9 @@ def test_codes():
         assert code(dt.move, bad[3:4], [3]) == expected
         assert code(dt.insert, bad[3:4]) == expected
     bad[3] = bad[4]
-    assert code(annulus.MovingDelaunay, bad) == "collision"
-    assert code(dt.move, bad) == "collision"
-    assert code(dt.insert, X[:1]) == "collision"
+    assert code(annulus.MovingDelaunay, bad) == "duplicate_point"
+    assert code(dt.move, bad) == "duplicate_point"
+    assert code(dt.insert, X[:1]) == "duplicate_point"
     assert code(dt.move, X[:3]) == "wrong_size"
     assert code(dt.move, X[:3], [1, 2]) == "wrong_size"
     assert code(dt.move, X[:1], [30]) == "unknown_vertex"
@@ -68,19 +68,19 @@ def test_errors_name_the_vertices_concerned(d, strategy):
     dt = annulus.MovingDelaunay(x, strategy)
     both, there = "vertices {} and {} would have the same position", "vertex {} has the position of "
     for call, expected, vertices, words in [
-            (lambda: annulus.MovingDelaunay(at(x, 9, 4), strategy), "collision", (4, 9),
+            (lambda: annulus.MovingDelaunay(at(x, 9, 4), strategy), "duplicate_point", (4, 9),
              "points 4 and 9 have the same position"),
-            (lambda: annulus.MovingDelaunay(at(x, 3, 15), strategy), "collision", (3, 15),
+            (lambda: annulus.MovingDelaunay(at(x, 3, 15), strategy), "duplicate_point", (3, 15),
              "points 3 and 15 have the same position"),
-            (lambda: dt.move(at(x, 9, 4)), "collision", (4, 9), both.format(4, 9)),
-            (lambda: dt.move(x[[11]], [2]), "collision", (2, 11), both.format(2, 11)),
-            (lambda: dt.move(x[[2]], [11]), "collision", (2, 11), both.format(2, 11)),
-            (lambda: dt.move(x[[8, 10, 1]], [1, 6, 8]), "collision", (6, 10), both.format(6, 10)),
-            (lambda: dt.move(x[[8, 8]] + 0.001, [1, 6]), "collision", (1, 6), None),
-            (lambda: dt.insert(x[[7]]), "collision", (7,), there.format(7) + "the point to be inserted"),
-            (lambda: dt.insert([x[7] + 1, x[7] + 2, x[7]]), "collision", (7,),
+            (lambda: dt.move(at(x, 9, 4)), "duplicate_point", (4, 9), both.format(4, 9)),
+            (lambda: dt.move(x[[11]], [2]), "duplicate_point", (2, 11), both.format(2, 11)),
+            (lambda: dt.move(x[[2]], [11]), "duplicate_point", (2, 11), both.format(2, 11)),
+            (lambda: dt.move(x[[8, 10, 1]], [1, 6, 8]), "duplicate_point", (6, 10), both.format(6, 10)),
+            (lambda: dt.move(x[[8, 8]] + 0.001, [1, 6]), "duplicate_point", (1, 6), None),
+            (lambda: dt.insert(x[[7]]), "duplicate_point", (7,), there.format(7) + "the point to be inserted"),
+            (lambda: dt.insert([x[7] + 1, x[7] + 2, x[7]]), "duplicate_point", (7,),
              there.format(7) + "point 2 to be inserted"),
-            (lambda: dt.insert([x[7] + 1, x[7] + 2, x[7] + 1]), "collision", (),
+            (lambda: dt.insert([x[7] + 1, x[7] + 2, x[7] + 1]), "duplicate_point", (),
              "points 0 and 2 to be inserted have the same position"),
             (lambda: annulus.MovingDelaunay(bad(x, 5, np.nan), strategy), "not_finite", (5,),
              "point 5 is not a finite number"),
@@ -90,7 +90,7 @@ def test_errors_name_the_vertices_concerned(d, strategy):
             (lambda: dt.insert(bad(x, 5, 1e200)), "out_of_domain", (5,), "point 5 is larger"),
             (lambda: dt.move(x[[1]], [40]), "unknown_vertex", (40,), "no vertex has index 40"),
             (lambda: dt.remove([40]), "unknown_vertex", (40,), "no vertex has index 40"),
-            (lambda: annulus.degeneracy(at(x, 9, 4)), "collision", (4, 9), "points 4 and 9 have the same position")]:
+            (lambda: annulus.degeneracy(at(x, 9, 4)), "duplicate_point", (4, 9), "points 4 and 9 have the same position")]:
         with pytest.raises(annulus.Error) as e:
             call()
         assert (e.value.code, e.value.vertices) == (expected, vertices), str(e.value)
@@ -103,7 +103,7 @@ def test_errors_name_the_vertices_concerned(d, strategy):
 
 
 def test_an_error_can_be_sent_elsewhere():
-    for error in (annulus.Error("words", "usage"), annulus.Error("words", "collision", (3, 15))):
+    for error in (annulus.Error("words", "usage"), annulus.Error("words", "duplicate_point", (3, 15))):
         there = pickle.loads(pickle.dumps(error))
         assert (isinstance(there, annulus.Error) and (str(there), there.code, there.vertices)
                 == ("words", error.code, error.vertices))

@@ -42,7 +42,7 @@ def test_degeneracy_of_a_grid():
 def test_degeneracy_of_little():
     line = annulus.degeneracy([[0, 0], [1, 1], [2, 2]])
     assert line["affine_dimension"] == 1 and line["simplices"] == 2 and line["bicells"] is None
-    for x, code in [(np.zeros((0, 2)), "too_few"), ([[1, 2]], "too_few"), ([[1, 2], [1, 2]], "collision"),
+    for x, code in [(np.zeros((0, 2)), "too_few"), ([[1, 2]], "too_few"), ([[1, 2], [1, 2]], "duplicate_point"),
                     ([[1, np.nan], [1, 2]], "not_finite"), (np.zeros((3, 4)), "wrong_size"), ([1, 2, 3], "wrong_size")]:
         with pytest.raises(annulus.Error) as e:
             annulus.degeneracy(x)
@@ -181,7 +181,7 @@ def test_what_lloyd_refuses():
                                    ((9,), {"radius": -1.0}, "bad_input"),
                                    ((9,), {"domain": [[0, 0], [1, 1]]}, "bad_input"),
                                    ((9,), {"radius": 1e5, "density": "sin2"}, "usage"),
-                                   ((np.repeat(x, 2, axis=0),), {}, "collision"),
+                                   ((np.repeat(x, 2, axis=0),), {}, "duplicate_point"),
                                    ((np.full((4, 2), np.nan),), {}, "not_finite"),
                                    ((x,), {"strategy": "none"}, "usage"),
                                    (([[0, 0], [1, 1], [2, 2]],), {}, "bad_input"),

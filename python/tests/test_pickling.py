@@ -22,7 +22,7 @@ COPIES = [lambda dt: pickle.loads(pickle.dumps(dt)), lambda dt: pickle.loads(pic
 def same(a, b):
     assert type(a) is type(b)
     assert np.array_equal(a.points, b.points, equal_nan=True) and np.array_equal(a.is_vertex, b.is_vertex)
-    assert np.array_equal(a.index_of_input, b.index_of_input)
+    assert np.array_equal(a.vertex_of_input, b.vertex_of_input)
     assert repr(a) == repr(b)
 
 
@@ -82,7 +82,7 @@ def test_a_state_is_of_one_moment():
     dt = annulus.MovingDelaunay(points_of("uniform", 30, 2, 0))
     dt.remove([4, 2])
     state = dt.__getstate__()
-    assert np.flatnonzero(np.isnan(state["points"][:, 0])).tolist() == [2, 4] and state["vacant"].tolist() == [4, 2]
+    assert np.flatnonzero(np.isnan(state["points"][:, 0])).tolist() == [2, 4] and state["free_indices"].tolist() == [4, 2]
     for call in (lambda: dt.__getstate__(), lambda: repr(dt), lambda: dt.audit(), lambda: dt.voronoi_volumes(),
                  lambda: dt.vertex_neighbor_vertices, lambda: dt.convex_hull, lambda: dt.find_simplex([[0.5, 0.5]]),
                  lambda: dt.nsimplex, lambda: dt.tolerances, lambda: dt.is_vertex):
@@ -94,7 +94,7 @@ def test_a_state_is_of_one_moment():
 
 
 def test_copies_while_others_insert_and_remove():
-    """Each copy is of one moment: vacant indices are those without a place, and none is lost."""
+    """Each copy is of one moment: free indices are those without a place, and none is lost."""
     x = points_of("uniform", 60, 2, 3)
     dt = annulus.MovingDelaunay(x)
     raised, over = [], threading.Event()
@@ -113,7 +113,7 @@ def test_copies_while_others_insert_and_remove():
             while not over.is_set():
                 state = dt.__getstate__()
                 gone = np.flatnonzero(np.isnan(state["points"][:, 0]))
-                assert sorted(state["vacant"].tolist()) == gone.tolist()
+                assert sorted(state["free_indices"].tolist()) == gone.tolist()
                 other = pickle.loads(pickle.dumps(dt))
                 assert other.nvertices >= 60 and other.nvertices % 3 == 0 and np.array_equal(other.points[:60], x)
         except BaseException as e:
@@ -163,7 +163,7 @@ def test_reports():
 
 def test_what_is_no_state():
     dt = annulus.MovingDelaunay(points_of("uniform", 20, 2, 0))
-    for harm in ({"format": 7}, {"vacant": [3, 3]}, {"vacant": [20]}, {"points": np.full((20, 2), np.nan)}):
+    for harm in ({"format": 7}, {"free_indices": [3, 3]}, {"free_indices": [20]}, {"points": np.full((20, 2), np.nan)}):
         other = annulus.MovingDelaunay.__new__(annulus.MovingDelaunay)
         with pytest.raises(annulus.Error):
             other.__setstate__({**dt.__getstate__(), **harm})

@@ -173,12 +173,12 @@ def test_an_array_that_is_written_meanwhile(d, strategy):
                 try:
                     dt.move(x)
                 except annulus.Error as e:
-                    assert e.code in ("not_finite", "out_of_domain", "collision")
+                    assert e.code in ("not_finite", "out_of_domain", "duplicate_point")
                 try:
                     dt.move(x[:100], indices=np.arange(100))
                     dt.find_simplex(x)
                 except annulus.Error as e:
-                    assert e.code in ("not_finite", "out_of_domain", "collision")
+                    assert e.code in ("not_finite", "out_of_domain", "duplicate_point")
                 assert dt.audit()
         finally:
             stop.set()

@@ -137,7 +137,7 @@ def change(dt, rng):
     spacing = POINTS ** (-1 / dt.ndim)
     living = np.flatnonzero(dt.is_vertex)
     some = rng.choice(living, rng.integers(1, 5), replace=False)
-    what = rng.choice(["few", "few", "few named", "tiny", "all", "insert", "remove", "settle"])
+    what = rng.choice(["few", "few", "few named", "tiny", "all", "insert", "remove", "recompute_tolerances"])
     if what == "few":
         dt.move(dt.points[some] + 0.3 * spacing * rng.standard_normal((len(some), dt.ndim)), some)
     elif what == "few named":  # all are given, few move
@@ -151,7 +151,7 @@ def change(dt, rng):
     elif what == "remove":
         dt.remove(some)
     else:
-        dt.settle()
+        dt.recompute_tolerances()
     return what
 
 

@@ -40,15 +40,15 @@ extern "C" {
 
 typedef enum annulus_status {
     ANNULUS_OK = 0,
-    ANNULUS_NULL_POINTER = 1,    // a pointer is NULL that must not be
-    ANNULUS_USAGE = 2,           // a dimension, name, option or size of a struct that there is not
-    ANNULUS_WRONG_SIZE = 3,      // not one point for every index; a buffer that is too small
-    ANNULUS_NOT_FINITE = 4,      // a coordinate is NaN or infinite
-    ANNULUS_OUT_OF_DOMAIN = 5,   // a coordinate is larger than 2^500 in magnitude
-    ANNULUS_COLLISION = 6,       // two vertices would be at one place
-    ANNULUS_UNKNOWN_VERTEX = 7,  // an index that names no vertex: vacant, or outside
-    ANNULUS_ENVIRONMENT = 8,     // the floating-point environment is not the one the proofs assume
-    ANNULUS_TOO_LARGE = 9,       // more vertices or cells than indices can name
+    ANNULUS_NULL_POINTER = 1,     // a pointer is NULL that must not be
+    ANNULUS_USAGE = 2,            // a dimension, name, option or size of a struct that there is not
+    ANNULUS_WRONG_SIZE = 3,       // not one point for every index; a buffer that is too small
+    ANNULUS_NOT_FINITE = 4,       // a coordinate is NaN or infinite
+    ANNULUS_OUT_OF_DOMAIN = 5,    // a coordinate is larger than 2^500 in magnitude
+    ANNULUS_DUPLICATE_POINT = 6,  // two vertices would be at one place
+    ANNULUS_UNKNOWN_VERTEX = 7,   // an index that names no vertex: free, or outside
+    ANNULUS_ENVIRONMENT = 8,      // the floating-point environment is not the one the proofs assume
+    ANNULUS_TOO_LARGE = 9,        // more vertices or cells than indices can name
     ANNULUS_NO_MEMORY = 10,
     ANNULUS_NO_TRIANGULATION = 11,  // Voronoi measures: the cells are not positive (tolerances that are not certified)
     ANNULUS_INTERNAL = 12           // a fault of the library; please report it
@@ -70,13 +70,13 @@ typedef struct annulus_options {
     const char* tolerance;     // "certified" (default); with "paper" and "paper-hybrid" also "paper", "floating"
     const char* second_look;   // NULL or "off": there are none any longer
     int32_t threads;           // default 1; results do not depend on it. Negative: ANNULUS_USAGE
-    int32_t merge_duplicates;  // not 0: equal points become one vertex instead of ANNULUS_COLLISION
+    int32_t merge_duplicates;  // not 0: equal points become one vertex instead of ANNULUS_DUPLICATE_POINT
     int32_t report_changes;    // not 0: annulus_changed lists cells
     int32_t reserved;          // 0
     uint64_t seed;             // of the sample that "paper-hybrid" draws
 } annulus_options;
 
-// What a call did, all counts: of vertices, certificates, flips, timestamps. Set `size` to sizeof(annulus_report)
+// What a call did, all counts: of vertices, certificates, flips, time steps. Set `size` to sizeof(annulus_report)
 // before; what it does not reach is not written.
 typedef struct annulus_report {
     size_t size;
@@ -91,7 +91,7 @@ typedef struct annulus_report {
     uint64_t by_intervals;
     uint64_t by_integers;
     uint64_t flips;
-    uint64_t tolerance_steps;  // timestamps that began with tolerances,
+    uint64_t tolerance_steps;  // time steps that began with tolerances,
     uint64_t sign_steps;       // with the signs of everything,
     uint64_t rebuild_steps;    // with a rebuild
     uint64_t changed;          // cells that annulus_changed lists
@@ -117,8 +117,8 @@ typedef struct annulus_audit_result {
 
 // Triangulates `points` points (0 is fine: coordinates may be NULL then) of the plane (dimension 2) or of space (3).
 // options: optional. *mesh is a new handle, or NULL after an error. Vertex i is point i unless duplicates are merged
-// (annulus_index_of_input). O(n log n).
-// Errors: USAGE, NOT_FINITE, OUT_OF_DOMAIN, COLLISION, TOO_LARGE, ENVIRONMENT, NO_MEMORY; here and everywhere
+// (annulus_vertex_of_input). O(n log n).
+// Errors: USAGE, NOT_FINITE, OUT_OF_DOMAIN, DUPLICATE_POINT, TOO_LARGE, ENVIRONMENT, NO_MEMORY; here and everywhere
 // NULL_POINTER.
 ANNULUS_API int annulus_create(annulus_mesh** mesh, int dimension, size_t points, const double* coordinates,
                                const annulus_options* options);
@@ -134,12 +134,12 @@ ANNULUS_API void annulus_destroy(annulus_mesh** mesh);
 ANNULUS_API size_t annulus_message(const annulus_mesh* mesh, char* buffer, size_t capacity);
 
 // Writes the indices of the vertices that the same message is about and returns how many they are, 0 to 2. After
-// COLLISION both, the smaller one first: of annulus_create numbers of points, of annulus_insert the one vertex that
-// is there already. After UNKNOWN_VERTEX, NOT_FINITE and OUT_OF_DOMAIN the vertex or point that is refused. No error
-// itself.
+// DUPLICATE_POINT both, the smaller one first: of annulus_create numbers of points, of annulus_insert the one vertex
+// that is there already. After UNKNOWN_VERTEX, NOT_FINITE and OUT_OF_DOMAIN the vertex or point that is refused. No
+// error itself.
 ANNULUS_API size_t annulus_message_vertices(const annulus_mesh* mesh, int32_t vertices[2]);
 
-// "collision" for ANNULUS_COLLISION, and so on; "unknown status" for what is none. Never NULL.
+// "duplicate_point" for ANNULUS_DUPLICATE_POINT, and so on; "unknown status" for what is none. Never NULL.
 ANNULUS_API const char* annulus_status_name(int status);
 
 // The version of the library, "0.1.0", and the ANNULUS_INTERFACE that it was built with.
@@ -148,9 +148,9 @@ ANNULUS_API int annulus_interface(void);
 
 // ---- What changes it. report: optional everywhere --------------------------------------------------
 
-// Moves every vertex: point i is the new position of vertex i; what stands at vacant indices is ignored. `points` is
+// Moves every vertex: point i is the new position of vertex i; what stands at free indices is ignored. `points` is
 // annulus_index_bound. O(n) with a small constant when few vertices leave their tolerance.
-// Errors: WRONG_SIZE, NOT_FINITE, OUT_OF_DOMAIN, COLLISION, TOO_LARGE, ENVIRONMENT, NO_MEMORY.
+// Errors: WRONG_SIZE, NOT_FINITE, OUT_OF_DOMAIN, DUPLICATE_POINT, TOO_LARGE, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_move_all(annulus_mesh* mesh, size_t points, const double* coordinates, annulus_report* report);
 
 // Moves some vertices, all at once: indices[k] to point k; the last holds for an index that is named twice. While
@@ -159,23 +159,24 @@ ANNULUS_API int annulus_move_all(annulus_mesh* mesh, size_t points, const double
 ANNULUS_API int annulus_move(annulus_mesh* mesh, size_t count, const int32_t* indices, const double* coordinates,
                              annulus_report* report);
 
-// Inserts vertices one after another and writes their indices: those vacated last, then new ones. Coordinates are
-// looked at first. When a later point is refused (COLLISION, TOO_LARGE, NO_MEMORY), those before it stay: *inserted,
-// optional, says how many they are, 0 when nothing was done. Ten to twenty microseconds each in the plane (up to a
-// million vertices), some forty in space (up to 100,000); the first after a construction copies arrays, O(n). While
-// all points are in a plane or on a line each builds everything anew.
-// Errors: NOT_FINITE, OUT_OF_DOMAIN, COLLISION, TOO_LARGE, ENVIRONMENT, NO_MEMORY.
+// Inserts vertices one after another and writes their indices: those freed last, then new ones. Coordinates are
+// looked at first. When a later point is refused (DUPLICATE_POINT, TOO_LARGE, NO_MEMORY), those before it stay:
+// *inserted, optional, says how many they are, 0 when nothing was done. Ten to twenty microseconds each in the plane
+// (up to a million vertices), some forty in space (up to 100,000); the first after a construction copies arrays, O(n).
+// While all points are in a plane or on a line each builds everything anew.
+// Errors: NOT_FINITE, OUT_OF_DOMAIN, DUPLICATE_POINT, TOO_LARGE, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_insert(annulus_mesh* mesh, size_t count, const double* coordinates, int32_t* indices,
                                size_t* inserted, annulus_report* report);
 
-// Removes vertices one after another; their indices become vacant. Indices are looked at first; after NO_MEMORY
+// Removes vertices one after another; their indices become free. Indices are looked at first; after NO_MEMORY
 // *removed, optional, says how many have gone, and the next one may have gone, too (annulus_is_vertex). Errors:
 // UNKNOWN_VERTEX (named twice, too), ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_remove(annulus_mesh* mesh, size_t count, const int32_t* indices, size_t* removed,
                                annulus_report* report);
 
-// Makes every tolerance fresh, measured from where the vertices are. O(n). Errors: COLLISION, ENVIRONMENT, NO_MEMORY.
-ANNULUS_API int annulus_settle(annulus_mesh* mesh, annulus_report* report);
+// Makes every tolerance fresh, measured from where the vertices are. O(n). Errors: DUPLICATE_POINT, ENVIRONMENT,
+// NO_MEMORY.
+ANNULUS_API int annulus_recompute_tolerances(annulus_mesh* mesh, annulus_report* report);
 
 // ---- What it says. O(1) ----------------------------------------------------------------------------
 
@@ -183,9 +184,9 @@ ANNULUS_API int annulus_dimension(const annulus_mesh* mesh, int* dimension);  //
 ANNULUS_API int annulus_affine_dimension(const annulus_mesh* mesh,
                                          int* dimension);  // less when the points are flat; -1: none
 ANNULUS_API int annulus_vertex_count(const annulus_mesh* mesh, size_t* count);
-// One more than the largest index in use or vacant: the size of every array by vertex index.
+// One more than the largest index in use or free: the size of every array by vertex index.
 ANNULUS_API int annulus_index_bound(const annulus_mesh* mesh, size_t* bound);
-// 1 for a vertex, 0 for a vacant index and for what is outside.
+// 1 for a vertex, 0 for a free index and for what is outside.
 ANNULUS_API int annulus_is_vertex(const annulus_mesh* mesh, int32_t index, int* answer);
 // The strategy in force: that of the options, except that "paper-hybrid" becomes "paper" when it switches. A constant
 // string.
@@ -193,17 +194,17 @@ ANNULUS_API int annulus_strategy(const annulus_mesh* mesh, const char** name);
 
 // ---- Arrays by vertex index. `capacity` is of vertices, at least annulus_index_bound, else WRONG_SIZE. O(n) -------
 
-// NaN at vacant indices.
+// NaN at free indices.
 ANNULUS_API int annulus_points(const annulus_mesh* mesh, size_t capacity, double* coordinates);
 // How far a vertex may be from where it was when its tolerance was computed, while every other one is within its own:
-// a certified lower bound, unless options say otherwise. 0 at vacant indices and where all points are in a plane or
+// a certified lower bound, unless options say otherwise. 0 at free indices and where all points are in a plane or
 // on a line. Errors: ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_tolerances(const annulus_mesh* mesh, size_t capacity, double* lengths);
-// How far it is from there, rounded up. 0 at vacant indices. Errors: as above.
+// How far it is from there, rounded up. 0 at free indices. Errors: as above.
 ANNULUS_API int annulus_displacements(const annulus_mesh* mesh, size_t capacity, double* lengths);
 // Areas (dimension 2) or volumes (3) of Voronoi cells, each with a relative error of at most 2^-33, whatever the
 // points, and how many Voronoi cells touch each: the neighbours in the triangulation. Infinity where the cell is
-// unbounded, at vertices of the hull; NaN and 0 at vacant indices. Either array may be NULL. A number above the
+// unbounded, at vertices of the hull; NaN and 0 at free indices. Either array may be NULL. A number above the
 // largest double is that one; one below the smallest normal double has an absolute error of 2^-1074 besides. A
 // microsecond a vertex.
 // Errors: NO_TRIANGULATION, ENVIRONMENT, NO_MEMORY.
@@ -212,7 +213,7 @@ ANNULUS_API int annulus_voronoi(const annulus_mesh* mesh, size_t capacity, doubl
 // ---- Lists. Ask with capacity 0 and NULL for the count, then call again; *count is right after WRONG_SIZE, too -----
 
 // The vertex of every point that was given to annulus_create: other than 0, 1, 2 .. only where duplicates were merged.
-ANNULUS_API int annulus_index_of_input(const annulus_mesh* mesh, size_t capacity, int32_t* indices, size_t* count);
+ANNULUS_API int annulus_vertex_of_input(const annulus_mesh* mesh, size_t capacity, int32_t* indices, size_t* count);
 // Finite cells, dimension + 1 numbers each in both arrays; either may be NULL. vertices: positively oriented (in the
 // plane counter-clockwise; in space det(b - a, c - a, e - a) > 0), padded with -2 where all points are in a plane or
 // on a line. neighbours: the cell opposite to each vertex, -1 beyond the hull. Cells are counted 0, 1, 2 .. until the

@@ -81,8 +81,8 @@ void Moving_mesh<d>::remove(Index i, Move_report* report) {
     hand_over(done, report);
 }
 template <int d>
-Move_report Moving_mesh<d>::settle() {
-    return parts_->engine.settle();
+Move_report Moving_mesh<d>::recompute_tolerances() {
+    return parts_->engine.recompute_tolerances();
 }
 
 template <int d>
@@ -102,8 +102,8 @@ bool Moving_mesh<d>::is_vertex(Index i) const {
     return parts_->engine.is_vertex(i);
 }
 template <int d>
-std::span<const Index> Moving_mesh<d>::index_of_input() const {
-    return parts_->engine.index_of_input();
+std::span<const Index> Moving_mesh<d>::vertex_of_input() const {
+    return parts_->engine.vertex_of_input();
 }
 template <int d>
 auto Moving_mesh<d>::points() const -> std::span<const Point> {

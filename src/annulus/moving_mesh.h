@@ -24,8 +24,8 @@ class Delaunay_mesh;
 /// memory ran out; as to GMP and CGAL's Mpzf see moving_delaunay.h). Positions are in the caller's unit of length.
 /// Not thread-safe; const members may run concurrently.
 ///
-/// Vertices have an index in input order. Removing a vertex leaves its index vacant; the next insertion takes the
-/// index vacated last.
+/// Vertices have an index in input order. Removing a vertex leaves its index free; the next insertion takes the
+/// index freed last.
 template <int d>
 class Moving_mesh {
   public:
@@ -33,7 +33,7 @@ class Moving_mesh {
     using Point = Coordinates<d>;
 
     explicit Moving_mesh(const Options& options = {}) : Moving_mesh(std::span<const Point>{}, options) {}
-    /// O(n log n). Throws not_finite, out_of_domain, collision (unless options.merge_duplicates), too_large,
+    /// O(n log n). Throws not_finite, out_of_domain, duplicate_point (unless options.merge_duplicates), too_large,
     /// environment.
     explicit Moving_mesh(std::span<const Point> points, const Options& options = {});
     /// The same from d numbers a point. Throws wrong_size too, when a number is missing.
@@ -47,30 +47,30 @@ class Moving_mesh {
     Move_report move(Index i, const Point& p);
     Move_report move(std::span<const Index> indices, std::span<const Point> points);
     Move_report move_all(std::span<const Point> points);
-    /// Inserts a vertex and returns its index. Throws not_finite, out_of_domain, collision.
+    /// Inserts a vertex and returns its index. Throws not_finite, out_of_domain, duplicate_point.
     Index insert(const Point& p, Move_report* report = nullptr);
     /// Throws unknown_vertex.
     void remove(Index i, Move_report* report = nullptr);
     /// Makes every fixed position the moving one and every tolerance fresh. O(n).
-    Move_report settle();
+    Move_report recompute_tolerances();
 
     [[nodiscard]] std::size_t number_of_vertices() const;
     /// Affine dimension of the points, -1 when there are none.
     [[nodiscard]] int dimension() const;
-    /// One more than the largest index in use or vacant: the number of points move_all takes.
+    /// One more than the largest index in use or free: the number of points move_all takes.
     [[nodiscard]] std::size_t index_bound() const;
     /// Whether this index is a vertex'.
     [[nodiscard]] bool is_vertex(Index i) const;
     /// Vertex index of every input point; differs from 0, 1, 2 ... only where duplicates were merged.
-    [[nodiscard]] std::span<const Index> index_of_input() const;
+    [[nodiscard]] std::span<const Index> vertex_of_input() const;
 
-    /// Positions by index; vacant entries are unspecified.
+    /// Positions by index; free entries are unspecified.
     [[nodiscard]] std::span<const Point> points() const;
     /// Every finite cell. O(n).
     [[nodiscard]] Mesh_cells<d> cells() const;
     /// By vertex index: how far it may be from its fixed position while every other vertex is within its own
     /// tolerance of its own; a certified lower bound with Tolerance_kind::certified. While no tolerances are kept,
-    /// the least tolerance of its certificates. 0 at vacant indices and where all points are in a plane or on a line.
+    /// the least tolerance of its certificates. 0 at free indices and where all points are in a plane or on a line.
     /// O(n).
     [[nodiscard]] std::vector<double> tolerances() const;
     [[nodiscard]] double tolerance(Index i) const;

@@ -60,7 +60,7 @@ TEMPLATE_TEST_CASE_SIG("A call of the C interface that runs out of memory says s
         {"move", [&](auto* m) { return annulus_move(m, 2, some.data(), two.data(), nullptr); }},
         {"insert", [&](auto* m) { return annulus_insert(m, 2, two.data(), fresh.data(), &count, nullptr); }},
         {"remove", [&](auto* m) { return annulus_remove(m, 2, some.data(), &count, nullptr); }},
-        {"settle", [&](auto* m) { return annulus_settle(m, nullptr); }},
+        {"recompute_tolerances", [&](auto* m) { return annulus_recompute_tolerances(m, nullptr); }},
         {"tolerances", [&](auto* m) { return annulus_tolerances(m, n, lengths.data()); }},
         {"voronoi", [&](auto* m) { return annulus_voronoi(m, n, lengths.data(), nullptr); }},
         {"cells", [&](auto* m) { return annulus_cells(m, 0, nullptr, nullptr, &count); }},
@@ -91,7 +91,8 @@ TEMPLATE_TEST_CASE_SIG("A call of the C interface that runs out of memory says s
                     REQUIRE(std::string(text) == "memory ran out");
                     if (call.name != "insert" && call.name != "remove") REQUIRE(points_of(mesh, d) == x);
                     if (memory == Memory::short_for_good)
-                        REQUIRE(annulus_settle(mesh, nullptr) == ANNULUS_OK);  // there may have been no cells
+                        REQUIRE(annulus_recompute_tolerances(mesh, nullptr) ==
+                                ANNULUS_OK);  // there may have been no cells
                 }
                 REQUIRE(is_delaunay(mesh));
                 annulus_destroy(&mesh);

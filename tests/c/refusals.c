@@ -40,7 +40,7 @@ static void check_null(void) {
     CHECK_STATUS(annulus_move(NULL, 1, &index, x, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_insert(NULL, 1, x, numbers, NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_remove(NULL, 1, &index, NULL, NULL), ANNULUS_NULL_POINTER);
-    CHECK_STATUS(annulus_settle(NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_recompute_tolerances(NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_dimension(NULL, &answer), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_affine_dimension(NULL, &answer), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_vertex_count(NULL, &count), ANNULUS_NULL_POINTER);
@@ -50,7 +50,7 @@ static void check_null(void) {
     CHECK_STATUS(annulus_tolerances(NULL, points, place), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_displacements(NULL, points, place), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_voronoi(NULL, points, place, numbers), ANNULUS_NULL_POINTER);
-    CHECK_STATUS(annulus_index_of_input(NULL, points, numbers, &count), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_vertex_of_input(NULL, points, numbers, &count), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_cells(NULL, 0, NULL, NULL, &count), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_changed(NULL, 0, NULL, &count), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_audit(NULL, NULL), ANNULUS_NULL_POINTER);
@@ -86,7 +86,7 @@ static void check_null(void) {
     annulus_destroy(&mesh);
     CHECK(mesh == NULL);
     annulus_destroy(&mesh);
-    CHECK_STATUS(annulus_settle(mesh, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_recompute_tolerances(mesh, NULL), ANNULUS_NULL_POINTER);
 }
 
 static void check_sizes_and_names(void) {
@@ -161,9 +161,9 @@ static void check_sizes_and_names(void) {
     CHECK_STATUS(annulus_tolerances(mesh, 0, NULL), ANNULUS_WRONG_SIZE);
     CHECK_STATUS(annulus_displacements(mesh, points - 1, x), ANNULUS_WRONG_SIZE);
     CHECK_STATUS(annulus_voronoi(mesh, points - 1, x, numbers), ANNULUS_WRONG_SIZE);
-    CHECK_STATUS(annulus_index_of_input(mesh, points - 1, numbers, &count), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_vertex_of_input(mesh, points - 1, numbers, &count), ANNULUS_WRONG_SIZE);
     CHECK(count == points);
-    CHECK_STATUS(annulus_index_of_input(mesh, 0, NULL, &count), ANNULUS_OK);
+    CHECK_STATUS(annulus_vertex_of_input(mesh, 0, NULL, &count), ANNULUS_OK);
     numbers[0] = -77;
     CHECK_STATUS(annulus_cells(mesh, points / 4, numbers, NULL, &count), ANNULUS_WRONG_SIZE);
     CHECK(count > points / 4 && numbers[0] == -77);
@@ -195,7 +195,7 @@ static void check_indices_and_positions(int dimension) {
     const size_t d = (size_t)dimension;
 
     CHECK(annulus_message_vertices(mesh, named) == 0 && named[0] == 77);
-    CHECK_STATUS(annulus_remove(mesh, 1, &bad[5], &count, NULL), ANNULUS_OK);  // 5 is vacant now
+    CHECK_STATUS(annulus_remove(mesh, 1, &bad[5], &count, NULL), ANNULUS_OK);  // 5 is free now
     CHECK(count == 1);
     CHECK_STATUS(annulus_points(mesh, points, before), ANNULUS_OK);
     CHECK(before[5 * d] != before[5 * d]);
@@ -225,14 +225,14 @@ static void check_indices_and_positions(int dimension) {
     x[3 * d] = far_out;
     CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_OUT_OF_DOMAIN);
     memcpy(x + 3 * d, x + 7 * d, d * sizeof *x);
-    CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_COLLISION);
+    CHECK_STATUS(annulus_move_all(mesh, points, x, NULL), ANNULUS_DUPLICATE_POINT);
     CHECK(annulus_message_vertices(mesh, named) == 2 && named[0] == 3 && named[1] == 7);
     CHECK_STATUS(annulus_create(&other, dimension, points, x, NULL), ANNULUS_NOT_FINITE);
     CHECK(annulus_message_vertices(NULL, named) == 1 && named[0] == 5);
-    CHECK_STATUS(annulus_create(&other, dimension, 2, origin, NULL), ANNULUS_COLLISION);
+    CHECK_STATUS(annulus_create(&other, dimension, 2, origin, NULL), ANNULUS_DUPLICATE_POINT);
     CHECK(annulus_message_vertices(NULL, named) == 2 && named[0] == 0 && named[1] == 1);
     indices[0] = 3;
-    CHECK_STATUS(annulus_move(mesh, 1, indices, x + 7 * d, NULL), ANNULUS_COLLISION);
+    CHECK_STATUS(annulus_move(mesh, 1, indices, x + 7 * d, NULL), ANNULUS_DUPLICATE_POINT);
     CHECK(annulus_message_vertices(mesh, named) == 2 && named[0] == 3 && named[1] == 7);
     CHECK(annulus_message_vertices(mesh, NULL) == 2);
     CHECK(annulus_message(mesh, text, sizeof text) > 0);
@@ -244,10 +244,10 @@ static void check_indices_and_positions(int dimension) {
     CHECK_STATUS(annulus_audit(mesh, &audit), ANNULUS_OK);
     CHECK(audit.delaunay == 1);
 
-    // The second of three is where a vertex is: the first stays, at the index that was vacant.
+    // The second of three is where a vertex is: the first stays, at the index that was free.
     x[0] = 3.5;
     memcpy(x + d, x + 7 * d, d * sizeof *x);
-    CHECK_STATUS(annulus_insert(mesh, 3, x, indices, &count, NULL), ANNULUS_COLLISION);
+    CHECK_STATUS(annulus_insert(mesh, 3, x, indices, &count, NULL), ANNULUS_DUPLICATE_POINT);
     CHECK(count == 1 && indices[0] == 5);
     CHECK(annulus_message_vertices(mesh, named) == 1 && named[0] == 7);
     CHECK_STATUS(annulus_vertex_count(mesh, &count), ANNULUS_OK);
@@ -275,7 +275,7 @@ static void check_environment(void) {
         CHECK_STATUS(annulus_move(mesh, 1, &index, x, NULL), ANNULUS_ENVIRONMENT);
         CHECK_STATUS(annulus_insert(mesh, 1, x, &index, NULL, NULL), ANNULUS_ENVIRONMENT);
         CHECK_STATUS(annulus_remove(mesh, 1, &index, NULL, NULL), ANNULUS_ENVIRONMENT);
-        CHECK_STATUS(annulus_settle(mesh, NULL), ANNULUS_ENVIRONMENT);
+        CHECK_STATUS(annulus_recompute_tolerances(mesh, NULL), ANNULUS_ENVIRONMENT);
         CHECK_STATUS(annulus_tolerances(mesh, points, lengths), ANNULUS_ENVIRONMENT);
         CHECK_STATUS(annulus_displacements(mesh, points, lengths), ANNULUS_ENVIRONMENT);
         CHECK_STATUS(annulus_voronoi(mesh, points, lengths, NULL), ANNULUS_ENVIRONMENT);
@@ -306,7 +306,7 @@ int main(void) {
     check_indices_and_positions(2);
     check_indices_and_positions(3);
     check_environment();
-    CHECK(strcmp(annulus_status_name(ANNULUS_COLLISION), "collision") == 0);
+    CHECK(strcmp(annulus_status_name(ANNULUS_DUPLICATE_POINT), "duplicate_point") == 0);
     CHECK(strcmp(annulus_status_name(-5), "unknown status") == 0);
     CHECK(annulus_interface() == ANNULUS_INTERFACE);
     CHECK(strlen(annulus_version()) >= 5);

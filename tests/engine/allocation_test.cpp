@@ -115,7 +115,7 @@ std::vector<Call<d>> calls() {
         {"insert", [=](Scene<d>& s) { s.dt->insert(point<d>(inside)); }},
         {"insert outside", [=](Scene<d>& s) { s.dt->insert(point<d>(outside)); }},
         {"remove", [=](Scene<d>& s) { s.dt->remove(v(s, removed)); }},
-        {"settle", [](Scene<d>& s) { (void)s.dt->settle(); }},
+        {"recompute_tolerances", [](Scene<d>& s) { (void)s.dt->recompute_tolerances(); }},
         {"tolerance", [=](Scene<d>& s) { (void)s.dt->tolerance(v(s, 5)); }, true},
         {"theta", [=](Scene<d>& s) { (void)s.dt->theta(v(s, 5)); }, true},
         {"measure", [](Scene<d>& s) { (void)s.dt->measure(); }, true},
@@ -181,7 +181,7 @@ std::string starve_at(std::uint64_t n, const Setting& setting, const Call<d>& ca
         if (memory == Memory::short_for_good && !call.is_const && !dt.audit().delaunay()) {
             (void)dt.measure();
             (void)dt.tolerance(dt.vertex(5));
-            (void)dt.settle();
+            (void)dt.recompute_tolerances();
         }
         if (!gone && cells_of<d>(dt) != cells) return "cells changed";
         if (const std::string words = fault(dt); !words.empty()) return words;

@@ -79,7 +79,7 @@ TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not na
                 list.put_new(expiry, ids);
             }
         }
-        RC_TAG(dry > 0 ? "tours" : "no tour");
+        RC_TAG(dry > 0 ? "star_walks" : "no tour");
     }));
 }
 

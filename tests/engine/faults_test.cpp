@@ -52,7 +52,7 @@ using Horizons_of = std::conditional_t<d != 0, Limits, void>;
 std::vector<std::uint64_t> numbers(const Move_report& r) {
     const auto& m = r.moves;
     return {m.asked,       m.within_tolerance,  m.kept_in_place,       m.flipped,
-            m.reinserted,  m.rebuilt,           r.evaluated,           r.tours,
+            m.reinserted,  m.rebuilt,           r.evaluated,           r.star_walks,
             r.flips,       r.arithmetic.filter, r.arithmetic.interval, r.arithmetic.exact,
             r.undone_flips};
 }
@@ -72,7 +72,7 @@ TEMPLATE_TEST_CASE_SIG("Moving everything to where it is changes nothing, whatev
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("A timestamp that paper-hybrid refuses does not switch it", "[faults]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("A time step that paper-hybrid refuses does not switch it", "[faults]", ((int d), d), 2, 3) {
     Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(60, 8)), with(Strategy::paper_hybrid));
     std::vector<Coordinates<d>> meeting(dt.positions().begin(), dt.positions().end());
     meeting[1] = meeting[0];

@@ -24,7 +24,7 @@ std::vector<Coordinates<Moving::d>> points_of(std::size_t n, Random& random) {
     return x;
 }
 
-/// A timestamp in which every vertex goes somewhere within `way`.
+/// A time step in which every vertex goes somewhere within `way`.
 template <class Moving>
 Move_report shake(Moving& dt, double way, Random& random) {
     std::vector<Coordinates<Moving::d>> x(dt.positions().begin(), dt.positions().end());
@@ -49,7 +49,7 @@ TEMPLATE_TEST_CASE("filter-each keeps tolerances while they pay", "[relocation]"
         REQUIRE(audit.delaunay());
     };
     for (int round = 2 - repeats(2); round < 2; ++round) {
-        // Fast: within a few timestamps nobody passes any more, because there is nothing to pass.
+        // Fast: within a few time steps nobody passes any more, because there is nothing to pass.
         Move_report report;
         for (int step = 0; step < 25; ++step) {
             report = shake(dt, 0.1, random);
@@ -57,7 +57,7 @@ TEMPLATE_TEST_CASE("filter-each keeps tolerances while they pay", "[relocation]"
             check();
         }
         CHECK(report.moves.within_tolerance == 0);
-        CHECK(report.tours == 0);
+        CHECK(report.star_walks == 0);
         // Who rests passes all the same.
         report = shake(dt, 0.0, random);
         CHECK(report.moves.within_tolerance == n);
@@ -88,7 +88,7 @@ TEMPLATE_TEST_CASE("filter-each keeps tolerances while they pay", "[relocation]"
     }
 }
 
-TEMPLATE_TEST_CASE("a timestamp of filter-each that fails leaves everything where it was", "[relocation]",
+TEMPLATE_TEST_CASE("a time step of filter-each that fails leaves everything where it was", "[relocation]",
                    Moving_delaunay_2, Moving_delaunay_3) {
     constexpr int d = TestType::d;
     Random random(1);

@@ -56,7 +56,7 @@ struct Session {
         : points(point_set(Family::uniform, 7, random)), filter(mesh, arguments...) {
         points[0] = {0.0, 0.0};
         mesh.build(points);
-        filter.settle(points, report);
+        filter.recompute_tolerances(points, report);
     }
     template <class Name>
     auto& operator[](Name) {

@@ -27,7 +27,7 @@ TEST_CASE("A vertex that crosses the hull does not leave a border that winds twi
     // Every triangle positive, every circle empty, every hull vertex convex, and yet the angle at one of them was
     // beyond 2 pi: the signs of theory 1 do not exclude a double cover after flips that jumped.
     holds_everywhere({{}, {{2, 8}, {1, 9}, {9, 7}, {15, 6}, {12, 0}}, {move(0, {15, 2})}});
-    holds_everywhere({{}, {{0, 3}, {5, 15}, {15, 8}, {10, 13}, {10, 14}}, {settle(), move(1, {5, 8})}});
+    holds_everywhere({{}, {{0, 3}, {5, 15}, {15, 8}, {10, 13}, {10, 14}}, {recompute_tolerances(), move(1, {5, 8})}});
 }
 
 TEST_CASE("A collision beyond the hull is noticed", "[finds]") {
@@ -39,7 +39,7 @@ TEST_CASE("Ring positions permuted into a pentagram leave no star that winds twi
     const std::vector<Position> ring{{100, 0}, {31, 95}, {-81, 59}, {-81, -59}, {31, -95}};
     std::vector<Position> points{ring[0], ring[1], ring[2], ring[3], ring[4], {0, 0}};
     const std::vector<Position> star{ring[0], ring[2], ring[4], ring[1], ring[3], {0, 0}};
-    holds_everywhere({{}, points, {move_all(star), move_all(points), settle(), move_all(star)}});
+    holds_everywhere({{}, points, {move_all(star), move_all(points), recompute_tolerances(), move_all(star)}});
     // The same inside a larger hull.
     const std::vector<Position> frame{{1000, 1000}, {-1000, 1000}, {-1000, -1000}, {1000, -1000}};
     std::vector<Position> framed_star = star;
@@ -48,14 +48,15 @@ TEST_CASE("Ring positions permuted into a pentagram leave no star that winds twi
     holds_everywhere({{}, points, {move_all(framed_star), move_all(points)}});
 }
 
-TEST_CASE("A timestamp refused by filter-each leaves fixed positions and tolerances", "[finds]") {
+TEST_CASE("A time step refused by filter-each leaves fixed positions and tolerances", "[finds]") {
     holds_everywhere({{}, {{2, 3}, {1, 1}, {4, 3}}, {move_all({{0, 0}, {68, 1000}, {68, 1000}})}});
-    holds_everywhere({{},
-                      {{0, 0}, {9, 0}, {0, 9}, {9, 9}, {4, 5}},
-                      {settle(), move(4, {4.125, 5}), move_all({{0, 0}, {9, 0}, {0, 9}, {9, 0}, {4, 5}})}});
+    holds_everywhere(
+        {{},
+         {{0, 0}, {9, 0}, {0, 9}, {9, 9}, {4, 5}},
+         {recompute_tolerances(), move(4, {4.125, 5}), move_all({{0, 0}, {9, 0}, {0, 9}, {9, 0}, {4, 5}})}});
 }
 
-TEST_CASE("A timestamp refused after the points became collinear on the way leaves all as it was", "[finds]") {
+TEST_CASE("A time step refused after the points became collinear on the way leaves all as it was", "[finds]") {
     holds_everywhere({{}, {{0, 0}, {1, 0}, {0, 1}, {3, 0}}, {move_all({{0, 0}, {1, 0}, {2, 0}, {1, 0}})}});
 }
 

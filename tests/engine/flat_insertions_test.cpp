@@ -106,7 +106,7 @@ TEMPLATE_TEST_CASE_SIG("Vertices come and go in a hyperplane, and into it and ou
                     there.push_back(dt.insert(point));
                 }
             } catch (const Error& e) {
-                REQUIRE(e.code() == Error_code::collision);
+                REQUIRE(e.code() == Error_code::duplicate_point);
             }
             const Audit_result verdict = dt.audit();
             INFO(verdict.first_fault);

@@ -75,7 +75,7 @@ TEMPLATE_TEST_CASE("Info stays with its vertex", "[relocation]", Moving_delaunay
                 christen(v, "come in step " + std::to_string(step));
                 check();
             }
-            dt.settle();
+            dt.recompute_tolerances();
             check();
             CHECK(dt.audit().delaunay());
         });

@@ -170,7 +170,7 @@ void come_and_go(std::uint64_t seed, Strategy strategy) {
                 living.push_back(insert<d>(object, p));
                 REQUIRE(!taken);
             } catch (const Error& e) {
-                REQUIRE(e.code() == Error_code::collision);
+                REQUIRE(e.code() == Error_code::duplicate_point);
                 REQUIRE(taken);
             }
         }
@@ -212,7 +212,7 @@ TEMPLATE_TEST_CASE_SIG("A lattice that is filled and thinned at random has the c
             try {
                 (void)insert<d>(object, p);
             } catch (const Error& e) {
-                REQUIRE(e.code() == Error_code::collision);
+                REQUIRE(e.code() == Error_code::duplicate_point);
                 ++refused;
             }
             if (step % 200 == 199) REQUIRE(fault_of<d>(object) == "");
@@ -250,7 +250,7 @@ TEMPLATE_TEST_CASE_SIG("Vertices go far, where others are or not, and the triang
                     (void)object.move(i, p);
                     REQUIRE(!taken);
                 } catch (const Error& e) {
-                    REQUIRE(e.code() == Error_code::collision);
+                    REQUIRE(e.code() == Error_code::duplicate_point);
                     REQUIRE(taken);
                 }
                 REQUIRE(fault_of<d>(object) == "");

@@ -38,9 +38,9 @@ TEMPLATE_TEST_CASE_SIG("A mesh whose call runs out of memory is as it was, and g
         {"insert", [=](auto& m) { (void)m.insert(inside); }},
         {"insert outside", [=](auto& m) { (void)m.insert(outside); }},
         {"remove", [](auto& m) { m.remove(12); }},
-        {"settle", [](auto& m) { (void)m.settle(); }}};
+        {"recompute_tolerances", [](auto& m) { (void)m.recompute_tolerances(); }}};
     for (const Strategy strategy : {Strategy::automatic, Strategy::filter, Strategy::filter_each, Strategy::relocate})
-        for (const int before : {0, 1, 4})  // timestamps
+        for (const int before : {0, 1, 4})  // time steps
             for (const Memory memory : {Memory::short_once, Memory::short_for_good})
                 for (const Call& call : calls) {
                     if (before == 4 && (strategy == Strategy::filter_each || strategy == Strategy::relocate)) continue;
@@ -59,7 +59,8 @@ TEMPLATE_TEST_CASE_SIG("A mesh whose call runs out of memory is as it was, and g
                         if (became == Starved::refused) {
                             const bool gone = std::string_view(call.name) == "remove" && !mesh.is_vertex(12);
                             REQUIRE(Points_d<d>(mesh.points().begin(), mesh.points().end()) == points);
-                            if (memory == Memory::short_for_good) (void)mesh.settle();  // there may have been no cells
+                            if (memory == Memory::short_for_good)
+                                (void)mesh.recompute_tolerances();  // there may have been no cells
                             if (!gone) REQUIRE(sorted_cells(mesh) == cells);
                             if (!gone) call.make(mesh);
                         }

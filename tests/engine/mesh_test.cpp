@@ -47,7 +47,7 @@ TEST_CASE("A few points of space whose region is everything are inserted all the
                 if (move % 3 == 2) (void)mesh.insert(place());
                 else (void)mesh.move(static_cast<Index>(random() % mesh.index_bound()), place());
             } catch (const Error& e) {
-                REQUIRE(e.code() == Error_code::collision);
+                REQUIRE(e.code() == Error_code::duplicate_point);
             }
         }
         INFO(seed);
@@ -74,7 +74,7 @@ TEMPLATE_TEST_CASE_SIG("An insertion that is refused leaves positions, their num
                     (void)mesh.insert(mesh.points()[k]);  // which is about to move, if there is not room for one more
                     FAIL("inserted");
                 } catch (const Error& e) {
-                    CHECK(e.code() == Error_code::collision);
+                    CHECK(e.code() == Error_code::duplicate_point);
                 }
                 CHECK(std::equal(x.begin(), x.end(), mesh.points().begin(), mesh.points().end()));
             };
@@ -87,12 +87,12 @@ TEMPLATE_TEST_CASE_SIG("An insertion that is refused leaves positions, their num
                 x.push_back(free);
             }
             mesh.remove(3);
-            x[3] = x[5];  // what is at a vacant index is nobody's business
+            x[3] = x[5];  // what is at a free index is nobody's business
             try {
                 (void)mesh.insert(x[7]);
                 FAIL("inserted");
             } catch (const Error& e) {
-                CHECK(e.code() == Error_code::collision);
+                CHECK(e.code() == Error_code::duplicate_point);
             }
             CHECK(mesh.index_bound() == x.size());
             CHECK(!mesh.is_vertex(3));
@@ -135,7 +135,7 @@ TEMPLATE_TEST_CASE_SIG(
             // A span into itself, over a place that a vertex is leaving.
             (void)mesh.move(std::vector<Index>{5, 4}, mesh.points().subspan(4, 2));
             CHECK(mesh.audit().first_fault == "");
-            // Half way a collision: nothing has moved.
+            // Half way a duplicate point: nothing has moved.
             const Points_d<d> here(mesh.points().begin(), mesh.points().end());
             const auto cells = sorted_cells(mesh);
             Coordinates<d> free = x[6];

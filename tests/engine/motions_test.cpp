@@ -123,7 +123,7 @@ TEMPLATE_TEST_CASE_SIG("Lattices that wander and return many times are still Del
             for (int i = 0, k = 1; i < paces; ++i, k += 50 / paces)
                 program.operations.push_back(Do::steady(Motion::there_and_back, d == 2 ? 16 : 6, std::ldexp(0.1, -k),
                                                         static_cast<std::uint64_t>(k)));
-            program.operations.push_back(Do::settle());
+            program.operations.push_back(Do::recompute_tolerances());
             holds(program);
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Timestamps in several threads. Not a part of the tests under ThreadSanitizer, which does not see how TBB's library,
+// Time steps in several threads. Not a part of the tests under ThreadSanitizer, which does not see how TBB's library,
 // built without it, hands a task to another thread, and calls that a race.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>

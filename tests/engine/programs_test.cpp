@@ -67,7 +67,7 @@ class Author {
             }
             case 10: return Do::insert_near(place());
             case 11: return Do::remove_some(someone());
-            case 12: return Do::settle();
+            case 12: return Do::recompute_tolerances();
             case 13: return Do::stay();
             case 14: return Do::refused(static_cast<Refusal>(number(refusals)), someone());
             case 15: return as_written();
@@ -117,8 +117,8 @@ void holds(const Program_of<d>& program) {
 bool reached_everything(const Coverage& c) {
     const Move_report& r = c.report;
     return r.moves.within_tolerance > 0 && r.moves.kept_in_place > 0 && r.moves.flipped > 0 && r.moves.reinserted > 0 &&
-           r.moves.rebuilt > 0 && r.undone_flips > 0 && r.tours > 0 && r.arithmetic.filter > 0 &&
-           r.arithmetic.interval > 0 && r.arithmetic.exact > 0 && c.switches > 0 && c.collisions() > 0;
+           r.moves.rebuilt > 0 && r.undone_flips > 0 && r.star_walks > 0 && r.arithmetic.filter > 0 &&
+           r.arithmetic.interval > 0 && r.arithmetic.exact > 0 && c.switches > 0 && c.duplicate_points() > 0;
 }
 
 }  // namespace
@@ -226,7 +226,7 @@ TEMPLATE_TEST_CASE_SIG("A few points grow to many and shrink to none, dimension"
                 }
                 for (std::size_t i = 0; i < points.size(); ++i) {
                     calls.push_back(Calls<d>::remove(static_cast<Index>(i)));
-                    if (random() % 3 == 0) calls.push_back(Calls<d>::settle());
+                    if (random() % 3 == 0) calls.push_back(Calls<d>::recompute_tolerances());
                 }
                 for (const auto& p : points) calls.push_back(Calls<d>::insert_near(p));
                 holds(program);
@@ -284,20 +284,21 @@ TEMPLATE_TEST_CASE_SIG("A failed call leaves everything as it was, with the righ
                             Calls<d>::refused(static_cast<Refusal>(why), static_cast<Index>(random() % 1000)));
                 };
                 all();
-                // Back to where another was: the whole timestamp fails although each vertex alone could go.
+                // Back to where another was: the whole time step fails although each vertex alone could go.
                 Points_of<d> elsewhere = points;
                 elsewhere[0] = elsewhere[1];
                 calls.push_back(Calls<d>::move_all(elsewhere));
                 calls.push_back(Calls<d>::remove_some(static_cast<Index>(random() % 1000)));
                 all();
                 calls.push_back(Calls<d>::move_most(points));
-                calls.push_back(Calls<d>::settle());
+                calls.push_back(Calls<d>::recompute_tolerances());
                 const std::string fault = run_and_shrink(program, 1, &coverage);
                 INFO(fault);
                 REQUIRE(fault.empty());
             });
-            for (const Error_code code : {Error_code::not_finite, Error_code::out_of_domain, Error_code::collision,
-                                          Error_code::wrong_size, Error_code::unknown_vertex})
+            for (const Error_code code :
+                 {Error_code::not_finite, Error_code::out_of_domain, Error_code::duplicate_point,
+                  Error_code::wrong_size, Error_code::unknown_vertex})
                 CHECK(coverage.refused[static_cast<std::size_t>(code)] > 0);
         }
     }

@@ -110,8 +110,8 @@ TEMPLATE_TEST_CASE_SIG("Scaling by a power of two scales the tolerances and chan
                         // The order in which CGAL names the cells around a vertex, and so the flips, is that of
                         // addresses.
                         CHECK(a.moves.within_tolerance == b.moves.within_tolerance);
-                        one.settle();
-                        other.settle();
+                        one.recompute_tolerances();
+                        other.recompute_tolerances();
                     }
                     CHECK(cells_of(one.triangulation()) == cells_of(other.triangulation()));
                     for (std::size_t i = 0; i < goal.size(); ++i) {
@@ -154,8 +154,8 @@ TEMPLATE_TEST_CASE_SIG("The order of the input changes nothing but the names, di
                     }
                     std::sort(expected.begin(), expected.end());
                     CHECK(cells_of(other.triangulation()) == expected);
-                    one.settle();
-                    other.settle();
+                    one.recompute_tolerances();
+                    other.recompute_tolerances();
                     for (std::size_t i = 0; i < n; ++i) {
                         const double s = one.tolerance(one.vertex(i));
                         CHECK(std::fabs(s - other.tolerance(other.vertex(name[i]))) <= closeness * s + 0x1p-1070);
@@ -240,15 +240,15 @@ TEMPLATE_TEST_CASE_SIG("Equal input points are merged on request, dimension", "[
         Moving_of<d> dt(points, options);
         const std::set<Coordinates<d>> distinct_ones(points.begin(), points.end());
         CHECK(dt.number_of_vertices() == distinct_ones.size());
-        REQUIRE(dt.index_of_input().size() == points.size());
+        REQUIRE(dt.vertex_of_input().size() == points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto v = dt.vertex(static_cast<std::size_t>(dt.index_of_input()[i]));
+            const auto v = dt.vertex(static_cast<std::size_t>(dt.vertex_of_input()[i]));
             CHECK(Space<d>::coordinates(v->point()) == points[i]);
         }
         CHECK(dt.audit().delaunay());
         // Each index is one vertex, from 0 on in the order in which places appear.
         Index next = 0;
-        for (const Index i : dt.index_of_input()) {
+        for (const Index i : dt.vertex_of_input()) {
             CHECK(i <= next);
             if (i == next) ++next;
         }

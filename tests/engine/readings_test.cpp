@@ -106,7 +106,7 @@ TEMPLATE_TEST_CASE_SIG("measure() and theta() are what definitions give, dimensi
         for (auto& p : x)
             for (double& c : p) c += 0x1p-9 * between(random, -1.0, 1.0);
         dt.move_all(x);
-        dt.settle();
+        dt.recompute_tolerances();
         const Measures m = dt.measure();
         REQUIRE(m.tolerance.size() == x.size());
         std::vector<double> widths;

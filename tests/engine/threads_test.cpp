@@ -45,7 +45,7 @@ std::vector<double> everything(const Moving& dt) {
     say(audit.degenerate_facets);
     for (const auto& cell : dt.audit_input().cells) say(cell[0]);
     say(dt.number_of_vertices());
-    say(dt.index_of_input().size());
+    say(dt.vertex_of_input().size());
     say(dt.options().seed);
     say(dt.strategy());
     say(dt.mesh().dimension());

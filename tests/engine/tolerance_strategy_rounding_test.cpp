@@ -171,7 +171,7 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
         Tolerance_strategy<2> filter(mesh);
         Move_report report;
         mesh.build(square);
-        filter.settle(square, report);
+        filter.recompute_tolerances(square, report);
         auto x = square;
         x[0] = moved;
         filter.move_all(x, report);
@@ -182,7 +182,7 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
         Paper_strategy<2> filter(mesh, Strategy::paper, Tolerance_kind::floating, 0U);
         Move_report report;
         mesh.build(square);
-        filter.settle(square, report);
+        filter.recompute_tolerances(square, report);
         filter.move(0, moved, report);
         CHECK(report.moves.within_tolerance == 0U);
     }

@@ -87,7 +87,7 @@ std::vector<Position> worst_targets(const Moving_delaunay_2& dt) {
     return std::set<Position>(x.begin(), x.end()).size() == x.size();
 }
 
-/// One timestamp, applied and checked: vertex i goes from x[i] to step(i, its worst target). False, with nothing
+/// One time step, applied and checked: vertex i goes from x[i] to step(i, its worst target). False, with nothing
 /// changed, when two would meet.
 template <class Step>
 bool drift(Session& session, std::vector<Position>& x, Step step) {
@@ -129,7 +129,7 @@ TEST_CASE("A settled tolerance is never above the exact one and within 0.2 % of 
                     session.check_settled_tolerances();
                     Random random(set.seed + 1);
                     session.apply(move_all(annulus::testing::point_set(set.family, set.points.size(), random)));
-                    session.apply(settle());
+                    session.apply(recompute_tolerances());
                     session.check_settled_tolerances();
                 });
             }));

@@ -211,7 +211,7 @@ TEST_CASE("points of a frame at one place are refused or merged", "[io][motion]"
     CHECK(plane.merged == 3);
     expect_fault(
         motion.name, 2, "in frame 3 the point of id 8 is where that of id 2 is (line 4)",
-        [&](const auto&) { (void)points_of<3>(motion.name, frame, Coincident::refuse); }, Error_code::collision);
+        [&](const auto&) { (void)points_of<3>(motion.name, frame, Coincident::refuse); }, Error_code::duplicate_point);
     const Recorded_motion far = accept("a.csv", "frame,id,x,y\n3,8,0,0\n3,5,1e200,1\n");
     expect_fault(
         far.name, 3, "out of domain",

@@ -319,8 +319,9 @@ TEST_CASE("a message stays on one line whatever the file and its name hold") {
 
 TEST_CASE("faults found later name the line of the point") {
     const auto file = accept<2>("a.xyz", "1 2\n\n3 4\n");
-    const Input_error error = file.fault(1, Error_code::collision, "lies where another point lies", "distinct points");
+    const Input_error error =
+        file.fault(1, Error_code::duplicate_point, "lies where another point lies", "distinct points");
     CHECK(error.line() == 3);
-    CHECK(error.code() == Error_code::collision);
+    CHECK(error.code() == Error_code::duplicate_point);
     CHECK(std::string(error.what()) == file.name + ":3: lies where another point lies; expected distinct points");
 }

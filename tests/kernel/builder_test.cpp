@@ -111,7 +111,7 @@ TEMPLATE_TEST_CASE_SIG("The kernel names two points at one place, dimension", "[
         (void)builder.build(x, order);
         FAIL("two points at one place");
     } catch (const Error& e) {
-        CHECK(e.code() == Error_code::collision);
+        CHECK(e.code() == Error_code::duplicate_point);
         CHECK(std::vector(e.vertices().begin(), e.vertices().end()) == std::vector<std::int64_t>{17, 120});
     }
     check<d>(builder, good);  // its buffers are none the worse

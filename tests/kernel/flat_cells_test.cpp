@@ -129,7 +129,7 @@ TEMPLATE_TEST_CASE_SIG("Points on a line have the segments between neighbours, d
         require_distinct<d>(x, all_of(x.size()));
         FAIL("two points at one place");
     } catch (const Error& e) {
-        CHECK(e.code() == Error_code::collision);
+        CHECK(e.code() == Error_code::duplicate_point);
         CHECK(std::vector(e.vertices().begin(), e.vertices().end()) == std::vector<std::int64_t>{2, 6});
     }
 }

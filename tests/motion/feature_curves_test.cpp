@@ -193,7 +193,7 @@ TEST_CASE("places are those of points, whatever their order", "[motion][features
     std::reverse(place.begin(), place.end());
     CHECK(sharp.places(points, 1e-9) == place);
     const Coordinates<3> settled = points[1];  // 1e-12 off
-    sharp.settle(points, 1e-9);
+    sharp.recompute_tolerances(points, 1e-9);
     CHECK(settled[2] != 0.6);
     CHECK(points[1][0] == Approx(0.2));
     CHECK(points[1][1] == 0.8);

@@ -176,7 +176,7 @@ TEST_CASE("few, collinear, cocircular, vacant and outside points work", "[motion
     for (const auto& p : Points{{3, 4}, {4, 3}, {5, 0}, {4, -3}, {3, -4}, {0, -5}, {-3, -4}, {-5, 0}, {-3, 4}, {0, 5}})
         ring.push_back({p[0] / 4, p[1] / 4});
     for (const auto& p : targets(disc, ring)) CHECK(std::isfinite(p[0]));
-    // Vacant: index 1 has no neighbours.
+    // Free: index 1 has no neighbours.
     Neighbours_2 neighbours = neighbours_of({{-1, 0}, {1, 0}});
     neighbours.begin = {0, 1, 1, 2};
     neighbours.vertex = {2, 0};

@@ -458,7 +458,7 @@ TEST_CASE("vertices on sharp edges stay on them, and corners where they are", "[
         const Surface_3 surface(s);
         auto sharp = std::make_shared<const Feature_curves>(s, 30);
         Points points = initial_mesh(surface, Sizing_3(surface), 400, 1, sharp.get());
-        sharp->settle(points, rounding_of(surface));
+        sharp->recompute_tolerances(points, rounding_of(surface));
         const std::vector<Feature_curves::Place> place = sharp->places(points, rounding_of(surface));
         // Mesh_3 spaces them evenly.
         const Points noise = random_points(points.size(), 3);

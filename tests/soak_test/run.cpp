@@ -83,7 +83,7 @@ class Runner {
         outcome_.flips += report.flips;
     }
 
-    /// What stands at a vacant index means nothing.
+    /// What stands at a free index means nothing.
     [[nodiscard]] Places asked_for() {
         Places x = motion_.positions();
         for (std::size_t i = 0; i < x.size(); ++i)
@@ -101,12 +101,12 @@ class Runner {
     void step() {
         motion_.advance();
         ++outcome_.steps;
-        const Places x = vacant_.empty() ? motion_.positions() : asked_for();
+        const Places x = free_indices_.empty() ? motion_.positions() : asked_for();
         if (singly() && step_singly(x)) return;
         try {
             count(dt_.move_all(x), dt_.number_of_vertices());
         } catch (const Error& e) {
-            if (e.code() != Error_code::collision || !collides(x)) throw;
+            if (e.code() != Error_code::duplicate_point || !collides(x)) throw;
             ++outcome_.refused;
             return;
         }
@@ -130,7 +130,7 @@ class Runner {
         } catch (const Error& e) {
             Places x = expected_;
             x[i] = p;
-            if (e.code() != Error_code::collision || !collides(x)) throw;
+            if (e.code() != Error_code::duplicate_point || !collides(x)) throw;
             ++outcome_.refused;
         }
     }
@@ -138,14 +138,14 @@ class Runner {
     void call_in_between() {
         const std::size_t i = calls_() % expected_.size();
         switch (calls_() % 8) {
-            case 0: count(dt_.settle(), 0); break;
+            case 0: count(dt_.recompute_tolerances(), 0); break;
             case 1:
             case 2:
                 // Far below the size that it began with, and never to nothing.
                 if (!live_[i] || dt_.number_of_vertices() < 8) break;
                 dt_.remove(handles_[i]);
                 live_[i] = false;
-                vacant_.push_back(i);
+                free_indices_.push_back(i);
                 break;
             case 3:
             case 4:
@@ -158,8 +158,8 @@ class Runner {
     }
 
     void insert() {
-        if (vacant_.empty()) return;
-        const std::size_t i = vacant_.back();  // the next insertion takes the index vacated last
+        if (free_indices_.empty()) return;
+        const std::size_t i = free_indices_.back();  // the next insertion takes the index freed last
         const Coordinates<d> p = motion_.renew(i);
         try {
             handles_[i] = dt_.insert(Space<d>::point(p));
@@ -167,13 +167,13 @@ class Runner {
             Places x = expected_;
             x[i] = p;
             live_[i] = true;
-            const bool rightly = e.code() == Error_code::collision && collides(x);
+            const bool rightly = e.code() == Error_code::duplicate_point && collides(x);
             live_[i] = false;
             if (!rightly) throw;
             ++outcome_.refused;
             return;
         }
-        vacant_.pop_back();
+        free_indices_.pop_back();
         live_[i] = true;
         expected_[i] = p;
         if (dt_.index(handles_[i]) != static_cast<Index>(i)) throw Fault{"an insertion took another index"};
@@ -186,7 +186,7 @@ class Runner {
         while (other == i || !live_[other]) ++other;
         Places x = expected_;
         x[i] = x[other];
-        refused_move_all(x, Error_code::collision);
+        refused_move_all(x, Error_code::duplicate_point);
         x[i].fill(std::numeric_limits<double>::quiet_NaN());
         refused_move_all(x, Error_code::not_finite);
     }
@@ -245,7 +245,7 @@ class Runner {
     Moving dt_;
     Places expected_;
     std::vector<bool> live_;
-    std::vector<std::size_t> vacant_;
+    std::vector<std::size_t> free_indices_;
     std::vector<Handle> handles_;
     Outcome outcome_;
 };

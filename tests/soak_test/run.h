@@ -38,7 +38,8 @@ struct Case {
     std::uint64_t seed = 1;
     std::uint64_t steps = 0;
     std::size_t points = 0;
-    bool calls = false;        ///< insertions, removals, single moves and settle() in between, and refused calls
+    bool calls =
+        false;  ///< insertions, removals, single moves and recompute_tolerances() in between, and refused calls
     std::uint64_t audits = 0;  ///< how often it is looked at in all
 
     [[nodiscard]] std::string name() const;
@@ -47,7 +48,7 @@ struct Case {
 struct Outcome {
     std::uint64_t steps = 0;
     std::uint64_t audits = 0;
-    std::uint64_t refused = 0;  ///< collisions that the motion brought about, rightly refused
+    std::uint64_t refused = 0;  ///< duplicate points that the motion brought about, rightly refused
     std::uint64_t asked = 0;
     std::uint64_t within = 0;
     std::uint64_t flips = 0;

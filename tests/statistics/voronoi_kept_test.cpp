@@ -100,10 +100,10 @@ void change(Moving_mesh<d>& mesh, Random& random) {
             case 7:
                 if (mesh.number_of_vertices() > 1) mesh.remove(any_vertex(mesh, random));
                 break;
-            default: mesh.settle(); break;
+            default: mesh.recompute_tolerances(); break;
         }
     } catch (const Error& e) {
-        REQUIRE(e.code() == Error_code::collision);
+        REQUIRE(e.code() == Error_code::duplicate_point);
     }
 }
 
@@ -256,7 +256,7 @@ TEMPLATE_TEST_CASE_SIG(
                         if (mesh.dimension() < 0) {  // there was no memory for cells, either
                             REQUIRE_THROWS_AS(mesh.voronoi_volumes(), std::bad_alloc);
                             refused = true;
-                            (void)mesh.settle();
+                            (void)mesh.recompute_tolerances();
                         }
                         require_fresh(mesh);
                         (void)mesh.move(9, near<d>(x[9], 0.02, random));

@@ -82,7 +82,7 @@ struct Undone {
 };
 
 /// Settled tolerances against the worst moves, certificate by certificate and all at once. No vertex index may be
-/// vacant.
+/// free.
 template <class Moving, class Points>
 void check_worst_moves(const Points& x, const Options& options, Undone& undone) {
     constexpr int d = Moving::dimension_of_space;

@@ -15,16 +15,16 @@ namespace annulus {
 
 /// What went wrong. Every exception the library throws on purpose is an `annulus::Error` with one of these.
 enum class Error_code {
-    not_finite,      ///< a coordinate is NaN or infinite
-    out_of_domain,   ///< a coordinate is outside the coordinate domain (see domain.h)
-    collision,       ///< two vertices would share a position
-    too_few,         ///< an operation needs more points than there are
-    wrong_size,      ///< a range has not one position for every index
-    unknown_vertex,  ///< an index or handle that names no vertex
-    environment,     ///< the floating-point environment is not the one the proofs assume
-    usage,           ///< options that do not fit together
-    too_large,       ///< more vertices or cells than indices can name (limits.h)
-    bad_input,       ///< a file that cannot be read or does not say what it should
+    not_finite,       ///< a coordinate is NaN or infinite
+    out_of_domain,    ///< a coordinate is outside the coordinate domain (see domain.h)
+    duplicate_point,  ///< two vertices would share a position
+    too_few,          ///< an operation needs more points than there are
+    wrong_size,       ///< a range has not one position for every index
+    unknown_vertex,   ///< an index or handle that names no vertex
+    environment,      ///< the floating-point environment is not the one the proofs assume
+    usage,            ///< options that do not fit together
+    too_large,        ///< more vertices or cells than indices can name (limits.h)
+    bad_input,        ///< a file that cannot be read or does not say what it should
 };
 
 /// The one exception type of annulus. The object a failed call was made on is as it was before the call.
@@ -39,9 +39,9 @@ class Error : public std::runtime_error {
     }
     /// The reason as a value; `what()` has it in words.
     [[nodiscard]] Error_code code() const noexcept { return code_; }
-    /// Indices of the vertices concerned, as far as they are known. Of a collision both, the smaller one first: in a
-    /// construction those of the points in the input, in an insertion the one vertex that is there already. Else the
-    /// vertex whose position or index is refused.
+    /// Indices of the vertices concerned, as far as they are known. Of a duplicate point both, the smaller one first:
+    /// in a construction those of the points in the input, in an insertion the one vertex that is there already. Else
+    /// the vertex whose position or index is refused.
     [[nodiscard]] std::span<const std::int64_t> vertices() const noexcept { return {vertices_.data(), count_}; }
 
   private:

@@ -32,7 +32,7 @@ class Mesh_of final : public Any_mesh {
     bool is_vertex(Index i) const override { return mesh_.is_vertex(i); }
     Strategy strategy() const override { return mesh_.strategy(); }
     const Options& options() const override { return mesh_.options(); }
-    std::span<const Index> index_of_input() const override { return mesh_.index_of_input(); }
+    std::span<const Index> vertex_of_input() const override { return mesh_.vertex_of_input(); }
 
     Move_report move_all(const double* x, std::size_t points) override {
         cells_.reset();
@@ -54,9 +54,9 @@ class Mesh_of final : public Any_mesh {
         cells_.reset();
         mesh_.remove(i, &report);
     }
-    Move_report settle() override {
+    Move_report recompute_tolerances() override {
         cells_.reset();
-        return mesh_.settle();
+        return mesh_.recompute_tolerances();
     }
 
     void points(double* x) const override {

@@ -33,7 +33,7 @@ class Any_mesh {
     [[nodiscard]] virtual bool is_vertex(Index i) const = 0;
     [[nodiscard]] virtual Strategy strategy() const = 0;
     [[nodiscard]] virtual const Options& options() const = 0;
-    [[nodiscard]] virtual std::span<const Index> index_of_input() const = 0;
+    [[nodiscard]] virtual std::span<const Index> vertex_of_input() const = 0;
 
     virtual Move_report move_all(const double* x, std::size_t points) = 0;
     virtual Move_report move(std::span<const Index> indices, const double* x) = 0;
@@ -41,7 +41,7 @@ class Any_mesh {
     virtual void require_positions(const double* x, std::size_t points) const = 0;
     virtual Index insert(const double* x, Move_report& report) = 0;
     virtual void remove(Index i, Move_report& report) = 0;
-    virtual Move_report settle() = 0;
+    virtual Move_report recompute_tolerances() = 0;
 
     virtual void points(double* x) const = 0;
     virtual void tolerances(double* lengths) const = 0;

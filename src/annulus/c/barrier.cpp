@@ -16,7 +16,7 @@ annulus_status status_of(Error_code code) noexcept {
     switch (code) {
         case Error_code::not_finite: return ANNULUS_NOT_FINITE;
         case Error_code::out_of_domain: return ANNULUS_OUT_OF_DOMAIN;
-        case Error_code::collision: return ANNULUS_COLLISION;
+        case Error_code::duplicate_point: return ANNULUS_DUPLICATE_POINT;
         case Error_code::wrong_size: return ANNULUS_WRONG_SIZE;
         case Error_code::unknown_vertex: return ANNULUS_UNKNOWN_VERTEX;
         case Error_code::environment: return ANNULUS_ENVIRONMENT;

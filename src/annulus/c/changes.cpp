@@ -128,11 +128,11 @@ int annulus_remove(annulus_mesh* mesh, size_t count, const int32_t* indices, siz
     });
 }
 
-int annulus_settle(annulus_mesh* mesh, annulus_report* report) {
+int annulus_recompute_tolerances(annulus_mesh* mesh, annulus_report* report) {
     return guarded(mesh, [&](annulus_mesh& m) {
         require_report(report);
         require_sound_environment();
-        Move_report done = m.mesh->settle();
+        Move_report done = m.mesh->recompute_tolerances();
         hand_over(m, done, report);
     });
 }

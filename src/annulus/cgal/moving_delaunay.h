@@ -20,14 +20,14 @@ namespace annulus {
 /// positions of its vertices after every call, proved. Not thread-safe; const members may run concurrently.
 ///
 /// Vertices have an index in input order and a CGAL handle; no move, whatever the strategy, invalidates either.
-/// Removing a vertex leaves its index vacant; the next insertion takes the index vacated last.
+/// Removing a vertex leaves its index free; the next insertion takes the index freed last.
 ///
 /// The strategies work on arrays. CGAL's object is a copy of them which triangulation(), vertex() and audit() bring
 /// up to date before they return, for what has changed since; a program that never calls them pays nothing for it. So
 /// ask for triangulation() after a change, also to read the points of handles: a reference of before shows what was
 /// asked for last.
 ///
-/// Errors are annulus::Error; the object is as it was before the call that threw, except that after a collision
+/// Errors are annulus::Error; the object is as it was before the call that threw, except that after a duplicate point
 /// tolerances may have been computed anew and measured from other fixed positions. Every function that takes a handle
 /// throws unknown_vertex for a null one, the vertex at infinity, and a vertex of another triangulation. The handle of
 /// a vertex that was removed dangles and must not be used. too_large: the triangulation would have, or had for a
@@ -35,8 +35,8 @@ namespace annulus {
 ///
 /// When memory runs out (std::bad_alloc) positions, indices and handles are as they were, but for `remove`, which
 /// says what holds, and the triangulation is built anew there before the exception goes on. Should even that fail,
-/// there are no cells (an audit says so) until a later call that changes something, settle() for one, has built them.
-/// GMP's allocation functions abort the process when they get nothing unless the program sets others
+/// there are no cells (an audit says so) until a later call that changes something, recompute_tolerances() for one, has
+/// built them. GMP's allocation functions abort the process when they get nothing unless the program sets others
 /// (mp_set_memory_functions); so may CGAL's Mpzf, in predicates of coordinates that are hundreds of bits apart.
 template <class View>
 class Moving_delaunay {
@@ -51,7 +51,7 @@ class Moving_delaunay {
         : Moving_delaunay(std::span<const Coordinates<d>>{}, options) {}
 
     /// Builds from CGAL points; vertex(i) is the i-th. O(n log n).
-    /// Throws not_finite, out_of_domain, collision (unless options.merge_duplicates), environment.
+    /// Throws not_finite, out_of_domain, duplicate_point (unless options.merge_duplicates), environment.
     template <std::input_iterator It>
     requires std::is_convertible_v<typename std::iterator_traits<It>::value_type, Point> Moving_delaunay(
         It first, It last, const Options& options = {})
@@ -72,7 +72,7 @@ class Moving_delaunay {
     Moving_delaunay(const Moving_delaunay&) = delete;
     Moving_delaunay& operator=(const Moving_delaunay&) = delete;
 
-    /// Moves one vertex. Expected O(degree) for a short way. Throws not_finite, out_of_domain, collision,
+    /// Moves one vertex. Expected O(degree) for a short way. Throws not_finite, out_of_domain, duplicate_point,
     /// unknown_vertex.
     Move_report move(Vertex_handle v, const Point& p) { return move(index(v), View::coordinates(p)); }
     Move_report move(Index i, const Coordinates<d>& p) {
@@ -107,9 +107,9 @@ class Moving_delaunay {
         return move(indices, points);
     }
 
-    /// Moves every vertex: points[i] is the new position of vertex i; what stands at a vacant index is ignored.
+    /// Moves every vertex: points[i] is the new position of vertex i; what stands at a free index is ignored.
     /// O(n) with a small constant when few tolerances fail. Throws wrong_size unless there are index_bound() points,
-    /// not_finite, out_of_domain, collision.
+    /// not_finite, out_of_domain, duplicate_point.
     Move_report move_all(std::span<const Coordinates<d>> points) {
         view_->invalidate();
         return engine_->move_all(points);
@@ -120,7 +120,7 @@ class Moving_delaunay {
         return move_all(std::span<const Coordinates<d>>(coordinates(std::begin(points), std::end(points))));
     }
 
-    /// Inserts a vertex. Throws not_finite, out_of_domain, collision.
+    /// Inserts a vertex. Throws not_finite, out_of_domain, duplicate_point.
     Vertex_handle insert(const Point& p, Move_report* report = nullptr) {
         Move_report done;
         invalidate({});
@@ -135,8 +135,8 @@ class Moving_delaunay {
         if (report) *report = std::move(done);
         return view_->adopt(i, positions()[at(i)]);
     }
-    /// Removes a vertex; its handle dies, its index is vacant. Throws unknown_vertex. When memory runs out the vertex
-    /// may be gone: then vertex(i) is null at its index, the last one vacated, and everything else is right.
+    /// Removes a vertex; its handle dies, its index is free. Throws unknown_vertex. When memory runs out the vertex
+    /// may be gone: then vertex(i) is null at its index, the last one freed, and everything else is right.
     void remove(Vertex_handle v, Move_report* report = nullptr) {
         Move_report done;
         const Index i = index(v);
@@ -151,11 +151,11 @@ class Moving_delaunay {
         if (report) *report = std::move(done);
     }
     /// Makes every fixed position the moving one and every tolerance fresh. O(n). With tolerances that are not
-    /// certified two vertices may have come to one place unnoticed; then it throws collision, as insert and remove
-    /// do, until one of them has moved away.
-    Move_report settle() {
+    /// certified two vertices may have come to one place unnoticed; then it throws duplicate_point, as insert and
+    /// remove do, until one of them has moved away.
+    Move_report recompute_tolerances() {
         view_->invalidate();
-        return engine_->settle();
+        return engine_->recompute_tolerances();
     }
 
     /// CGAL's object; its points are the positions and it is Delaunay. With tolerances that are not certified its
@@ -163,9 +163,9 @@ class Moving_delaunay {
     /// that have moved since it was asked for last. Throws bad_alloc.
     [[nodiscard]] const Triangulation& triangulation() const { return view_->update(engine_->delaunay_positions()); }
     [[nodiscard]] std::size_t number_of_vertices() const { return mesh_->vertices(); }
-    /// One more than the largest index in use or vacant: the number of points move_all takes.
+    /// One more than the largest index in use or free: the number of points move_all takes.
     [[nodiscard]] std::size_t index_bound() const { return engine_->index_bound(); }
-    /// Null for a vacant index. O(1) after triangulation(). Throws unknown_vertex beyond index_bound().
+    /// Null for a free index. O(1) after triangulation(). Throws unknown_vertex beyond index_bound().
     [[nodiscard]] Vertex_handle vertex(std::size_t i) const {
         if (i >= index_bound())
             throw Error(Error_code::unknown_vertex, "no vertex has index " + std::to_string(i),
@@ -181,16 +181,16 @@ class Moving_delaunay {
         return i;
     }
     /// Vertex index of every input point; differs from 0, 1, 2 ... only where duplicates were merged.
-    [[nodiscard]] std::span<const Index> index_of_input() const { return engine_->index_of_input(); }
+    [[nodiscard]] std::span<const Index> vertex_of_input() const { return engine_->vertex_of_input(); }
 
     [[nodiscard]] Point position(Vertex_handle v) const { return View::point(positions()[at(index(v))]); }
-    /// Positions by index; vacant entries are unspecified.
+    /// Positions by index; free entries are unspecified.
     [[nodiscard]] std::span<const Coordinates<d>> positions() const { return engine_->positions(); }
     /// Where D is measured from; the position itself for strategies without tolerances.
     [[nodiscard]] Point fixed_position(Vertex_handle v) const { return View::point(engine_->fixed_position(index(v))); }
     /// How far v may be from its fixed position while every other vertex is within its own tolerance of its own: a
-    /// certified lower bound with Tolerance_kind::certified. After settle() (and always for strategies that keep no
-    /// tolerances) the least tolerance of the certificates of v.
+    /// certified lower bound with Tolerance_kind::certified. After recompute_tolerances() (and always for strategies
+    /// that keep no tolerances) the least tolerance of the certificates of v.
     [[nodiscard]] double tolerance(Vertex_handle v) const { return engine_->tolerance(index(v)); }
     /// Upper bound of |position - fixed position|.
     [[nodiscard]] double displacement(Vertex_handle v) const { return engine_->displacement(index(v)); }
@@ -216,7 +216,7 @@ class Moving_delaunay {
         if (!object.first_fault.empty()) result.first_fault = std::move(object.first_fault);
         return result;
     }
-    /// The finite cells and the present positions, vacant indices squeezed out.
+    /// The finite cells and the present positions, free indices squeezed out.
     [[nodiscard]] Audit_input<d> audit_input() const { return engine_->audit_input(); }
 
     [[nodiscard]] const Options& options() const { return engine_->options(); }

@@ -50,7 +50,7 @@ class Cgal_view {
         state_.current = false;
     }
 
-    /// Null for a vacant index.
+    /// Null for a free index.
     [[nodiscard]] Vertex_handle handle(Index v) const { return handle_[at(v)]; }
     /// Makes a vertex for adopt() to take or drop_reserved() to remove. Throws bad_alloc, with nothing changed.
     void reserve_vertex();
@@ -100,7 +100,7 @@ class Cgal_view {
 
     Delaunay_mesh<d>& mesh_;
     mutable Triangulation tr_;
-    std::vector<Vertex_handle> handle_;  // by vertex; default for a vacant index
+    std::vector<Vertex_handle> handle_;  // by vertex; default for a free index
     Vertex_handle spare_;                // of reserve_vertex()
     mutable By_cell<Cell_handle> cell_;  // by cell of the mesh
     mutable Dirty_cells dirty_cells_;

@@ -113,10 +113,10 @@ int compare(const Compare_call& a, const Invocation& invocation, Guided_motion<M
     std::optional<Picture> before;
     if (files) before = motion.picture(trackers[0].triangulation(), "Before");
 
-    // Some consecutive timestamps are recorded, so that each strategy follows them without the others (and the
+    // Some consecutive time steps are recorded, so that each strategy follows them without the others (and the
     // motion) using up its caches between two steps.
     constexpr std::size_t recording_bytes = std::size_t{256} << 20;
-    std::vector<Timestamp<d>> block;
+    std::vector<Time_step<d>> block;
     std::optional<Interruption_guard> guard;
     if (files) guard.emplace();
     bool stopped = false, ended = motion.at_end();
@@ -137,7 +137,7 @@ int compare(const Compare_call& a, const Invocation& invocation, Guided_motion<M
         for (std::size_t t = 0; t < trackers.size(); ++t) {
             if (ended) trackers[t].ends_after(done_steps + now);
             for (std::size_t k = 0; k < now && !stopped; ++k) {
-                const Timestamp<d>& s = block[k];
+                const Time_step<d>& s = block[k];
                 if (s.leave.empty() && s.arrive.empty()) trackers[t].step(s.x, s.seconds, s.way.mean, s.way.max);
                 else (void)trackers[t].follow(s.leave, s.x, s.arrive, s.seconds, s.way.mean, s.way.max);
                 progress->show(done_steps * strategies + t * now + k + 1, a.strategies[t]);

@@ -15,7 +15,7 @@ Guided_lloyd::Guided_lloyd(const Lloyd_arguments& arguments, const Common_argume
     common.say_notes(scene_.input.warnings);
 }
 
-bool Guided_lloyd::next(Timestamp<2>& t) {
+bool Guided_lloyd::next(Time_step<2>& t) {
     const auto start = Clock::now();
     t.x.resize(scene_.points.size());
     if (cells_changed_) read_stars(guide_, stars_);
@@ -39,7 +39,7 @@ Guided_replay<Moving>::Guided_replay(Replayed_frames<d>& frames) : frames_(frame
 }
 
 template <class Moving>
-bool Guided_replay<Moving>::next(Timestamp<d>& t) {
+bool Guided_replay<Moving>::next(Time_step<d>& t) {
     if (!frames_.next(frame_)) return false;
     Frame_change<d> change(present_, x_, frame_);
     t.leave = std::move(change.leave);
@@ -47,16 +47,16 @@ bool Guided_replay<Moving>::next(Timestamp<d>& t) {
     t.arrive = std::move(change.arrive);
     t.way = {change.mean(), change.max};
     x_ = t.x;
-    vacant_.insert(vacant_.end(), t.leave.begin(), t.leave.end());
+    free_indices_.insert(free_indices_.end(), t.leave.begin(), t.leave.end());
     auto arriving = t.arrive.begin();
     for (Index& index : change.index) {
         if (index != none) continue;
         index = static_cast<Index>(x_.size());
-        if (vacant_.empty()) {
+        if (free_indices_.empty()) {
             x_.emplace_back();
         } else {
-            index = vacant_.back();
-            vacant_.pop_back();
+            index = free_indices_.back();
+            free_indices_.pop_back();
         }
         x_[static_cast<std::size_t>(index)] = *arriving++;
     }

@@ -20,9 +20,9 @@ struct Way {
     double mean = 0, max = 0;
 };
 
-/// One timestamp: who leaves, where the others go, by index, and who arrives then.
+/// One time step: who leaves, where the others go, by index, and who arrives then.
 template <int d>
-struct Timestamp {
+struct Time_step {
     std::vector<Index> leave{};
     std::vector<Coordinates<d>> x{}, arrive{};
     Way way{};
@@ -31,7 +31,7 @@ struct Timestamp {
     [[nodiscard]] std::size_t bytes() const { return (x.size() + arrive.size()) * sizeof(Coordinates<d>); }
 };
 
-/// A motion that strategies follow: where its vertices begin, and its timestamps.
+/// A motion that strategies follow: where its vertices begin, and its time steps.
 template <class Moving_>
 class Guided_motion {
   public:
@@ -43,8 +43,8 @@ class Guided_motion {
     [[nodiscard]] virtual const std::vector<Coordinates<d>>& points() const = 0;
     /// The unit of lengths.
     [[nodiscard]] virtual double spacing() const = 0;
-    /// The next timestamp; false where there is none.
-    virtual bool next(Timestamp<d>& t) = 0;
+    /// The next time step; false where there is none.
+    virtual bool next(Time_step<d>& t) = 0;
     [[nodiscard]] virtual bool at_end() { return false; }
     /// Of one of the triangulations that follow it.
     [[nodiscard]] virtual Picture picture(const Moving& dt, std::string caption) const = 0;
@@ -58,7 +58,7 @@ class Guided_lloyd final : public Guided_motion<Moving_mesh_2> {
     [[nodiscard]] const char* step_name() const override { return "Lloyd iteration"; }
     [[nodiscard]] const std::vector<Coordinates<2>>& points() const override { return scene_.points; }
     [[nodiscard]] double spacing() const override { return scene_.spacing(); }
-    bool next(Timestamp<2>& t) override;
+    bool next(Time_step<2>& t) override;
     [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const override;
     /// The triangulation of its own.
     [[nodiscard]] const Moving& guide() const { return guide_; }
@@ -74,7 +74,7 @@ class Guided_lloyd final : public Guided_motion<Moving_mesh_2> {
     bool cells_changed_ = true;
 };
 
-/// A recorded motion, which needs no triangulation: who inserts gets the index that was vacated last, or a new one.
+/// A recorded motion, which needs no triangulation: who inserts gets the index that was freed last, or a new one.
 template <class Moving>
 class Guided_replay final : public Guided_motion<Moving> {
   public:
@@ -85,7 +85,7 @@ class Guided_replay final : public Guided_motion<Moving> {
     [[nodiscard]] const char* step_name() const override { return "step"; }
     [[nodiscard]] const std::vector<Coordinates<d>>& points() const override { return x_; }
     [[nodiscard]] double spacing() const override { return frames_.spacing(); }
-    bool next(Timestamp<d>& t) override;
+    bool next(Time_step<d>& t) override;
     [[nodiscard]] bool at_end() override { return frames_.at_end(); }
     [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const override {
         return picture_of(dt, std::move(caption));
@@ -96,7 +96,7 @@ class Guided_replay final : public Guided_motion<Moving> {
     Frame_points<d> frame_;
     Present present_;
     std::vector<Coordinates<d>> x_;
-    std::vector<Index> vacant_;
+    std::vector<Index> free_indices_;
 };
 
 extern template class Guided_replay<Moving_mesh_2>;

@@ -16,7 +16,7 @@ Guided_nodt::Guided_nodt(const Nodt_arguments& arguments, const Common_arguments
     axis_ = mesh_.shortest_side();
 }
 
-bool Guided_nodt::next(Timestamp<3>& t) {
+bool Guided_nodt::next(Time_step<3>& t) {
     const auto start = Clock::now();
     t.x.resize(scene_.points.size());
     read_mesh();

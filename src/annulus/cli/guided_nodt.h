@@ -18,7 +18,7 @@ class Guided_nodt final : public Guided_motion<Moving_mesh_3> {
     [[nodiscard]] const char* step_name() const override { return "natural ODT iteration"; }
     [[nodiscard]] const std::vector<Coordinates<3>>& points() const override { return scene_.points; }
     [[nodiscard]] double spacing() const override { return scene_.spacing(); }
-    bool next(Timestamp<3>& t) override;
+    bool next(Time_step<3>& t) override;
     [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const override;
     [[nodiscard]] const Moving& guide() const { return guide_; }
     [[nodiscard]] const std::vector<std::string>& notes() const { return scene_.notes; }

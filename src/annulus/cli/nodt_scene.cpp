@@ -90,7 +90,7 @@ Nodt_scene refined_scene(const Nodt_arguments& a, std::uint64_t seed) {
     }
     const Sizing_3 sizing = sizing_of(a, *domain);
     std::vector<Coordinates<3>> points = initial_mesh(*domain, sizing, a.vertices, seed, features.get());
-    if (features) features->settle(points, rounding_of(*domain));
+    if (features) features->recompute_tolerances(points, rounding_of(*domain));
     std::vector<char> on_surface = vertices_on_surface(*domain, points);
     return {std::move(domain), sizing, std::move(points), std::move(on_surface), std::move(features), std::move(notes)};
 }

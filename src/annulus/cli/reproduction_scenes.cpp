@@ -21,9 +21,9 @@ class Guided_scene : public Scene<Guided::Moving::dimension_of_space> {
     [[nodiscard]] const std::vector<Coordinates<d>>& points() const override { return motion_.points(); }
     [[nodiscard]] double spacing() const override { return motion_.spacing(); }
     [[nodiscard]] double next(std::vector<Coordinates<d>>& target) override {
-        (void)motion_.next(timestamp_);
-        target = timestamp_.x;
-        return timestamp_.way.mean;
+        (void)motion_.next(time_step_);
+        target = time_step_.x;
+        return time_step_.way.mean;
     }
     [[nodiscard]] Picture picture(std::string caption) const override {
         Picture p = motion_.picture(motion_.guide(), std::move(caption));
@@ -38,7 +38,7 @@ class Guided_scene : public Scene<Guided::Moving::dimension_of_space> {
 
   private:
     Guided motion_;
-    Timestamp<d> timestamp_;
+    Time_step<d> time_step_;
 };
 
 }  // namespace

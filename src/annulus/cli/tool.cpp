@@ -29,7 +29,7 @@ int status_of(Error_code code) {
         case Error_code::usage: return wrong_usage;
         case Error_code::not_finite:
         case Error_code::out_of_domain:
-        case Error_code::collision:
+        case Error_code::duplicate_point:
         case Error_code::too_few:
         case Error_code::too_large:
         case Error_code::bad_input: return bad_input;

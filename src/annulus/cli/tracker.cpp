@@ -46,7 +46,7 @@ Tracker<Moving>::Tracker(std::string name, std::span<const Coordinates<d>> point
     record_.threads = static_cast<unsigned>(options.threads);
     record_.vertices = dt_.number_of_vertices();
     record_.mean_spacing = spacing;
-    totals_ += dt_.settle();
+    totals_ += dt_.recompute_tolerances();
     record_.seconds.construction = since(begun_);
 }
 

@@ -44,10 +44,10 @@ class Tracker {
     using Listener = std::function<void(const Move_report& report, Index arrived)>;
     void listen(Listener listener) { listener_ = std::move(listener); }
 
-    /// Follows one timestamp. Motion seconds and displacement are what the motion says of itself.
+    /// Follows one time step. Motion seconds and displacement are what the motion says of itself.
     void step(std::span<const Coordinates<d>> x, double motion_seconds, double displacement_mean,
               double displacement_max);
-    /// Follows one timestamp in which some vertices leave, the others move to x (by index), and then some arrive:
+    /// Follows one time step in which some vertices leave, the others move to x (by index), and then some arrive:
     /// removals, one move_all, insertions. Returns the indices of those that arrived. Throws what the triangulation
     /// throws.
     std::vector<Index> follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,

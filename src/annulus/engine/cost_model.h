@@ -13,7 +13,7 @@ struct Cost_model;
 
 template <>
 struct Cost_model<2> {
-    // A vertex, of a timestamp:
+    // A vertex, of a time step:
     static constexpr double insertion = 22.5;  // of all points, one by one (cgal/): beside which no step is to be dear
     static constexpr double rebuild = 12.4;
     static constexpr double cells = 2.0;   // the signs of everything: cells a vertex

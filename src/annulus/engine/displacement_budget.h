@@ -61,7 +61,7 @@ class Displacement_budget {
         return squared_distance<d>(p, r.fixed) < r.threshold.value() || p == r.fixed;
     }
     /// The step test of vertices [first, last): appends those that left their tolerances. False, with the list
-    /// unspecified, when a coordinate is outside the domain, or is none at all, be it at a vacant index.
+    /// unspecified, when a coordinate is outside the domain, or is none at all, be it at a free index.
     [[nodiscard]] bool find_failed(std::span<const Coordinates<d>> x, std::size_t first, std::size_t last,
                                    std::vector<Index>& failed) const;
 

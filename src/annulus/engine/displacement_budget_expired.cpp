@@ -43,7 +43,7 @@ void Displacement_budget<d>::check_expiry(Certificate_id id, Index v, Certificat
 template <int d>
 void Displacement_budget<d>::visit_star(Index v, Step<d>& step, Certificate_checker<d>& checker) {
     List& list = list_[at(v)];
-    ++step.tours;
+    ++step.star_walks;
     list.clear();
     tour_.certificates.clear();
     tour_.listed.clear();

@@ -40,18 +40,18 @@ void Engine<d>::build(std::span<const Point> points) {
     if (points.size() > Limits::vertices)
         throw Error(Error_code::too_large, "more than " + std::to_string(Limits::vertices) + " vertices");
     std::vector<Point> distinct;
-    index_of_input_.reserve(points.size());
+    vertex_of_input_.reserve(points.size());
     if (options_.merge_duplicates) {
         std::map<Point, Index> seen;
         for (auto p : points) {
             for (double& c : p) c += 0.0;  // -0 and 0 are one place
             const auto [it, fresh] = seen.emplace(p, static_cast<Index>(distinct.size()));
             if (fresh) distinct.push_back(p);
-            index_of_input_.push_back(it->second);
+            vertex_of_input_.push_back(it->second);
         }
         points = distinct;
     } else {
-        for (std::size_t i = 0; i < points.size(); ++i) index_of_input_.push_back(static_cast<Index>(i));
+        for (std::size_t i = 0; i < points.size(); ++i) vertex_of_input_.push_back(static_cast<Index>(i));
     }
     mesh_.build(points);
     Move_report report;
@@ -118,7 +118,7 @@ double Engine<d>::displacement(Index i) const {
 }
 
 template <int d>
-Move_report Engine<d>::settle() {
+Move_report Engine<d>::recompute_tolerances() {
     Move_report report;
     guarded([&] {
         listing_changes(report, {}, [&] {
@@ -143,8 +143,9 @@ void Engine<d>::make_trusted(Move_report& report) {
 template <int d>
 void Engine<d>::throw_taken(const Point& p, std::size_t bound) const {
     const Index other = vertex_at(p, bound);
-    if (other == none) throw Error(Error_code::collision, "a vertex has the position of the point to be inserted");
-    throw Error(Error_code::collision,
+    if (other == none)
+        throw Error(Error_code::duplicate_point, "a vertex has the position of the point to be inserted");
+    throw Error(Error_code::duplicate_point,
                 "vertex " + std::to_string(other) + " has the position of the point to be inserted", {other});
 }
 
@@ -160,9 +161,9 @@ template <int d>
 Index Engine<d>::insert(const Point& p, Move_report& report) {
     require_in_domain(p);
     require_whole();
-    if (vacant_.empty() && index_bound() >= Limits::vertices)
+    if (free_indices_.empty() && index_bound() >= Limits::vertices)
         throw Error(Error_code::too_large, "more than " + std::to_string(Limits::vertices) + " vertices");
-    const Index i = vacant_.empty() ? static_cast<Index>(index_bound()) : vacant_.back();
+    const Index i = free_indices_.empty() ? static_cast<Index>(index_bound()) : free_indices_.back();
     const Point here = p;  // it may be one of positions(), which are about to grow
     const auto put = [&] {
         const std::size_t bound = index_bound();
@@ -179,13 +180,13 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
         else if (mesh_.dimension() == d) strategy_->refresh_rebuilt(report);
     };
     guarded([&] { listing_changes(report, {}, put); }, i);
-    if (!vacant_.empty()) vacant_.pop_back();
+    if (!free_indices_.empty()) free_indices_.pop_back();
     return i;
 }
 
 template <int d>
 void Engine<d>::remove(Index i, Move_report& report) {
-    vacant_.reserve(vacant_.size() + 1);
+    free_indices_.reserve(free_indices_.size() + 1);
     const auto take = [&] {
         make_trusted(report);
         std::vector<Cell_index> changed;
@@ -193,10 +194,10 @@ void Engine<d>::remove(Index i, Move_report& report) {
         try {
             mesh_.remove(positions(), i, changed);
         } catch (...) {
-            if (!mesh_.has(i)) vacant_.push_back(i);  // gone, but what followed failed
+            if (!mesh_.has(i)) free_indices_.push_back(i);  // gone, but what followed failed
             throw;
         }
-        vacant_.push_back(i);
+        free_indices_.push_back(i);
         if (!changed.empty()) strategy_->refresh(changed, report);
         else if (before == d || mesh_.dimension() == d) strategy_->refresh_rebuilt(report);
     };

@@ -37,13 +37,13 @@ class Engine {
     /// Returns the index of the new vertex.
     Index insert(const Point& p, Move_report& report);
     void remove(Index i, Move_report& report);
-    Move_report settle();
+    Move_report recompute_tolerances();
 
     [[nodiscard]] std::size_t index_bound() const { return positions().size(); }
     [[nodiscard]] bool is_vertex(Index i) const;
     /// Throws unknown_vertex.
     void require_vertex(Index i) const;
-    [[nodiscard]] std::span<const Index> index_of_input() const { return index_of_input_; }
+    [[nodiscard]] std::span<const Index> vertex_of_input() const { return vertex_of_input_; }
     [[nodiscard]] std::span<const Point> positions() const;
     /// Those at which the triangulation is Delaunay: others only while tolerances that are not certified are kept.
     [[nodiscard]] std::span<const Point> delaunay_positions() const;
@@ -60,8 +60,8 @@ class Engine {
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     template <class Call>
     void guarded(Call call, Index fresh = none);
-    /// The same, with the goals by index, all of them or those of the movers alone; a collision is thrown with the
-    /// names of both vertices.
+    /// The same, with the goals by index, all of them or those of the movers alone; a duplicate point is thrown with
+    /// the names of both vertices.
     template <class Call>
     void guarded_moves(std::span<const Index> movers, std::span<const Point> targets, Call call);
     void recover(std::size_t bound, Index fresh) noexcept;
@@ -86,8 +86,8 @@ class Engine {
     Options options_;
     Delaunay_mesh<d>& mesh_;
     std::unique_ptr<Update_strategy<d>> strategy_;
-    std::vector<Index> vacant_;
-    std::vector<Index> index_of_input_;
+    std::vector<Index> free_indices_;
+    std::vector<Index> vertex_of_input_;
     std::unique_ptr<Change_log<d>> change_log_;  // where changes are reported
     bool whole_ = true;  // false: there are positions but no cells, because memory ran out twice
 };

@@ -56,9 +56,9 @@ Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Poin
     return report;
 }
 
-/// One by one while they are few and what each changes is local, as a timestamp otherwise, or from when they have
+/// One by one while they are few and what each changes is local, as a time step otherwise, or from when they have
 /// turned out to cost more than a rebuild. The last position of an index that is named twice holds. A vertex that
-/// stands where another goes, and goes itself, is no collision: then, too, it is a timestamp.
+/// stands where another goes, and goes itself, is no duplicate point: then, too, it is a time step.
 template <int d>
 void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report) {
     constexpr std::size_t share = 64;
@@ -82,14 +82,14 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
                 if (move_one_by_one(movers, points, source, report)) return;
                 too_expensive = true;  // or flat, which is rebuilt all the same
             } catch (const Error& e) {
-                if (e.code() != Error_code::collision) throw;
+                if (e.code() != Error_code::duplicate_point) throw;
             }
         }
         std::vector<Point> x(positions().begin(), positions().end());
         for (auto it = source.rbegin(); it != source.rend(); ++it) x[at(it->first)] = it->second;
         const std::vector<Point> old = x;
         for (const auto& [i, k] : movers) x[at(i)] = points[k];
-        // Those that were reinserted go too far for flips, be they all of a timestamp.
+        // Those that were reinserted go too far for flips, be they all of a time step.
         const bool far = 2 * report.moves.reinserted > source.size();
         report.moves = {};
         try {
@@ -110,7 +110,7 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
     count_movers(movers.size(), report.moves);
 }
 
-/// Of a timestamp, those that were to move.
+/// Of a time step, those that were to move.
 template <int d>
 void Engine<d>::count_movers(std::uint64_t movers, Move_counts& moves) {
     moves.asked = movers;
@@ -144,7 +144,7 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
     if (points.size() != index_bound())
         throw Error(Error_code::wrong_size, "move_all takes " + std::to_string(index_bound()) + " points, not " +
                                                 std::to_string(points.size()));
-    // Strategies that repair whole timestamps look at every position anyway, and find out themselves.
+    // Strategies that repair whole time steps look at every position anyway, and find out themselves.
     if (!strategy_->repairs() || strategy_->is_sequential() || mesh_.dimension() != d)
         for (std::size_t i = 0; i < points.size(); ++i)
             if (is_vertex(static_cast<Index>(i))) require_in_domain(points[i], "vertex", static_cast<Index>(i));
@@ -200,9 +200,9 @@ void Engine<d>::order_by_blockers(std::span<const Point> x, std::vector<Index>& 
     waiting = std::move(order);
 }
 
-/// A timestamp under a strategy that moves one vertex at a time. A position that another vertex has yet to leave is
-/// no collision of the timestamp: such vertices are moved last, in an order that is sought once, and when that does
-/// not help (a cycle) all is rebuilt.
+/// A time step under a strategy that moves one vertex at a time. A position that another vertex has yet to leave is
+/// no duplicate point of the time step: such vertices are moved last, in an order that is sought once, and when that
+/// does not help (a cycle) all is rebuilt.
 template <int d>
 void Engine<d>::try_move_sequentially(std::span<const Point> x, Move_report& report) {
     std::vector<Index> waiting;
@@ -226,7 +226,7 @@ void Engine<d>::try_move_sequentially(std::span<const Point> x, Move_report& rep
             try {
                 strategy_->move_sequentially(i, x[at(i)], report);
             } catch (const Error& e) {
-                if (e.code() != Error_code::collision) throw;
+                if (e.code() != Error_code::duplicate_point) throw;
                 refused.push_back(i);
                 if (!ordered) break;
             }

@@ -30,14 +30,14 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
     /// No certificate at all.
     void clear() {
         rest_ = Expiry::never();
-        entry_.fill(vacant);
+        entry_.fill(empty_entry);
     }
     [[nodiscard]] Expiry earliest() const { return std::min(rest_, expiry_of(entry_[0])); }
     [[nodiscard]] Expiry rest() const { return rest_; }
     /// The last of those listed; `rest` when there is none.
     [[nodiscard]] Expiry latest() const {
         for (std::size_t i = capacity; i-- > 0;)
-            if (entry_[i] != vacant) return expiry_of(entry_[i]);
+            if (entry_[i] != empty_entry) return expiry_of(entry_[i]);
         return rest_;
     }
 
@@ -46,10 +46,10 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
     void take_reached(double path_length, Visit visit) {
         const Entry end = (Entry{Expiry::lower(path_length).bits()} + 1) << 32;
         std::size_t count = 0;
-        for (const Entry e : entry_) count += static_cast<std::size_t>((e < end) & (e < vacant));
+        for (const Entry e : entry_) count += static_cast<std::size_t>((e < end) & (e < empty_entry));
         std::array<Entry, 2 * capacity> queue{};
         std::copy(entry_.begin(), entry_.end(), queue.begin());
-        std::fill(queue.begin() + capacity, queue.end(), vacant);
+        std::fill(queue.begin() + capacity, queue.end(), empty_entry);
         std::copy_n(queue.begin() + static_cast<std::ptrdiff_t>(count), capacity, entry_.begin());
         for (std::size_t i = 0; i < count; ++i) visit(id_of(queue[i]));
     }
@@ -61,7 +61,7 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
         if (!listed && !(expiry < rest_)) return;
         Entry found = 0;  // all ones from where the entry of `id` is
         for (std::size_t i = 0; i < capacity; ++i) {
-            const Entry next = i + 1 < capacity ? entry_[i + 1] : vacant;
+            const Entry next = i + 1 < capacity ? entry_[i + 1] : empty_entry;
             found |= mask(id_of(entry_[i]) == id);
             entry_[i] = (entry_[i] & ~found) | (next & found);
         }
@@ -110,7 +110,7 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
     friend struct Trace;          // trace.h
     using Entry = std::uint64_t;  // expiry and id: the order is that of expiries
     // No certificate has that number.
-    static constexpr Entry vacant = (Entry{Expiry::never().bits()} << 32) | 0xFFFFFFFFU;
+    static constexpr Entry empty_entry = (Entry{Expiry::never().bits()} << 32) | 0xFFFFFFFFU;
 
     /// All ones or all zeros; compilers make branches of the conditional operator and of std::min.
     [[nodiscard]] static Entry mask(bool b) { return Entry{0} - static_cast<Entry>(b); }
@@ -120,7 +120,7 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
     Expiry rest_ = Expiry::never();
     std::array<Entry, capacity> entry_ = [] {
         std::array<Entry, capacity> none_yet{};
-        none_yet.fill(vacant);
+        none_yet.fill(empty_entry);
         return none_yet;
     }();
 };

@@ -35,7 +35,7 @@ void Engine<d>::guarded_moves(std::span<const Index> movers, std::span<const Poi
     try {
         guarded(call);
     } catch (const Error& e) {
-        if (e.code() != Error_code::collision) throw;
+        if (e.code() != Error_code::duplicate_point) throw;
         std::vector<Point> x(positions().begin(), positions().end());
         for (std::size_t k = 0; k < targets.size(); ++k) x[movers.empty() ? k : at(movers[k])] = targets[k];
         rethrow_with_vertices<d>(e, std::span<const Point>(x), [this](Index i) { return is_vertex(i); });

@@ -35,14 +35,14 @@ struct Move_report {
     Move_counts moves;
     Stage_counts arithmetic;            ///< stage that decided, per certificate evaluated
     std::uint64_t evaluated = 0;        ///< certificates evaluated
-    std::uint64_t tours = 0;            ///< filter: failed vertices all of whose certificates had to be looked at
+    std::uint64_t star_walks = 0;       ///< filter: failed vertices all of whose certificates had to be looked at
     std::uint64_t requeued = 0;         ///< filter-each: vertices whose reference another vertex's failure renewed
     std::uint64_t flips = 0;            ///< flips that stand
     std::uint64_t undone_flips = 0;     ///< flips taken back because they led nowhere
-    std::uint64_t tolerance_steps = 0;  ///< filters: timestamps that began with the tolerances
-    std::uint64_t sign_steps = 0;       ///< filters: timestamps that began with the signs of all certificates
-    std::uint64_t rebuild_steps = 0;    ///< auto: timestamps that were rebuilt at once
-    std::uint64_t settlings = 0;        ///< filters: times that all tolerances were computed
+    std::uint64_t tolerance_steps = 0;  ///< filters: time steps that began with the tolerances
+    std::uint64_t sign_steps = 0;       ///< filters: time steps that began with the signs of all certificates
+    std::uint64_t rebuild_steps = 0;    ///< auto: time steps that were rebuilt at once
+    std::uint64_t tolerance_recomputations = 0;  ///< filters: times that all tolerances were computed
     double cost = 0.0;  ///< filters: what it cost, in cells looked at, by prices that were measured (cost_model.h)
     /// On request (Options::report_changes): the cells that came and those that went, d + 1 vertices a cell, -1 for
     /// the one at infinity. No cell is in both (one that was turned over is another one), but where all points are in
@@ -54,14 +54,14 @@ struct Move_report {
         moves += o.moves;
         arithmetic += o.arithmetic;
         evaluated += o.evaluated;
-        tours += o.tours;
+        star_walks += o.star_walks;
         requeued += o.requeued;
         flips += o.flips;
         undone_flips += o.undone_flips;
         tolerance_steps += o.tolerance_steps;
         sign_steps += o.sign_steps;
         rebuild_steps += o.rebuild_steps;
-        settlings += o.settlings;
+        tolerance_recomputations += o.tolerance_recomputations;
         cost += o.cost;
         changed.insert(changed.end(), o.changed.begin(), o.changed.end());
         gone.insert(gone.end(), o.gone.begin(), o.gone.end());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/collision.h>
 #include <annulus/arithmetic/coordinates.h>
+#include <annulus/arithmetic/duplicate_point.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,21 +29,21 @@ template <int d, class Is_present>
     return std::pair(*twice, *(twice + 1));
 }
 
-/// A handler of errors of a call that was to bring vertices to `targets`: throws a collision anew with the names of
-/// both vertices, which who met it need not have known, and anything else as it is.
+/// A handler of errors of a call that was to bring vertices to `targets`: throws a duplicate point anew with the names
+/// of both vertices, which who met it need not have known, and anything else as it is.
 template <int d, class Is_present>
 [[noreturn]] void rethrow_with_vertices(const Error& e, std::span<const Coordinates<d>> targets,
                                         Is_present is_present) {
-    if (e.code() != Error_code::collision) throw;
+    if (e.code() != Error_code::duplicate_point) throw;
     const auto named = e.vertices();
     const auto is_true = [&](std::int64_t a, std::int64_t b) {
         return a != b && is_present(static_cast<Index>(a)) && is_present(static_cast<Index>(b)) &&
                targets[static_cast<std::size_t>(a)] == targets[static_cast<std::size_t>(b)];
     };
     if (named.size() == 2 && is_true(named[0], named[1]))
-        throw collision_of("vertices", "would have", named[0], named[1]);
+        throw duplicate_point_error("vertices", "would have", named[0], named[1]);
     if (const auto pair = coinciding<d>(targets, is_present))
-        throw collision_of("vertices", "would have", pair->first, pair->second);
+        throw duplicate_point_error("vertices", "would have", pair->first, pair->second);
     throw;
 }
 

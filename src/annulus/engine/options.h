@@ -15,9 +15,9 @@ enum class Strategy : std::uint8_t {
     relocate_flips,  ///< one vertex at a time: only written where that needs no flip, else relocate (paper 3.1)
     /// One vertex at a time: its certificates are evaluated, and flips where one is violated; no tolerances.
     in_place,
-    filter,       ///< whole timestamps: only certificates whose tolerance expired are evaluated
+    filter,       ///< whole time steps: only certificates whose tolerance expired are evaluated
     filter_each,  ///< one vertex at a time, Delaunay after each
-    /// Whole timestamps, `auto`: the cheapest of tolerances, signs with flips, and rebuilding, as counts tell.
+    /// Whole time steps, `auto`: the cheapest of tolerances, signs with flips, and rebuilding, as counts tell.
     automatic,
     paper,         ///< the paper's filter (3.2), one vertex at a time: Options::tolerance says by which tolerances
     paper_hybrid,  ///< rebuild until a sample stays within tolerance, then `paper` (paper 4.2)

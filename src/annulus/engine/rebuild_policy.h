@@ -10,7 +10,7 @@
 
 namespace annulus {
 
-/// Whether `auto` rebuilds a timestamp or mends it: by what a few cells say before, what repair cost, and how it
+/// Whether `auto` rebuilds a time step or mends it: by what a few cells say before, what repair cost, and how it
 /// ended. No clock has a say in it, nor has it one in what is right.
 template <int d>
 class Rebuild_policy {

@@ -87,7 +87,7 @@ bool Repair<d>::repair_one(Step<d>& step, std::span<Coordinates<d>> x) {
     const bool far = Cost_model<d>::inverted * static_cast<double>(turned_over(step)) > share * cost;
     if (!far) {
         // Otherwise reinsertion meets the other vertex, or the rebuild does.
-        if (collides(step)) throw Error(Error_code::collision, "another vertex is at that position");
+        if (is_occupied(step)) throw Error(Error_code::duplicate_point, "another vertex is at that position");
         const double limit =
             std::exchange(budget.limit, std::min(budget.limit, budget.spent + Cost_model<d>::reinsertion));
         const bool repaired = repair(step, {x, {}, step.mover, step.source});

@@ -55,8 +55,8 @@ class Repair {
     /// the table is of no use any more, and all is to be rebuilt at the goals. `old` has the positions of before.
     [[nodiscard]] bool repair_all(Step<d>& step, std::span<const Coordinates<d>> old);
     /// The same after the mover of the step moved, from step.home. x is step.x, and changes for a while. Throws
-    /// Error(collision), with nothing changed but numbers of cells (step.renumbered), when another vertex is where it
-    /// goes. Where flips would be dearer, it is taken out and put back in.
+    /// Error(duplicate_point), with nothing changed but numbers of cells (step.renumbered), when another vertex is
+    /// where it goes. Where flips would be dearer, it is taken out and put back in.
     [[nodiscard]] bool repair_one(Step<d>& step, std::span<Coordinates<d>> x);
 
   private:
@@ -67,7 +67,7 @@ class Repair {
     [[nodiscard]] bool repair(Step<d>& step, const Motion_path<d>& path);
     [[nodiscard]] bool holds_after_flips(Step<d>& step, const Repair_result& result);
     [[nodiscard]] bool reinsert(Step<d>& step, std::span<Coordinates<d>> x, const Coordinates<d>& target, double cost);
-    [[nodiscard]] bool collides(Step<d>& step);
+    [[nodiscard]] bool is_occupied(Step<d>& step);
     [[nodiscard]] std::size_t turned_over(const Step<d>& step);
     [[nodiscard]] double reinsertion_cost(Index v) const;
     void count(Step<d>& step, const Stage_counts& evaluated);

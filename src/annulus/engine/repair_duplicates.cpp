@@ -26,7 +26,7 @@ double distance(const Coordinates<3>& a, const Coordinates<3>& b) {
 /// neighbour, always nearer: in a Delaunay triangulation that ends at the nearest vertex. What rounding misses is found
 /// by the rebuild that follows when nothing else helps.
 template <int d>
-bool Repair<d>::collides(Step<d>& step) {
+bool Repair<d>::is_occupied(Step<d>& step) {
     const Index v = step.mover;
     const auto& t = mesh_.table();
     const Coordinates<d>& target = step.x[at(v)];

@@ -36,18 +36,18 @@ struct Step {
     Index mover = none;                 ///< the vertex that moves alone
     Coordinates<d> source{};            ///< where that was
     Scope scope = Scope::expired;
-    std::vector<Index> failed;    ///< those that left their tolerances; without tolerances those that move
-    std::vector<Before> before;   ///< of these
-    std::vector<Index> anchored;  ///< their fixed position is the goal by now
-    std::uint64_t tours = 0;      ///< vertices all of whose certificates were looked at
-    Budget budget;                ///< of all that the step does
-    Move_report report;           ///< what was evaluated and flipped
+    std::vector<Index> failed;     ///< those that left their tolerances; without tolerances those that move
+    std::vector<Before> before;    ///< of these
+    std::vector<Index> anchored;   ///< their fixed position is the goal by now
+    std::uint64_t star_walks = 0;  ///< vertices all of whose certificates were looked at
+    Budget budget;                 ///< of all that the step does
+    Move_report report;            ///< what was evaluated and flipped
 
     // What Repair found and did.
     bool infeasible = false;             ///< mending would cost far more than it may, by a sample
     std::vector<Index> affected;         ///< points of violated certificates
     std::vector<Index> reinserted;       ///< vertices around which cells were rebuilt
-    std::vector<Cell_index> renumbered;  ///< the same cells as before a collision was found, with other numbers
+    std::vector<Cell_index> renumbered;  ///< the same cells as before a duplicate point was found, with other numbers
     bool rebuilt = false;
     bool renumbered_all = false;  ///< the same of all cells
 
@@ -74,7 +74,7 @@ struct Step {
         step.failed.clear();
         step.before.clear();
         step.anchored.clear();
-        step.tours = 0;
+        step.star_walks = 0;
         step.budget = {};
         step.clear_findings();
         step.rebuilt = step.renumbered_all = false;

@@ -10,7 +10,7 @@
 namespace annulus {
 
 namespace {
-constexpr std::uint64_t check_interval = 8;  // timestamps without tolerances, between looks whether they would pay
+constexpr std::uint64_t check_interval = 8;  // time steps without tolerances, between looks whether they would pay
 }  // namespace
 
 /// So many failed, in this step and before, that with the signs of all certificates instead a settling would have
@@ -79,7 +79,7 @@ void Tolerance_policy<d>::reconsider(const Corner_table<d>& table, Certificate_c
     double share = 0.0;
     try {
         share = estimate(table, checker, x, report);
-    } catch (const std::bad_alloc&) {  // the timestamp has been made, and this has no say in what is right
+    } catch (const std::bad_alloc&) {  // the time step has been made, and this has no say in what is right
         release(displacement_);
         return;
     }
@@ -97,7 +97,7 @@ bool Tolerance_policy<d>::recomputes_for_single_move(std::size_t vertices) const
     return share * (calm_moves_ + 1) > vertices;
 }
 
-/// What they cost above what signs would have, as for timestamps.
+/// What they cost above what signs would have, as for time steps.
 template <int d>
 bool Tolerance_policy<d>::end_single_move(std::size_t vertices) {
     const double cost = Cost_model<d>::failure * static_cast<double>(failures_) +

@@ -18,18 +18,18 @@ namespace annulus {
 /// While so many certificates expire at every step (the first steps of an optimisation) that the signs of all of them
 /// cost less than the tolerances of these, tolerances are not kept at all. What they cost above what signs would have
 /// is added up; when that has come to what a settling costs they are given up (rent or buy). Without them every
-/// eighth timestamp a sample of certificates, and the displacements of that timestamp, tell whether they would last.
+/// eighth time step a sample of certificates, and the displacements of that time step, tell whether they would last.
 template <int d>
 class Tolerance_policy {
   public:
     /// With tolerances: whether they have to be given up, now that so many vertices failed in this step.
     [[nodiscard]] bool exceeds_budget(std::size_t failures, std::size_t vertices) const;
-    /// A step of this timestamp, with tolerances.
+    /// A step of this time step, with tolerances.
     void note_step(std::size_t failures, std::uint64_t evaluated) {
         failures_ += failures;
         evaluated_ += evaluated;
     }
-    /// The end of a timestamp with tolerances; `each` when its vertices moved one by one. True when they are to be
+    /// The end of a time step with tolerances; `each` when its vertices moved one by one. True when they are to be
     /// given up.
     [[nodiscard]] bool end_step_with_tolerances(bool each, std::size_t vertices);
     /// Of one without.
@@ -42,7 +42,7 @@ class Tolerance_policy {
     /// Decides by these displacements whether to settle next; asks `checker` for a sample of tolerances at x.
     void reconsider(const Corner_table<d>& table, Certificate_checker<d>& checker, std::span<const Coordinates<d>> x,
                     bool each, Move_report& report);
-    /// Whether tolerances would last, as the last timestamp was; once.
+    /// Whether tolerances would last, as the last time step was; once.
     [[nodiscard]] bool take_recomputation() { return std::exchange(recomputes_next_, false); }
 
     /// A vertex moves alone without tolerances: whether to settle for it and those to come.
@@ -60,10 +60,10 @@ class Tolerance_policy {
                                   std::span<const Coordinates<d>> x, Move_report& report) const;
 
     std::vector<Coordinates<d>> displacement_;  // while it is considered whether tolerances would last
-    std::uint64_t failures_ = 0;                // with tolerances, of this timestamp
+    std::uint64_t failures_ = 0;                // with tolerances, of this time step
     std::uint64_t evaluated_ = 0;               // certificates, for these
     double excess_cost_ = 0.0;                  // by which tolerances cost more than signs since the last settling
-    std::uint64_t steps_without_ = 0;           // timestamps since they were given up
+    std::uint64_t steps_without_ = 0;           // time steps since they were given up
     std::uint64_t calm_moves_ = 0;              // since then, of vertices alone
     bool recomputes_next_ = false;
 };

@@ -13,7 +13,7 @@
 namespace annulus {
 
 /// Of vertices [first, last): those that left their tolerances, or, without tolerances, that move. False when a
-/// coordinate is outside the domain, be it at a vacant index.
+/// coordinate is outside the domain, be it at a free index.
 template <int d>
 bool Tolerance_strategy<d>::find_failed(Step<d>& step, std::size_t first, std::size_t last,
                                         std::vector<Index>& failed) const {
@@ -43,7 +43,7 @@ bool Tolerance_strategy<d>::find_failed(Step<d>& step) const {
     return std::find(near.begin(), near.end(), 0) == near.end();
 }
 
-/// What stands at a vacant index does not count.
+/// What stands at a free index does not count.
 template <int d>
 void Tolerance_strategy<d>::require_domain(std::span<const Coordinates<d>> x) const {
     for (std::size_t v = 0; v < x.size(); ++v)
@@ -71,7 +71,7 @@ void Tolerance_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& 
         }
         return;
     }
-    settle(position_, report);
+    recompute_tolerances(position_, report);
     try {
         move_one(v, p, report);
     } catch (...) {
@@ -100,7 +100,7 @@ void Tolerance_strategy<d>::move_one(Index v, const Coordinates<d>& p, Move_repo
             step, [&] { return repair_.repair_one(step, position_); }, report);
     } catch (const Error& e) {
         position_[at(v)] = old;
-        if (e.code() == Error_code::collision) renew_renumbered(step);
+        if (e.code() == Error_code::duplicate_point) renew_renumbered(step);
         throw;
     } catch (...) {
         position_[at(v)] = old;
@@ -132,7 +132,7 @@ void Tolerance_strategy<d>::move_all(std::span<const Coordinates<d>> x, Move_rep
             process(
                 step, [&] { return repair_.repair_all(step, position_); }, report);
         } catch (const Error& e) {
-            if (e.code() == Error_code::collision) renew_renumbered(step);
+            if (e.code() == Error_code::duplicate_point) renew_renumbered(step);
             throw;
         }
     }
@@ -160,7 +160,7 @@ bool Tolerance_strategy<d>::examine(Step<d>& step) {
 }
 
 /// Examines, mends and commits. Positions are written last, so that whoever meets an exception on the way can build
-/// anew at them; a collision is met before anything is committed.
+/// anew at them; a duplicate point is met before anything is committed.
 template <int d>
 template <class Repair_call>
 void Tolerance_strategy<d>::process(Step<d>& step, Repair_call repair, Move_report& report) {
@@ -184,7 +184,7 @@ void Tolerance_strategy<d>::finish(Step<d>& step, Move_report& report) {
     const bool alone = step.mover != none;
     report += step.report;
     report.cost += step.budget.spent;
-    report.tours += step.tours;
+    report.star_walks += step.star_walks;
     if (!alone) ++(tolerances ? report.tolerance_steps : report.sign_steps);
     if (tolerances) tolerance_policy_.note_step(step.failed.size(), step.report.evaluated);
     outcomes_.count(step, alone ? 1 : mesh_.vertices(), report.moves);
@@ -197,11 +197,11 @@ void Tolerance_strategy<d>::finish(Step<d>& step, Move_report& report) {
     if (step.x.data() != position_.data()) std::copy(step.x.begin(), step.x.end(), position_.begin());
 }
 
-/// After a collision, when cells have other numbers than those that records name.
+/// After a duplicate point, when cells have other numbers than those that records name.
 template <int d>
 void Tolerance_strategy<d>::renew_renumbered(const Step<d>& step) {
     Move_report discarded;
-    if (step.renumbered_all && displacement_budget_.kept()) settle(position_, discarded);
+    if (step.renumbered_all && displacement_budget_.kept()) recompute_tolerances(position_, discarded);
     else if (!step.renumbered.empty()) refresh(step.renumbered, discarded);
 }
 

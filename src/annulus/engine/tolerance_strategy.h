@@ -20,14 +20,14 @@ namespace annulus {
 /// A step goes from where vertices go to what is written down: who left its tolerance and which certificates expired
 /// (Displacement_budget), or else all of them, or all of one vertex; their verdicts, flips and holding back (Repair);
 /// new expiries (Displacement_budget again). What one stage finds reaches the next in a Step. Whether tolerances are
-/// kept is Tolerance_policy's to say, whether a timestamp is rebuilt Rebuild_policy's.
+/// kept is Tolerance_policy's to say, whether a time step is rebuilt Rebuild_policy's.
 template <int d>
 class Tolerance_strategy final : public Update_strategy<d> {
   public:
     /// By what means.
     enum class Means : std::uint8_t {
         tolerances,  ///< while they pay; signs else
-        any,         ///< timestamps are rebuilt while that is the cheapest: `auto`
+        any,         ///< time steps are rebuilt while that is the cheapest: `auto`
         signs,       ///< of all certificates of what moves, never tolerances: `in-place`
     };
     /// Precondition: one of these four.
@@ -49,17 +49,17 @@ class Tolerance_strategy final : public Update_strategy<d> {
 
     /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh.
     /// When it throws (bad_alloc), no position was written. O(n).
-    void settle(std::span<const Coordinates<d>> x, Move_report& report);
-    /// The same; without tolerances nothing is evaluated: the first timestamps tell whether that pays.
+    void recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report);
+    /// The same; without tolerances nothing is evaluated: the first time steps tell whether that pays.
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
     void refresh_all(Move_report& report) override;
     void refresh_rebuilt(Move_report& report) override {
         if (!rebuilding_) refresh_all(report);
     }
 
-    /// Moves every vertex to x. Throws Error, with everything as it was: not_finite, out_of_domain, or collision when
-    /// two would coincide. Anything else that is thrown (bad_alloc, Error(too_large)) leaves positions() as they were
-    /// and all else unspecified: build anew there and settle. Precondition: begun in dimension d.
+    /// Moves every vertex to x. Throws Error, with everything as it was: not_finite, out_of_domain, or duplicate_point
+    /// when two would coincide. Anything else that is thrown (bad_alloc, Error(too_large)) leaves positions() as they
+    /// were and all else unspecified: build anew there and settle. Precondition: begun in dimension d.
     void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
 
@@ -100,7 +100,7 @@ class Tolerance_strategy final : public Update_strategy<d> {
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] bool is_present(std::size_t v) const { return mesh_.has(static_cast<Index>(v)); }
-    /// Of a timestamp.
+    /// Of a time step.
     [[nodiscard]] double repair_limit() const {
         const std::size_t n = mesh_.vertices();
         return means_ == Means::any ? Rebuild_policy<d>::repair_limit(n) : Rebuild_policy<d>::generous_repair_limit(n);
@@ -138,7 +138,7 @@ class Tolerance_strategy final : public Update_strategy<d> {
 
     Means means_;
     int threads_ = 1;
-    bool rebuilding_ = false;  // each timestamp is rebuilt, with `any`
+    bool rebuilding_ = false;  // each time step is rebuilt, with `any`
     Delaunay_mesh<d>& mesh_;
     const Corner_table<d>& table_;
     Repair<d> repair_;
@@ -147,7 +147,7 @@ class Tolerance_strategy final : public Update_strategy<d> {
     Rebuild_policy<d> rebuild_policy_;
     Move_outcomes<d> outcomes_;
     std::vector<Coordinates<d>> position_;
-    std::vector<Coordinates<d>> saved_;  // position_ before a timestamp of single moves
+    std::vector<Coordinates<d>> saved_;  // position_ before a time step of single moves
     Step<d> previous_;                   // the last one, for its memory
 };
 

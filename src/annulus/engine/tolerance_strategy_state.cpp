@@ -27,7 +27,7 @@ void Tolerance_strategy<d>::stop_rebuilding() {
 }
 
 template <int d>
-void Tolerance_strategy<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
+void Tolerance_strategy<d>::recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report) {
     const bool own = x.data() == position_.data();
     rebuilding_ = false;
     displacement_budget_.invalidate();
@@ -41,7 +41,7 @@ void Tolerance_strategy<d>::settle(std::span<const Coordinates<d>> x, Move_repor
 template <int d>
 void Tolerance_strategy<d>::compute_tolerances(std::span<const Coordinates<d>> x, Move_report& report) {
     tolerance_policy_.note_recomputed();
-    ++report.settlings;
+    ++report.tolerance_recomputations;
     displacement_budget_.begin(x);
     if (mesh_.dimension() == d) evaluate_all(x, report);
     displacement_budget_.finish_beginning();
@@ -49,7 +49,7 @@ void Tolerance_strategy<d>::compute_tolerances(std::span<const Coordinates<d>> x
 
 template <int d>
 void Tolerance_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
-    if (means_ == Means::tolerances) return settle(x, report);
+    if (means_ == Means::tolerances) return recompute_tolerances(x, report);
     if (x.data() != position_.data()) position_.assign(x.begin(), x.end());
     drop_tolerances();
     rebuilding_ = means_ == Means::any;
@@ -59,7 +59,7 @@ void Tolerance_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_report
 template <int d>
 void Tolerance_strategy<d>::refresh_all(Move_report& report) {
     if (means_ == Means::signs) return begin(position_, report);
-    settle(position_, report);
+    recompute_tolerances(position_, report);
 }
 
 template <int d>
@@ -173,14 +173,14 @@ void Tolerance_strategy<d>::end_step(bool each, Move_report& report) {
     tolerance_policy_.reconsider(table_, repair_.checker(), position_, each, report);
 }
 
-/// At the end of a timestamp that was mended by signs (after a rebuild nothing is settled), not the one that found
-/// out: at its beginning nobody knows whether a rebuild is to come. The two cost no more than a timestamp may.
+/// At the end of a time step that was mended by signs (after a rebuild nothing is settled), not the one that found
+/// out: at its beginning nobody knows whether a rebuild is to come. The two cost no more than a time step may.
 template <int d>
 void Tolerance_strategy<d>::recompute_afterwards(Move_report& report) {
     static_assert(Rebuild_policy<d>::share() + Cost_model<d>::recomputation < 1.45 * Cost_model<d>::insertion);
     try {
         recompute_if_worthwhile(report);
-    } catch (const std::bad_alloc&) {  // the timestamp has been made
+    } catch (const std::bad_alloc&) {  // the time step has been made
     }
 }
 
@@ -188,10 +188,10 @@ template <int d>
 void Tolerance_strategy<d>::recompute_if_worthwhile(Move_report& report) {
     if (!tolerance_policy_.take_recomputation()) return;
     report.cost += Cost_model<d>::recomputation * static_cast<double>(mesh_.vertices());
-    settle(position_, report);
+    recompute_tolerances(position_, report);
 }
 
-/// While timestamps are rebuilt, by what this one brings: whether it will pay to mend the next. This one is rebuilt
+/// While time steps are rebuilt, by what this one brings: whether it will pay to mend the next. This one is rebuilt
 /// all the same.
 template <int d>
 bool Tolerance_strategy<d>::next_is_repaired(std::span<const Coordinates<d>> x) {
@@ -213,7 +213,7 @@ void Tolerance_strategy<d>::rebuild_all(std::span<const Coordinates<d>> x, bool 
     report.moves.rebuilt += mesh_.vertices();
 }
 
-/// After repair gave up. After a collision the cells are built at the old positions, with other numbers.
+/// After repair gave up. After a duplicate point the cells are built at the old positions, with other numbers.
 template <int d>
 void Tolerance_strategy<d>::rebuild(Step<d>& step) {
     try {

@@ -14,7 +14,7 @@ namespace annulus {
 /// A strategy at work: owns the positions of the vertices and keeps the triangulation right at them.
 ///
 /// What throws leaves positions() as they were, unless it says otherwise; the triangulation and all else is then
-/// unspecified but after Error(collision), after which it is right. Engine builds anew after the others.
+/// unspecified but after Error(duplicate_point), after which it is right. Engine builds anew after the others.
 template <int d>
 class Update_strategy {
   public:
@@ -22,7 +22,7 @@ class Update_strategy {
     virtual ~Update_strategy() = default;
     /// The one in force.
     [[nodiscard]] Strategy strategy() const { return strategy_; }
-    /// Whether a timestamp is a move of one vertex after another (`move_sequentially`); else it is `move_all`.
+    /// Whether a time step is a move of one vertex after another (`move_sequentially`); else it is `move_all`.
     [[nodiscard]] virtual bool is_sequential() const = 0;
     /// Whether the mesh is Delaunay at positions() for certain, so that a vertex may be inserted or removed there.
     [[nodiscard]] virtual bool trusted() const { return true; }
@@ -44,7 +44,7 @@ class Update_strategy {
     /// mesh.
     [[nodiscard]] virtual bool repairs() const = 0;
 
-    /// A timestamp to x is about to begin.
+    /// A time step to x is about to begin.
     virtual void before_step(std::span<const Coordinates<d>> x, Move_report& report) {
         static_cast<void>(x);
         static_cast<void>(report);
@@ -65,7 +65,7 @@ class Update_strategy {
     virtual void truncate(std::size_t bound) = 0;
     virtual void restore_position(Index v, const Coordinates<d>& p) noexcept = 0;
 
-    // A timestamp of single moves, which is taken back as a whole when one of them is refused.
+    // A time step of single moves, which is taken back as a whole when one of them is refused.
     /// Notes the present state. x are where vertices are going to be.
     virtual void begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) = 0;
     virtual void commit_transaction(Move_report& report) = 0;

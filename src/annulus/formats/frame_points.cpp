@@ -27,7 +27,7 @@ Frame_points<d> points_of(const std::string& name, const Frame& frame, Coinciden
     for (std::size_t i = 0; i < first.size(); ++i) {
         if (first[i] != i) {
             if (coincident == Coincident::refuse)
-                fail(Error_code::collision, i,
+                fail(Error_code::duplicate_point, i,
                      "in frame " + std::to_string(frame.number) + " the point of id " + std::to_string(frame.id[i]) +
                          " is where that of id " + std::to_string(frame.id[first[i]]) + " is (line " +
                          std::to_string(frame.line[first[i]]) + ")",

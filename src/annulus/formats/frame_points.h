@@ -11,7 +11,7 @@ namespace annulus {
 
 /// What to do with points that are at one place in one frame.
 enum class Coincident {
-    refuse,  ///< an Input_error(collision)
+    refuse,  ///< an Input_error(duplicate_point)
     merge,   ///< the one with the least id stands for all; the others are absent from this frame
 };
 

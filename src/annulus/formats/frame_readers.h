@@ -17,7 +17,7 @@
 
 namespace annulus {
 
-/// One timestamp as a file has it.
+/// One time step as a file has it.
 struct Raw_frame {
     Raw_points points;
     std::vector<std::uint64_t> id;  ///< of each point, in the order of the file; empty where nobody asked for ids
@@ -29,7 +29,7 @@ struct Raw_frame {
     void clear();
 };
 
-/// What a reader of frames is asked for: points of one timestamp, or a motion, where points have ids.
+/// What a reader of frames is asked for: points of one time step, or a motion, where points have ids.
 enum class Wanted { points, motion };
 
 /// Frames of a file, one after the other, read as they are asked for. The bytes must outlive the reader.

@@ -2,7 +2,7 @@
 // Builder: insertion, by one thread or several.
 #include <annulus/kernel/builder.h>
 
-#include <annulus/arithmetic/collision.h>
+#include <annulus/arithmetic/duplicate_point.h>
 #include <annulus/arithmetic/limits.h>
 #include <annulus/kernel/bounding_box.h>
 #include <annulus/mesh/parallel_runs.h>
@@ -29,14 +29,15 @@ bool Builder<d>::build(std::span<const Coordinates<d>> x, std::span<const Index>
 }
 
 template <int d>
-void Builder<d>::throw_collision(Rank taken, Rank v) const {
-    throw collision_of("points", "have", order_[static_cast<std::size_t>(taken)], order_[static_cast<std::size_t>(v)]);
+void Builder<d>::throw_duplicate(Rank taken, Rank v) const {
+    throw duplicate_point_error("points", "have", order_[static_cast<std::size_t>(taken)],
+                                order_[static_cast<std::size_t>(v)]);
 }
 
 template <int d>
 void Builder<d>::insert_sequentially(std::size_t first, std::size_t last) {
     for (Rank v = static_cast<Rank>(first); v < static_cast<Rank>(last); ++v)
-        if (!is_corner(v) && !inserter_.insert(v)) throw_collision(inserter_.blocker(), v);
+        if (!is_corner(v) && !inserter_.insert(v)) throw_duplicate(inserter_.blocker(), v);
 }
 
 /// False where two vertices are at one place: it is to be done again by one thread, which names always the same two.

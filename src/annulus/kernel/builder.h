@@ -30,8 +30,8 @@ template <int d>
 class Builder {
   public:
     /// Triangulates these vertices (distinct indices of x) at x, by at most this many threads. False where they lie in
-    /// a hyperplane; then there is nothing to read. Throws Error(collision) naming two at one place, Error(too_large).
-    /// Expected O(n), for points that are not all on few spheres or curves.
+    /// a hyperplane; then there is nothing to read. Throws Error(duplicate_point) naming two at one place,
+    /// Error(too_large). Expected O(n), for points that are not all on few spheres or curves.
     [[nodiscard]] bool build(std::span<const Coordinates<d>> x, std::span<const Index> vertices, int threads = 1);
     /// The vertices in the order of insertion.
     [[nodiscard]] std::span<const Index> order() const { return order_; }
@@ -64,7 +64,7 @@ class Builder {
     [[nodiscard]] bool find_simplex();
     void first_cells();
     void insert_sequentially(std::size_t first, std::size_t last);
-    [[noreturn]] void throw_collision(Rank taken, Rank v) const;
+    [[noreturn]] void throw_duplicate(Rank taken, Rank v) const;
     /// Vertices of rounds that are large are shared out, those of the others are not.
     [[nodiscard]] bool insert_in_parallel(const Bounding_box<d>& around, int threads);
     template <class Place>

@@ -120,7 +120,7 @@ bool Cavity_retriangulator<d>::triangulate(std::span<const Coordinates<d>> x) {
     try {
         if (!builder_->build(x, region_.vertices)) return false;
     } catch (const Error& e) {
-        if (e.code() != Error_code::collision) throw;
+        if (e.code() != Error_code::duplicate_point) throw;
         return false;
     }
     small_.assign(builder_->cell_bound(), {});

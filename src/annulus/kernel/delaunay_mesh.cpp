@@ -208,7 +208,7 @@ void Delaunay_mesh<d>::remove(std::span<const Coordinates<d>> positions, Index v
 template <int d>
 bool Delaunay_mesh<d>::reinsert(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p,
                                 std::vector<Cell_index>& changed) {
-    if (is_taken(positions, p, v)) throw Error(Error_code::collision, "another vertex is at that position");
+    if (is_taken(positions, p, v)) throw Error(Error_code::duplicate_point, "another vertex is at that position");
     if (!detach(positions, v, changed)) return false;
     attach(positions, v, p, locate(positions, p, none), changed);
     keep_present(changed, 0);

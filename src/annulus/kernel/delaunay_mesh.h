@@ -48,7 +48,7 @@ class Delaunay_mesh {
 
     /// By at most how many threads everything is built; the result does not depend on it.
     void set_threads(int threads) { threads_ = threads; }
-    /// Builds from nothing; vertex i is x[i]. Throws Error(collision) naming the pair when two points are equal,
+    /// Builds from nothing; vertex i is x[i]. Throws Error(duplicate_point) naming the pair when two points are equal,
     /// Error(too_large). Expected O(n).
     void build(std::span<const Coordinates<d>> x);
     /// Builds everything anew at x. Throws the same, with nothing changed.
@@ -64,15 +64,15 @@ class Delaunay_mesh {
                        std::vector<Cell_index>& made);
 
     // Given `positions` to write in, it writes home[v] = p unless nothing has changed.
-    /// Inserts p as vertex v (a new index, for which there is room, or a vacant one); `changed` receives the new cells.
+    /// Inserts p as vertex v (a new index, for which there is room, or a free one); `changed` receives the new cells.
     /// Expected O(degree of v) after locating; O(n) with a small constant where all vertices lie in a hyperplane.
     /// False, with nothing changed, when a vertex is there.
     [[nodiscard]] bool insert(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p,
                               std::vector<Cell_index>& changed);
-    /// Removes v, whose index becomes vacant.
+    /// Removes v, whose index becomes free.
     void remove(std::span<const Coordinates<d>> positions, Index v, std::vector<Cell_index>& changed);
     /// Takes v out and puts it back in at p; `changed` receives the new cells. False, with nothing changed, when the
-    /// rest would be flat. Throws Error(collision), with nothing changed, when another vertex is there.
+    /// rest would be flat. Throws Error(duplicate_point), with nothing changed, when another vertex is there.
     [[nodiscard]] bool reinsert(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p,
                                 std::vector<Cell_index>& changed);
 

@@ -23,7 +23,7 @@ struct Flat_cells {
 template <int d>
 [[nodiscard]] Flat_cells flat_cells(std::span<const Coordinates<d>> x, std::vector<Index> vertices);
 
-/// Throws Error(collision) naming two vertices that are at one place. O(n log n).
+/// Throws Error(duplicate_point) naming two vertices that are at one place. O(n log n).
 template <int d>
 void require_distinct(std::span<const Coordinates<d>> x, std::vector<Index> vertices);
 

@@ -9,7 +9,7 @@
 
 namespace annulus {
 
-/// Which indices are vertices; the others below the bound are vacant.
+/// Which indices are vertices; the others below the bound are free.
 class Vertex_set {
   public:
     /// One more than the largest index there has been.
@@ -23,7 +23,7 @@ class Vertex_set {
         has_.assign(n, 1);
         size_ = n;
     }
-    /// New indices are vacant; vertices above the bound go.
+    /// New indices are free; vertices above the bound go.
     void set_bound(std::size_t n) {
         has_.resize(n, 0);
         size_ = static_cast<std::size_t>(std::count(has_.begin(), has_.end(), char{1}));

@@ -10,7 +10,7 @@ namespace annulus {
 /// What the certificates of a triangulation measure at given positions, in the caller's unit of length.
 struct Measures {
     std::vector<double> tolerance;  ///< by vertex index: least certified tolerance of its certificates; infinite at
-                                    ///< vacant indices and where the points are flat
+                                    ///< free indices and where the points are flat
     std::vector<double>
         annulus_width;  ///< certified width of the annulus of every finite bi-cell: the standard one in the
                         ///< plane, the least of four in space

@@ -14,7 +14,7 @@ namespace annulus {
 /// Vertex v has the neighbours `of(v)`. When `hull[v]` is 0 the list is cyclic: consecutive entries u, w (and last,
 /// first) span the finite triangle (v, u, w). When `hull[v]` is 1 the vertex is on the convex hull (or the whole
 /// triangulation is collinear) and the list is open: it starts with the neighbour that follows infinity, and last,
-/// first span no triangle. Vacant indices (removed vertices) have an empty list.
+/// first span no triangle. Free indices (removed vertices) have an empty list.
 struct Neighbours_2 {
     std::vector<Index> begin;   ///< size() + 1 offsets into `vertex`
     std::vector<Index> vertex;  ///< neighbour indices

@@ -153,7 +153,7 @@ std::vector<Feature_curves::Place> Feature_curves::places(std::span<const Coordi
     return place;
 }
 
-void Feature_curves::settle(std::span<Coordinates<3>> points, double reach) const {
+void Feature_curves::recompute_tolerances(std::span<Coordinates<3>> points, double reach) const {
     const std::vector<Place> place = places(points, reach);
     for (std::size_t i = 0; i < points.size(); ++i)
         if (const auto c = static_cast<Index>(place[i]); c >= 0) {

@@ -32,7 +32,7 @@ class Feature_curves {
     /// least number. O(n log n), and the points in boxes around curves.
     [[nodiscard]] std::vector<Place> places(std::span<const Coordinates<3>> points, double distance) const;
     /// Moves those that have a place on a curve onto it, without rounding across an edge along an axis.
-    void settle(std::span<Coordinates<3>> points, double distance) const;
+    void recompute_tolerances(std::span<Coordinates<3>> points, double distance) const;
 
   private:
     std::vector<Polyline_3> curves_;  ///< those between corners come first

@@ -27,7 +27,7 @@ class Generated_motion {
     Generated_motion(std::vector<Coordinates<d>> points, Motion_family family, double pace, std::uint64_t seed);
 
     [[nodiscard]] std::span<const Coordinates<d>> points() const { return points_; }
-    /// Goes on to the next timestamp.
+    /// Goes on to the next time step.
     void step();
 
   private:

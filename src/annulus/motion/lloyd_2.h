@@ -41,7 +41,7 @@ class Lloyd_2 {
     Lloyd_2(Domain_2 domain, Density_2 density, int threads = 1);
 
     /// Sets target[v] to the centroid of (Voronoi cell of v, cut to the domain) for every v. The vertices with an empty
-    /// list in `neighbours`, unless v is the only one, are vacant: they keep their position and are not counted.
+    /// list in `neighbours`, unless v is the only one, are free: they keep their position and are not counted.
     ///
     /// Preconditions: `neighbours` are those of a Delaunay triangulation of `position`; positions are finite and
     /// differ; they may be outside of the domain. A list that is not Delaunay's gives a target in the domain all the

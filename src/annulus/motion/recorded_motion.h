@@ -9,7 +9,7 @@
 
 namespace annulus {
 
-/// Where the points of one timestamp are, if there are any. Ids differ; coordinates are finite.
+/// Where the points of one time step are, if there are any. Ids differ; coordinates are finite.
 struct Frame {
     std::uint64_t number = 0;       ///< what the file calls it, or its place from 0
     std::vector<std::uint64_t> id;  ///< ascending

@@ -20,7 +20,7 @@ namespace annulus {
 class Stars_2 {
   public:
     /// Reads a table. Its triangles are compared with those of the last reading: O(cells), and O(degree) for each
-    /// vertex of a cell that differs. All vacant where the points are on a line, because there are no cells then.
+    /// vertex of a cell that differs. All free where the points are on a line, because there are no cells then.
     void read(const Corner_table<2>& table);
     /// Reads lists, all of them. O(n).
     void read(const Neighbours_2& lists);

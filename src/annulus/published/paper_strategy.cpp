@@ -46,7 +46,7 @@ void Paper_strategy<d>::set_tolerance(Index v, double tolerance) {
 }
 
 template <int d>
-void Paper_strategy<d>::settle(std::span<const Coordinates<d>> x, Move_report& report) {
+void Paper_strategy<d>::recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report) {
     const bool own = x.data() == this->position_.data();
     forget_queue();
     least_.clear();  // it may name a vertex that a call which ran out of memory has not inserted
@@ -66,7 +66,7 @@ void Paper_strategy<d>::settle(std::span<const Coordinates<d>> x, Move_report& r
 template <int d>
 void Paper_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
     if (std::exchange(switch_.fresh, false)) this->set_strategy(Strategy::paper_hybrid);
-    if (has_switched()) return settle(x, report);
+    if (has_switched()) return recompute_tolerances(x, report);
     least_.clear();
     Rebuild_strategy<d>::begin(x, report);
 }
@@ -86,7 +86,7 @@ template <int d>
 void Paper_strategy<d>::before_step(std::span<const Coordinates<d>> x, Move_report& report) {
     constexpr int sample = 40;
     constexpr double share = d == 2 ? 0.75 : 0.55;
-    if (has_switched() || switch_.timestamps++ % 4 != 0) return;
+    if (has_switched() || switch_.steps++ % 4 != 0) return;
     if (this->mesh().dimension() != d || this->mesh().vertices() < 4) return;
     least_.resize(this->mesh().vertex_bound());
     int within = 0;
@@ -97,7 +97,7 @@ void Paper_strategy<d>::before_step(std::span<const Coordinates<d>> x, Move_repo
         within += stays(x, v, report) ? 1 : 0;
     }
     if (within < share * sample) return;
-    settle(this->position_, report);
+    recompute_tolerances(this->position_, report);
     this->set_strategy(Strategy::paper);
     switch_.fresh = true;
 }
@@ -158,7 +158,7 @@ void Paper_strategy<d>::refresh(std::span<const Cell_index> cells, Move_report& 
 }
 
 /// Makes the moving position of h its fixed one, and the mesh Delaunay there; `changed` receives the cells around h and
-/// those that are new. Returns what has become of h. Throws Error(collision), with nothing changed.
+/// those that are new. Returns what has become of h. Throws Error(duplicate_point), with nothing changed.
 template <int d>
 std::uint64_t& Paper_strategy<d>::bring(Index h, std::vector<Cell_index>& changed, Move_counts& moves) {
     Delaunay_mesh<d>& mesh = this->mesh();
@@ -188,7 +188,7 @@ void Paper_strategy<d>::process(Index h, Move_report& report, bool first) {
     try {
         done = &bring(h, changed, moves);
     } catch (const Error& e) {
-        if (e.code() != Error_code::collision || is_taken(h)) throw;
+        if (e.code() != Error_code::duplicate_point || is_taken(h)) throw;
         // It is at the fixed position of a vertex that has moved on.
     }
     queue_.has[at(h)] = 0;
@@ -201,7 +201,7 @@ void Paper_strategy<d>::process(Index h, Move_report& report, bool first) {
     } else {
         ++report.requeued;
     }
-    if (rebuilt) return settle(this->position_, report);
+    if (rebuilt) return recompute_tolerances(this->position_, report);
     state_.epsilon[at(h)] = unlimited;
     state_.threshold[at(h)] = 0.0;
     tolerances_.note(changed, state_.fixed, least_, report);
@@ -239,7 +239,7 @@ void Paper_strategy<d>::begin_again(Move_report& report) {
         this->mesh().rebuild(state_.fixed);
         return;
     }
-    settle(this->position_, report);
+    recompute_tolerances(this->position_, report);
 }
 
 template <int d>

@@ -34,11 +34,11 @@ class Paper_strategy final : public Rebuild_strategy<d> {
         : Rebuild_strategy<d>(mesh, strategy), tolerances_(mesh.table(), kind), signs_(mesh.table()), random_(seed) {}
 
     /// Every tolerance anew, with x as fixed and moving positions. When it throws, no position was written. O(n).
-    void settle(std::span<const Coordinates<d>> x, Move_report& report);
+    void recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report);
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
     void refresh_all(Move_report& report) override { begin(this->position_, report); }
     /// Whether to filter from now on: of 40 random vertices 75 % (55 % in space) have a tolerance above their
-    /// displacement. Looks at every fourth timestamp (paper 4.2).
+    /// displacement. Looks at every fourth time step (paper 4.2).
     void before_step(std::span<const Coordinates<d>> x, Move_report& report) override;
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
     void refresh(std::span<const Cell_index> cells, Move_report& report) override;
@@ -93,14 +93,14 @@ class Paper_strategy final : public Rebuild_strategy<d> {
         std::vector<char> has;  // by vertex
     };
     struct Switch {
-        std::uint64_t timestamps = 0;
-        bool fresh = false;  // to the filter, in a timestamp that has not ended
+        std::uint64_t steps = 0;
+        bool fresh = false;  // to the filter, in a time step that has not ended
     };
 
     Paper_tolerances<d> tolerances_;
     Sign_evaluator<d> signs_;
     State state_;
-    State saved_;  // before a timestamp
+    State saved_;  // before a time step
     Queue queue_;
     Least_tolerance least_;  // of what is looked at
     Switch switch_;

@@ -17,7 +17,7 @@ void Relocation_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report&
     try {
         const bool in_place = this->strategy() == Strategy::relocate_flips;
         switch (in_place ? this->mesh().relocate_in_place(x, v, p) : this->mesh().relocate(x, v, p)) {
-            case Relocation::refused: throw Error(Error_code::collision, "another vertex is at that position");
+            case Relocation::refused: throw Error(Error_code::duplicate_point, "another vertex is at that position");
             case Relocation::kept: ++report.moves.kept_in_place; break;
             case Relocation::reinserted: ++report.moves.reinserted; break;
         }

@@ -142,7 +142,7 @@ Adversary_record attack(Moving_delaunay_3& dt, std::span<const std::vector<Index
             }
         }
         for (std::size_t i = 0; i < x.size(); ++i) (void)dt.move(vertices[i], x[i]);
-        if (passed != x.size()) (void)dt.settle();
+        if (passed != x.size()) (void)dt.recompute_tolerances();
     }
     return r;
 }

@@ -136,11 +136,11 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
     out.push_back(c);
     append_in_place(r, out);
 
-    c = claim("figure-11", "If all points move, a timestamp relocates 2n vertices at most.", "at most 2n");
+    c = claim("figure-11", "If all points move, a time step relocates 2n vertices at most.", "at most 2n");
     if (!all.empty()) {
         const auto x = of_each(all, [](const auto& race) { return most_renewals(race, "paper-printed"); });
         c.theirs = "at most " + times(most(x)) + " n";
-        c.ours = "the longest timestamp of auto takes " +
+        c.ours = "the longest time step of auto takes " +
                  range(of_each(all, [](const auto& race) { return longest_step(race, "auto"); }), times) +
                  " rebuilds by the processor's clock, of 100 the second longest " +
                  range(of_each(all, [](const auto& race) { return longest_step(race, "auto", 0.01); }), times);

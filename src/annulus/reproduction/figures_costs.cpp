@@ -92,11 +92,11 @@ Plot relocation_plot(const std::vector<const Race_record*>& races) {
     return plot;
 }
 
-/// Rebuilds that a timestamp costs, by the share of points that move.
+/// Rebuilds that a time step costs, by the share of points that move.
 Plot movers_plot(const Reproduction& r, const char* where) {
     Plot plot{std::string("Random points, ") + where,
               {"points that move (%)", Scale::log10, {}, {}, true},
-              {"time of a timestamp (rebuilds)", Scale::log10, {}, {}, false},
+              {"time of a time step (rebuilds)", Scale::log10, {}, {}, false},
               {}};
     for (const auto& [racer, words] :
          {std::pair("relocate", "relocation"), std::pair("paper-printed", "paper's filter"),
@@ -153,7 +153,7 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
         append_plot(twelve, panels,
                     speed_plot("Certified, one vertex at a time (filter-each)", races, "filter-each", false),
                     "figure-12-filter-each.csv");
-        append_plot(twelve, panels, speed_plot("Certified, whole timestamps (auto)", races, "auto", false),
+        append_plot(twelve, panels, speed_plot("Certified, whole time steps (auto)", races, "auto", false),
                     "figure-12-auto.csv");
         append_plot(twelve, panels, relocation_plot(races), "figure-12-relocate.csv", "At the steps that were timed.");
         twelve.sections.emplace_back("Speed-up", std::move(panels));
@@ -175,7 +175,7 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
     std::vector<Panel> panels;
     for (const char* where : {"plane", "space"})
         append_plot(movers, panels, movers_plot(r, where), std::string("movers-") + where + ".csv");
-    if (!panels.empty()) movers.sections.emplace_back("Cost of a timestamp", std::move(panels));
+    if (!panels.empty()) movers.sections.emplace_back("Cost of a time step", std::move(panels));
     out.push_back(std::move(movers));
 }
 

@@ -182,11 +182,11 @@ class Printed_filter<d>::Work {
         if constexpr (d == 2)
             if (choice_.flips) {
                 if (tr_.move_if_no_collision(old, Pieces::point(moving_[at(h)])) != old)
-                    throw Error(Error_code::collision, "another vertex is at that position");
+                    throw Error(Error_code::duplicate_point, "another vertex is at that position");
                 return;
             }
         const Vertex made = tr_.insert(Pieces::point(moving_[at(h)]), Pieces::cell_of(old));
-        if (made->index() != none) throw Error(Error_code::collision, "another vertex is at that position");
+        if (made->index() != none) throw Error(Error_code::duplicate_point, "another vertex is at that position");
         made->set_index(h);
         handle_[at(h)] = made;
         Pieces::remove(tr_, old, fresh_);

@@ -24,7 +24,7 @@ struct Printed_choice {
 /// no table, no filtered predicate; tolerances are in plain double, and in space they are unsound (docs/theory.md 3).
 /// What it does does not depend on addresses.
 ///
-/// Of three the work is cheaper than the text: squares are compared, a queue holds a vertex once, and a timestamp's
+/// Of three the work is cheaper than the text: squares are compared, a queue holds a vertex once, and a time step's
 /// vertices follow each other in the order of their indices.
 template <int d>
 class Printed_filter {
@@ -35,8 +35,8 @@ class Printed_filter {
 
     /// Every tolerance, at the fixed positions; the constructor did so. O(n).
     void precompute();
-    /// Each vertex in turn. Throws Error(collision), after which it is good for nothing, as where points come to lie
-    /// in a plane.
+    /// Each vertex in turn. Throws Error(duplicate_point), after which it is good for nothing, as where points come to
+    /// lie in a plane.
     Move_report move_all(std::span<const Coordinates<d>> target);
     /// Those whose tolerance did not let the last move pass, each once.
     [[nodiscard]] std::span<const Index> failed() const;

@@ -42,7 +42,7 @@ void Racer<d>::build(std::span<const Coordinates<d>> points) {
     if (plan_.printed) printed_ = std::make_unique<Printed_filter<d>>(points, *plan_.printed);
     else dt_ = std::make_unique<Moving_of<d>>(points, plan_.options);
     const double built = processor_seconds();
-    if (dt_) (void)dt_->settle();  // a second time, to know what it takes
+    if (dt_) (void)dt_->recompute_tolerances();  // a second time, to know what it takes
     else if (plan_.printed->tolerances) printed_->precompute();
     record_.first_seconds = built - begin;
     record_.precompute_seconds = processor_seconds() - built;

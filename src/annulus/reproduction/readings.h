@@ -42,7 +42,7 @@ namespace annulus {
                                                             double share);
 /// Certificates evaluated for each of them.
 [[nodiscard]] double updates_at(const Race_record& race, const std::string& racer, std::uint64_t step);
-/// The most vertices whose reference was renewed in one timestamp, in vertices.
+/// The most vertices whose reference was renewed in one time step, in vertices.
 [[nodiscard]] double most_renewals(const Race_record& race, const std::string& racer);
 
 /// Share of moves within tolerance from which on a filter takes no longer than rebuilding; absent where it never

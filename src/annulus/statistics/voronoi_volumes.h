@@ -21,7 +21,7 @@ struct Voronoi_counts {
 /// The areas (d = 2) or volumes (d = 3) of the Voronoi cells of a Delaunay triangulation, by vertex index, in the
 /// caller's unit of length to the d-th power. Infinity where the Voronoi cell is unbounded: at every vertex of the
 /// hull, those within its edges and facets included, and everywhere where all points are in a plane or on a line. NaN
-/// for an index that no cell names: a vacant one, and a vertex that is the only one.
+/// for an index that no cell names: a free one, and a vertex that is the only one.
 ///
 /// Each number has a relative error of at most voronoi_volume_error, 1.2e-10 (most have 1e-13), whatever the points:
 /// near-cospherical, slivers, and at any scale. A number above the largest double is that one, so that infinity

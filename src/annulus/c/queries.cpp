@@ -59,7 +59,7 @@ const char* annulus_status_name(int status) {
         case ANNULUS_WRONG_SIZE: return "wrong size";
         case ANNULUS_NOT_FINITE: return "not finite";
         case ANNULUS_OUT_OF_DOMAIN: return "out of domain";
-        case ANNULUS_COLLISION: return "collision";
+        case ANNULUS_DUPLICATE_POINT: return "duplicate_point";
         case ANNULUS_UNKNOWN_VERTEX: return "unknown vertex";
         case ANNULUS_ENVIRONMENT: return "environment";
         case ANNULUS_TOO_LARGE: return "too large";
@@ -109,10 +109,10 @@ int annulus_voronoi(const annulus_mesh* mesh, size_t capacity, double* volumes, 
                      [&](const Any_mesh& m) { m.voronoi(volumes, neighbour_counts); });
 }
 
-int annulus_index_of_input(const annulus_mesh* mesh, size_t capacity, int32_t* indices, size_t* count) {
+int annulus_vertex_of_input(const annulus_mesh* mesh, size_t capacity, int32_t* indices, size_t* count) {
     return guarded(mesh, [&](const annulus_mesh& m) {
         require(count, "count");
-        const auto all = m.mesh->index_of_input();
+        const auto all = m.mesh->vertex_of_input();
         *count = all.size();
         if (indices != nullptr || capacity > 0) require_capacity(capacity, all.size(), "points");
         require(indices, capacity, "indices");

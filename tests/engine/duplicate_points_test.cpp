@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A collision names both vertices, and other errors the one they are about, whatever was called and under every
+// A duplicate point names both vertices, and other errors the one they are about, whatever was called and under every
 // strategy.
 #include <annulus/arithmetic/error.h>
 #include <annulus/moving_delaunay_2.h>
@@ -99,7 +99,7 @@ void check_everything(const Positions<d>& points, const Options& options) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     Positions<d> x = points;
     x[9] = x[4];
-    check_told([&] { Mesh mesh(span(x), options); }, Error_code::collision, {4, 9},
+    check_told([&] { Mesh mesh(span(x), options); }, Error_code::duplicate_point, {4, 9},
                "points 4 and 9 have the same position");
     x[9] = points[9];
     x[7][1] = nan;
@@ -110,26 +110,26 @@ void check_everything(const Positions<d>& points, const Options& options) {
     Mesh mesh(span(points), options);
     // Twice: with tolerances, where any are kept, and after the first refusals.
     for (int round = 0; round < 2; ++round) {
-        const Error_code collision = Error_code::collision;
-        check_told([&] { (void)mesh.move(2, points[11]); }, collision, {2, 11},
+        const Error_code duplicate_point = Error_code::duplicate_point;
+        check_told([&] { (void)mesh.move(2, points[11]); }, duplicate_point, {2, 11},
                    "vertices 2 and 11 would have the same position");
-        check_told([&] { (void)mesh.move(11, points[2]); }, collision, {2, 11},
+        check_told([&] { (void)mesh.move(11, points[2]); }, duplicate_point, {2, 11},
                    "vertices 2 and 11 would have the same position");
         const Index one[] = {5};
-        check_told([&] { (void)mesh.move(one, std::span(&points[3], 1)); }, collision, {3, 5},
+        check_told([&] { (void)mesh.move(one, std::span(&points[3], 1)); }, duplicate_point, {3, 5},
                    "vertices 3 and 5 would have the same position");
         const Index some[] = {1, 6, 8};
         const Positions<d> goals{points[8], points[10], points[1]};  // two change places, one is in the way
-        check_told([&] { (void)mesh.move(some, goals); }, collision, {6, 10},
+        check_told([&] { (void)mesh.move(some, goals); }, duplicate_point, {6, 10},
                    "vertices 6 and 10 would have the same position");
         const Positions<d> equal{points[8], points[8], points[1]};
-        check_told([&] { (void)mesh.move(some, equal); }, collision, {1, 6},
+        check_told([&] { (void)mesh.move(some, equal); }, duplicate_point, {1, 6},
                    "vertices 1 and 6 would have the same position");
         x = points;
         x[10] = x[0];
-        check_told([&] { (void)mesh.move_all(span(x)); }, collision, {0, 10},
+        check_told([&] { (void)mesh.move_all(span(x)); }, duplicate_point, {0, 10},
                    "vertices 0 and 10 would have the same position");
-        check_told([&] { (void)mesh.insert(point_for<Mesh, d>(points[7])); }, collision, {7},
+        check_told([&] { (void)mesh.insert(point_for<Mesh, d>(points[7])); }, duplicate_point, {7},
                    "vertex 7 has the position of the point to be inserted");
         x = points;
         x[3][0] = 0x1p501;
@@ -144,14 +144,14 @@ void check_everything(const Positions<d>& points, const Options& options) {
         CHECK(Positions<d>(now<Mesh, d>(mesh).begin(), now<Mesh, d>(mesh).end()) == points);
         CHECK(mesh.audit().delaunay());
     }
-    // A vertex that has gone is in nobody's way, and an index that is vacant has no name.
+    // A vertex that has gone is in nobody's way, and an index that is free has no name.
     remove<Mesh, d>(mesh, 4);
     check_told([&] { (void)mesh.move(4, points[0]); }, Error_code::unknown_vertex, {4}, "no vertex has index 4");
     x = points;
     x[8] = points[4];
     (void)mesh.move_all(span(x));
     x[9] = points[4];
-    check_told([&] { (void)mesh.move_all(span(x)); }, Error_code::collision, {8, 9},
+    check_told([&] { (void)mesh.move_all(span(x)); }, Error_code::duplicate_point, {8, 9},
                "vertices 8 and 9 would have the same position");
     CHECK(mesh.audit().delaunay());
 }
@@ -185,14 +185,14 @@ TEMPLATE_TEST_CASE_SIG("Few vertices of many, -0 for 0, and the pair that is nam
         options.strategy = strategy;
         INFO(std::string(name_of(strategy)));
         Moving_mesh<d> mesh(std::span<const Coordinates<d>>(points), options);
-        (void)mesh.settle();
+        (void)mesh.recompute_tolerances();
         const Index some[] = {17, 200};
         Positions<d> goals{points[30], points[30]};
         goals[0][0] = -0.0;
         goals[1] = points[200];
-        check_told([&] { (void)mesh.move(some, goals); }, Error_code::collision, {17, 30},
+        check_told([&] { (void)mesh.move(some, goals); }, Error_code::duplicate_point, {17, 30},
                    "vertices 17 and 30 would have the same position");
-        check_told([&] { (void)mesh.insert(goals[0]); }, Error_code::collision, {30},
+        check_told([&] { (void)mesh.insert(goals[0]); }, Error_code::duplicate_point, {30},
                    "vertex 30 has the position of the point to be inserted");
         Positions<d> x = points;
         for (std::size_t i = 100; i < 110; ++i) x[i + 50] = x[i];

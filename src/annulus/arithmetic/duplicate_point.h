@@ -10,9 +10,9 @@
 namespace annulus {
 
 /// "points 3 and 15 have the same position", "vertices 3 and 15 would have the same position", and which they are.
-[[nodiscard]] inline Error collision_of(const char* what, const char* have, std::int64_t a, std::int64_t b) {
+[[nodiscard]] inline Error duplicate_point_error(const char* what, const char* have, std::int64_t a, std::int64_t b) {
     const auto [first, second] = std::minmax(a, b);
-    return {Error_code::collision,
+    return {Error_code::duplicate_point,
             std::string(what) + " " + std::to_string(first) + " and " + std::to_string(second) + " " + have +
                 " the same position",
             {first, second}};
