@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A time step of 10,000 uniform points: when every vertex passes, against reading and comparing the arrays; and under
-// rebuild, relocate and filter at displacements of 1e-4 to 0.3 spacings.
+// rebuild, relocate and tolerances at displacements of 1e-4 to 0.3 spacings.
 #include <annulus/engine/displacement.h>
 #include <annulus/moving_delaunay_2.h>
 
@@ -77,7 +77,7 @@ void read_and_compare(benchmark::State& state) {
 BENCHMARK(read_and_compare);
 
 /// range(0): displacement in units of 1e-4 spacings.
-void timestamps(benchmark::State& state, Strategy strategy) {
+void time_steps(benchmark::State& state, Strategy strategy) {
     Options options;
     options.strategy = strategy;
     const Points x = uniform();
@@ -98,9 +98,11 @@ void timestamps(benchmark::State& state, Strategy strategy) {
 void displacements(benchmark::internal::Benchmark* b) {
     for (const int d : {1, 10, 100, 300, 1000, 3000}) b->Arg(d);
 }
-BENCHMARK_CAPTURE(timestamps, rebuild, Strategy::rebuild)->Apply(displacements)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(timestamps, relocate, Strategy::relocate)->Apply(displacements)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(timestamps, filter, Strategy::filter)->Apply(displacements)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(timestamps, filter_each, Strategy::filter_each)->Apply(displacements)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(time_steps, rebuild, Strategy::rebuild)->Apply(displacements)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(time_steps, relocate, Strategy::relocate)->Apply(displacements)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(time_steps, tolerances, Strategy::tolerances)->Apply(displacements)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(time_steps, tolerances_each, Strategy::tolerances_each)
+    ->Apply(displacements)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -38,7 +38,7 @@ def lloyd(bench):
     yield from [f"## Lloyd, 10,000 points, {iterations} iterations", "", *WHAT, "", *HEAD]
     for density in ("one", "x2+y2", "x2", "sin2"):
         run = bench.call("annulus-relaxations", "lloyd", "--points", 10000, "--density", density, "--iterations",
-                         iterations, strategies="cgal@20,rebuild,auto,filter,paper,paper:floating")[0]
+                         iterations, strategies="cgal@20,rebuild,auto,tolerances,paper,paper:floating")[0]
         yield row(density, run, 25, 50, 0.3, 0.15)
     yield ""
 
@@ -54,17 +54,17 @@ def nodt(bench):
         words = [meshes / w if "." in w else w for w in words]
         run = bench.call("annulus-relaxations", "nodt", *words, "--vertices", 1500 if bench.quick else vertices,
                          "--iterations", iterations,
-                         strategies="cgal@20,rebuild@4,auto,filter,paper,paper:floating,filter-each,relocate@20")[0]
+                         strategies="cgal@20,rebuild@4,auto,tolerances,paper,paper:floating,tolerances-each,relocate@20")[0]
         yield row(name, run, must, aim, 0.5, 0.2)
-        each = run["filter-each"]["seconds"]
+        each = run["tolerances-each"]["seconds"]
         ratios = [run[who]["seconds"] / each for who in ("cgal", "rebuild", "relocate")]
         single.append(f"| {name} | {ratios[0]:.1f} | 6 | {reached(ratios[0], 6)} | 10 | {ratios[1]:.1f} | "
                       f"{ratios[2]:.0f} | 40 | {reached(ratios[2], 40)} | 80 "
-                      f"| {run['filter-each']['ns']:.0f} | {run['relocate']['ns']:.0f} | "
-                      f"{'right' if run['filter-each']['audit'] else '**WRONG**'} |")
+                      f"| {run['tolerances-each']['ns']:.0f} | {run['relocate']['ns']:.0f} | "
+                      f"{'right' if run['tolerances-each']['audit'] else '**WRONG**'} |")
     yield from ["", "### One vertex at a time", "",
                 "The same motion. `relocate` takes so long that it follows each 20th time step only: its vertices go "
                 "twenty times as far at once, which costs it little.", "Nanoseconds are a vertex and step.", "",
-                "| | CGAL's / filter-each | must | reached | aim | `rebuild` / filter-each | relocate / filter-each | "
-                "must | reached | aim | filter-each, ns | relocate, ns | audit |",
+                "| | CGAL's / tolerances-each | must | reached | aim | `rebuild` / tolerances-each | relocate / tolerances-each | "
+                "must | reached | aim | tolerances-each, ns | relocate, ns | audit |",
                 "|---|---|---|---|---|---|---|---|---|---|---|---|---|", *single, ""]

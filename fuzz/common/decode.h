@@ -67,7 +67,7 @@ class Decoder {
         if (low < old) return certified_settings[low];
         low -= old;
         if (low < uncertified_settings.size()) return uncertified_settings[low];
-        return std::array<Setting, 3>{Strategy::filter, Strategy::automatic, Strategy::filter_each}[low % 3];
+        return std::array<Setting, 3>{Strategy::tolerances, Strategy::automatic, Strategy::tolerances_each}[low % 3];
     }
 
     static constexpr std::array paces{0x1p-40, 0x1p-30, 0x1p-24, 0x1p-20, 0x1p-17, 0x1p-14, 0x1p-12, 0x1p-10,

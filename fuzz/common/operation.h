@@ -26,11 +26,11 @@ namespace annulus::oracle {
 
 /// One of the ways to keep a triangulation right.
 struct Setting {
-    Strategy strategy = Strategy::filter;
+    Strategy strategy = Strategy::tolerances;
     Tolerance_kind tolerance = Tolerance_kind::certified;
 
     // NOLINTNEXTLINE: a strategy alone is a setting
-    constexpr Setting(Strategy s = Strategy::filter, Tolerance_kind kind = Tolerance_kind::certified)
+    constexpr Setting(Strategy s = Strategy::tolerances, Tolerance_kind kind = Tolerance_kind::certified)
         : strategy(s), tolerance(kind) {}
     friend constexpr bool operator==(const Setting&, const Setting&) = default;
 };
@@ -45,8 +45,8 @@ inline constexpr std::array<Setting, 9> certified_settings{{{Strategy::rebuild},
                                                             {Strategy::relocate},
                                                             {Strategy::relocate_flips},
                                                             {Strategy::in_place},
-                                                            {Strategy::filter},
-                                                            {Strategy::filter_each},
+                                                            {Strategy::tolerances},
+                                                            {Strategy::tolerances_each},
                                                             {Strategy::paper},
                                                             {Strategy::paper_hybrid},
                                                             {Strategy::automatic}}};
@@ -56,14 +56,15 @@ inline constexpr std::array<Setting, 3> uncertified_settings{{{Strategy::paper, 
                                                               {Strategy::paper, Tolerance_kind::paper},
                                                               {Strategy::paper_hybrid, Tolerance_kind::paper}}};
 
-/// filter, filter-each, paper-floating ...
+/// tolerances, tolerances-each, paper-floating ...
 [[nodiscard]] std::string name_of(const Setting& s);
 
 /// The filters, certified: what keeps tolerances from one call to the next.
 [[nodiscard]] inline std::vector<Setting> filter_settings() {
     std::vector<Setting> settings;
     for (const Setting& s : certified_settings)
-        if (s.strategy == Strategy::filter || s.strategy == Strategy::filter_each || s.strategy == Strategy::automatic)
+        if (s.strategy == Strategy::tolerances || s.strategy == Strategy::tolerances_each ||
+            s.strategy == Strategy::automatic)
             settings.push_back(s);
     return settings;
 }

@@ -19,7 +19,7 @@ namespace annulus::oracle {
 /// space.
 template <class Moving>
 [[nodiscard]] bool keeps_tolerances(const Moving& dt) {
-    return dt.strategy() == Strategy::filter || dt.strategy() == Strategy::filter_each ||
+    return dt.strategy() == Strategy::tolerances || dt.strategy() == Strategy::tolerances_each ||
            dt.strategy() == Strategy::paper;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What `filter` decided, as a sequence of words below 2^63 that proofs/traces/replay.v reads:
+// What `tolerances` decided, as a sequence of words below 2^63 that proofs/traces/replay.v reads:
 // src/annulus/engine/trace.h says where this comes in. An event is its number (the enumeration below) and what the
 // comment beside it says; a position is d numbers, a list of things is how many there are and these. A number is its
 // bits, after `minus` when it is negative.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // usage: traces SEED WORDS
 //
-// Histories of triangulations that move, in the plane and in space, under `filter` and `filter-each`: steps of all
-// vertices, of some, of one, insertions, removals, tolerance_recomputations, calls that fail. Compiled with
+// Histories of triangulations that move, in the plane and in space, under `tolerances` and `tolerances-each`: steps of
+// all vertices, of some, of one, insertions, removals, tolerance_recomputations, calls that fail. Compiled with
 // ANNULUS_TRACE the engine tells what it decided (trace.h); a line is what it told of one history, as hexadecimal
 // words, after two for the dimension and the bounds in use. Lines that begin with `table` are triangulations of the
 // plane as they are after a call (audits.v). Ends when so many words have been written; on stderr how often what
@@ -68,7 +68,7 @@ struct History {
             if (std::find(points.begin(), points.end(), p) == points.end()) points.push_back(p);
         }
         Options options;
-        options.strategy = below(4) == 0 ? Strategy::filter_each : Strategy::filter;
+        options.strategy = below(4) == 0 ? Strategy::tolerances_each : Strategy::tolerances;
         Trace::start<d>();
         Mesh mesh(std::span<const Point>(points), options);
         const double pace = std::ldexp(1.0, -4 - static_cast<int>(below(14)));

@@ -14,7 +14,7 @@ import numpy as np
 
 from ._error import Error, OpenBoundariesWarning
 
-STRATEGIES = ("auto", "filter", "filter-each", "in-place", "rebuild", "relocate", "relocate-flips", "paper",
+STRATEGIES = ("auto", "tolerances", "tolerances-each", "in-place", "rebuild", "relocate", "relocate-flips", "paper",
               "paper-hybrid")
 TOLERANCES = ("certified", "paper", "floating")
 DENSITIES = ("one", "x2+y2", "x2", "sin2")

@@ -30,7 +30,7 @@ class MovingDelaunay(Readings):
         a plane.
     strategy : str, optional
         How the triangulation is kept right: ``auto`` (the cheapest of tolerances, signs with flips, and
-        rebuilding, as counts tell), ``filter``, ``filter-each``, ``in-place``, ``rebuild``, ``relocate``,
+        rebuilding, as counts tell), ``tolerances``, ``tolerances-each``, ``in-place``, ``rebuild``, ``relocate``,
         ``relocate-flips``, ``paper`` or ``paper-hybrid``.
     tolerance : str, optional
         ``certified``, a proved lower bound; with the strategies ``paper`` and ``paper-hybrid`` also ``paper`` and

@@ -20,9 +20,9 @@ T chosen(const char* what, std::optional<T> value, const std::string& name, cons
 Options options_of(const std::string& strategy, const std::string& tolerance, int threads, bool merge_duplicates,
                    bool report_changes, std::uint64_t seed) {
     Options o;
-    o.strategy =
-        chosen("strategy", strategy_named(strategy), strategy,
-               "auto, filter, filter-each, in-place, rebuild, relocate, relocate-flips, paper and paper-hybrid");
+    o.strategy = chosen(
+        "strategy", strategy_named(strategy), strategy,
+        "auto, tolerances, tolerances-each, in-place, rebuild, relocate, relocate-flips, paper and paper-hybrid");
     o.tolerance = chosen("tolerance", tolerance_kind_named(tolerance), tolerance, "certified, paper and floating");
     if (threads < 1) throw Error(Error_code::usage, "threads must be 1 or more, not " + std::to_string(threads));
     o.threads = threads;

@@ -38,7 +38,7 @@ constexpr Field fields[] = {
     {"evaluated", "int: certificates evaluated.", [](Move_report& r) -> std::uint64_t& { return r.evaluated; }},
     {"star_walks", "int: vertices all of whose certificates had to be looked at.",
      [](Move_report& r) -> std::uint64_t& { return r.star_walks; }},
-    {"requeued", "int: vertices whose reference another vertex renewed (filter-each).",
+    {"requeued", "int: vertices whose reference another vertex renewed (tolerances-each).",
      [](Move_report& r) -> std::uint64_t& { return r.requeued; }},
     {"flips", "int: flips that stand.", [](Move_report& r) -> std::uint64_t& { return r.flips; }},
     {"undone_flips", "int: flips taken back because they led nowhere.",

@@ -13,7 +13,7 @@ SEED = int(os.environ.get("ANNULUS_TEST_SEED")
            or (Path(__file__).resolve().parents[2] / "tests/seed").read_text(encoding="ascii"))
 HANGING = 1800  # seconds: no call takes a hundredth of it, and a machine may be very busy
 MULTIPLIER = float(os.environ.get("ANNULUS_TEST_MULTIPLIER", "1"))
-STRATEGIES = ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "paper",
+STRATEGIES = ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "tolerances", "tolerances-each", "paper",
               "paper-hybrid"]
 
 

@@ -57,7 +57,7 @@ def test_uniform_points_can_be_compared(d):
 
 
 @repeats(60)
-@given(st.sampled_from(KINDS), st.integers(2, 3), st.sampled_from(["auto", "filter", "in-place"]), st.data())
+@given(st.sampled_from(KINDS), st.integers(2, 3), st.sampled_from(["auto", "tolerances", "in-place"]), st.data())
 def test_moves_insertions_and_removals(kind, d, strategy, data):
     dt = annulus.MovingDelaunay(points_of(kind, 40, d, data.draw(st.integers(0, 2**32))), strategy)
     rng = np.random.default_rng(data.draw(st.integers(0, 2**32)))

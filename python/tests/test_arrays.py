@@ -168,7 +168,7 @@ def test_nothing_is_copied_that_need_not_be():
     dt = annulus.MovingDelaunay(X)
     for name in ("points", "simplices", "neighbors", "vertex_to_simplex"):
         assert np.shares_memory(getattr(dt, name), getattr(dt, name)), name
-    filtered = annulus.MovingDelaunay(X, "filter")
+    filtered = annulus.MovingDelaunay(X, "tolerances")
     simplices = filtered.simplices
     assert filtered.move(X + 1e-12).within_tolerance == 40
     assert np.shares_memory(simplices, filtered.simplices), "the same simplices, the same array"

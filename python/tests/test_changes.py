@@ -166,7 +166,7 @@ def test_few_and_flat_points(n, d, k, seed):
 def test_tolerances_hold():
     """Vertices that stay within tolerances leave the simplices as they are."""
     rng = np.random.default_rng(11)
-    dt = annulus.MovingDelaunay(rng.random((200, 2)), "filter")
+    dt = annulus.MovingDelaunay(rng.random((200, 2)), "tolerances")
     simplices = as_set(dt.simplices)
     way = rng.standard_normal((200, 2))
     way *= (0.99 * dt.tolerances / np.linalg.norm(way, axis=1))[:, None]

@@ -60,8 +60,8 @@ def at(x, i, j):
     return bad(x, i, x[j])
 
 
-@pytest.mark.parametrize("strategy", ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter",
-                                      "filter-each", "paper", "paper-hybrid"])
+@pytest.mark.parametrize("strategy", ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "tolerances",
+                                      "tolerances-each", "paper", "paper-hybrid"])
 @pytest.mark.parametrize("d", [2, 3])
 def test_errors_name_the_vertices_concerned(d, strategy):
     x = np.random.default_rng(d).random((40, d))
@@ -136,7 +136,7 @@ def test_memory_that_runs_out():
     program = """
 import annulus, numpy, resource
 x = numpy.random.default_rng(0).random((20000, 3))
-dt = annulus.MovingDelaunay(x, "filter")
+dt = annulus.MovingDelaunay(x, "tolerances")
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 soft, hard = resource.getrlimit(resource.RLIMIT_AS)
 refused = 0

@@ -30,7 +30,7 @@ def same(a, b):
 @pytest.mark.parametrize("d", [2, 3])
 @pytest.mark.parametrize("copied", COPIES)
 def test_copies(kind, d, copied):
-    dt = annulus.MovingDelaunay(points_of(kind, 40, d, 1), "filter", threads=2)
+    dt = annulus.MovingDelaunay(points_of(kind, 40, d, 1), "tolerances", threads=2)
     other = copied(dt)
     same(dt, other)
     check(other)

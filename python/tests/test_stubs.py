@@ -87,7 +87,7 @@ def test_types(tmp_path):
 import annulus
 import numpy as np
 
-dt = annulus.MovingDelaunay(np.zeros((0, 3), dtype=np.float32), "filter", threads=2)
+dt = annulus.MovingDelaunay(np.zeros((0, 3), dtype=np.float32), "tolerances", threads=2)
 report: annulus.MoveReport = dt.move(dt.points)
 n: int = report.flips + dt.nvertices + annulus.lloyd(10, 1).report.asked
 s = annulus.nodt("sphere", 100).simplices

@@ -150,7 +150,7 @@ def test_two_threads_compute_at_once(call):
 
 
 @pytest.mark.parametrize("d", [2, 3])
-@pytest.mark.parametrize("strategy", ["auto", "filter", "rebuild"])
+@pytest.mark.parametrize("strategy", ["auto", "tolerances", "rebuild"])
 def test_an_array_that_is_written_meanwhile(d, strategy):
     """What is proved is proved of positions as they were at one moment, whatever is written later: also what nothing
     could be proved of."""

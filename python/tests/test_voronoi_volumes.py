@@ -155,7 +155,7 @@ def change(dt, rng):
     return what
 
 
-@pytest.mark.parametrize("strategy", ["auto", "filter", "filter-each", "relocate", "rebuild"])
+@pytest.mark.parametrize("strategy", ["auto", "tolerances", "tolerances-each", "relocate", "rebuild"])
 @pytest.mark.parametrize("d", [2, 3])
 def test_kept_volumes_are_computed_anew(d, strategy):
     """Volumes that were asked for after each call, beside those of an object that had the same calls and is asked for

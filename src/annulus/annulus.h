@@ -64,8 +64,8 @@ typedef struct annulus_mesh annulus_mesh;
 // annulus_create and not kept.
 typedef struct annulus_options {
     size_t size;
-    // "auto" (default), "filter", "filter-each", "in-place", "paper", "paper-hybrid", "relocate", "relocate-flips",
-    // "rebuild"
+    // "auto" (default), "tolerances", "tolerances-each", "in-place", "paper", "paper-hybrid", "relocate",
+    // "relocate-flips", "rebuild"
     const char* strategy;
     const char* tolerance;     // "certified" (default); with "paper" and "paper-hybrid" also "paper", "floating"
     const char* second_look;   // NULL or "off": there are none any longer

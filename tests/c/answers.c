@@ -276,8 +276,8 @@ static void check_first_fault(void) {
 }
 
 int main(void) {
-    static const char* const strategies[] = {"auto",     "filter",       "filter-each",    "in-place", "paper",
-                                             "relocate", "paper-hybrid", "relocate-flips", "rebuild"};
+    static const char* const strategies[] = {"auto",     "tolerances",   "tolerances-each", "in-place", "paper",
+                                             "relocate", "paper-hybrid", "relocate-flips",  "rebuild"};
     for (int k = 0; k < 9; ++k) {
         check_motion(2, strategies[k], 150);
         check_motion(3, strategies[k], 60);

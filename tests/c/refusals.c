@@ -110,7 +110,7 @@ static void check_sizes_and_names(void) {
     options.size = sizeof options;
     options.strategy = "fastest";
     CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &options), ANNULUS_USAGE);
-    options.strategy = "filter";
+    options.strategy = "tolerances";
     options.tolerance = "Certified";
     CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &options), ANNULUS_USAGE);
     options.tolerance = NULL;

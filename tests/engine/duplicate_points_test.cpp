@@ -71,9 +71,9 @@ std::vector<Positions<d>> point_sets() {
     return {scattered, lattice, line};
 }
 
-constexpr Strategy strategies[] = {Strategy::automatic,      Strategy::rebuild,  Strategy::relocate,
-                                   Strategy::relocate_flips, Strategy::in_place, Strategy::filter,
-                                   Strategy::filter_each,    Strategy::paper,    Strategy::paper_hybrid};
+constexpr Strategy strategies[] = {Strategy::automatic,       Strategy::rebuild,  Strategy::relocate,
+                                   Strategy::relocate_flips,  Strategy::in_place, Strategy::tolerances,
+                                   Strategy::tolerances_each, Strategy::paper,    Strategy::paper_hybrid};
 
 template <class Mesh, int d>
 auto point_for(const Coordinates<d>& p) {

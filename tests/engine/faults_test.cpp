@@ -40,9 +40,9 @@ Options with(Strategy strategy) {
     return options;
 }
 
-constexpr std::array strategies{Strategy::rebuild,   Strategy::relocate, Strategy::relocate_flips,
-                                Strategy::in_place,  Strategy::filter,   Strategy::filter_each,
-                                Strategy::automatic, Strategy::paper,    Strategy::paper_hybrid};
+constexpr std::array strategies{Strategy::rebuild,   Strategy::relocate,   Strategy::relocate_flips,
+                                Strategy::in_place,  Strategy::tolerances, Strategy::tolerances_each,
+                                Strategy::automatic, Strategy::paper,      Strategy::paper_hybrid};
 
 /// Limits, by a name that depends on d: where they are wide nothing can be assigned to them.
 template <int d>
@@ -120,7 +120,7 @@ TEMPLATE_TEST_CASE_SIG("What stands at a vacant index has no say", "[faults]", (
 
 TEMPLATE_TEST_CASE_SIG("A conveyor, each vertex to the place of the next, is no heap of collisions", "[faults]",
                        ((int d), d), 2, 3) {
-    for (const Strategy strategy : {Strategy::relocate, Strategy::in_place, Strategy::filter_each}) {
+    for (const Strategy strategy : {Strategy::relocate, Strategy::in_place, Strategy::tolerances_each}) {
         const auto x = uniform<d>(d == 2 ? 1500 : 300, 4);
         Moving<d> dt(std::span<const Coordinates<d>>(x), with(strategy));
         auto y = x;
@@ -168,7 +168,7 @@ TEMPLATE_TEST_CASE_SIG("More cells than indices can name are refused, and nothin
         SUCCEED("2^29 cells are more than a test has memory for; the build with tiny limits passes this bound");
     } else {
         const std::int32_t wide = Horizons_of<d>::cells;
-        for (const Strategy strategy : {Strategy::filter, Strategy::filter_each}) {
+        for (const Strategy strategy : {Strategy::tolerances, Strategy::tolerances_each}) {
             Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(30, 6)), with(strategy));
             Horizons_of<d>::cells = dt.mesh().table().cell_bound().value();
             CHECK_THROWS_AS((Moving<d>(std::span<const Coordinates<d>>(uniform<d>(60, 7)), with(strategy))), Error);

@@ -48,7 +48,7 @@ TEST_CASE("Ring positions permuted into a pentagram leave no star that winds twi
     holds_everywhere({{}, points, {move_all(framed_star), move_all(points)}});
 }
 
-TEST_CASE("A time step refused by filter-each leaves fixed positions and tolerances", "[finds]") {
+TEST_CASE("A time step refused by tolerances-each leaves fixed positions and tolerances", "[finds]") {
     holds_everywhere({{}, {{2, 3}, {1, 1}, {4, 3}}, {move_all({{0, 0}, {68, 1000}, {68, 1000}})}});
     holds_everywhere(
         {{},

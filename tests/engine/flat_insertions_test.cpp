@@ -72,7 +72,8 @@ void check(Strategy strategy) {
 
 TEMPLATE_TEST_CASE_SIG("A layer that is filled vertex by vertex is not built anew for each of them, dimension",
                        "[engine][flat]", ((int d), d), 2, 3) {
-    for (const Strategy strategy : {Strategy::automatic, Strategy::filter, Strategy::rebuild, Strategy::filter_each}) {
+    for (const Strategy strategy :
+         {Strategy::automatic, Strategy::tolerances, Strategy::rebuild, Strategy::tolerances_each}) {
         check<d, Moving_mesh<d>>(strategy);
         check<d, Delaunay_of<d>>(strategy);
     }
@@ -81,7 +82,7 @@ TEMPLATE_TEST_CASE_SIG("A layer that is filled vertex by vertex is not built ane
 TEMPLATE_TEST_CASE_SIG("Vertices come and go in a hyperplane, and into it and out of it, dimension", "[engine][flat]",
                        ((int d), d), 2, 3) {
     std::mt19937_64 random(3);
-    for (const Strategy strategy : {Strategy::automatic, Strategy::filter, Strategy::relocate}) {
+    for (const Strategy strategy : {Strategy::automatic, Strategy::tolerances, Strategy::relocate}) {
         CAPTURE(name_of(strategy));
         Options options;
         options.strategy = strategy;

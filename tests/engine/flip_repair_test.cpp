@@ -43,9 +43,10 @@ void check_cells(const Moving_of<d>& dt) {
 
 TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the Delaunay triangulation, dimension",
                        "[mender]", ((int d), d), 2, 3) {
-    // By reach: time steps of `filter` in which something was flipped and nothing rebuilt.
+    // By reach: time steps of `tolerances` in which something was flipped and nothing rebuilt.
     std::map<double, int> repaired;
-    for (const Strategy strategy : {Strategy::filter, Strategy::automatic, Strategy::filter_each, Strategy::in_place})
+    for (const Strategy strategy :
+         {Strategy::tolerances, Strategy::automatic, Strategy::tolerances_each, Strategy::in_place})
         for (const std::string_view family : bench::families)
             for (const double spacings : {0.01, 0.03, 0.1, 0.3, 1.0}) {
                 CAPTURE(name_of(strategy), family, spacings);
@@ -59,7 +60,7 @@ TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the D
                         for (int step = 0; step < 5; ++step) {
                             scene.step();
                             const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
-                            if (strategy == Strategy::filter && report.flips > 0 && report.moves.rebuilt == 0)
+                            if (strategy == Strategy::tolerances && report.flips > 0 && report.moves.rebuilt == 0)
                                 ++repaired[spacings];
                             check_cells<d>(dt);
                             mesh.move_all(std::span<const Coordinates<d>>(scene.points()));
@@ -78,7 +79,7 @@ TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dim
     // Of thousands of vertices, hull and all, a handful at which flips are stuck. Calm enough for what repair may cost.
     for_each_seed(2, [](Random& random) {
         bench::Scene<d> scene("uniform", "walk", 1500, d == 2 ? 0.1 : 0.01, random());
-        auto dt = moving<d>(scene.points(), Strategy::filter);
+        auto dt = moving<d>(scene.points(), Strategy::tolerances);
         Move_report all;  // of the steps that were mended
         std::uint64_t repaired = 0;
         for (int step = 0; step < 8; ++step) {
@@ -200,7 +201,7 @@ TEST_CASE("auto is the same run from the same input", "[mender]") {
 
 TEMPLATE_TEST_CASE_SIG("A vertex that goes where another is refused, however far, and nothing has changed, dimension",
                        "[mender]", ((int d), d), 2, 3) {
-    for (const Strategy strategy : {Strategy::filter, Strategy::automatic})
+    for (const Strategy strategy : {Strategy::tolerances, Strategy::automatic})
         for_each_seed(10, [&](Random& random) {
             bench::Scene<d> scene("uniform", "walk", 50, 0.1, random());
             auto dt = moving<d>(scene.points(), strategy);
@@ -215,7 +216,7 @@ TEMPLATE_TEST_CASE_SIG("A vertex that goes where another is refused, however far
                 }
             }
             CHECK(cells_of(dt.triangulation()) == cells);
-            if (strategy == Strategy::filter) CHECK(dt.tolerance(dt.vertex(0)) == tolerance);
+            if (strategy == Strategy::tolerances) CHECK(dt.tolerance(dt.vertex(0)) == tolerance);
             check_cells<d>(dt);
         });
 }
@@ -249,8 +250,8 @@ TEMPLATE_TEST_CASE_SIG(
             REQUIRE(dt.triangulation().tds().is_valid());
         }
     };
-    for (const Strategy strategy : {Strategy::filter_each, Strategy::filter, Strategy::automatic})
+    for (const Strategy strategy : {Strategy::tolerances_each, Strategy::tolerances, Strategy::automatic})
         for_each_seed(60, [&](Random& random) { one(random, strategy); });
     Random once(621);  // the second border
-    one(once, Strategy::filter_each);
+    one(once, Strategy::tolerances_each);
 }

@@ -19,8 +19,8 @@ TEMPLATE_TEST_CASE("Info stays with its vertex", "[relocation]", Moving_delaunay
         else return typename TestType::Point(p[0], p[1], p[2]);
     };
     for (const Strategy strategy :
-         {Strategy::rebuild, Strategy::relocate, Strategy::relocate_flips, Strategy::in_place, Strategy::filter,
-          Strategy::filter_each, Strategy::automatic, Strategy::paper, Strategy::paper_hybrid}) {
+         {Strategy::rebuild, Strategy::relocate, Strategy::relocate_flips, Strategy::in_place, Strategy::tolerances,
+          Strategy::tolerances_each, Strategy::automatic, Strategy::paper, Strategy::paper_hybrid}) {
         CAPTURE(name_of(strategy));
         for_each_seed(1, [&](Random& random) {
             Options options;

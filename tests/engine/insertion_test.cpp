@@ -183,7 +183,7 @@ void come_and_go(std::uint64_t seed, Strategy strategy) {
 TEMPLATE_TEST_CASE_SIG("Vertices that come to degenerate places, and go, leave the cells of a construction, dimension",
                        "[insertion]", ((int d), d), 2, 3) {
     for (std::uint64_t seed = 1; seed <= (Limits::tiny ? 60 : 200); ++seed) {
-        const std::array strategies{Strategy::automatic, Strategy::filter, Strategy::rebuild, Strategy::in_place,
+        const std::array strategies{Strategy::automatic, Strategy::tolerances, Strategy::rebuild, Strategy::in_place,
                                     Strategy::relocate};
         const Strategy strategy = strategies[seed / 5 % strategies.size()];
         come_and_go<d, Moving_mesh<d>>(seed, strategy);
@@ -219,7 +219,7 @@ TEMPLATE_TEST_CASE_SIG("A lattice that is filled and thinned at random has the c
         }
         CHECK(refused > 100);
     };
-    for (const Strategy strategy : {Strategy::automatic, Strategy::filter}) {
+    for (const Strategy strategy : {Strategy::automatic, Strategy::tolerances}) {
         Options options;
         options.strategy = strategy;
         Moving_mesh<d> mesh(options);
@@ -232,7 +232,7 @@ TEMPLATE_TEST_CASE_SIG("A lattice that is filled and thinned at random has the c
 TEMPLATE_TEST_CASE_SIG("Vertices go far, where others are or not, and the triangulation is right, dimension",
                        "[insertion]", ((int d), d), 2, 3) {
     for (const Strategy strategy :
-         {Strategy::automatic, Strategy::filter, Strategy::relocate, Strategy::relocate_flips}) {
+         {Strategy::automatic, Strategy::tolerances, Strategy::relocate, Strategy::relocate_flips}) {
         Options options;
         options.strategy = strategy;
         Random random(11);

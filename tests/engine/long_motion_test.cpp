@@ -70,7 +70,8 @@ std::vector<std::uint64_t> diary(Strategy strategy, std::uint64_t mess) {
 }  // namespace
 
 TEST_CASE("A shear of eight thousand steps stays right", "[long]") {
-    for (const Strategy strategy : {Strategy::filter, Strategy::paper, Strategy::automatic, Strategy::filter_each}) {
+    for (const Strategy strategy :
+         {Strategy::tolerances, Strategy::paper, Strategy::automatic, Strategy::tolerances_each}) {
         CAPTURE(name_of(strategy));
         CHECK(shear<Moving_delaunay_2>(strategy, 400, 1, 6e-5, repeats(8000)) == "");
         CHECK(shear<Moving_delaunay_3>(strategy, 60, 2, 8e-5, repeats(8000)) == "");
@@ -78,7 +79,7 @@ TEST_CASE("A shear of eight thousand steps stays right", "[long]") {
 }
 
 TEST_CASE("What a run does and says does not depend on where its memory is", "[long][space]") {
-    for (const Strategy strategy : {Strategy::rebuild, Strategy::filter, Strategy::filter_each}) {
+    for (const Strategy strategy : {Strategy::rebuild, Strategy::tolerances, Strategy::tolerances_each}) {
         CAPTURE(name_of(strategy));
         const auto first = diary(strategy, 1);
         for (std::uint64_t mess = 2; mess < 8; ++mess) CHECK((diary(strategy, mess) == first));

@@ -39,11 +39,13 @@ TEMPLATE_TEST_CASE_SIG("A mesh whose call runs out of memory is as it was, and g
         {"insert outside", [=](auto& m) { (void)m.insert(outside); }},
         {"remove", [](auto& m) { m.remove(12); }},
         {"recompute_tolerances", [](auto& m) { (void)m.recompute_tolerances(); }}};
-    for (const Strategy strategy : {Strategy::automatic, Strategy::filter, Strategy::filter_each, Strategy::relocate})
+    for (const Strategy strategy :
+         {Strategy::automatic, Strategy::tolerances, Strategy::tolerances_each, Strategy::relocate})
         for (const int before : {0, 1, 4})  // time steps
             for (const Memory memory : {Memory::short_once, Memory::short_for_good})
                 for (const Call& call : calls) {
-                    if (before == 4 && (strategy == Strategy::filter_each || strategy == Strategy::relocate)) continue;
+                    if (before == 4 && (strategy == Strategy::tolerances_each || strategy == Strategy::relocate))
+                        continue;
                     bool done = false;
                     for (std::uint64_t n = static_cast<std::uint64_t>(before); !done && n < 100000; n += 1 + n) {
                         CAPTURE(name_of(strategy), before, static_cast<int>(memory), call.name, n);

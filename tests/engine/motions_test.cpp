@@ -158,7 +158,7 @@ TEMPLATE_TEST_CASE_SIG(
     Points_of<d> x(d == 2 ? 500 : 200);
     for (auto& p : x)
         for (double& c : p) c = between(random, -1.0, 1.0);
-    typename Space<d>::Moving dt(std::span<const Coordinates<d>>(x), {.strategy = Strategy::filter});
+    typename Space<d>::Moving dt(std::span<const Coordinates<d>>(x), {.strategy = Strategy::tolerances});
     const auto step = [&](double pace) {
         for (auto& p : x)
             for (double& c : p) c += pace * between(random, -1.0, 1.0);

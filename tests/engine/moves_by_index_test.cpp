@@ -61,7 +61,7 @@ constexpr std::size_t vertices_of(Scene scene) {
     return d == 2 ? 1280 : scene == Scene::sphere ? 1280 : 192;
 }
 
-const Strategy certified[] = {Strategy::filter, Strategy::automatic, Strategy::filter_each, Strategy::in_place};
+const Strategy certified[] = {Strategy::tolerances, Strategy::automatic, Strategy::tolerances_each, Strategy::in_place};
 
 /// A 64th of all, so that they are moved one by one.
 template <int d>

@@ -19,9 +19,9 @@ using Moving_d = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3
 template <int d>
 using Traits_d = std::conditional_t<d == 2, Cgal_traits_2<No_info>, Cgal_traits_3<No_info>>;
 
-constexpr std::array strategies{Strategy::automatic,      Strategy::filter,  Strategy::filter_each,
-                                Strategy::in_place,       Strategy::rebuild, Strategy::relocate,
-                                Strategy::relocate_flips, Strategy::paper,   Strategy::paper_hybrid};
+constexpr std::array strategies{Strategy::automatic,      Strategy::tolerances, Strategy::tolerances_each,
+                                Strategy::in_place,       Strategy::rebuild,    Strategy::relocate,
+                                Strategy::relocate_flips, Strategy::paper,      Strategy::paper_hybrid};
 
 /// Calls harm(object, a finite cell of CGAL's), and finds that the audit says so.
 template <int d, class Harm>
@@ -137,7 +137,7 @@ TEMPLATE_TEST_CASE_SIG("Cells that are written through handles are found by the 
 TEST_CASE("Another diagonal of cocircular points, made by hand, is not the strategy's", "[audit]") {
     const Points_d<2> x{{0, 0}, {1, 0}, {0, 1}, {1, 1}};
     Options options;
-    options.strategy = Strategy::filter;
+    options.strategy = Strategy::tolerances;
     const Moving_delaunay_2 dt(std::span<const Coordinates<2>>(x), options);
     auto& tr = const_cast<Moving_delaunay_2::Triangulation&>(dt.triangulation());
     const auto c = tr.finite_faces_begin();

@@ -29,7 +29,8 @@ void refuses_threads() {
     const auto x = corners<d>();
     const std::span<const Coordinates<d>> points(x);
     for (const int threads : {0, -1, -3, std::numeric_limits<int>::min()})
-        for (const Strategy strategy : {Strategy::automatic, Strategy::filter, Strategy::rebuild, Strategy::relocate}) {
+        for (const Strategy strategy :
+             {Strategy::automatic, Strategy::tolerances, Strategy::rebuild, Strategy::relocate}) {
             Options options;
             options.threads = threads;
             options.strategy = strategy;
@@ -71,8 +72,8 @@ TEST_CASE("Tolerances that are not certified are for the paper's strategies alon
     const auto x = corners<3>();
     const std::span<const Coordinates<3>> points(x);
     for (const Strategy strategy :
-         {Strategy::rebuild, Strategy::relocate, Strategy::relocate_flips, Strategy::in_place, Strategy::filter,
-          Strategy::filter_each, Strategy::automatic, Strategy::paper, Strategy::paper_hybrid})
+         {Strategy::rebuild, Strategy::relocate, Strategy::relocate_flips, Strategy::in_place, Strategy::tolerances,
+          Strategy::tolerances_each, Strategy::automatic, Strategy::paper, Strategy::paper_hybrid})
         for (const Tolerance_kind kind : {Tolerance_kind::certified, Tolerance_kind::paper, Tolerance_kind::floating}) {
             CAPTURE(name_of(strategy), name_of(kind));
             const bool fits =

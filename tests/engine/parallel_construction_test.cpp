@@ -111,6 +111,6 @@ TEMPLATE_TEST_CASE_SIG("What several threads build is what one builds, bit for b
         for (const int threads : {2, 5}) CHECK((built<d>(x, strategy, threads) == alone));
     };
     compare(uniform<d>(), Strategy::rebuild);
-    compare(uniform<d>(), Strategy::filter);
+    compare(uniform<d>(), Strategy::tolerances);
     compare(lattice<d>(), Strategy::rebuild);
 }

@@ -49,7 +49,7 @@ std::vector<double> walked(int with, Strategy strategy, double spacings) {
 TEMPLATE_TEST_CASE_SIG(
     "Timestamps in several threads are those in one, counters and order of cells included, dimension",
     "[parallel][deep]", ((int d), d), 2, 3) {
-    for (const Strategy strategy : {Strategy::automatic, Strategy::filter})
+    for (const Strategy strategy : {Strategy::automatic, Strategy::tolerances})
         for (const double spacings : {3e-3, 0.05}) {
             const auto alone = walked<d>(1, strategy, spacings);
             for (const int with : {2, 3, 5}) CHECK((walked<d>(with, strategy, spacings) == alone));

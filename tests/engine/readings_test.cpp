@@ -148,7 +148,7 @@ TEMPLATE_TEST_CASE_SIG("displacement() is the distance from the fixed position, 
         CAPTURE(name_of(setting));
         Options options;
         options.strategy = setting.strategy;
-        const bool keeps = setting.strategy == Strategy::filter || setting.strategy == Strategy::filter_each ||
+        const bool keeps = setting.strategy == Strategy::tolerances || setting.strategy == Strategy::tolerances_each ||
                            setting.strategy == Strategy::paper;
         bool moved = false;
         for_each_seed(keeps ? 10 : 2, [&](Random& random) {
@@ -190,7 +190,7 @@ TEMPLATE_TEST_CASE_SIG("displacement() is the distance from the fixed position, 
     Points_of<d> x(40);
     for (auto& p : x)
         for (double& c : p) c = between(random, -1.0, 1.0);
-    Moving dt(x, {.strategy = Strategy::filter});
+    Moving dt(x, {.strategy = Strategy::tolerances});
     for (std::size_t i = 0; i < x.size(); ++i) x[i][0] += 0.5 * dt.tolerance(dt.vertex(i));
     dt.move_all(x);
     CHECK(dt.displacement(dt.vertex(0)) > 0.0);

@@ -17,7 +17,7 @@ using Kind = Operation_3::Kind;
 
 namespace {
 
-constexpr std::array filters{Strategy::filter, Strategy::filter_each};
+constexpr std::array filters{Strategy::tolerances, Strategy::tolerances_each};
 
 /// docs/theory.md 3.
 Points_3 spindle(double delta) {

@@ -59,7 +59,7 @@ template <class Moving>
 void say_the_same(Tolerance_kind kind = Tolerance_kind::certified) {
     constexpr int d = Moving::dimension_of_space;
     for (const Strategy strategy :
-         {Strategy::rebuild, Strategy::relocate, Strategy::in_place, Strategy::filter, Strategy::filter_each,
+         {Strategy::rebuild, Strategy::relocate, Strategy::in_place, Strategy::tolerances, Strategy::tolerances_each,
           Strategy::automatic, Strategy::paper, Strategy::paper_hybrid}) {
         if (kind != Tolerance_kind::certified && strategy != Strategy::paper) continue;
         CAPTURE(name_of(strategy));
@@ -92,7 +92,7 @@ TEST_CASE("Objects of their own may be moved at the same time", "[threads]") {
     const auto run = []<class Moving>(std::type_identity<Moving>) {
         constexpr int d = Moving::dimension_of_space;
         std::vector<double> said;
-        for (const Strategy strategy : {Strategy::relocate, Strategy::filter, Strategy::filter_each,
+        for (const Strategy strategy : {Strategy::relocate, Strategy::tolerances, Strategy::tolerances_each,
                                         Strategy::automatic, Strategy::paper_hybrid}) {
             Random random(8);
             Long_motion<d> motion(Motion_kind::walk_middle, 60, random);
@@ -121,7 +121,7 @@ TEST_CASE("Objects of their own may be moved at the same time", "[threads]") {
 
 TEST_CASE("Const members of a mesh may run at the same time", "[threads]") {
     bench::Scene<3> scene("uniform", "walk", 300, 1e-3, 1);
-    for (const Strategy strategy : {Strategy::automatic, Strategy::filter}) {
+    for (const Strategy strategy : {Strategy::automatic, Strategy::tolerances}) {
         Options options;
         options.strategy = strategy;
         Moving_mesh<3> mesh(std::span<const Coordinates<3>>(scene.points()), options);

@@ -4,7 +4,7 @@
 // happens to have no others. So these tests put numbers into the filters' books for which rounding to nearest goes the
 // wrong way, and compare with rational numbers.
 
-#include <engine/filter_session.h>
+#include <engine/strategy_session.h>
 
 #include <support/catch.h>
 #include <support/properties.h>
@@ -29,8 +29,8 @@ REVEAL(Reading, &Displacement_budget<2>::path_length);
 REVEAL(Set_threshold, &Displacement_budget<2>::set_threshold);
 REVEAL(Rebase, &Displacement_budget<2>::rebase);
 
-struct Filter_session : Session<Tolerance_strategy<2>> {
-    explicit Filter_session(Random& random) : Session(random, Strategy::filter) {}
+struct Strategy_session : Session<Tolerance_strategy<2>> {
+    explicit Strategy_session(Random& random) : Session(random, Strategy::tolerances) {}
     [[nodiscard]] Displacement_budget<2>& odometers() { return Session::operator[](Odometer{}); }
     template <class Name>
     auto& operator[](Name) {
@@ -44,7 +44,7 @@ struct Filter_session : Session<Tolerance_strategy<2>> {
 };
 
 /// The expiries of facet f, point by point.
-std::vector<Expiry*> expiries(Filter_session& s, Corner_index f) {
+std::vector<Expiry*> expiries(Strategy_session& s, Corner_index f) {
     std::vector<Expiry*> out;
     for (std::size_t k = 0; k < 4; ++k) out.push_back(&s[Expiries{}].of_facet(f, s.mesh.table().twin(f), k));
     return out;
@@ -57,10 +57,10 @@ double odd(Random& random, int exponent) { return std::ldexp(1.0 + unit(random),
 TEST_CASE("A reading is at least base and displacement", "[relocation][rounding]") {
     REQUIRE(for_all("of every magnitude", [](const Seed& seed) {
         Random random = seed.random();
-        Filter_session s(random);
+        Strategy_session s(random);
         for (int i = 0; i < 200; ++i) {
             const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
-            const Point f = s.filter.fixed_position(v);
+            const Point f = s.strategy.fixed_position(v);
             const double way = std::ldexp(1.0, -integer(random, 0, 80));
             const Point x{f[0] + way * between(random, -1, 1), f[1] + way * between(random, -1, 1)};
             s[List{}][at(v)].base = random() % 4 == 0 ? 0.0 : odd(random, integer(random, -40, 3));
@@ -74,7 +74,7 @@ TEST_CASE("A reading is at least base and displacement", "[relocation][rounding]
 TEST_CASE("What a vertex may move, and what passes, is below earliest expiry less base", "[relocation][rounding]") {
     REQUIRE(for_all("where the difference rounds up", [](const Seed& seed) {
         Random random = seed.random();
-        Filter_session s(random);
+        Strategy_session s(random);
         for (int i = 0; i < 200; ++i) {
             const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
             auto& list = s[List{}][at(v)];
@@ -87,7 +87,7 @@ TEST_CASE("What a vertex may move, and what passes, is below earliest expiry les
             RC_ASSERT(Rational(tolerance) <= room || tolerance <= 0.0);
             s.call(Set_threshold{}, v);
             // Just as far as there is room, and so little that its square is 0.
-            const Point f = s.filter.fixed_position(v);
+            const Point f = s.strategy.fixed_position(v);
             const double reach = room > 0 ? rounded_down(room) : 0x1p-600;
             const double angle = between(random, 0.0, 6.3);
             for (const Point& p : {Point{f[0] + reach * std::cos(angle), f[1] + reach * std::sin(angle)},
@@ -103,9 +103,9 @@ TEST_CASE("What a vertex may move, and what passes, is below earliest expiry les
 TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]") {
     REQUIRE(for_all("where their sum is just below a number of 21 bits", [](const Seed& seed) {
         Random random = seed.random();
-        Filter_session s(random);
+        Strategy_session s(random);
         const auto cells = s.finite_cells();
-        s.filter.refresh(cells, s.report);
+        s.strategy.refresh(cells, s.report);
         std::vector<double> tolerances;
         for (const auto& e : s.examination().facets())
             if (e.kind != Facet_kind::nothing) tolerances.push_back(e.verdict.tolerance);
@@ -115,7 +115,7 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
                 const double sum = 1.0 + std::ldexp(integer(random, 1, 9), -20);
                 if (tolerance < 0.5) list.base = rounded_down(Rational(sum) - Rational(tolerance));
             }
-            s.filter.refresh(cells, s.report);
+            s.strategy.refresh(cells, s.report);
             const auto check = [&](Index v, Expiry e, double tolerance) {
                 RC_ASSERT(Rational(e.path_length()) <= Rational(s[List{}][at(v)].base) + Rational(tolerance));
             };
@@ -138,7 +138,7 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
 TEST_CASE("Rebasing leaves no certificate more than it had", "[relocation][rounding]") {
     REQUIRE(for_all("where the rest is just below a number of 21 bits", [](const Seed& seed) {
         Random random = seed.random();
-        Filter_session s(random);
+        Strategy_session s(random);
         for (int i = 0; i < 50; ++i) {
             const Index v = integer(random, 0, static_cast<int>(s.points.size()) - 1);
             const double base = random() % 2 == 0 ? odd(random, -integer(random, 55, 70)) : unit(random);
@@ -166,24 +166,24 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
     // A square: every tolerance is 0.
     const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     const Point moved{0x1p-600, 0};
-    SECTION("filter") {
+    SECTION("tolerances") {
         Delaunay_mesh<2> mesh;
-        Tolerance_strategy<2> filter(mesh);
+        Tolerance_strategy<2> strategy(mesh);
         Move_report report;
         mesh.build(square);
-        filter.recompute_tolerances(square, report);
+        strategy.recompute_tolerances(square, report);
         auto x = square;
         x[0] = moved;
-        filter.move_all(x, report);
+        strategy.move_all(x, report);
         CHECK(report.moves.within_tolerance == 3U);
     }
     SECTION("paper") {
         Delaunay_mesh<2> mesh;
-        Paper_strategy<2> filter(mesh, Strategy::paper, Tolerance_kind::floating, 0U);
+        Paper_strategy<2> strategy(mesh, Strategy::paper, Tolerance_kind::floating, 0U);
         Move_report report;
         mesh.build(square);
-        filter.recompute_tolerances(square, report);
-        filter.move(0, moved, report);
+        strategy.recompute_tolerances(square, report);
+        strategy.move(0, moved, report);
         CHECK(report.moves.within_tolerance == 0U);
     }
 }

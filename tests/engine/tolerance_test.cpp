@@ -108,8 +108,8 @@ Position from_fixed(Session& session, std::size_t i, double share, const Positio
     return shifted({f.x(), f.y()}, session.dt().tolerance(v), share, target, kind, random);
 }
 
-constexpr Setting filter{Strategy::filter};
-constexpr Setting filter_each{Strategy::filter_each};
+constexpr Setting tolerance_setting{Strategy::tolerances};
+constexpr Setting tolerances_each{Strategy::tolerances_each};
 
 /// sum of D^2 must be a normal number for the comparison of squares to be exact enough to promise anything.
 bool squares_underflow(Family family) {
@@ -138,7 +138,7 @@ TEST_CASE("A settled tolerance is never above the exact one and within 0.2 % of 
 }
 
 TEST_CASE("Tolerances after a drift leave the vertices of no certificate more than undoes it", "[tolerance]") {
-    for (const Setting& setting : {filter, filter_each}) {
+    for (const Setting& setting : {tolerance_setting, tolerances_each}) {
         DYNAMIC_SECTION(name_of(setting)) {
             REQUIRE(for_all([setting] {
                 const auto set = *point_set_case(4, 25);
@@ -164,7 +164,7 @@ TEST_CASE("Tolerances after a drift leave the vertices of no certificate more th
 TEST_CASE("The most harmful moves, just inside and just outside the tolerances, leave nothing wrong", "[tolerance]") {
     // Few points, so that the certificate that decides one vertex decides its neighbours too. The scale is one where
     // squares of tolerances are subnormal.
-    for (const Setting& setting : {filter, filter_each}) {
+    for (const Setting& setting : {tolerance_setting, tolerances_each}) {
         DYNAMIC_SECTION(name_of(setting)) {
             REQUIRE(for_all([setting] {
                 Random random(*annulus::testing::seeds());
@@ -196,7 +196,7 @@ TEST_CASE("The most harmful moves, just inside and just outside the tolerances, 
 
 TEST_CASE("Moves of 0.9999 tolerances, all at once, evaluate nothing and keep the triangulation",
           "[tolerance][tight]") {
-    for (const Setting& setting : {filter, filter_each}) {
+    for (const Setting& setting : {tolerance_setting, tolerances_each}) {
         DYNAMIC_SECTION(name_of(setting)) {
             REQUIRE(for_all([setting] {
                 const auto set = *point_set_case(3, 30);
@@ -228,7 +228,7 @@ TEST_CASE("Moves of 0.9999 tolerances, all at once, evaluate nothing and keep th
 TEST_CASE(
     "The worst moves of every certificate of the plane, by 0.9999 of the vertices' tolerances and by a little more",
     "[tolerance][tight]") {
-    for (const Setting& setting : {filter, filter_each}) {
+    for (const Setting& setting : {tolerance_setting, tolerances_each}) {
         DYNAMIC_SECTION(name_of(setting)) {
             annulus::testing::Undone undone;
             REQUIRE(for_all([&undone, setting](const annulus::testing::Seed& seed) {
@@ -246,7 +246,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Whenever a drifting call reports all within tolerance the audit passes", "[tolerance]") {
-    for (const Setting& setting : {filter, filter_each}) {
+    for (const Setting& setting : {tolerance_setting, tolerances_each}) {
         DYNAMIC_SECTION(name_of(setting)) {
             REQUIRE(for_all([setting] {
                 const auto set = *point_set_case(4, 25);

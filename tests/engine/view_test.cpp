@@ -56,7 +56,7 @@ TEMPLATE_TEST_CASE_SIG("CGAL's triangulation is the mesh, however much has chang
     Random random(run_seed());
     for (int round = 0; round < repeats(20); ++round) {
         Options options;
-        options.strategy = round % 3 == 0   ? Strategy::filter
+        options.strategy = round % 3 == 0   ? Strategy::tolerances
                            : round % 3 == 1 ? Strategy::automatic
                                             : Strategy::relocate;
         Labelled<d> dt(options);

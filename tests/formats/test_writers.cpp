@@ -150,11 +150,11 @@ TEST_CASE("csv: shortest decimals, empty cells, quotes") {
 }
 
 TEST_CASE("summary.json has exactly the promised keys first, in order and nested") {
-    const auto json = summary_json(some_run("filter", 0.5));
+    const auto json = summary_json(some_run("tolerances", 0.5));
     const std::string text = write_json(json);
     CHECK(text.starts_with(
         "{\n  \"command\": \"lloyd\",\n  \"dimension\": 2,\n  \"vertices\": 10,\n  \"iterations\": 2,\n"
-        "  \"strategy\": \"filter\",\n  \"tolerance\": \"certified\",\n  \"threads\": 2,\n"
+        "  \"strategy\": \"tolerances\",\n  \"tolerance\": \"certified\",\n  \"threads\": 2,\n"
         "  \"seed\": 18446744073709551615,\n"
         "  \"seconds\": {\n    \"triangulation\": 0.5,\n    \"motion\": 0.25,\n    \"total\": 1.5\n  },\n"
         "  \"moves\": {\n    \"asked\": 20,\n    \"within_tolerance\": 15,\n    \"kept_in_place\": 4,\n"
@@ -166,15 +166,15 @@ TEST_CASE("summary.json has exactly the promised keys first, in order and nested
 }
 
 TEST_CASE("compare.json has every ratio of two strategies") {
-    Comparison_record comparison{{some_run("rebuild", 3), some_run("filter", 0.5), some_run("idle", 0)}, true, {}};
+    Comparison_record comparison{{some_run("rebuild", 3), some_run("tolerances", 0.5), some_run("idle", 0)}, true, {}};
     const auto json = compare_json(comparison);
     CHECK(json["agree"] == true);
-    CHECK(json["strategies"]["filter"]["seconds"]["triangulation"] == 0.5);
-    CHECK(json["ratios"]["rebuild/filter"] == 6.);
-    CHECK(json["ratios"]["filter/rebuild"] == 0.5 / 3);
-    CHECK(json["ratios"]["filter/idle"].is_null());
+    CHECK(json["strategies"]["tolerances"]["seconds"]["triangulation"] == 0.5);
+    CHECK(json["ratios"]["rebuild/tolerances"] == 6.);
+    CHECK(json["ratios"]["tolerances/rebuild"] == 0.5 / 3);
+    CHECK(json["ratios"]["tolerances/idle"].is_null());
     CHECK(json["ratios"].size() == 6);
-    comparison.runs.push_back(some_run("filter", 1));
+    comparison.runs.push_back(some_run("tolerances", 1));
     CHECK_THROWS_AS(compare_json(comparison), Error);
     comparison = {{}, false, {"step 3: 5 cells differ"}};
     CHECK(compare_json(comparison)["disagreements"][0] == "step 3: 5 cells differ");
@@ -187,7 +187,7 @@ TEST_CASE("json survives what is no UTF-8 and no number") {
 }
 
 TEST_CASE("iterations.csv has a row for each step and empty cells for what was not measured") {
-    Run_record run = some_run("filter", 1);
+    Run_record run = some_run("tolerances", 1);
     Iteration_record step;
     step.iteration = 1;
     step.seconds_triangulation = 0.5;
@@ -206,7 +206,7 @@ TEST_CASE("iterations.csv has a row for each step and empty cells for what was n
     CHECK(write_csv(iterations_table(run)) ==
           "iteration,seconds_triangulation,seconds_motion,seconds_cumulative,displacement_mean,displacement_max,"
           "tolerance_mean,annulus_width_mean,theta_min,asked,within_tolerance,kept_in_place,flipped,reinserted,"
-          "rebuilt,filter,interval,exact,certificates_evaluated,flips\n"
+          "rebuilt,tolerances,interval,exact,certificates_evaluated,flips\n"
           "1,0.5,0.25,0.5,0.125,2,,,,10,5,4,3,2,1,0,0,0,77,8\n"
           "2,0.5,0.25,0.5,0.125,2,0.1,,1e-09,10,5,4,3,2,1,0,0,0,77,8\n");
 }

@@ -84,7 +84,7 @@ std::size_t build_all() {
     std::size_t count = 0;
     for (std::size_t k = 4; k <= 6; ++k)
         for (const auto& set : sets_of<d>(k))
-            for (const Strategy strategy : {Strategy::filter, Strategy::rebuild}) {
+            for (const Strategy strategy : {Strategy::tolerances, Strategy::rebuild}) {
                 const Moving<d> dt(std::span<const Coordinates<d>>(coordinates<d>(set)), options_of(strategy));
                 ++count;
                 if (const std::string fault = fault_at<d>(dt, set); !fault.empty())
@@ -151,19 +151,19 @@ TEST_CASE("Every set of four to six points of a 2 x 2 x 3 grid is triangulated a
 }
 
 TEST_CASE("Moves between all sets of a 3 x 3 grid end in what brute force would have", "[exhaustive]") {
-    CHECK(move_between_all<2>(4, 1, Strategy::filter) == 126 * 126);
-    CHECK(move_between_all<2>(5, 3, Strategy::filter) == 42 * 42);
-    CHECK(move_between_all<2>(6, 3, Strategy::filter_each) == 28 * 28);
+    CHECK(move_between_all<2>(4, 1, Strategy::tolerances) == 126 * 126);
+    CHECK(move_between_all<2>(5, 3, Strategy::tolerances) == 42 * 42);
+    CHECK(move_between_all<2>(6, 3, Strategy::tolerances_each) == 28 * 28);
     CHECK(move_between_all<2>(5, 5, Strategy::rebuild) == 26 * 26);
-    CHECK(permute_all<2>(4, 2, Strategy::filter) > 1000);
-    CHECK(permute_all<2>(5, 17, Strategy::filter_each) > 500);
+    CHECK(permute_all<2>(4, 2, Strategy::tolerances) > 1000);
+    CHECK(permute_all<2>(5, 17, Strategy::tolerances_each) > 500);
 }
 
 TEST_CASE("Moves between sets of a 2 x 2 x 3 grid end in what brute force would have", "[exhaustive][space]") {
-    CHECK(move_between_all<3>(4, 17, Strategy::filter) > 600);
-    CHECK(move_between_all<3>(5, 31, Strategy::filter) > 600);
-    CHECK(move_between_all<3>(6, 37, Strategy::filter) > 600);
-    CHECK(move_between_all<3>(5, 61, Strategy::filter_each) > 100);
-    CHECK(permute_all<3>(4, 40, Strategy::filter) > 200);
-    CHECK(permute_all<3>(5, 200, Strategy::filter) > 300);
+    CHECK(move_between_all<3>(4, 17, Strategy::tolerances) > 600);
+    CHECK(move_between_all<3>(5, 31, Strategy::tolerances) > 600);
+    CHECK(move_between_all<3>(6, 37, Strategy::tolerances) > 600);
+    CHECK(move_between_all<3>(5, 61, Strategy::tolerances_each) > 100);
+    CHECK(permute_all<3>(4, 40, Strategy::tolerances) > 200);
+    CHECK(permute_all<3>(5, 200, Strategy::tolerances) > 300);
 }

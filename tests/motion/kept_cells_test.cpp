@@ -21,7 +21,7 @@ namespace {
 using Points = std::vector<Coordinates<3>>;
 
 Moving_delaunay_3 kept(const Points& points) {
-    return Moving_delaunay_3(points, Options{.strategy = Strategy::filter});
+    return Moving_delaunay_3(points, Options{.strategy = Strategy::tolerances});
 }
 
 /// The cells in their order, by sorting all of them and linking by a map of facets.

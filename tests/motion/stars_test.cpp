@@ -21,7 +21,7 @@ namespace {
 using Points = std::vector<Coordinates<2>>;
 
 Moving_delaunay_2 kept(const Points& points) {
-    return Moving_delaunay_2(points, Options{.strategy = Strategy::filter});
+    return Moving_delaunay_2(points, Options{.strategy = Strategy::tolerances});
 }
 
 /// The lists that CGAL gives for these points alone, turned into the one order.

@@ -2,7 +2,7 @@
 // tolerance_strategy_rounding_test.cpp for the strategy `paper`: what it writes down is rounded in the safe direction,
 // to the last bit.
 
-#include <engine/filter_session.h>
+#include <engine/strategy_session.h>
 
 #include <support/catch.h>
 #include <support/properties.h>
@@ -34,7 +34,7 @@ TEST_CASE("paper: what passes is nearer to its fixed position than its tolerance
             s[State_of{}].epsilon[at(v)] = HUGE_VAL;
             s.call(Lower{}, v, tolerance);
             // As far as that, up to rounding, in some direction.
-            const Point& f = s.filter.fixed_position(v);
+            const Point& f = s.strategy.fixed_position(v);
             const double angle = between(random, 0.0, 6.3);
             Point& p = s[Moving_position{}][at(v)];
             p = {f[0] + tolerance * std::cos(angle), f[1] + tolerance * std::sin(angle)};

@@ -50,7 +50,7 @@ Report full_report() {
     Report report;
     report.title = "A <title> & \"more\"";
     report.run.command = "annulus lloyd --input '<script>alert(1)</script>'";
-    report.run.strategy = "filter";
+    report.run.strategy = "tolerances";
     report.run.tolerance = "certified";
     report.run.vertices = 12345;
     report.run.iterations = 3;

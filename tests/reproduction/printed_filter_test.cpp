@@ -26,19 +26,19 @@ constexpr Printed_choice choices[] = {{},
 template <int d>
 void follow(const Printed_choice& choice, double pace, bool audited) {
     Movers_scene<d> scene(400, 1, pace, 3);
-    Printed_filter<d> filter(scene.points(), choice);
+    Printed_filter<d> published(scene.points(), choice);
     std::vector<Coordinates<d>> target;
     for (int step = 0; step < 4; ++step) {
         (void)scene.next(target);
-        const Move_report r = filter.move_all(target);
+        const Move_report r = published.move_all(target);
         CHECK(r.moves.asked == 400);
-        CHECK(r.moves.asked - r.moves.within_tolerance == filter.failed().size());
+        CHECK(r.moves.asked - r.moves.within_tolerance == published.failed().size());
         CHECK(r.moves.within_tolerance + r.moves.kept_in_place + r.moves.reinserted == r.moves.asked);
         CHECK(r.moves.flipped + r.moves.rebuilt == 0);
         if (!choice.tolerances) CHECK((r.evaluated == 0 && r.moves.within_tolerance == 0 && r.requeued == 0));
-        if (choice.flips && pace < 0.01) CHECK(filter.audit().delaunay());
+        if (choice.flips && pace < 0.01) CHECK(published.audit().delaunay());
         if (!choice.in_place && !choice.safe_region) CHECK(r.moves.kept_in_place == 0);
-        if (audited) CHECK(filter.audit().delaunay());
+        if (audited) CHECK(published.audit().delaunay());
     }
 }
 
@@ -58,20 +58,20 @@ TEST_CASE("Small moves are let pass by tolerances, kept by tests in place, and r
     Movers_scene<2> scene(1000, 1, 1e-4, 5);
     std::vector<Coordinates<2>> target;
     (void)scene.next(target);
-    Printed_filter<2> filter(scene.points(), {}), in_place(scene.points(), {.tolerances = false, .in_place = true});
-    CHECK(filter.move_all(target).moves.within_tolerance > 900);
+    Printed_filter<2> published(scene.points(), {}), in_place(scene.points(), {.tolerances = false, .in_place = true});
+    CHECK(published.move_all(target).moves.within_tolerance > 900);
     CHECK(in_place.move_all(target).moves.kept_in_place > 900);
-    const Move_report still = filter.move_all(target);
+    const Move_report still = published.move_all(target);
     CHECK(still.moves.within_tolerance == 1000);
-    CHECK(filter.failed().empty());
+    CHECK(published.failed().empty());
 }
 
 TEST_CASE("The safe region is larger than the tolerance, and not all there is") {
     Movers_scene<2> scene(1000, 1, 0.02, 6);
     std::vector<Coordinates<2>> target;
     (void)scene.next(target);
-    Printed_filter<2> filter(scene.points(), {}), safe(scene.points(), {.safe_region = true});
-    const Move_report a = filter.move_all(target), b = safe.move_all(target);
+    Printed_filter<2> published(scene.points(), {}), safe(scene.points(), {.safe_region = true});
+    const Move_report a = published.move_all(target), b = safe.move_all(target);
     CHECK(b.moves.reinserted < a.moves.reinserted);
     CHECK(b.moves.reinserted > 0);
     CHECK(b.moves.kept_in_place > 0);

@@ -16,7 +16,7 @@ Race_record small() {
     Race_record race;
     race.name = "race";
     Racer_record racer;
-    racer.name = "filter";
+    racer.name = "tolerances";
     racer.step = {1, 2};
     racer.seconds = {0.1, 0.2};
     for (auto list : {&Racer_record::asked, &Racer_record::failed, &Racer_record::requeued, &Racer_record::changed,

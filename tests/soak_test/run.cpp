@@ -277,8 +277,8 @@ bool is_rough(Motion_kind kind) {
 double cost(const Case& c) {
     const bool plane = c.dimension == 2;
     switch (c.setting.strategy) {
-        case Strategy::filter:
-        case Strategy::filter_each:
+        case Strategy::tolerances:
+        case Strategy::tolerances_each:
         case Strategy::automatic:
         case Strategy::paper:
         case Strategy::paper_hybrid: return plane ? 0.5 : c.motion == Motion_kind::walk_large ? 60 : 6;
@@ -299,7 +299,7 @@ void choose_size(Case& c) {
     if (c.points == 0)
         c.points = static_cast<std::size_t>(std::exp2(testing::between(random, std::log2(40), std::log2(400))));
     if (c.steps > 0) return;
-    const bool cheap = c.setting.strategy == Strategy::filter || c.setting.strategy == Strategy::filter_each ||
+    const bool cheap = c.setting.strategy == Strategy::tolerances || c.setting.strategy == Strategy::tolerances_each ||
                        c.setting.strategy == Strategy::automatic || c.setting.strategy == Strategy::paper;
     c.steps = 50000;
     if (cheap && !is_rough(c.motion)) return;

@@ -19,8 +19,8 @@ struct Setting {
     Strategy strategy;
 };
 inline constexpr std::array<Setting, 9> all_settings{{
-    {"filter", Strategy::filter},
-    {"filter-each", Strategy::filter_each},
+    {"tolerances", Strategy::tolerances},
+    {"tolerances-each", Strategy::tolerances_each},
     {"auto", Strategy::automatic},
     {"paper", Strategy::paper},
     {"paper-hybrid", Strategy::paper_hybrid},

@@ -96,8 +96,8 @@ struct Crowd {
 TEMPLATE_TEST_CASE_SIG("Pairs made and broken are those of triangulations built anew", "[statistics]", ((int d), d), 2,
                        3) {
     for (const Strategy strategy :
-         {Strategy::automatic, Strategy::filter, Strategy::filter_each, Strategy::paper_hybrid, Strategy::rebuild,
-          Strategy::relocate, Strategy::relocate_flips, Strategy::in_place}) {
+         {Strategy::automatic, Strategy::tolerances, Strategy::tolerances_each, Strategy::paper_hybrid,
+          Strategy::rebuild, Strategy::relocate, Strategy::relocate_flips, Strategy::in_place}) {
         for (int run = 0; run < repeats(4); ++run) {
             std::mt19937_64 random(1000 * static_cast<unsigned>(run) + static_cast<unsigned>(strategy));
             INFO("strategy " << name_of(strategy) << ", run " << run);
@@ -138,7 +138,7 @@ TEMPLATE_TEST_CASE_SIG("Pairs made and broken are those of triangulations built 
 TEST_CASE("In the plane a flip breaks one pair and makes one", "[statistics]") {
     const std::vector<Coordinates<2>> square{{0, 0}, {1, 0}, {1, 1.1}, {0, 1}, {-5, -5}, {5, -5}, {5, 5}, {-5, 5}};
     Moving_mesh<2> mesh(std::span<const Coordinates<2>>(square),
-                        {.strategy = Strategy::filter, .report_changes = true});
+                        {.strategy = Strategy::tolerances, .report_changes = true});
     Neighbour_changes<2> changes;
     for (Index i = 0; i < 8; ++i) changes.name(i, 10 + static_cast<Id>(i));
     const Move_report report = mesh.move(2, {1, 0.9});

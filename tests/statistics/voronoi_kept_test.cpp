@@ -134,9 +134,9 @@ std::vector<Points_of<d>> inputs(Random& random) {
     return {uniform, few, grid<d>(), cospherical<d>()};
 }
 
-constexpr std::array strategies{Strategy::rebuild,   Strategy::relocate, Strategy::relocate_flips,
-                                Strategy::in_place,  Strategy::filter,   Strategy::filter_each,
-                                Strategy::automatic, Strategy::paper,    Strategy::paper_hybrid};
+constexpr std::array strategies{Strategy::rebuild,   Strategy::relocate,   Strategy::relocate_flips,
+                                Strategy::in_place,  Strategy::tolerances, Strategy::tolerances_each,
+                                Strategy::automatic, Strategy::paper,      Strategy::paper_hybrid};
 
 }  // namespace
 
@@ -239,7 +239,7 @@ TEMPLATE_TEST_CASE_SIG(
                                   {"insert", [&](auto& m) { (void)m.insert(nearby); }},
                                   {"remove", [](auto& m) { m.remove(7); }}};
     bool refused = false;
-    for (const Strategy strategy : {Strategy::filter, Strategy::relocate})
+    for (const Strategy strategy : {Strategy::tolerances, Strategy::relocate})
         for (const Memory memory : {Memory::short_once, Memory::short_for_good})
             for (const bool asked : {false, true})
                 for (const Call& call : calls) {

@@ -97,8 +97,8 @@ class Inputs(ToolTest):
         for words in (["lloyd", "--input", "a.xyz", "--ignore-z"], ["degeneracy", "a.xyz", "--ignore-z"],
                       ["replay", "a.xyz"], ["degeneracy", "a.xyz", "--frame", "0"],
                       ["degeneracy", "a.xyz", "--every", "1"],
-                      ["compare", "--strategies", "filter", "--", "lloyd", "--input", "a.xyz", "--ignore-z"],
-                      ["compare", "--strategies", "filter", "--", "replay", "a.xyz"]):
+                      ["compare", "--strategies", "tolerances", "--", "lloyd", "--input", "a.xyz", "--ignore-z"],
+                      ["compare", "--strategies", "tolerances", "--", "replay", "a.xyz"]):
             self.assertRegex(self.refuse(3, *words),
                              r"\Aannulus: a.xyz:2: Lattice: a periodic box, and these are not supported; expected "
                              r"--open")
@@ -117,7 +117,7 @@ class Inputs(ToolTest):
             self.assertEqual((content["ignored"], content["columns"]["y"]), (["box"], "column 4 (pos)"), directory)
             page = (self.here / directory / "degeneracy.html").read_text(encoding="utf-8")
             self.assertLess(page.index("Lattice ignored"), page.index("<svg" if "<svg" in page else "</main>"))
-        self.succeed("compare", "--strategies", "filter", "--quiet", "--output", "both", "--", "lloyd", "--input",
+        self.succeed("compare", "--strategies", "tolerances", "--quiet", "--output", "both", "--", "lloyd", "--input",
                      "a.xyz", "--ignore-z", "--open")
         content = json.loads((self.here / "both" / "compare.json").read_text(encoding="utf-8"))
         self.assertEqual((content["ignored"], content["columns"]["x"]), (["box"], "column 3 (pos)"))

@@ -172,7 +172,7 @@ class Strategies(ToolTest):
         self.compare(STRATEGIES, "--points", "3", "--iterations", "6", "--audit", "1")
 
     def test_variants(self):
-        result = self.compare(["filter", "filter:certified", "paper:floating", "filter-each"],
+        result = self.compare(["tolerances", "tolerances:certified", "paper:floating", "tolerances-each"],
                               "--points", "200", "--iterations", "15")
         self.assertEqual(result["strategies"]["paper:floating"]["tolerance"], "floating")
 

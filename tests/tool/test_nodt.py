@@ -183,7 +183,7 @@ class Nodt(tool.ToolTest):
         self.assertGreater(summary["arithmetic"]["filter"], 0)
 
     def test_failures_and_updates(self):
-        self.nodt("--sphere", "--vertices", "200", "--iterations", "5", "--strategy", "filter-each")
+        self.nodt("--sphere", "--vertices", "200", "--iterations", "5", "--strategy", "tolerances-each")
         for row in self.rows():
             self.assertEqual(int(row["failures"]), int(row["asked"]) - int(row["within_tolerance"]))
             self.assertGreater(float(row["tolerance_mean"]), 0)
@@ -208,13 +208,13 @@ class Nodt(tool.ToolTest):
 
     def test_compare(self):
         words = ("--sphere", "--vertices", "200", "--iterations", "5")
-        done = self.succeed("compare", "--strategies", "rebuild,relocate,filter-each,filter", "--output", "compare",
+        done = self.succeed("compare", "--strategies", "rebuild,relocate,tolerances-each,tolerances", "--output", "compare",
                             "--", "nodt", *words)
         self.assertIn("all strategies agree", done.stdout)
         comparison = json.loads((self.here / "compare" / "compare.json").read_text(encoding="utf-8"))
         self.assertTrue(comparison["agree"])
-        self.assertEqual(set(comparison["strategies"]), {"rebuild", "relocate", "filter-each", "filter"})
-        self.assertEqual(comparison["strategies"]["filter"]["dimension"], 3)
+        self.assertEqual(set(comparison["strategies"]), {"rebuild", "relocate", "tolerances-each", "tolerances"})
+        self.assertEqual(comparison["strategies"]["tolerances"]["dimension"], 3)
         html = (self.here / "compare" / "report.html").read_text(encoding="utf-8")
         self.assertIn("5 natural ODT iterations", html)
         self.assertIn("After 5 iterations, cut across", html)

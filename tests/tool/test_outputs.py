@@ -59,7 +59,7 @@ class Outputs(ToolTest):
         self.succeed("generate", "walk", "--from", "grid", "--points", "64", "--dim", "3", "--steps", "5", "--pace",
                      "0.1", "--output", "walk.xyz")
         for run in self.RUNS:
-            for strategy in ("auto", "filter", "rebuild", "relocate"):
+            for strategy in ("auto", "tolerances", "rebuild", "relocate"):
                 with self.subTest(run=run, strategy=strategy):
                     self.succeed(*run, "--strategy", strategy, "--output", "out", "--quiet", "--force")
                     summary = self.summary("out")
@@ -76,7 +76,7 @@ class Outputs(ToolTest):
     def test_what_compare_compares_are_the_steps(self):
         self.succeed("generate", "walk", "--from", "grid", "--points", "64", "--dim", "3", "--steps", "5", "--pace",
                      "0.1", "--output", "walk.xyz")
-        strategies = ["rebuild", "auto", "filter", "filter-each", "relocate"]
+        strategies = ["rebuild", "auto", "tolerances", "tolerances-each", "relocate"]
         for run in self.RUNS:
             with self.subTest(run=run):
                 self.succeed("compare", "--strategies", ",".join(strategies), "--output", "out", "--force", "--", *run)

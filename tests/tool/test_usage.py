@@ -129,9 +129,9 @@ class Usage(ToolTest):
             ["compare", "--", "lloyd"],
             ["compare", "--", "lloyd", "--points", "10", "--output", "out"],
             ["compare", "--", "lloyd", "--points", "10", "--force"],
-            ["compare", "--strategies", "filter,magic", "--", "lloyd", "--points", "10"],
-            ["compare", "--strategies", "filter,filter", "--", "lloyd", "--points", "10"],
-            ["compare", "--strategies", "filter:magic", "--", "lloyd", "--points", "10"],
+            ["compare", "--strategies", "tolerances,magic", "--", "lloyd", "--points", "10"],
+            ["compare", "--strategies", "tolerances,tolerances", "--", "lloyd", "--points", "10"],
+            ["compare", "--strategies", "tolerances:magic", "--", "lloyd", "--points", "10"],
         ):
             with self.subTest(words=words):
                 self.refuse(2, *words)

@@ -22,7 +22,7 @@ OPTIONS = {}  # given on the command line; "tool" always
 SEED = int(os.environ.get("ANNULUS_TEST_SEED")
            or (Path(__file__).resolve().parents[1] / "seed").read_text(encoding="ascii"))
 HANGING = 1800  # seconds: no call takes a hundredth of it, and a machine may be very busy
-STRATEGIES = ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each", "paper",
+STRATEGIES = ["auto", "rebuild", "relocate", "relocate-flips", "in-place", "tolerances", "tolerances-each", "paper",
               "paper-hybrid"]
 RUN_FILES = {"summary.json", "iterations.csv", "final.mesh", "final.vtu", "report.html"}
 SUMMARY = {

@@ -32,7 +32,7 @@ Options options_of(const annulus_options* given) {
     if (known.reserved != 0) throw Refused(ANNULUS_USAGE, "annulus_options.reserved is not 0");
     if (known.threads < 0) throw Refused(ANNULUS_USAGE, "annulus_options.threads is negative");
     choose(options.strategy, known.strategy, strategy_named, "strategy",
-           "auto, filter, filter-each, in-place, paper, paper-hybrid, relocate, relocate-flips, rebuild");
+           "auto, tolerances, tolerances-each, in-place, paper, paper-hybrid, relocate, relocate-flips, rebuild");
     choose(options.tolerance, known.tolerance, tolerance_kind_named, "kind of tolerance", "certified, paper, floating");
     if (known.second_look != nullptr && std::string_view(known.second_look) != "off")
         throw Refused(ANNULUS_USAGE, "annulus_options.second_look is neither NULL nor \"off\"");

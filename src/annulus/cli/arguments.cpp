@@ -65,8 +65,8 @@ void add_format(CLI::App& app, std::string& format, std::span<const Format> form
 
 void add_tracking(CLI::App& app, Tracking_arguments& a) {
     app.add_option("--strategy", a.strategy, "How the triangulation is kept right")
-        ->check(CLI::IsMember({"auto", "rebuild", "relocate", "relocate-flips", "in-place", "filter", "filter-each",
-                               "paper", "paper-hybrid"}))
+        ->check(CLI::IsMember({"auto", "rebuild", "relocate", "relocate-flips", "in-place", "tolerances",
+                               "tolerances-each", "paper", "paper-hybrid"}))
         ->capture_default_str();
     app.add_option("--tolerance", a.tolerance,
                    "Kind of tolerance; only certified ones are proved, and others are for the strategies paper and "

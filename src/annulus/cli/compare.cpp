@@ -29,7 +29,7 @@ struct Compare_call {
     std::vector<std::string> strategies{"rebuild", "relocate", "auto"};
 };
 
-/// "filter", "paper:floating": a strategy, and where it differs from the rest of the command its kind of tolerance.
+/// "tolerances", "paper:floating": a strategy, and where it differs from the rest of the command its kind of tolerance.
 Tracking_arguments variant(Tracking_arguments t, const std::string& name) {
     const std::size_t colon = name.find(':');
     t.strategy = name.substr(0, colon);

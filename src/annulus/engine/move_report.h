@@ -36,7 +36,7 @@ struct Move_report {
     Stage_counts arithmetic;            ///< stage that decided, per certificate evaluated
     std::uint64_t evaluated = 0;        ///< certificates evaluated
     std::uint64_t star_walks = 0;       ///< filter: failed vertices all of whose certificates had to be looked at
-    std::uint64_t requeued = 0;         ///< filter-each: vertices whose reference another vertex's failure renewed
+    std::uint64_t requeued = 0;         ///< tolerances-each: vertices whose reference another vertex's failure renewed
     std::uint64_t flips = 0;            ///< flips that stand
     std::uint64_t undone_flips = 0;     ///< flips taken back because they led nowhere
     std::uint64_t tolerance_steps = 0;  ///< filters: time steps that began with the tolerances

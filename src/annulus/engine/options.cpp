@@ -5,8 +5,8 @@ namespace annulus {
 
 std::optional<Strategy> strategy_named(std::string_view name) {
     for (const Strategy s :
-         {Strategy::rebuild, Strategy::relocate, Strategy::relocate_flips, Strategy::in_place, Strategy::filter,
-          Strategy::filter_each, Strategy::automatic, Strategy::paper, Strategy::paper_hybrid})
+         {Strategy::rebuild, Strategy::relocate, Strategy::relocate_flips, Strategy::in_place, Strategy::tolerances,
+          Strategy::tolerances_each, Strategy::automatic, Strategy::paper, Strategy::paper_hybrid})
         if (name_of(s) == name) return s;
     return std::nullopt;
 }

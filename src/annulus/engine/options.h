@@ -15,11 +15,11 @@ enum class Strategy : std::uint8_t {
     relocate_flips,  ///< one vertex at a time: only written where that needs no flip, else relocate (paper 3.1)
     /// One vertex at a time: its certificates are evaluated, and flips where one is violated; no tolerances.
     in_place,
-    filter,       ///< whole time steps: only certificates whose tolerance expired are evaluated
-    filter_each,  ///< one vertex at a time, Delaunay after each
+    tolerances,       ///< whole time steps: only certificates whose tolerance expired are evaluated
+    tolerances_each,  ///< one vertex at a time, Delaunay after each
     /// Whole time steps, `auto`: the cheapest of tolerances, signs with flips, and rebuilding, as counts tell.
     automatic,
-    paper,         ///< the paper's filter (3.2), one vertex at a time: Options::tolerance says by which tolerances
+    paper,         ///< the paper's algorithm (3.2), one vertex at a time: Options::tolerance says by which tolerances
     paper_hybrid,  ///< rebuild until a sample stays within tolerance, then `paper` (paper 4.2)
 };
 
@@ -29,8 +29,8 @@ enum class Strategy : std::uint8_t {
         case Strategy::relocate: return "relocate";
         case Strategy::relocate_flips: return "relocate-flips";
         case Strategy::in_place: return "in-place";
-        case Strategy::filter: return "filter";
-        case Strategy::filter_each: return "filter-each";
+        case Strategy::tolerances: return "tolerances";
+        case Strategy::tolerances_each: return "tolerances-each";
         case Strategy::automatic: return "auto";
         case Strategy::paper: return "paper";
         case Strategy::paper_hybrid: return "paper-hybrid";

@@ -12,7 +12,7 @@
 
 namespace annulus {
 
-/// Whether `filter` keeps tolerances, or asks for signs alone: by what steps cost and what a sample promises, in
+/// Whether `tolerances` keeps tolerances, or asks for signs alone: by what steps cost and what a sample promises, in
 /// cells looked at (cost_model.h). Nothing here has a say in what is right.
 ///
 /// While so many certificates expire at every step (the first steps of an optimisation) that the signs of all of them

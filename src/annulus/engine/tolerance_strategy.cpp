@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A step of `filter`: who failed, what became of it.
+// A step of `tolerances`: who failed, what became of it.
 #include <annulus/engine/tolerance_strategy.h>
 
 #include <annulus/arithmetic/domain.h>

@@ -15,7 +15,7 @@
 
 namespace annulus {
 
-/// The strategies that repair the mesh: `filter`, `auto`, `filter-each`, `in-place`.
+/// The strategies that repair the mesh: `tolerances`, `auto`, `tolerances-each`, `in-place`.
 ///
 /// A step goes from where vertices go to what is written down: who left its tolerance and which certificates expired
 /// (Displacement_budget), or else all of them, or all of one vertex; their verdicts, flips and holding back (Repair);
@@ -31,7 +31,7 @@ class Tolerance_strategy final : public Update_strategy<d> {
         signs,       ///< of all certificates of what moves, never tolerances: `in-place`
     };
     /// Precondition: one of these four.
-    explicit Tolerance_strategy(Delaunay_mesh<d>& mesh, Strategy strategy = Strategy::filter)
+    explicit Tolerance_strategy(Delaunay_mesh<d>& mesh, Strategy strategy = Strategy::tolerances)
         : Update_strategy<d>(strategy),
           means_(strategy == Strategy::automatic  ? Means::any
                  : strategy == Strategy::in_place ? Means::signs
@@ -87,7 +87,7 @@ class Tolerance_strategy final : public Update_strategy<d> {
     }
     [[nodiscard]] bool repairs() const override { return true; }
     [[nodiscard]] bool is_sequential() const override {
-        return this->strategy() == Strategy::filter_each || this->strategy() == Strategy::in_place;
+        return this->strategy() == Strategy::tolerances_each || this->strategy() == Strategy::in_place;
     }
     /// False while the motion is so fast that tolerances would not last a step and are not kept.
     [[nodiscard]] bool keeps_tolerances() const { return displacement_budget_.kept(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How `filter` starts, when it keeps tolerances, and its rebuilds.
+// How `tolerances` starts, when it keeps tolerances, and its rebuilds.
 #include <annulus/engine/tolerance_strategy.h>
 
 #include <annulus/arithmetic/error.h>

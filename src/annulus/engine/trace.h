@@ -3,7 +3,7 @@
 
 #include <annulus/arithmetic/standard.h>
 
-// What `filter` decides, told as it happens. Where the macro ANNULUS_TRACE names a header, that defines
+// What `tolerances` decides, told as it happens. Where the macro ANNULUS_TRACE names a header, that defines
 // annulus::Trace, a class of static functions with the names and arguments that stand at ANNULUS_TRACED;
 // proofs/traces has the one there is. Otherwise nothing is told, and arguments are not evaluated.
 #ifdef ANNULUS_TRACE

@@ -22,7 +22,7 @@
 
 namespace annulus {
 
-/// The combinatorics of a triangulation of S and infinity in flat arrays: what the filter walks over.
+/// The combinatorics of a triangulation of S and infinity in flat arrays: what the strategies walk over.
 ///
 /// Cell c has d + 1 corners h = 4c + i. Corner h carries a vertex and stands for the facet opposite to it, seen from
 /// c (a half-facet). `twin(h)` is the same facet seen from the other side, so `site(h)` and `opposite(h)` are the

@@ -37,7 +37,7 @@ class Paper_strategy final : public Rebuild_strategy<d> {
     void recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report);
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
     void refresh_all(Move_report& report) override { begin(this->position_, report); }
-    /// Whether to filter from now on: of 40 random vertices 75 % (55 % in space) have a tolerance above their
+    /// Whether to use tolerances from now on: of 40 random vertices 75 % (55 % in space) have a tolerance above their
     /// displacement. Looks at every fourth time step (paper 4.2).
     void before_step(std::span<const Coordinates<d>> x, Move_report& report) override;
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
@@ -94,7 +94,7 @@ class Paper_strategy final : public Rebuild_strategy<d> {
     };
     struct Switch {
         std::uint64_t steps = 0;
-        bool fresh = false;  // to the filter, in a time step that has not ended
+        bool fresh = false;  // to tolerances, in a time step that has not ended
     };
 
     Paper_tolerances<d> tolerances_;

@@ -81,7 +81,7 @@ template <class Value>
     return {std::move(figure), std::move(statement), std::move(paper), "", "", Claim_verdict::open, ""};
 }
 [[nodiscard]] inline double share(double part, double all) { return all > 0 ? part / all : 0; }
-/// Some strategies' speed-up, "filter-each 2 to 3, auto 4 to 5".
+/// Some strategies' speed-up, "tolerances-each 2 to 3, auto 4 to 5".
 [[nodiscard]] inline std::string speeds(const std::vector<const Race_record*>& races, const char* slow,
                                         std::initializer_list<const char*> names) {
     std::string out;

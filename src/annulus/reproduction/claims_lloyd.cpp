@@ -7,7 +7,7 @@ namespace annulus {
 namespace {
 
 std::string ours(const std::vector<const Race_record*>& races, const char* slow) {
-    return speeds(races, slow, {"paper", "filter-each", "auto"});
+    return speeds(races, slow, {"paper", "tolerances-each", "auto"});
 }
 
 const Survey_record* first(const Race_record& r) { return r.surveys.empty() ? nullptr : &r.surveys.front(); }

@@ -83,7 +83,8 @@ void append_start(const Reproduction& r, std::vector<Claim>& out) {
             of_each(all, [&](const auto& race) { return cost(race, "paper-printed", race.motion_seconds); });
         c.theirs =
             range(x, percent) + " of the triangulation's time, " + range(moved, percent) + " of that and the motion's";
-        c.ours = range(of_each(all, [&](const auto& race) { return cost(race, "filter", 0); }), percent) + " (filter)";
+        c.ours = range(of_each(all, [&](const auto& race) { return cost(race, "tolerances", 0); }), percent) +
+                 " (tolerances)";
         c.verdict = agree_if(most(x) < 0.0013 || most(moved) < 0.0013);
         c.of_long_runs = true;
         c.reason =
@@ -106,7 +107,7 @@ void append_mesh_speed_claims(const Reproduction& r, std::vector<Claim>& out) {
         c.theirs = listed(space, theirs, times) + "; with a test in place (3.1) before relocation " +
                    listed(
                        space, [](const auto& race) { return speed_up(race, "rebuild", "paper-in-place"); }, times);
-        c.ours = speeds(space, "rebuild", {"paper", "filter-each", "auto"});
+        c.ours = speeds(space, "rebuild", {"paper", "tolerances-each", "auto"});
         c.verdict = 2 * faster <= x.size() ? Claim_verdict::differs : at_least(most(x), 2);
         c.of_long_runs = true;
         c.reason = few_fail(space);
@@ -117,7 +118,7 @@ void append_mesh_speed_claims(const Reproduction& r, std::vector<Claim>& out) {
     if (!space.empty()) {
         const auto gain = [](const Race_record& race) { return speed_up(race, "relocate", "paper-printed"); };
         c.theirs = listed(space, gain, times);
-        c.ours = speeds(space, "relocate", {"paper", "filter-each", "auto"});
+        c.ours = speeds(space, "relocate", {"paper", "tolerances-each", "auto"});
         c.verdict = at_least(least(of_each(space, gain)), 4);
         c.of_long_runs = true;
         c.reason = few_fail(space) + " Relocation is timed at some steps, on copies.";

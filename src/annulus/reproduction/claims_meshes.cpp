@@ -82,7 +82,7 @@ void append_mesh_claims(const Reproduction& r, std::vector<Claim>& out) {
             const double x = failures_at(*race, "paper-printed", race->steps);
             f.theirs = percent(x) + " over iterations " + grouped(race->steps - race->steps / 10) + " to " +
                        grouped(race->steps);
-            f.ours = percent(failures_at(*race, "filter-each", race->steps)) + " (filter-each)";
+            f.ours = percent(failures_at(*race, "tolerances-each", race->steps)) + " (tolerances-each)";
             f.of_long_runs = true;
             f.verdict = agree_if(x > value / 1.5 && x < 1.5 * value);
             if (const auto step = first_step_below(*race, "paper-printed", value))
@@ -109,9 +109,9 @@ void append_mesh_claims(const Reproduction& r, std::vector<Claim>& out) {
                    percent(failures_at(*sphere, "paper-printed", sphere->steps)) + "; updates a failure " +
                    readable(updates(*bunny)) + ", " + readable(updates(*sphere)) + ", in the plane " +
                    readable(updates(*x2));
-        c.ours = "updates a failure " + readable(updates_at(*bunny, "filter-each", bunny->steps)) + ", " +
-                 readable(updates_at(*sphere, "filter-each", sphere->steps)) + ", " +
-                 readable(updates_at(*x2, "filter-each", x2->steps));
+        c.ours = "updates a failure " + readable(updates_at(*bunny, "tolerances-each", bunny->steps)) + ", " +
+                 readable(updates_at(*sphere, "tolerances-each", sphere->steps)) + ", " +
+                 readable(updates_at(*x2, "tolerances-each", x2->steps));
         c.verdict = agree_if(failures_at(*bunny, "paper-printed", bunny->steps) >
                                  failures_at(*sphere, "paper-printed", sphere->steps) &&
                              updates(*bunny) > updates(*x2));

@@ -72,7 +72,7 @@ void append_movers(const Reproduction& r, std::vector<Claim>& out) {
         };
         c.theirs = "with 1, 10 and 100 % moving, relocation takes " + words("relocate") + "; the filter " +
                    words("paper-printed");
-        c.ours = "filter-each " + words("filter-each") + "; auto " + words("auto");
+        c.ours = "tolerances-each " + words("tolerances-each") + "; auto " + words("auto");
         c.verdict = agree_if(most(of_each(some, cost("relocate"))) < 1 && least(of_each(all, cost("relocate"))) > 1);
         c.reason = "Random points, moves of a twentieth of a spacing, so that most of them leave their tolerance.";
     }
@@ -126,7 +126,7 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
     if (!plane.empty()) {
         const auto x = of_each(plane, [](const auto& race) { return speed_up(race, "relocate", "relocate-flips"); });
         c.theirs = range(x, times);
-        c.ours = speeds(plane, "relocate", {"filter-each"});
+        c.ours = speeds(plane, "relocate", {"tolerances-each"});
         c.verdict = agree_if(least(x) >= 1.6 && most(x) <= 3);
         c.reason = "CGAL's move_if_no_collision, timed at some steps, on copies. A removal takes " +
                    range(of_each(plane, removal), times) + " µs and an insertion " +

@@ -100,7 +100,7 @@ Plot movers_plot(const Reproduction& r, const char* where) {
               {}};
     for (const auto& [racer, words] :
          {std::pair("relocate", "relocation"), std::pair("paper-printed", "paper's filter"),
-          std::pair("filter-each", "one by one"), std::pair("auto", "auto")}) {
+          std::pair("tolerances-each", "one by one"), std::pair("auto", "auto")}) {
         Series s{words, {}, {}};
         for (const char* share : {"1", "10", "100"})
             if (const Race_record* race = r.race(std::string("movers-") + where + "-" + share))
@@ -121,7 +121,7 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
         "The share of moves that the filter does not let pass, and how many tolerances are computed for each of them, "
         "along the iterations: (a, b) Lloyd with density x² and the bunny, (c, d) bunny and sphere."};
     for (const auto& [racer, heading] : {std::pair("paper-printed", "The paper's algorithm as printed"),
-                                         std::pair("filter-each", "Certified tolerances, one vertex at a time")}) {
+                                         std::pair("tolerances-each", "Certified tolerances, one vertex at a time")}) {
         std::vector<Panel> panels;
         const std::string suffix = std::string(racer) == "paper-printed" ? "" : "-certified";
         const auto a = present(r, {"lloyd-x2", "nodt-bunny"}), c = present(r, {"nodt-bunny", "nodt-sphere"});
@@ -135,7 +135,8 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
         eleven.notes.push_back(
             "Means over steps a twelfth apart. Where few moves fail, updates a failure scatter. Of the printed "
             "algorithm an update is a new bi-cell, of the certified one a certificate that expired; certified "
-            "tolerances are not smaller in the plane; filter-each turns to signs where no tolerances pay, and a move "
+            "tolerances are not smaller in the plane; tolerances-each turns to signs where no tolerances pay, and a "
+            "move "
             "then counts as failed.");
     out.push_back(std::move(eleven));
 
@@ -151,8 +152,8 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
         append_plot(twelve, panels, speed_plot("The paper's tolerances, our repair", races, "paper", false),
                     "figure-12-repair.csv", "In place, else flips; reinsertion last.");
         append_plot(twelve, panels,
-                    speed_plot("Certified, one vertex at a time (filter-each)", races, "filter-each", false),
-                    "figure-12-filter-each.csv");
+                    speed_plot("Certified, one vertex at a time (tolerances-each)", races, "tolerances-each", false),
+                    "figure-12-tolerances-each.csv");
         append_plot(twelve, panels, speed_plot("Certified, whole time steps (auto)", races, "auto", false),
                     "figure-12-auto.csv");
         append_plot(twelve, panels, relocation_plot(races), "figure-12-relocate.csv", "At the steps that were timed.");

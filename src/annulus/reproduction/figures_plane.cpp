@@ -28,7 +28,7 @@ void append_pictures(const Race_record& race, const std::string& csv, Page_conte
 constexpr std::pair<const char*, const char*> curves[] = {
     {"rebuild", "rebuilding"},           {"relocate", "relocation"},
     {"paper-printed", "paper's filter"}, {"paper-in-place", "with tests in place"},
-    {"filter-each", "one by one"},       {"auto", "auto"}};
+    {"tolerances-each", "one by one"},   {"auto", "auto"}};
 
 Plot time_plot(const Race_record& race, bool logarithmic) {
     Plot plot{density_in_words(race.name),
@@ -80,7 +80,7 @@ void append_plane_pages(const Reproduction& r, std::vector<Page_content>& out) {
         "Cumulated time of Lloyd iterations under each strategy, for four densities. \"Paper's filter\" is its "
         "algorithm (3.2) as printed: tolerances in plain double, and a vertex that fails is inserted anew and removed "
         "by CGAL; \"with tests in place\" is the same with its 3.1, which relocates only where cells have to change. "
-        "Of ours \"one by one\" is filter-each with certified tolerances, \"auto\" moves whole time steps."};
+        "Of ours \"one by one\" is tolerances-each with certified tolerances, \"auto\" moves whole time steps."};
     std::vector<Panel> linear, logarithmic;
     char letter = 'a';
     for (const Race_record* race : present(r, {"lloyd-one", "lloyd-x2+y2", "lloyd-x2", "lloyd-sin2"})) {

@@ -37,8 +37,8 @@ std::vector<Racer_plan> racers(std::uint64_t cgal_every, std::uint64_t copy_ever
         printed("relocate-in-place", {.tolerances = false, .in_place = true}, 0, Kind::copy, copy_every),
         {"paper", Kind::follower, options_of(Strategy::paper, Tolerance_kind::paper), 1, audit_every},
         {"paper-hybrid", Kind::hybrid, options_of(Strategy::paper, Tolerance_kind::paper), 1, 0},
-        {"filter-each", Kind::follower, options_of(Strategy::filter_each), 1, audit_every},
-        {"filter", Kind::follower, options_of(Strategy::filter), 1, 0},
+        {"tolerances-each", Kind::follower, options_of(Strategy::tolerances_each), 1, audit_every},
+        {"tolerances", Kind::follower, options_of(Strategy::tolerances), 1, 0},
         {"auto", Kind::follower, options_of(Strategy::automatic), 1, audit_every}};
     for (Racer_plan& p : paper_racers(audit_every)) out.push_back(std::move(p));
     return out;
@@ -193,7 +193,7 @@ void add_movers(const Reproduction_size& size, std::vector<Part_plan>& out) {
                          printed("relocate-in-place", {.tolerances = false, .in_place = true}, 0),
                          printed("paper-printed", {}, 10),
                          printed("paper-in-place", {.in_place = true}, 0),
-                         {"filter-each", Kind::follower, options_of(Strategy::filter_each), 1, 10},
+                         {"tolerances-each", Kind::follower, options_of(Strategy::tolerances_each), 1, 10},
                          {"auto", Kind::follower, options_of(Strategy::automatic), 1, 10}};
         out.push_back(p);
     }

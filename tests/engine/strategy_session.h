@@ -48,23 +48,23 @@ template <class Kept>
 struct Session {
     std::vector<Point> points;
     Delaunay_mesh<2> mesh;
-    Kept filter;
+    Kept strategy;
     Move_report report;
 
     template <class... Arguments>
     explicit Session(Random& random, Arguments... arguments)
-        : points(point_set(Family::uniform, 7, random)), filter(mesh, arguments...) {
+        : points(point_set(Family::uniform, 7, random)), strategy(mesh, arguments...) {
         points[0] = {0.0, 0.0};
         mesh.build(points);
-        filter.recompute_tolerances(points, report);
+        strategy.recompute_tolerances(points, report);
     }
     template <class Name>
     auto& operator[](Name) {
-        return filter.*member(Name{});
+        return strategy.*member(Name{});
     }
     template <class Name, class... Arguments>
     auto call(Name, Arguments&&... arguments) {
-        return (filter.*member(Name{}))(std::forward<Arguments>(arguments)...);
+        return (strategy.*member(Name{}))(std::forward<Arguments>(arguments)...);
     }
     [[nodiscard]] std::vector<Cell_index> finite_cells() {
         std::vector<Cell_index> cells;

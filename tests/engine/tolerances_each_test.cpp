@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// filter-each gives tolerances up while they do not pay, and takes them up again; it is Delaunay all the while.
+// tolerances-each gives tolerances up while they do not pay, and takes them up again; it is Delaunay all the while.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -35,12 +35,12 @@ Move_report shake(Moving& dt, double way, Random& random) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("filter-each keeps tolerances while they pay", "[relocation]", Moving_delaunay_2,
+TEMPLATE_TEST_CASE("tolerances-each keeps tolerances while they pay", "[relocation]", Moving_delaunay_2,
                    Moving_delaunay_3) {
     constexpr int d = TestType::d;
     Random random(1);
     Options options;
-    options.strategy = Strategy::filter_each;
+    options.strategy = Strategy::tolerances_each;
     TestType dt(points_of<TestType>(300, random), options);
     const auto n = static_cast<std::uint64_t>(dt.number_of_vertices());
     const auto check = [&dt] {
@@ -88,12 +88,12 @@ TEMPLATE_TEST_CASE("filter-each keeps tolerances while they pay", "[relocation]"
     }
 }
 
-TEMPLATE_TEST_CASE("a time step of filter-each that fails leaves everything where it was", "[relocation]",
+TEMPLATE_TEST_CASE("a time step of tolerances-each that fails leaves everything where it was", "[relocation]",
                    Moving_delaunay_2, Moving_delaunay_3) {
     constexpr int d = TestType::d;
     Random random(1);
     Options options;
-    options.strategy = Strategy::filter_each;
+    options.strategy = Strategy::tolerances_each;
     for (const double way : {0.1, 1e-9}) {  // without tolerances and with
         TestType dt(points_of<TestType>(100, random), options);
         for (int step = 0; step < 20; ++step) (void)shake(dt, way, random);
