@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Claims, pages and parts of the reproduction, from records that are made up.
 #include <annulus/arithmetic/error.h>
+#include <annulus/reproduction/checkpoints.h>
 #include <annulus/reproduction/claims.h>
 #include <annulus/reproduction/figures.h>
-#include <annulus/reproduction/parts.h>
 #include <annulus/reproduction/plan.h>
-#include <annulus/reproduction/readings.h>
+#include <annulus/reproduction/race_statistics.h>
 
 #include <support/catch.h>
 
@@ -19,15 +19,15 @@ namespace {
 
 using namespace annulus;
 
-Race_record made_up() {
-    Race_record r;
+Benchmark_record made_up() {
+    Benchmark_record r;
     r.name = "lloyd-x2";
     r.title = "Lloyd";
     r.vertices = 10;
     r.steps = 4;
     r.spacing = 0.1;
     r.displacement = {0.4, 0.3, 0.2, 1.0 / 3};
-    Racer_record rebuild, paper;
+    Contender_record rebuild, paper;
     rebuild.name = "rebuild";
     paper.name = "paper";
     rebuild.step = {2, 4};
@@ -38,10 +38,10 @@ Race_record made_up() {
     paper.failed = {10, 8, 2, 1};
     paper.requeued = {0, 0, 5, 0};
     paper.precompute_seconds = 0.25;
-    r.racers = {rebuild, paper};
-    for (Racer_record& x : r.racers)
-        for (auto list : {&Racer_record::asked, &Racer_record::failed, &Racer_record::requeued, &Racer_record::changed,
-                          &Racer_record::evaluated})
+    r.contenders = {rebuild, paper};
+    for (Contender_record& x : r.contenders)
+        for (auto list : {&Contender_record::asked, &Contender_record::failed, &Contender_record::requeued,
+                          &Contender_record::changed, &Contender_record::evaluated})
             (x.*list).resize(x.step.size());
     return r;
 }
@@ -74,8 +74,8 @@ TEST_CASE("Every figure of the paper has a page and a claim, whatever was run") 
 }
 
 TEST_CASE("A step that was not followed counts as the next one that was") {
-    const Race_record r = made_up();
-    const auto rebuild = cumulated(r.racers[0]);
+    const Benchmark_record r = made_up();
+    const auto rebuild = cumulated(r.contenders[0]);
     CHECK(rebuild.back() == std::pair<std::uint64_t, double>(4, 4.0));
     CHECK(total_seconds(r, "paper") == 6.25);
     CHECK(speed_up(r, "rebuild", "paper") == 4.0 / 6.25);
@@ -113,37 +113,37 @@ TEST_CASE("Verdicts follow the numbers") {
         FAIL("no claim starts with " << start);
         return Claim_verdict::open;
     };
-    const auto with = [](Race_record race) {
+    const auto with = [](Benchmark_record benchmark) {
         Reproduction r{"annulus reproduce", "here", {}, {}};
-        r.races.emplace(race.name, std::move(race));
+        r.benchmarks.emplace(benchmark.name, std::move(benchmark));
         return r;
     };
-    Race_record race = made_up();
-    race.steps = 1000;  // the four that were followed stand for all
-    race.racers[1].name = "paper-printed";
-    CHECK(verdict(with(race), "It outperforms rebuilding for every") == Claim_verdict::differs);
-    for (double& s : race.racers[1].seconds) s /= 10;
-    CHECK(verdict(with(race), "It outperforms rebuilding for every") == Claim_verdict::agrees);
-    Reproduction whole = with(race);
-    Race_record movers = made_up();
+    Benchmark_record benchmark = made_up();
+    benchmark.steps = 1000;  // the four that were followed stand for all
+    benchmark.contenders[1].name = "paper-printed";
+    CHECK(verdict(with(benchmark), "It outperforms rebuilding for every") == Claim_verdict::differs);
+    for (double& s : benchmark.contenders[1].seconds) s /= 10;
+    CHECK(verdict(with(benchmark), "It outperforms rebuilding for every") == Claim_verdict::agrees);
+    Reproduction whole = with(benchmark);
+    Benchmark_record movers = made_up();
     movers.name = "movers-plane-1";  // twenty steps, however long the others are
-    whole.races.emplace(movers.name, movers);
+    whole.benchmarks.emplace(movers.name, movers);
     CHECK(verdict(whole, "It outperforms rebuilding for every") == Claim_verdict::agrees);
     movers.name = "nodt-sphere";
-    whole.races.emplace(movers.name, movers);
+    whole.benchmarks.emplace(movers.name, movers);
     CHECK(verdict(whole, "It outperforms rebuilding for every") == Claim_verdict::open);
-    CHECK(verdict(with(race), "If all points move") == Claim_verdict::agrees);
-    race.racers[1].requeued = {15, 0, 0, 0};
-    CHECK(verdict(with(race), "If all points move") == Claim_verdict::differs);
+    CHECK(verdict(with(benchmark), "If all points move") == Claim_verdict::agrees);
+    benchmark.contenders[1].requeued = {15, 0, 0, 0};
+    CHECK(verdict(with(benchmark), "If all points move") == Claim_verdict::differs);
 
     Degeneracy_count_record first, last;
     first.below = last.below = {1};
     first.theta_hundredth = 0.1;
     last.theta_hundredth = 0.2;
-    race.degeneracies = {first, last};
-    CHECK(verdict(with(race), "Tolerances become numerically more stable") == Claim_verdict::agrees);
-    race.degeneracies = {last, first};
-    CHECK(verdict(with(race), "Tolerances become numerically more stable") == Claim_verdict::differs);
+    benchmark.degeneracies = {first, last};
+    CHECK(verdict(with(benchmark), "Tolerances become numerically more stable") == Claim_verdict::agrees);
+    benchmark.degeneracies = {last, first};
+    CHECK(verdict(with(benchmark), "Tolerances become numerically more stable") == Claim_verdict::differs);
 
     Stability_record e;
     e.bicells = 100;
@@ -151,41 +151,41 @@ TEST_CASE("Verdicts follow the numbers") {
     e.counts = {0, 50, 50};
     e.most = {0, 1e-14, 1e-14};
     e.median = {0, 1e-15, 1e-16};
-    race.stabilities = {e};
-    CHECK(verdict(with(race), "Numerical stability is proportional to theta") == Claim_verdict::agrees);
-    race.stabilities[0].median = {0, 1e-16, 1e-16};
-    CHECK(verdict(with(race), "Numerical stability is proportional to theta") == Claim_verdict::differs);
+    benchmark.stabilities = {e};
+    CHECK(verdict(with(benchmark), "Numerical stability is proportional to theta") == Claim_verdict::agrees);
+    benchmark.stabilities[0].median = {0, 1e-16, 1e-16};
+    CHECK(verdict(with(benchmark), "Numerical stability is proportional to theta") == Claim_verdict::differs);
 }
 
-TEST_CASE("Parts are found again bit for bit, by the same reproduction only") {
+TEST_CASE("Checkpoints are found again bit for bit, by the same reproduction only") {
     const Scratch scratch;
-    const Race_record r = made_up();
+    const Benchmark_record r = made_up();
     {
-        const Parts parts(scratch.path, "annulus 1 whole");
+        const Checkpoints parts(scratch.path, "annulus 1 whole");
         CHECK_FALSE(parts.find(r.name));
         parts.keep(r);
     }
-    CHECK_THROWS_AS(Parts(scratch.path, "annulus 1 quick"), Error);
-    const Parts again(scratch.path, "annulus 1 whole");
+    CHECK_THROWS_AS(Checkpoints(scratch.path, "annulus 1 quick"), Error);
+    const Checkpoints again(scratch.path, "annulus 1 whole");
     const auto found = again.find(r.name);
     REQUIRE(found);
     CHECK(found->displacement == r.displacement);
     CHECK(race_text(*found) == race_text(r));
-    CHECK_THROWS_AS(Parts(scratch.path, "annulus 1 whole"), Error);  // one at a time
+    CHECK_THROWS_AS(Checkpoints(scratch.path, "annulus 1 whole"), Error);  // one at a time
     std::ofstream(scratch.path / "lloyd-x2.json") << race_text(r).substr(0, 50);
     CHECK_FALSE(again.find(r.name));  // it is made again
     again.remove();
     CHECK_FALSE(std::filesystem::exists(scratch.path));
     std::filesystem::create_directory(scratch.path);
     std::ofstream(scratch.path / "mine.txt") << "mine";
-    CHECK_THROWS_AS(Parts(scratch.path, "annulus 1 whole"), Error);
+    CHECK_THROWS_AS(Checkpoints(scratch.path, "annulus 1 whole"), Error);
     CHECK(std::filesystem::exists(scratch.path / "mine.txt"));
 }
 
 TEST_CASE("What is asked for is run, and nothing else") {
     const auto names = [](Reproduction_size size) {
         std::set<std::string> out;
-        for (const Part_plan& p : reproduction_parts(size)) CHECK(out.insert(p.race.name).second);
+        for (const Part_plan& p : reproduction_parts(size)) CHECK(out.insert(p.benchmark.name).second);
         return out;
     };
     Reproduction_size size;

@@ -12,36 +12,36 @@ using namespace annulus;
 
 namespace {
 
-Race_record small() {
-    Race_record race;
-    race.name = "race";
-    Racer_record racer;
-    racer.name = "tolerances";
-    racer.step = {1, 2};
-    racer.seconds = {0.1, 0.2};
-    for (auto list : {&Racer_record::asked, &Racer_record::failed, &Racer_record::requeued, &Racer_record::changed,
-                      &Racer_record::evaluated})
-        racer.*list = {3, 4};
-    racer.streaks = {7, 6, 5, 4, 3, 2, 1};
-    race.racers = {racer};
+Benchmark_record small() {
+    Benchmark_record benchmark;
+    benchmark.name = "race";
+    Contender_record contender;
+    contender.name = "tolerances";
+    contender.step = {1, 2};
+    contender.seconds = {0.1, 0.2};
+    for (auto list : {&Contender_record::asked, &Contender_record::failed, &Contender_record::requeued,
+                      &Contender_record::changed, &Contender_record::evaluated})
+        contender.*list = {3, 4};
+    contender.streaks = {7, 6, 5, 4, 3, 2, 1};
+    benchmark.contenders = {contender};
     Width_record widths;
     widths.edges = {0, 1, 2};
     widths.counts = {7, 8};
-    race.widths = {widths};
+    benchmark.widths = {widths};
     Degeneracy_count_record count;
     count.below = {0, 1};
     count.thresholds = {1e-6, 1e-3};
-    race.degeneracies = {count};
+    benchmark.degeneracies = {count};
     Stability_record stability;
     stability.edges = {0, 1, 2};
     stability.counts = {5, 6};
     stability.median = stability.most = {0.25, 0.5};
-    race.stabilities = {stability};
+    benchmark.stabilities = {stability};
     Picture_record picture;
     picture.x = {0, 1};
     picture.y = {1, 0};
-    race.pictures = {picture};
-    return race;
+    benchmark.pictures = {picture};
+    return benchmark;
 }
 
 /// Removes one element of every list of numbers in turn; how many there are.

@@ -94,7 +94,7 @@ Frame_files<Moving>::Frame_files(const Common_arguments& common, const Frame_arg
 }
 
 template <class Moving>
-bool Frame_files<Moving>::lives(std::size_t i) const {
+bool Frame_files<Moving>::is_present(std::size_t i) const {
     return dt_.is_vertex(static_cast<Index>(i));
 }
 
@@ -121,7 +121,7 @@ void Frame_files<Moving>::write_voronoi(std::uint64_t number, const Mesh_cells<d
     neighbours_ = voronoi_neighbour_counts<d>(dt_.index_bound(), cells);
     std::vector<std::size_t> vertices;
     for (std::size_t i = 0; i < dt_.index_bound(); ++i)
-        if (lives(i)) vertices.push_back(i);
+        if (is_present(i)) vertices.push_back(i);
     std::sort(vertices.begin(), vertices.end(), [this](std::size_t a, std::size_t b) { return id_[a] < id_[b]; });
     const std::string frame = std::to_string(number) + ",";
     std::string text;
@@ -163,7 +163,7 @@ void Frame_files<Moving>::write_vtu(std::uint64_t number, const Mesh_cells<d>& c
     std::vector<std::int64_t> neighbours;
     std::vector<double> volume;
     for (std::size_t i = 0; i < place.size(); ++i) {
-        if (!lives(i)) continue;
+        if (!is_present(i)) continue;
         place[i] = static_cast<Index>(points.size());
         points.push_back(dt_.points()[i]);
         ids.push_back(id_[i]);

@@ -57,7 +57,7 @@ class Frame_files {
     void write_voronoi(std::uint64_t number, const Mesh_cells<d>& cells, Frame_record& record);
     void write_changes(std::uint64_t number, Frame_record& record);
     void write_vtu(std::uint64_t number, const Mesh_cells<d>& cells);
-    [[nodiscard]] bool lives(std::size_t i) const;
+    [[nodiscard]] bool is_present(std::size_t i) const;
 
     Frame_arguments frames_;
     const Moving& dt_;

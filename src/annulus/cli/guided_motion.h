@@ -16,7 +16,7 @@
 namespace annulus::cli {
 
 /// How far the vertices go in a step.
-struct Way {
+struct Displacements {
     double mean = 0, max = 0;
 };
 
@@ -25,7 +25,7 @@ template <int d>
 struct Time_step {
     std::vector<Index> leave{};
     std::vector<Coordinates<d>> x{}, arrive{};
-    Way way{};
+    Displacements way{};
     double seconds = 0;  ///< that the motion took
 
     [[nodiscard]] std::size_t bytes() const { return (x.size() + arrive.size()) * sizeof(Coordinates<d>); }

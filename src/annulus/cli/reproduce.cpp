@@ -9,7 +9,7 @@
 #include <annulus/cli/reproduction_scenes.h>
 #include <annulus/cli/result_files.h>
 #include <annulus/formats/input_error.h>
-#include <annulus/reproduction/parts.h>
+#include <annulus/reproduction/checkpoints.h>
 #include <annulus/reproduction/plan.h>
 #include <annulus/reproduction/reproduction.h>
 #include <annulus/statistics/processor.h>
@@ -71,16 +71,16 @@ std::string description(const Reproduce_call& a) {
            " only=" + only + " surfaces=" + (a.surfaces.empty() ? "no" : fingerprint(a.surfaces));
 }
 
-Race_record run_part(const Part_plan& part, const Reproduce_call& a, Progress& progress, std::uint64_t before) {
-    const Race_listener listener = [&](std::uint64_t step, const std::string& news) {
-        progress.show(before + step, part.race.name + ": " + news);
+Benchmark_record run_part(const Part_plan& part, const Reproduce_call& a, Progress& progress, std::uint64_t before) {
+    const Benchmark_listener listener = [&](std::uint64_t step, const std::string& news) {
+        progress.show(before + step, part.benchmark.name + ": " + news);
         return !Interruption_guard::interrupted();
     };
     Common_arguments common = a.common;
     common.quiet = true;  // notes are on the pages
     common.seed += part.motion.draw;
-    if (part.motion.dimension == 2) return race<2>(*plane_scene(part.motion, common), part.race, listener);
-    return race<3>(*space_scene(part.motion, a.surfaces, common), part.race, listener);
+    if (part.motion.dimension == 2) return benchmark<2>(*plane_scene(part.motion, common), part.benchmark, listener);
+    return benchmark<3>(*space_scene(part.motion, a.surfaces, common), part.benchmark, listener);
 }
 
 int run(Reproduce_call a, const std::string& command) {
@@ -95,31 +95,31 @@ int run(Reproduce_call a, const std::string& command) {
     }
     require_writable(a.common);
     const std::vector<Part_plan> plans = reproduction_parts(a.size);
-    const Parts parts(partial(a.common.output), description(a));
+    const Checkpoints parts(partial(a.common.output), description(a));
     Reproduction reproduction{command, machine(), a.size, {}};
     const Interruption_guard guard;
     std::uint64_t steps = 0, before = 0;
-    for (const Part_plan& p : plans) steps += p.race.steps;
+    for (const Part_plan& p : plans) steps += p.benchmark.steps;
     std::optional<Progress> progress(std::in_place, "reproduce", steps, a.common.quiet);
     for (const Part_plan& plan : plans) {
-        std::optional<Race_record> record = parts.find(plan.race.name);
+        std::optional<Benchmark_record> record = parts.find(plan.benchmark.name);
         if (!record) {
             try {
                 record = run_part(plan, a, *progress, before);
-            } catch (const Race_stopped&) {
+            } catch (const Benchmark_stopped&) {
                 progress.reset();
                 if (!a.common.quiet)
                     std::fprintf(
                         stderr, "annulus: interrupted; %zu of %s in %s: start again with the same arguments to go on\n",
-                        reproduction.races.size(),
+                        reproduction.benchmarks.size(),
                         plans.size() == 1 ? "1 part is" : (std::to_string(plans.size()) + " parts are").c_str(),
                         partial(a.common.output).c_str());
                 return done;
             }
             parts.keep(*record);
         }
-        before += plan.race.steps;
-        reproduction.races.emplace(plan.race.name, std::move(*record));
+        before += plan.benchmark.steps;
+        reproduction.benchmarks.emplace(plan.benchmark.name, std::move(*record));
     }
     progress.reset();
     Result_files out(a.common);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/guided_nodt.h>
 #include <annulus/cli/reproduction_scenes.h>
-#include <annulus/reproduction/movers.h>
+#include <annulus/reproduction/partial_motion.h>
 
 #include <filesystem>
 #include <utility>
@@ -45,7 +45,7 @@ class Guided_scene : public Scene<Guided::Moving::dimension_of_space> {
 
 std::unique_ptr<Scene<2>> plane_scene(const Motion_plan& motion, const Common_arguments& common) {
     if (motion.movers > 0)
-        return std::make_unique<Movers_scene<2>>(motion.vertices, motion.movers, motion.pace, common.seed);
+        return std::make_unique<Partial_motion_scene<2>>(motion.vertices, motion.movers, motion.pace, common.seed);
     Lloyd_arguments a;
     a.points = motion.vertices;
     a.density = motion.density;
@@ -55,7 +55,7 @@ std::unique_ptr<Scene<2>> plane_scene(const Motion_plan& motion, const Common_ar
 std::unique_ptr<Scene<3>> space_scene(const Motion_plan& motion, const std::string& surfaces,
                                       const Common_arguments& common) {
     if (motion.movers > 0)
-        return std::make_unique<Movers_scene<3>>(motion.vertices, motion.movers, motion.pace, common.seed);
+        return std::make_unique<Partial_motion_scene<3>>(motion.vertices, motion.movers, motion.pace, common.seed);
     Nodt_arguments a;
     a.vertices = motion.vertices;
     a.sphere = motion.surface.empty();

@@ -34,7 +34,7 @@ bool is_one_of(const std::array<std::string_view, n>& names, std::string_view na
 /// Has annulus written to this directory? A summary.json of something else does not say so.
 bool holds_results(const std::filesystem::path& directory) {
     const Directory_lock reading(directory,
-                                 Directory_lock::Use::reading);  // another run may be putting its files there
+                                 Directory_lock::Access::reading);  // another run may be putting its files there
     return std::any_of(heads.begin(), heads.end(), [&](std::string_view name) {
         std::error_code ignored;
         if (!std::filesystem::is_regular_file(directory / name, ignored)) return false;  // a pipe would wait for ever

@@ -41,7 +41,7 @@ constexpr std::string_view over = "over";
 constexpr std::chrono::milliseconds nap{1}, wait_for_room{20};
 
 /// What the threads of a rank and the one that talks to the first have in common.
-struct Desk {
+struct Shared_state {
     std::mutex mutex{};
     std::condition_variable changed{};
     std::deque<Schedule::Job> waiting{};
@@ -183,7 +183,7 @@ void Ranks::give_up(const std::exception_ptr& why) {
 
 void Ranks::work(const Spec& spec, int threads) {
     if (!messages_) return;
-    Desk desk;
+    Shared_state desk;
     const auto leave = [&desk](Tag tag, std::string text) {
         const std::lock_guard lock(desk.mutex);
         desk.outbox.emplace_back(tag, std::move(text));
@@ -208,7 +208,7 @@ void Ranks::work(const Spec& spec, int threads) {
 
     // Before the threads are waited for, whatever happens.
     struct Closing {
-        Desk& desk;
+        Shared_state& desk;
         ~Closing() {
             const std::lock_guard lock(desk.mutex);
             desk.closed = true;

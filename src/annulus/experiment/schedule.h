@@ -40,13 +40,13 @@ class Schedule {
     void clear() { open_.clear(); }
 
   private:
-    struct Dearest_first {
+    struct Longest_first {
         bool operator()(const std::pair<double, std::size_t>& l, const std::pair<double, std::size_t>& r) const {
             return l.first != r.first ? l.first > r.first : l.second < r.second;
         }
     };
     std::span<const Trial> trials_;
-    std::set<std::pair<double, std::size_t>, Dearest_first> open_;
+    std::set<std::pair<double, std::size_t>, Longest_first> open_;
     std::multiset<std::uint64_t> open_bytes_;
     std::map<int, std::uint64_t> used_;  // by machine
     int threads_;

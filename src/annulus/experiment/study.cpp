@@ -26,10 +26,10 @@ double hardness(const T& x, double extent, double width, Stage stage) {
 
 /// Is told of certificates; sums and keeps.
 template <int d>
-class Looker {
+class Certificate_collector {
   public:
     using Raw = Raw_certificate<d>;
-    Looker(std::span<const Coordinates<d>> x, double resolution, std::uint64_t seed, Hard_inputs& hard)
+    Certificate_collector(std::span<const Coordinates<d>> x, double resolution, std::uint64_t seed, Hard_inputs& hard)
         : x_(x), tally_(resolution), seed_(seed), hard_(hard) {}
 
     void operator()(const Raw& c) {
@@ -75,7 +75,7 @@ Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard
         s.tally.counts["experiments"] = s.tally.counts["flat"] = 1;
         return s;
     }
-    Looker<d> looker(x, s.resolution, seed, hard);
+    Certificate_collector<d> looker(x, s.resolution, seed, hard);
     Degeneracy_options<d> options;
     options.quantiles = false;
     options.threads = threads;

@@ -7,9 +7,9 @@
 
 namespace annulus {
 
-Directory_lock::Directory_lock(const std::filesystem::path& directory, Use use) noexcept
+Directory_lock::Directory_lock(const std::filesystem::path& directory, Access use) noexcept
     : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_NONBLOCK | O_CLOEXEC)) {
-    if (descriptor_ >= 0) (void)::flock(descriptor_, use == Use::reading ? LOCK_SH : LOCK_EX);
+    if (descriptor_ >= 0) (void)::flock(descriptor_, use == Access::reading ? LOCK_SH : LOCK_EX);
 }
 
 Directory_lock::~Directory_lock() {

@@ -12,8 +12,8 @@ namespace annulus {
 /// looked at. Waits its turn. Where there is no such directory, or the file system has no locks, it does nothing.
 class Directory_lock {
   public:
-    enum class Use : std::uint8_t { reading, writing };
-    Directory_lock(const std::filesystem::path& directory, Use use) noexcept;
+    enum class Access : std::uint8_t { reading, writing };
+    Directory_lock(const std::filesystem::path& directory, Access use) noexcept;
     ~Directory_lock();
     Directory_lock(const Directory_lock&) = delete;
     Directory_lock& operator=(const Directory_lock&) = delete;

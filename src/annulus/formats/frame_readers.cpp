@@ -53,7 +53,8 @@ void Frame_reader::meet_box(const std::string& what) {
          what + " ignored: periodic boxes are not supported, points are taken as they stand, with open boundaries");
 }
 
-std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Wanted wanted, const Periodic_box& box) {
+std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Frame_contents wanted,
+                                        const Periodic_box& box) {
     switch (format) {
         case Format::csv: return std::make_unique<Csv_frames>(bytes, wanted, box);
         case Format::lammps: return std::make_unique<Lammps_frames>(bytes, wanted, box);
@@ -62,7 +63,7 @@ std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Wanted
 }
 
 Raw_points read_only_frame(File_bytes& bytes, Format format, const Periodic_box& box) {
-    const std::unique_ptr<Frame_reader> frames = frames_of(bytes, format, Wanted::points, box);
+    const std::unique_ptr<Frame_reader> frames = frames_of(bytes, format, Frame_contents::points, box);
     Raw_frame frame;
     if (frames->next(frame)) frames->require_last(frame);
     frame.points.columns = frames->columns();

@@ -30,7 +30,7 @@ struct Raw_frame {
 };
 
 /// What a reader of frames is asked for: points of one time step, or a motion, where points have ids.
-enum class Wanted { points, motion };
+enum class Frame_contents { points, motion };
 
 /// Frames of a file, one after the other, read as they are asked for. The bytes must outlive the reader.
 class Frame_reader {
@@ -54,10 +54,10 @@ class Frame_reader {
     [[nodiscard]] bool ignored_box() const noexcept { return ignored_box_; }
 
   protected:
-    Frame_reader(File_bytes& bytes, Wanted wanted, const Periodic_box& box)
+    Frame_reader(File_bytes& bytes, Frame_contents wanted, const Periodic_box& box)
         : reader_(bytes), wanted_(wanted), box_(box) {}
 
-    [[nodiscard]] bool wants_ids() const noexcept { return wanted_ == Wanted::motion; }
+    [[nodiscard]] bool wants_ids() const noexcept { return wanted_ == Frame_contents::motion; }
     /// Makes room for as many points as the file announces.
     void make_room(Raw_frame& frame, std::uint64_t count, std::uint64_t bytes_a_point) const;
 
@@ -80,7 +80,7 @@ class Frame_reader {
     /// What there is and was expected, where there is more than one frame.
     [[noreturn]] virtual void refuse_more(const Raw_frame& frame) const = 0;
 
-    Wanted wanted_;
+    Frame_contents wanted_;
     Periodic_box box_;
     bool ignored_box_ = false;
     Taken_columns columns_;
@@ -93,7 +93,7 @@ class Frame_reader {
 /// frame of rows `x y [z]` alone.
 class Xyz_frames : public Frame_reader {
   public:
-    Xyz_frames(File_bytes& bytes, Wanted wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
+    Xyz_frames(File_bytes& bytes, Frame_contents wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
 
   private:
     bool seek() override { return reader_.next_record(); }
@@ -118,7 +118,7 @@ class Xyz_frames : public Frame_reader {
 /// rows after it; the header may be such a comment, as NumPy writes it.
 class Csv_frames : public Frame_reader {
   public:
-    Csv_frames(File_bytes& bytes, Wanted wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
+    Csv_frames(File_bytes& bytes, Frame_contents wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
 
   private:
     enum Column { frame_column, id_column, x_column, y_column, z_column };
@@ -152,7 +152,8 @@ class Csv_frames : public Frame_reader {
 /// sides are.
 class Lammps_frames : public Frame_reader {
   public:
-    Lammps_frames(File_bytes& bytes, Wanted wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
+    Lammps_frames(File_bytes& bytes, Frame_contents wanted, const Periodic_box& box)
+        : Frame_reader(bytes, wanted, box) {}
 
   private:
     /// The box: a corner, and for each direction what a unit of it adds.
@@ -184,7 +185,7 @@ class Lammps_frames : public Frame_reader {
 };
 
 /// The reader of one of frame_formats.
-[[nodiscard]] std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Wanted wanted,
+[[nodiscard]] std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Frame_contents wanted,
                                                       const Periodic_box& box);
 
 /// The points of a file that has one frame; none, where it has none.

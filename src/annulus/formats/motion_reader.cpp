@@ -14,7 +14,7 @@ namespace {
 /// The least difference between numbers of successive frames; none where there are fewer than two.
 std::optional<std::uint64_t> least_distance(const std::filesystem::path& file, Format format) {
     File_bytes bytes(file);
-    const std::unique_ptr<Frame_reader> frames = frames_of(bytes, format, Wanted::motion, {.ignored = true});
+    const std::unique_ptr<Frame_reader> frames = frames_of(bytes, format, Frame_contents::motion, {.ignored = true});
     std::optional<std::uint64_t> least, last;
     Raw_frame raw;
     while (frames->next(raw)) {
@@ -31,7 +31,7 @@ Motion_reader::Motion_reader(const std::filesystem::path& file, const Motion_opt
     const Format format = format_of(file, frame_formats, options.format);
     if (format != Format::csv) absent_ = Absent_frames::skip;  // frames without points are there
     if (absent_ == Absent_frames::empty && bytes_->size()) stride_ = least_distance(file, format);
-    frames_ = frames_of(*bytes_, format, Wanted::motion, options.box);
+    frames_ = frames_of(*bytes_, format, Frame_contents::motion, options.box);
 }
 
 void Motion_reader::fail(std::uint64_t line, std::string fault, std::string expected) const {
@@ -127,7 +127,7 @@ std::optional<double> Motion_reader::share_read() const {
 bool is_flat(const std::filesystem::path& file, const Motion_options& options) {
     File_bytes bytes(file);
     const auto frames =
-        frames_of(bytes, format_of(file, frame_formats, options.format), Wanted::motion, {.ignored = true});
+        frames_of(bytes, format_of(file, frame_formats, options.format), Frame_contents::motion, {.ignored = true});
     std::optional<double> z;
     Raw_frame raw;
     while (frames->next(raw)) {

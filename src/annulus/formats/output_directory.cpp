@@ -246,7 +246,7 @@ bool Output_directory::holds_results_only() const {
 }
 
 void Output_directory::replace_one_by_one() {
-    const Directory_lock writing(target_, Directory_lock::Use::writing);
+    const Directory_lock writing(target_, Directory_lock::Access::writing);
     std::error_code code;
     for (const fs::path& name : files_)
         if (fs::is_directory(fs::symlink_status(target_ / name, code)))

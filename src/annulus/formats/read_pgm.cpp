@@ -8,9 +8,9 @@ namespace annulus {
 namespace {
 
 /// Words between white space; # starts a comment that goes to the end of its line.
-class Words {
+class Tokens {
   public:
-    explicit Words(const Source& source) : name_(source.name), rest_(source.content) {}
+    explicit Tokens(const Source& source) : name_(source.name), rest_(source.content) {}
 
     /// A whole number from `least` to `most`; `noun` names it in the fault.
     std::uint64_t whole(const std::string& noun, std::uint64_t least, std::uint64_t most) {
@@ -58,7 +58,7 @@ class Words {
 }  // namespace
 
 Gray_image read_pgm(const Source& source) {
-    Words words(source);
+    Tokens words(source);
     const std::string_view magic = words.next();
     if (magic != "P2" && magic != "P5") words.fail("begins with " + shown(magic), "P2 or P5");
     constexpr std::uint64_t most = std::uint64_t{1} << 32;

@@ -14,8 +14,8 @@ Curve_motion::Curve_motion(std::shared_ptr<const Feature_curves> features, std::
             vertices_[static_cast<std::size_t>(curve)].push_back(static_cast<Index>(v));
 }
 
-std::vector<Curve_motion::Wish> Curve_motion::wishes(std::span<const Coordinates<3>> position) const {
-    std::vector<Wish> all;
+std::vector<Curve_motion::Target_on_curve> Curve_motion::wishes(std::span<const Coordinates<3>> position) const {
+    std::vector<Target_on_curve> all;
     for (std::size_t c = 0; c < vertices_.size(); ++c) {
         const Polyline_3& curve = features_->curves()[c];
         const std::size_t first = all.size();
@@ -23,9 +23,10 @@ std::vector<Curve_motion::Wish> Curve_motion::wishes(std::span<const Coordinates
             const double at = curve.nearest(position[static_cast<std::size_t>(v)]);
             all.push_back({v, static_cast<Index>(c), at, at});
         }
-        const std::span<Wish> here = std::span(all).subspan(first);
-        std::sort(here.begin(), here.end(),
-                  [](const Wish& a, const Wish& b) { return a.at != b.at ? a.at < b.at : a.vertex < b.vertex; });
+        const std::span<Target_on_curve> here = std::span(all).subspan(first);
+        std::sort(here.begin(), here.end(), [](const Target_on_curve& a, const Target_on_curve& b) {
+            return a.at != b.at ? a.at < b.at : a.vertex < b.vertex;
+        });
         for (std::size_t i = 0; i < here.size(); ++i) {
             const double around = features_->goes_around(c) ? curve.length() : 0;
             const double before = i > 0 ? here[i - 1].at : around > 0 ? here.back().at - around : 0;
@@ -38,7 +39,7 @@ std::vector<Curve_motion::Wish> Curve_motion::wishes(std::span<const Coordinates
     return all;
 }
 
-Coordinates<3> Curve_motion::place(const Wish& wish, double share, double most) const {
+Coordinates<3> Curve_motion::place(const Target_on_curve& wish, double share, double most) const {
     const double way = wish.wanted - wish.at;
     return features_->curves()[static_cast<std::size_t>(wish.curve)].at(wish.at + std::clamp(share * way, -most, most));
 }

@@ -20,7 +20,7 @@ class Curve_motion {
     /// `places` as Feature_curves::places gives them, for each vertex.
     Curve_motion(std::shared_ptr<const Feature_curves> features, std::vector<Feature_curves::Place> places);
 
-    struct Wish {
+    struct Target_on_curve {
         Index vertex, curve;
         double at, wanted;  ///< along the curve
     };
@@ -33,9 +33,9 @@ class Curve_motion {
     }
     /// What the vertices on curves want, each of which is on its curve up to rounding. O(k log k) for k of them and
     /// searches of their curves.
-    [[nodiscard]] std::vector<Wish> wishes(std::span<const Coordinates<3>> position) const;
+    [[nodiscard]] std::vector<Target_on_curve> wishes(std::span<const Coordinates<3>> position) const;
     /// Where it comes to when it goes from `at` towards `wanted` by this share of the way, but no farther than `most`.
-    [[nodiscard]] Coordinates<3> place(const Wish& wish, double share, double most) const;
+    [[nodiscard]] Coordinates<3> place(const Target_on_curve& wish, double share, double most) const;
 
   private:
     std::shared_ptr<const Feature_curves> features_;

@@ -37,13 +37,13 @@ double reach(const Cell_2& cell) {
 }
 
 /// Where the vertex of a cell wants to go, if it is to go anywhere, and how far that is.
-struct Wish {
+struct Target {
     Coordinates<2> place{};
     double way = 0;
 };
 
-bool wish_of(const Voronoi_cell_2& cell_of, const Cell_2& cell, const Coordinates<2>& from, const Domain_2& domain,
-             const Density_2& density, Wish& wish) {
+bool target_of(const Voronoi_cell_2& cell_of, const Cell_2& cell, const Coordinates<2>& from, const Domain_2& domain,
+               const Density_2& density, Target& wish) {
     Coordinates<2> offset;
     if (cell_of.plump()) {
         // Nothing can go wrong here, and lengths are those of the domain: no need to look for where the centroid is,
@@ -120,9 +120,9 @@ Lloyd_step Lloyd_2::step_over(const Lists& lists, std::span<const Coordinates<2>
             }
             ++sums.count;
             if (!remembered(v)) {
-                Wish wish;
+                Target wish;
                 const Cell_2& cell = cell_of(position[v], around, position, is_cyclic(lists, v));
-                const bool goes = wish_of(cell_of, cell, position[v], domain_, density_, wish);
+                const bool goes = target_of(cell_of, cell, position[v], domain_, density_, wish);
                 target[v] = goes ? wish.place : position[v];
                 way[v] = goes ? wish.way : -1;
             }

@@ -63,9 +63,9 @@ class Walk {
     }
 
     /// P and Q (from the node of the origin) along a row, as polynomials in s, the distance from a node.
-    struct Along_row {
+    struct Row_polynomials {
         double p0, p1, p2, q0, q1, q2, q3;
-        Along_row(const Image_density& image, std::int64_t at, std::int64_t from, std::size_t row) {
+        Row_polynomials(const Image_density& image, std::int64_t at, std::int64_t from, std::size_t row) {
             const auto &here = image.node(static_cast<std::size_t>(at), row),
                        &next = image.node(static_cast<std::size_t>(at) + 1, row),
                        &start = image.node(static_cast<std::size_t>(from), row);
@@ -82,7 +82,7 @@ class Walk {
     void piece(const Coordinates<2>& a, const Coordinates<2>& b, std::size_t row, double bottom, double rise) {
         const std::int64_t at = std::clamp(column_ + static_cast<std::int64_t>(std::floor((a[0] + b[0]) / 2)),
                                            std::int64_t{0}, static_cast<std::int64_t>(image_.width()));
-        const Along_row low(image_, at, column_, row), high(image_, at, column_, row + 1);
+        const Row_polynomials low(image_, at, column_, row), high(image_, at, column_, row + 1);
         const auto left = static_cast<double>(at - column_);
         const Gauss_rule& rule = gauss_rule(3);
         for (std::size_t k = 0; k < 3; ++k) {

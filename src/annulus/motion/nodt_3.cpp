@@ -266,7 +266,7 @@ Nodt_step Nodt_3::step_of(const Mesh& mesh, std::span<const Coordinates<3>> posi
             else ++counts.kept;
         }
     });
-    for (const Curve_motion::Wish& w : sharp_.wishes(position)) {
+    for (const Curve_motion::Target_on_curve& w : sharp_.wishes(position)) {
         const std::size_t v = at(w.vertex);
         if (sums.volume[v].weight > 0 && !locked(v)) target[v] = sharp_.place(w, surface_relaxation, stride(w.vertex));
     }

@@ -56,12 +56,12 @@ Plot histogram_plot(std::string title, std::string x, Scale scale,
     return plot;
 }
 
-struct Words {
+struct Certificate_names {
     const char* cell;
     const char* ridge;
     const char* bicell;
 };
-Words words(int dimension) {
+Certificate_names words(int dimension) {
     if (dimension == 2) return {"triangles", "hull vertices", "bi-cells (empty circles)"};
     return {"tetrahedra", "hull edges", "bi-cells (empty spheres)"};
 }
@@ -78,7 +78,7 @@ void append_counts(std::string& out, const Degeneracy& d) {
     const auto add_widths = [&](const std::string& name, const Width_counts& c) {
         add(name, c.total, c.zero, c.below);
     };
-    const Words w = words(d.dimension);
+    const Certificate_names w = words(d.dimension);
     add_widths(w.bicell, d.bicells.least);
     if (d.dimension == 3) add_widths("&nbsp; the paper's annulus alone", d.standard);
     add_widths(w.cell, d.cells.least);
@@ -107,7 +107,7 @@ void append_quantiles(std::string& out, const Degeneracy& d) {
         rows.push_back({name});
         for (const double x : q.quantiles) rows.back().push_back(relative_number(x));
     };
-    const Words w = words(d.dimension);
+    const Certificate_names w = words(d.dimension);
     add(std::string("width of ") + w.bicell, d.bicells.least.width);
     if (d.dimension == 3) add("width of the paper's annuli", d.standard.width);
     add(std::string("width of ") + w.cell, d.cells.least.width);
@@ -126,7 +126,7 @@ void append_stages(std::string& out, const Degeneracy& d) {
         rows.push_back({name, grouped(s.total()), with_share(s.filter, s.total()), with_share(s.interval, s.total()),
                         with_share(s.exact, s.total())});
     };
-    const Words w = words(d.dimension);
+    const Certificate_names w = words(d.dimension);
     add(w.bicell, d.bicells.arithmetic);
     add(w.cell, d.cells.arithmetic);
     add(w.ridge, d.ridges.arithmetic);
@@ -185,7 +185,7 @@ std::string degeneracy_html(const Degeneracy_record& r) {
     const Degeneracy& d = *r.measured;
     append_counts(out, d);
     append_paper(out, d);
-    const Words w = words(d.dimension);
+    const Certificate_names w = words(d.dimension);
     std::vector<std::pair<std::string, const Distribution*>> widths{{"bi-cells", &d.bicells.least.width}};
     if (d.dimension == 3) widths.emplace_back("paper's annuli", &d.standard.width);
     widths.emplace_back(w.cell, &d.cells.least.width);

@@ -3,7 +3,7 @@
 
 #include <annulus/report/axis_ticks.h>
 #include <annulus/reproduction/claims.h>
-#include <annulus/reproduction/readings.h>
+#include <annulus/reproduction/race_statistics.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,33 +46,34 @@ namespace annulus {
 }
 
 /// The races among these that were run.
-[[nodiscard]] inline std::vector<const Race_record*> present(const Reproduction& r,
-                                                             std::initializer_list<const char*> names) {
-    std::vector<const Race_record*> out;
+[[nodiscard]] inline std::vector<const Benchmark_record*> present(const Reproduction& r,
+                                                                  std::initializer_list<const char*> names) {
+    std::vector<const Benchmark_record*> out;
     for (const char* name : names)
-        if (const Race_record* race = r.race(name)) out.push_back(race);
+        if (const Benchmark_record* benchmark = r.benchmark(name)) out.push_back(benchmark);
     return out;
 }
-[[nodiscard]] inline std::vector<const Race_record*> lloyds(const Reproduction& r) {
+[[nodiscard]] inline std::vector<const Benchmark_record*> lloyds(const Reproduction& r) {
     return present(r, {"lloyd-one", "lloyd-x2+y2", "lloyd-x2", "lloyd-sin2"});
 }
-[[nodiscard]] inline std::vector<const Race_record*> meshes(const Reproduction& r) {
+[[nodiscard]] inline std::vector<const Benchmark_record*> meshes(const Reproduction& r) {
     return present(r, {"nodt-sphere", "nodt-man", "nodt-bunny", "nodt-liver"});
 }
 /// A number of each.
 template <class Value>
-[[nodiscard]] std::vector<double> of_each(const std::vector<const Race_record*>& races, Value value) {
+[[nodiscard]] std::vector<double> of_each(const std::vector<const Benchmark_record*>& benchmarks, Value value) {
     std::vector<double> out;
-    for (const Race_record* race : races) out.push_back(value(*race));
+    for (const Benchmark_record* benchmark : benchmarks) out.push_back(value(*benchmark));
     return out;
 }
 /// "sphere 1.2, man 0.8".
 template <class Value>
-[[nodiscard]] std::string listed(const std::vector<const Race_record*>& races, Value value,
+[[nodiscard]] std::string listed(const std::vector<const Benchmark_record*>& benchmarks, Value value,
                                  std::string (*word)(double)) {
     std::string out;
-    for (const Race_record* race : races) {
-        out += (out.empty() ? "" : ", ") + race->name.substr(race->name.find('-') + 1) + " " + word(value(*race));
+    for (const Benchmark_record* benchmark : benchmarks) {
+        out += (out.empty() ? "" : ", ") + benchmark->name.substr(benchmark->name.find('-') + 1) + " " +
+               word(value(*benchmark));
     }
     return out.empty() ? "–" : out;
 }
@@ -82,22 +83,22 @@ template <class Value>
 }
 [[nodiscard]] inline double share(double part, double all) { return all > 0 ? part / all : 0; }
 /// Some strategies' speed-up, "tolerances-each 2 to 3, auto 4 to 5".
-[[nodiscard]] inline std::string speeds(const std::vector<const Race_record*>& races, const char* slow,
+[[nodiscard]] inline std::string speeds(const std::vector<const Benchmark_record*>& benchmarks, const char* slow,
                                         std::initializer_list<const char*> names) {
     std::string out;
     for (const char* name : names)
         out += (out.empty() ? "" : ", ") +
                (std::string(name) == "paper" ? "the paper's tolerances and our repair" : std::string(name)) + " " +
-               range(of_each(races, [&](const auto& x) { return speed_up(x, slow, name); }), times);
+               range(of_each(benchmarks, [&](const auto& x) { return speed_up(x, slow, name); }), times);
     return out;
 }
 /// At which share of moves within tolerance the printed filter begins to pay; `claimed` is the paper's.
-[[nodiscard]] Claim switch_claim(const std::vector<const Race_record*>& races, const char* figure, const char* where,
-                                 double claimed);
+[[nodiscard]] Claim switch_claim(const std::vector<const Benchmark_record*>& benchmarks, const char* figure,
+                                 const char* where, double claimed);
 /// Why a filter is as fast as it is.
-[[nodiscard]] inline std::string few_fail(const std::vector<const Race_record*>& races) {
+[[nodiscard]] inline std::string few_fail(const std::vector<const Benchmark_record*>& benchmarks) {
     return "Of all moves " +
-           range(of_each(races, [](const auto& x) { return failed_share(x, "paper-printed"); }), percent) +
+           range(of_each(benchmarks, [](const auto& x) { return failed_share(x, "paper-printed"); }), percent) +
            " failed, and only these are relocated.";
 }
 [[nodiscard]] inline Claim_verdict agree_if(bool yes) { return yes ? Claim_verdict::agrees : Claim_verdict::differs; }

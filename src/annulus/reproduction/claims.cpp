@@ -25,9 +25,9 @@ std::vector<Claim> claims_of(const Reproduction& reproduction) {
     append_quality_claims(reproduction, out);
     // Movers are random points at a pace of their own, for some steps; what the paper says of 1,000 iterations is not
     // of them.
-    const bool brief = std::any_of(reproduction.races.begin(), reproduction.races.end(), [](const auto& entry) {
-        return !entry.first.starts_with("movers-") && entry.second.steps < 1000;
-    });
+    const bool brief =
+        std::any_of(reproduction.benchmarks.begin(), reproduction.benchmarks.end(),
+                    [](const auto& entry) { return !entry.first.starts_with("movers-") && entry.second.steps < 1000; });
     for (Claim& c : out) {
         if (c.theirs.empty() && c.reason.empty()) c.reason = "Not run.";
         if (!brief || !c.of_long_runs || c.theirs.empty()) continue;

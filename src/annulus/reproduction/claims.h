@@ -14,11 +14,11 @@ enum class Claim_verdict { agrees, further, differs, wrong, open };
 
 /// One of the paper's results beside ours. Texts are plain.
 struct Claim {
-    std::string figure;                           ///< the page with what it is about: "figure-7", "unsound"
-    std::string statement;                        ///< in our words
-    std::string paper;                            ///< its number
-    std::string theirs;                           ///< ours, under the paper's algorithm as printed (Printed_filter)
-    std::string ours;                             ///< ours, under our strategies and tolerances
+    std::string figure;     ///< the page with what it is about: "figure-7", "unsound"
+    std::string statement;  ///< in our words
+    std::string paper;      ///< its number
+    std::string theirs;     ///< ours, under the paper's algorithm as printed (Published_algorithm)
+    std::string ours;       ///< ours, under our strategies and tolerances
     Claim_verdict verdict = Claim_verdict::open;  ///< of `theirs`
     std::string reason;                           ///< for a difference, or what to know
     bool of_long_runs = false;                    ///< it says nothing of fewer than 1,000 iterations

@@ -6,29 +6,32 @@ namespace annulus {
 
 namespace {
 
-double widths_per_tolerance(const Race_record& r) {
-    const Survey_record* s = survey_at(r, r.steps);
+double widths_per_tolerance(const Benchmark_record& r) {
+    const Certificate_survey_record* s = survey_at(r, r.steps);
     return s && s->paper_tolerance > 0 ? s->width / s->paper_tolerance : 0;
 }
-double widths_per_certified(const Race_record& r) {
-    const Survey_record* s = survey_at(r, r.steps);
+double widths_per_certified(const Benchmark_record& r) {
+    const Certificate_survey_record* s = survey_at(r, r.steps);
     return s && s->certified_tolerance > 0 ? s->width / s->certified_tolerance : 0;
 }
-double relative_deviation(const Race_record& r) {
-    const Survey_record* s = survey_at(r, r.steps);
+double relative_deviation(const Benchmark_record& r) {
+    const Certificate_survey_record* s = survey_at(r, r.steps);
     return s && s->width > 0 ? s->width_deviation / s->width : 0;
 }
 
 }  // namespace
 
 void append_mesh_claims(const Reproduction& r, std::vector<Claim>& out) {
-    const Race_record *x2 = r.race("lloyd-x2"), *sphere = r.race("nodt-sphere"), *bunny = r.race("nodt-bunny");
+    const Benchmark_record *x2 = r.benchmark("lloyd-x2"), *sphere = r.benchmark("nodt-sphere"),
+                           *bunny = r.benchmark("nodt-bunny");
     const auto space = meshes(r);
     Claim c{"figure-10", "A vertex in space is in so many bi-cells.", "more than 60", "", "", Claim_verdict::open, ""};
     if (!space.empty()) {
-        const auto count = [](const Survey_record* s) { return s ? s->bicells_a_vertex : 0; };
-        const auto first = [&](const Race_record& race) { return count(survey_at(race, 1)); };
-        const auto last = [&](const Race_record& race) { return count(survey_at(race, race.steps + 1)); };
+        const auto count = [](const Certificate_survey_record* s) { return s ? s->bicells_a_vertex : 0; };
+        const auto first = [&](const Benchmark_record& benchmark) { return count(survey_at(benchmark, 1)); };
+        const auto last = [&](const Benchmark_record& benchmark) {
+            return count(survey_at(benchmark, benchmark.steps + 1));
+        };
         c.theirs = "at the start " + listed(space, first, readable) + "; at the end " + listed(space, last, readable);
         c.ours = "the same";
         c.verdict = agree_if(most(of_each(space, first)) > 60 && most(of_each(space, last)) > 60);
@@ -40,7 +43,7 @@ void append_mesh_claims(const Reproduction& r, std::vector<Claim>& out) {
 
     c = {"figure-10", "Widths and tolerances converge in space too.", "yes", "", "", Claim_verdict::open, ""};
     if (sphere && survey_at(*sphere, sphere->steps)) {
-        const Survey_record &a = sphere->surveys.front(), &z = *survey_at(*sphere, sphere->steps);
+        const Certificate_survey_record &a = sphere->surveys.front(), &z = *survey_at(*sphere, sphere->steps);
         c.theirs = "sphere: width " + readable(a.width) + " to " + readable(z.width) + ", tolerance " +
                    readable(a.paper_tolerance) + " to " + readable(z.paper_tolerance) + " spacings";
         c.ours = "tolerance " + readable(a.certified_tolerance) + " to " + readable(z.certified_tolerance);
@@ -63,8 +66,8 @@ void append_mesh_claims(const Reproduction& r, std::vector<Claim>& out) {
 
     c = {"figure-10", "Widths scatter more in space than in the plane.", "more", "", "", Claim_verdict::open, ""};
     if (x2 && sphere) {
-        const auto one = [&](const Race_record& race) { return readable(relative_deviation(race)); };
-        const Race_record* uniform = r.race("lloyd-one");
+        const auto one = [&](const Benchmark_record& benchmark) { return readable(relative_deviation(benchmark)); };
+        const Benchmark_record* uniform = r.benchmark("lloyd-one");
         c.theirs = "standard deviation over mean at the end: " + one(*sphere) + " on the sphere, " + one(*x2) +
                    " in the plane with x squared" + (uniform ? ", " + one(*uniform) + " with density 1" : "");
         c.ours = "the same";
@@ -75,20 +78,20 @@ void append_mesh_claims(const Reproduction& r, std::vector<Claim>& out) {
     }
     out.push_back(c);
 
-    const auto failing = [&](const char* name, const Race_record* race, const char* claimed, double value) {
+    const auto failing = [&](const char* name, const Benchmark_record* benchmark, const char* claimed, double value) {
         Claim f = claim("figure-11", std::string("Share of moves that fail at the 1,000th iteration: ") + name + ".",
                         claimed);
-        if (race) {
-            const double x = failures_at(*race, "paper-printed", race->steps);
-            f.theirs = percent(x) + " over iterations " + grouped(race->steps - race->steps / 10) + " to " +
-                       grouped(race->steps);
-            f.ours = percent(failures_at(*race, "tolerances-each", race->steps)) + " (tolerances-each)";
+        if (benchmark) {
+            const double x = failures_at(*benchmark, "paper-printed", benchmark->steps);
+            f.theirs = percent(x) + " over iterations " + grouped(benchmark->steps - benchmark->steps / 10) + " to " +
+                       grouped(benchmark->steps);
+            f.ours = percent(failures_at(*benchmark, "tolerances-each", benchmark->steps)) + " (tolerances-each)";
             f.of_long_runs = true;
             f.verdict = agree_if(x > value / 1.5 && x < 1.5 * value);
-            if (const auto step = first_step_below(*race, "paper-printed", value))
+            if (const auto step = first_step_below(*benchmark, "paper-printed", value))
                 f.reason = "Our motion has the paper's share at iteration " + grouped(*step) +
                            " already: it comes to rest sooner. At the last one points go " +
-                           readable(race->displacement.back()) + " spacings in the mean.";
+                           readable(benchmark->displacement.back()) + " spacings in the mean.";
             else f.reason = "Our motion does not come to rest so far.";
         }
         out.push_back(f);
@@ -104,7 +107,9 @@ void append_mesh_claims(const Reproduction& r, std::vector<Claim>& out) {
          Claim_verdict::open,
          ""};
     if (bunny && sphere && x2) {
-        const auto updates = [](const Race_record& race) { return updates_at(race, "paper-printed", race.steps); };
+        const auto updates = [](const Benchmark_record& benchmark) {
+            return updates_at(benchmark, "paper-printed", benchmark.steps);
+        };
         c.theirs = "failures " + percent(failures_at(*bunny, "paper-printed", bunny->steps)) + " and " +
                    percent(failures_at(*sphere, "paper-printed", sphere->steps)) + "; updates a failure " +
                    readable(updates(*bunny)) + ", " + readable(updates(*sphere)) + ", in the plane " +
@@ -123,20 +128,20 @@ void append_mesh_claims(const Reproduction& r, std::vector<Claim>& out) {
         "figure-11",
         "Some cases stay nearly degenerate and fail many times in a row, but their amount is rather small, in space.",
         "small");
-    const auto in_a_row = [](const Race_record& race, std::size_t k) {
-        const Racer_record* x = racer_of(race, "paper-printed");
+    const auto in_a_row = [](const Benchmark_record& benchmark, std::size_t k) {
+        const Contender_record* x = contender_of(benchmark, "paper-printed");
         return x && k < x->streaks.size()
-                   ? share(static_cast<double>(x->streaks[k]), static_cast<double>(race.vertices))
+                   ? share(static_cast<double>(x->streaks[k]), static_cast<double>(benchmark.vertices))
                    : 0;
     };
     if (!space.empty()) {
         std::string words;
         for (const std::size_t k : {2U, 3U, 5U, 6U})
             words += (words.empty() ? "" : ", ") + grouped(streak_lengths[k]) + " times " +
-                     range(of_each(space, [&](const auto& race) { return in_a_row(race, k); }), percent);
+                     range(of_each(space, [&](const auto& benchmark) { return in_a_row(benchmark, k); }), percent);
         c.theirs = "vertices that failed at the last step and before it, so often in a row: " + words;
         c.ours = "failures are evaluated in place; few are relocated";
-        c.verdict = agree_if(most(of_each(space, [&](const auto& race) { return in_a_row(race, 3); })) < 0.1);
+        c.verdict = agree_if(most(of_each(space, [&](const auto& benchmark) { return in_a_row(benchmark, 3); })) < 0.1);
         c.of_long_runs = true;
         c.reason = "Small: below a tenth of the vertices, ten times in a row.";
     }

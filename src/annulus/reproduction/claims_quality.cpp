@@ -7,8 +7,8 @@ namespace annulus {
 namespace {
 
 double slivers(const Quality_record* q) { return q ? static_cast<double>(q->slivers) : 0; }
-double resting(const Race_record& race) {
-    const Quality_record* q = race.qualities.empty() ? nullptr : &race.qualities.back();
+double resting(const Benchmark_record& benchmark) {
+    const Quality_record* q = benchmark.qualities.empty() ? nullptr : &benchmark.qualities.back();
     return q ? share(static_cast<double>(q->locked), static_cast<double>(q->vertices)) : 0;
 }
 
@@ -19,10 +19,10 @@ void append_improvement(const Reproduction& r, std::vector<Claim>& out) {
     if (!space.empty() && space.front()->steps > 100) {
         std::string fewer, wider;
         std::size_t better = 0;
-        for (const Race_record* race : space) {
-            const Quality_record *a = quality_at(*race, 100), *z = quality_at(*race, race->steps);
+        for (const Benchmark_record* benchmark : space) {
+            const Quality_record *a = quality_at(*benchmark, 100), *z = quality_at(*benchmark, benchmark->steps);
             if (!a || !z) continue;
-            const std::string name = race->name.substr(5);
+            const std::string name = benchmark->name.substr(5);
             fewer += (fewer.empty() ? "" : ", ") + name + " " + grouped(a->slivers) + " to " + grouped(z->slivers);
             wider += (wider.empty() ? "" : ", ") + name + " " + readable(small_angle(*a)) + " to " +
                      readable(small_angle(*z));
@@ -43,15 +43,17 @@ void append_slivers(const Reproduction& r, std::vector<Claim>& out) {
     const auto spheres = present(
                    r, {"graded-sphere", "graded-sphere-2", "graded-sphere-3", "graded-sphere-4", "graded-sphere-5"}),
                bunny = present(r, {"graded-bunny"});
-    const auto early = [](const Race_record& race) { return slivers(quality_at(race, 100)); };
-    const auto late = [](const Race_record& race) { return slivers(quality_at(race, race.steps)); };
-    const auto gain = [&](const Race_record& race) { return early(race) > 0 ? 1 - late(race) / early(race) : 0; };
+    const auto early = [](const Benchmark_record& benchmark) { return slivers(quality_at(benchmark, 100)); };
+    const auto late = [](const Benchmark_record& benchmark) { return slivers(quality_at(benchmark, benchmark.steps)); };
+    const auto gain = [&](const Benchmark_record& benchmark) {
+        return early(benchmark) > 0 ? 1 - late(benchmark) / early(benchmark) : 0;
+    };
     if (!spheres.empty() && spheres.front()->steps > 100) {
         double before = 0, after = 0, mean = 0, squares = 0;
         const auto x = of_each(spheres, gain);
-        for (const Race_record* race : spheres) {
-            before += early(*race);
-            after += late(*race);
+        for (const Benchmark_record* benchmark : spheres) {
+            before += early(*benchmark);
+            after += late(*benchmark);
         }
         const auto n = static_cast<double>(x.size());
         for (const double y : x) mean += y / n;
@@ -80,9 +82,9 @@ void append_locks(const Reproduction& r, std::vector<Claim>& out) {
     const auto others = present(r, {"locked-sphere-5", "locked-sphere-10", "locked-sphere-20", "locked-sphere-25"});
     if (!locked.empty()) {
         std::string more;
-        for (const Race_record* race : others)
-            more += (more.empty() ? "" : ", ") + race->name.substr(race->name.rfind('-') + 1) + " degrees " +
-                    percent(resting(*race));
+        for (const Benchmark_record* benchmark : others)
+            more += (more.empty() ? "" : ", ") + benchmark->name.substr(benchmark->name.rfind('-') + 1) + " degrees " +
+                    percent(resting(*benchmark));
         c.theirs = "locks of 15 degrees: " + listed(locked, resting, percent) +
                    (more.empty() ? "" : "; sphere with others: " + more);
         c.ours = "the same motion";

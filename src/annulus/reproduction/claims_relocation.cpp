@@ -6,17 +6,18 @@ namespace annulus {
 
 namespace {
 
-double microseconds(const Race_record& race, double Operation_record::*what) {
-    return race.operations.empty() ? 0 : 1e6 * race.operations.back().*what;
+double microseconds(const Benchmark_record& benchmark, double Operation_record::*what) {
+    return benchmark.operations.empty() ? 0 : 1e6 * benchmark.operations.back().*what;
 }
-double removal(const Race_record& race) { return microseconds(race, &Operation_record::removal); }
-double insertion(const Race_record& race) { return microseconds(race, &Operation_record::insertion); }
+double removal(const Benchmark_record& benchmark) { return microseconds(benchmark, &Operation_record::removal); }
+double insertion(const Benchmark_record& benchmark) { return microseconds(benchmark, &Operation_record::insertion); }
 
-double late_gain(const Race_record& race, const char* slow, const char* quick) {
-    return speed_up_between(race, slow, quick, race.steps - std::max<std::uint64_t>(1, race.steps / 10), race.steps);
+double late_gain(const Benchmark_record& benchmark, const char* slow, const char* quick) {
+    return speed_up_between(benchmark, slow, quick, benchmark.steps - std::max<std::uint64_t>(1, benchmark.steps / 10),
+                            benchmark.steps);
 }
-double early_gain(const Race_record& race, const char* slow, const char* quick) {
-    return speed_up_between(race, slow, quick, 0, std::max<std::uint64_t>(1, race.steps / 10));
+double early_gain(const Benchmark_record& benchmark, const char* slow, const char* quick) {
+    return speed_up_between(benchmark, slow, quick, 0, std::max<std::uint64_t>(1, benchmark.steps / 10));
 }
 
 /// The weaker version of 3.1, alone and under the filter.
@@ -29,8 +30,12 @@ void append_in_place(const Reproduction& r, std::vector<Claim>& out) {
         "pays off");
     Claim f = claim("figure-12", "Together with the filter that is definitely a good option.", "yes");
     if (!plane.empty() && !space.empty()) {
-        const auto early = [](const Race_record& race) { return early_gain(race, "relocate", "relocate-in-place"); };
-        const auto late = [](const Race_record& race) { return late_gain(race, "relocate", "relocate-in-place"); };
+        const auto early = [](const Benchmark_record& benchmark) {
+            return early_gain(benchmark, "relocate", "relocate-in-place");
+        };
+        const auto late = [](const Benchmark_record& benchmark) {
+            return late_gain(benchmark, "relocate", "relocate-in-place");
+        };
         c.theirs = "times as fast as relocation, in the first tenth of the steps and in the last: " +
                    range(of_each(plane, early), times) + " and " + range(of_each(plane, late), times) +
                    " in the plane, " + range(of_each(space, early), times) + " and " +
@@ -38,7 +43,9 @@ void append_in_place(const Reproduction& r, std::vector<Claim>& out) {
         c.ours = "every strategy tests in place first";
         c.verdict = agree_if(least(of_each(plane, late)) > 1 && least(of_each(space, late)) > 1);
         c.reason = "Relocation is timed at some steps, on copies.";
-        const auto both = [](const Race_record& race) { return speed_up(race, "paper-printed", "paper-in-place"); };
+        const auto both = [](const Benchmark_record& benchmark) {
+            return speed_up(benchmark, "paper-printed", "paper-in-place");
+        };
         f.theirs = "the filter with it is " + range(of_each(plane, both), times) +
                    " times as fast as without in the plane, " + range(of_each(space, both), times) + " times in space";
         f.ours = "as above";
@@ -59,13 +66,13 @@ void append_movers(const Reproduction& r, std::vector<Claim>& out) {
                all = present(r, {"movers-plane-100", "movers-space-100"});
     if (some.size() == 2 && more.size() == 2 && all.size() == 2) {
         const auto cost = [](const char* name) {
-            return [name](const Race_record& race) { return share(1, speed_up(race, "rebuild", name)); };
+            return [name](const Benchmark_record& benchmark) { return share(1, speed_up(benchmark, "rebuild", name)); };
         };
         const auto words = [&](const char* name) {
             const auto at = [&](std::size_t k) {
                 std::string text;
-                for (const auto* races : {&some, &more, &all})
-                    text += (text.empty() ? "" : ", ") + times(cost(name)(*(*races)[k]));
+                for (const auto* benchmarks : {&some, &more, &all})
+                    text += (text.empty() ? "" : ", ") + times(cost(name)(*(*benchmarks)[k]));
                 return text;
             };
             return at(0) + " rebuilds in the plane and " + at(1) + " in space";
@@ -85,8 +92,8 @@ void append_removal(const Reproduction& r, std::vector<Claim>& out) {
         claim("figure-12", "Removal is dramatically slower in space, and a vertex is in five times as many bi-cells.",
               "slower; 5 times");
     if (!plane.empty() && !space.empty()) {
-        const auto cells = [](const Race_record& race) {
-            const Survey_record* s = survey_at(race, 1);
+        const auto cells = [](const Benchmark_record& benchmark) {
+            const Certificate_survey_record* s = survey_at(benchmark, 1);
             return s ? s->bicells_a_vertex : 0;
         };
         const double ratio = share(least(of_each(space, cells)), most(of_each(plane, cells)));
@@ -112,7 +119,9 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
 
     Claim c = claim("figure-12", "When all points move, relocating them is slower than rebuilding.", "slower");
     if (!all.empty()) {
-        const auto slower = [](const Race_record& race) { return speed_up(race, "relocate", "rebuild"); };
+        const auto slower = [](const Benchmark_record& benchmark) {
+            return speed_up(benchmark, "relocate", "rebuild");
+        };
         c.theirs = "relocation takes " + range(of_each(plane, slower), times) + " rebuilds in the plane, " +
                    range(of_each(space, slower), times) + " in space";
         c.ours = "auto takes " +
@@ -124,7 +133,8 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
 
     c = claim("figure-7", "Flips in place of removal make relocation twice as fast in the plane.", "2");
     if (!plane.empty()) {
-        const auto x = of_each(plane, [](const auto& race) { return speed_up(race, "relocate", "relocate-flips"); });
+        const auto x =
+            of_each(plane, [](const auto& benchmark) { return speed_up(benchmark, "relocate", "relocate-flips"); });
         c.theirs = range(x, times);
         c.ours = speeds(plane, "relocate", {"tolerances-each"});
         c.verdict = agree_if(least(x) >= 1.6 && most(x) <= 3);
@@ -138,12 +148,13 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
 
     c = claim("figure-11", "If all points move, a time step relocates 2n vertices at most.", "at most 2n");
     if (!all.empty()) {
-        const auto x = of_each(all, [](const auto& race) { return most_renewals(race, "paper-printed"); });
+        const auto x = of_each(all, [](const auto& benchmark) { return most_renewals(benchmark, "paper-printed"); });
         c.theirs = "at most " + times(most(x)) + " n";
-        c.ours = "the longest time step of auto takes " +
-                 range(of_each(all, [](const auto& race) { return longest_step(race, "auto"); }), times) +
-                 " rebuilds by the processor's clock, of 100 the second longest " +
-                 range(of_each(all, [](const auto& race) { return longest_step(race, "auto", 0.01); }), times);
+        c.ours =
+            "the longest time step of auto takes " +
+            range(of_each(all, [](const auto& benchmark) { return longest_step(benchmark, "auto"); }), times) +
+            " rebuilds by the processor's clock, of 100 the second longest " +
+            range(of_each(all, [](const auto& benchmark) { return longest_step(benchmark, "auto", 0.01); }), times);
         c.verdict = agree_if(most(x) <= 2);
         c.reason = "The bound of auto, one and a half rebuilds, is one of counted prices and not of the clock.";
     }
@@ -151,8 +162,8 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
 
     c = claim("figure-7", "Testing the safe region when the tolerance failed saves no time.", "none");
     if (!plane.empty()) {
-        const auto x =
-            of_each(plane, [](const auto& race) { return speed_up(race, "paper-safe-region", "paper-printed"); });
+        const auto x = of_each(
+            plane, [](const auto& benchmark) { return speed_up(benchmark, "paper-safe-region", "paper-printed"); });
         c.theirs = "with the test " + range(x, times) + " times as long in the plane";
         c.verdict = agree_if(least(x) >= 0.97);
         c.reason = least(x) >= 0.97 ? "A vertex beyond its tolerance and within its safe region keeps its reference, "

@@ -9,10 +9,10 @@ namespace {
 double part_of(std::uint64_t part, std::uint64_t all) {
     return share(static_cast<double>(part), static_cast<double>(all));
 }
-double last_of(const Race_record& r, double (*value)(const Degeneracy_count_record&)) {
+double last_of(const Benchmark_record& r, double (*value)(const Degeneracy_count_record&)) {
     return r.degeneracies.empty() ? 0 : value(r.degeneracies.back());
 }
-double first_of(const Race_record& r, double (*value)(const Degeneracy_count_record&)) {
+double first_of(const Benchmark_record& r, double (*value)(const Degeneracy_count_record&)) {
     return r.degeneracies.empty() ? 0 : value(r.degeneracies.front());
 }
 double unsound_share(const Degeneracy_count_record& g) { return part_of(g.paper_unsound, g.vertices); }
@@ -24,12 +24,12 @@ struct Audits {
 };
 Audits audits_of(const Reproduction& r) {
     Audits a;
-    for (const auto& [name, race] : r.races)
-        for (const Racer_record& racer : race.racers) {
-            const bool paper = racer.name.starts_with("paper");
-            if (!paper && (racer.name.ends_with("floating") || racer.name.starts_with("re"))) continue;
-            (paper ? a.theirs : a.ours) += racer.audits;
-            (paper ? a.theirs_failed : a.ours_failed) += racer.audits_failed;
+    for (const auto& [name, benchmark] : r.benchmarks)
+        for (const Contender_record& contender : benchmark.contenders) {
+            const bool paper = contender.name.starts_with("paper");
+            if (!paper && (contender.name.ends_with("floating") || contender.name.starts_with("re"))) continue;
+            (paper ? a.theirs : a.ours) += contender.audits;
+            (paper ? a.theirs_failed : a.ours_failed) += contender.audits_failed;
         }
     return a;
 }
@@ -41,8 +41,8 @@ struct Rounding {
 };
 Rounding rounding_of(const Reproduction& r) {
     Rounding out;
-    for (const auto& [name, race] : r.races)
-        for (const Stability_record& s : race.stabilities) {
+    for (const auto& [name, benchmark] : r.benchmarks)
+        for (const Stability_record& s : benchmark.stabilities) {
             out.bicells += s.bicells;
             out.above += s.above;
             out.most = std::max(out.most, most(s.most));
@@ -56,8 +56,8 @@ void append_soundness_claims(const Reproduction& r, std::vector<Claim>& out) {
     const auto space = meshes(r), plane = lloyds(r);
     std::uint64_t attacked = 0, accepted = 0, audited = 0, refuted = 0;
     const Audits audits = audits_of(r);
-    for (const Race_record* race : space)
-        for (const Adversary_record& a : race->adversaries) {
+    for (const Benchmark_record* benchmark : space)
+        for (const Attack_record& a : benchmark->adversaries) {
             attacked += a.certificates;
             accepted += a.accepted;
             audited += a.audited;
@@ -88,8 +88,8 @@ void append_soundness_claims(const Reproduction& r, std::vector<Claim>& out) {
     c = {"unsound", "The same in the plane.", "always", "", "", Claim_verdict::open, ""};
     if (!plane.empty()) {
         std::uint64_t unsound = 0;
-        for (const Race_record* race : plane)
-            for (const auto& g : race->degeneracies) unsound += g.paper_unsound;
+        for (const Benchmark_record* benchmark : plane)
+            for (const auto& g : benchmark->degeneracies) unsound += g.paper_unsound;
         c.theirs = grouped(unsound) + " vertices with too large a tolerance in " + grouped(plane.size()) + " runs";
         c.ours = "proved";
         c.verdict = agree_if(unsound == 0);

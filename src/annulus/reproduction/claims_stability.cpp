@@ -6,17 +6,21 @@ namespace annulus {
 
 namespace {
 
-double first_theta(const Race_record& r) { return r.degeneracies.empty() ? 0 : r.degeneracies.front().theta_hundredth; }
-double last_theta(const Race_record& r) { return r.degeneracies.empty() ? 0 : r.degeneracies.back().theta_hundredth; }
+double first_theta(const Benchmark_record& r) {
+    return r.degeneracies.empty() ? 0 : r.degeneracies.front().theta_hundredth;
+}
+double last_theta(const Benchmark_record& r) {
+    return r.degeneracies.empty() ? 0 : r.degeneracies.back().theta_hundredth;
+}
 
 /// Median errors against the middle of their bin, of those with enough bi-cells.
 struct Errors {
     std::vector<double> theta, median;
 };
-Errors errors_of(const std::vector<const Race_record*>& races) {
+Errors errors_of(const std::vector<const Benchmark_record*>& benchmarks) {
     Errors e;
-    for (const Race_record* race : races)
-        for (const Stability_record& s : race->stabilities)
+    for (const Benchmark_record* benchmark : benchmarks)
+        for (const Stability_record& s : benchmark->stabilities)
             for (std::size_t k = 1; k < s.counts.size(); ++k) {
                 if (s.counts[k] < 20 || !(s.median[k] > 0)) continue;
                 e.theta.push_back(std::sqrt(s.edges[k] * s.edges[k + 1]));
@@ -43,18 +47,21 @@ std::string words(const Errors& e) {
            ", as theta to the power " + readable(std::round(100 * slope(e)) / 100) + " (least squares)";
 }
 
-void append_growth(const std::vector<const Race_record*>& races, const char* where, std::vector<Claim>& out) {
+void append_growth(const std::vector<const Benchmark_record*>& benchmarks, const char* where, std::vector<Claim>& out) {
     Claim c = claim(
         "unsound",
         std::string("Tolerances become numerically more stable along such runs: theta grows, ") + where + ".", "grows");
-    if (!races.empty()) {
-        const auto grown = [](const Race_record& race) { return last_theta(race) > first_theta(race); };
-        const auto n = std::count_if(races.begin(), races.end(), [&](const auto* race) { return grown(*race); });
+    if (!benchmarks.empty()) {
+        const auto grown = [](const Benchmark_record& benchmark) {
+            return last_theta(benchmark) > first_theta(benchmark);
+        };
+        const auto n = std::count_if(benchmarks.begin(), benchmarks.end(),
+                                     [&](const auto* benchmark) { return grown(*benchmark); });
         c.theirs = "the hundredth of theta grew in " + grouped(static_cast<std::uint64_t>(n)) + " of " +
-                   grouped(races.size()) + " runs: " + listed(races, first_theta, readable) + " at the start, " +
-                   listed(races, last_theta, readable) + " at the end";
+                   grouped(benchmarks.size()) + " runs: " + listed(benchmarks, first_theta, readable) +
+                   " at the start, " + listed(benchmarks, last_theta, readable) + " at the end";
         c.ours = "the ladder of arithmetic does not depend on it";
-        c.verdict = agree_if(static_cast<std::size_t>(n) == races.size());
+        c.verdict = agree_if(static_cast<std::size_t>(n) == benchmarks.size());
         if (c.verdict == Claim_verdict::differs)
             c.reason = "The motion keeps the surface of a body with thin features, and flat bi-cells along it.";
     }
@@ -65,10 +72,10 @@ void append_growth(const std::vector<const Race_record*>& races, const char* whe
 
 void append_stability_claims(const Reproduction& r, std::vector<Claim>& out) {
     const auto plane = lloyds(r), space = meshes(r);
-    for (const auto& [races, where] : {std::pair(&plane, "in the plane"), std::pair(&space, "in space")}) {
+    for (const auto& [benchmarks, where] : {std::pair(&plane, "in the plane"), std::pair(&space, "in space")}) {
         Claim c = claim("unsound", std::string("Numerical stability is proportional to theta, ") + where + ".",
                         "error like 1/theta");
-        const Errors e = errors_of(*races);
+        const Errors e = errors_of(*benchmarks);
         if (e.theta.size() > 1) {
             c.theirs = words(e);
             c.ours = "certified: the error is bounded, whatever theta is";

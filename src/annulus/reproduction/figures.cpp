@@ -47,34 +47,34 @@ void append_plot(Page_content& page, std::vector<Panel>& panels, const Plot& plo
     page.tables.emplace_back(csv, std::move(table));
 }
 
-Plot convergence_plot(const Race_record& race) {
-    Plot plot{race.title,
+Plot convergence_plot(const Benchmark_record& benchmark) {
+    Plot plot{benchmark.title,
               {"iteration", Scale::log10, {}, {}, true},
               {"mean (mean spacings)", Scale::log10, {}, {}, false},
               {}};
-    const auto add = [&](const char* name, double Survey_record::*value) {
+    const auto add = [&](const char* name, double Certificate_survey_record::*value) {
         Series s{name, {}, {}};
-        for (const Survey_record& r : race.surveys) {
-            if (r.step > race.steps) continue;
+        for (const Certificate_survey_record& r : benchmark.surveys) {
+            if (r.step > benchmark.steps) continue;
             s.x.push_back(static_cast<double>(r.step));
             s.y.push_back(r.*value);
         }
         if (!s.x.empty()) plot.series.push_back(std::move(s));
     };
-    add("displacement", &Survey_record::displacement);
-    add("annulus width", &Survey_record::width);
-    add("tolerance", &Survey_record::paper_tolerance);
-    if (race.dimension == 3) add("certified", &Survey_record::certified_tolerance);
+    add("displacement", &Certificate_survey_record::displacement);
+    add("annulus width", &Certificate_survey_record::width);
+    add("tolerance", &Certificate_survey_record::paper_tolerance);
+    if (benchmark.dimension == 3) add("certified", &Certificate_survey_record::certified_tolerance);
     return plot;
 }
 
-Plot width_plot(const Race_record& race) {
+Plot width_plot(const Benchmark_record& benchmark) {
     Plot plot{"Distribution of the widths",
               {"standard annulus width (mean spacings)", Scale::linear, 0., {}, true},
               {"bi-cells in a bin (%)", Scale::linear, 0., {}, false},
               {}};
     double highest = 0;
-    for (const Width_record& w : race.widths) {
+    for (const Width_record& w : benchmark.widths) {
         Series s{"iteration " + grouped(w.step), w.edges, {}, true};
         for (const std::uint64_t n : w.counts)
             s.y.push_back(w.total > 0 ? 100 * static_cast<double>(n) / static_cast<double>(w.total) : 0);

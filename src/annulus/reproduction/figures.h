@@ -48,7 +48,7 @@ void append_plot(Page_content& page, std::vector<Panel>& panels, const Plot& plo
                  std::string caption = "");
 
 /// Mean displacement, width and tolerances along a race (figures 6a, 10a); how widths are distributed (6b, 10b).
-[[nodiscard]] Plot convergence_plot(const Race_record& race);
-[[nodiscard]] Plot width_plot(const Race_record& race);
+[[nodiscard]] Plot convergence_plot(const Benchmark_record& benchmark);
+[[nodiscard]] Plot width_plot(const Benchmark_record& benchmark);
 
 }  // namespace annulus

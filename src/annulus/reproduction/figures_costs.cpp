@@ -9,14 +9,14 @@ namespace annulus {
 
 namespace {
 
-std::string name_of_curve(const Race_record& race) {
-    if (race.name == "lloyd-x2") return "Lloyd, x²";
-    return race.name.substr(race.name.find('-') + 1);
+std::string name_of_curve(const Benchmark_record& benchmark) {
+    if (benchmark.name == "lloyd-x2") return "Lloyd, x²";
+    return benchmark.name.substr(benchmark.name.find('-') + 1);
 }
 
 /// Means over a thirtieth of a decade, so that curves can be read.
 template <class Value>
-Series smoothed(std::string name, const Racer_record& r, Value value) {
+Series smoothed(std::string name, const Contender_record& r, Value value) {
     Series s{std::move(name), {}, {}};
     for (std::size_t k = 0; k < r.step.size();) {
         double part = 0, all = 0, steps = 0, n = 0;
@@ -34,40 +34,41 @@ Series smoothed(std::string name, const Racer_record& r, Value value) {
     return s;
 }
 
-Plot failure_plot(const std::vector<const Race_record*>& races, const char* racer) {
+Plot failure_plot(const std::vector<const Benchmark_record*>& benchmarks, const char* contender) {
     Plot plot{"Failures",
               {"iteration", Scale::log10, {}, {}, true},
               {"moves beyond their tolerance (%)", Scale::linear, 0., 100., false},
               {}};
-    for (const Race_record* race : races)
-        if (const Racer_record* r = racer_of(*race, racer))
-            plot.series.push_back(smoothed(name_of_curve(*race), *r, [&](std::size_t k) {
+    for (const Benchmark_record* benchmark : benchmarks)
+        if (const Contender_record* r = contender_of(*benchmark, contender))
+            plot.series.push_back(smoothed(name_of_curve(*benchmark), *r, [&](std::size_t k) {
                 return std::pair(100 * static_cast<double>(r->failed[k]), static_cast<double>(r->asked[k]));
             }));
     return plot;
 }
 
-Plot update_plot(const std::vector<const Race_record*>& races, const char* racer) {
+Plot update_plot(const std::vector<const Benchmark_record*>& benchmarks, const char* contender) {
     Plot plot{"Updates a failure",
               {"iteration", Scale::log10, {}, {}, true},
               {"tolerances computed a failed move", Scale::linear, 0., {}, false},
               {}};
-    for (const Race_record* race : races)
-        if (const Racer_record* r = racer_of(*race, racer))
-            plot.series.push_back(smoothed(name_of_curve(*race), *r, [&](std::size_t k) {
+    for (const Benchmark_record* benchmark : benchmarks)
+        if (const Contender_record* r = contender_of(*benchmark, contender))
+            plot.series.push_back(smoothed(name_of_curve(*benchmark), *r, [&](std::size_t k) {
                 return std::pair(static_cast<double>(r->evaluated[k]), static_cast<double>(r->failed[k]));
             }));
     return plot;
 }
 
 /// How much faster than rebuilding, cumulated.
-Plot speed_plot(std::string title, const std::vector<const Race_record*>& races, const char* racer, bool relocation) {
+Plot speed_plot(std::string title, const std::vector<const Benchmark_record*>& benchmarks, const char* contender,
+                bool relocation) {
     Plot plot{std::move(title),
               {"iteration", Scale::log10, {}, {}, true},
               {"times as fast as rebuilding", Scale::log10, {}, {}, false},
               {}};
-    const auto add = [&](const Race_record& race, const char* name, std::string words) {
-        const Racer_record *r = racer_of(race, name), *rebuild = racer_of(race, "rebuild");
+    const auto add = [&](const Benchmark_record& benchmark, const char* name, std::string words) {
+        const Contender_record *r = contender_of(benchmark, name), *rebuild = contender_of(benchmark, "rebuild");
         if (!r || !rebuild || rebuild->step.empty()) return;
         const auto all = cumulated(*rebuild);
         const double a_step = all.back().second / static_cast<double>(all.back().first);
@@ -79,14 +80,14 @@ Plot speed_plot(std::string title, const std::vector<const Race_record*>& races,
         }
         plot.series.push_back(std::move(s));
     };
-    for (const Race_record* race : races) add(*race, racer, name_of_curve(*race));
-    if (relocation && !races.empty())
-        add(*races.front(), "relocate", "relocation (" + name_of_curve(*races.front()) + ")");
+    for (const Benchmark_record* benchmark : benchmarks) add(*benchmark, contender, name_of_curve(*benchmark));
+    if (relocation && !benchmarks.empty())
+        add(*benchmarks.front(), "relocate", "relocation (" + name_of_curve(*benchmarks.front()) + ")");
     return plot;
 }
 
-Plot relocation_plot(const std::vector<const Race_record*>& races) {
-    Plot plot = speed_plot("Relocation", races, "relocate", false);
+Plot relocation_plot(const std::vector<const Benchmark_record*>& benchmarks) {
+    Plot plot = speed_plot("Relocation", benchmarks, "relocate", false);
     plot.y.scale = Scale::linear;
     plot.y.lower = 0.;
     return plot;
@@ -98,13 +99,13 @@ Plot movers_plot(const Reproduction& r, const char* where) {
               {"points that move (%)", Scale::log10, {}, {}, true},
               {"time of a time step (rebuilds)", Scale::log10, {}, {}, false},
               {}};
-    for (const auto& [racer, words] :
+    for (const auto& [contender, words] :
          {std::pair("relocate", "relocation"), std::pair("paper-printed", "paper's filter"),
           std::pair("tolerances-each", "one by one"), std::pair("auto", "auto")}) {
         Series s{words, {}, {}};
         for (const char* share : {"1", "10", "100"})
-            if (const Race_record* race = r.race(std::string("movers-") + where + "-" + share))
-                if (const double x = speed_up(*race, racer, "rebuild"); x > 0) {
+            if (const Benchmark_record* benchmark = r.benchmark(std::string("movers-") + where + "-" + share))
+                if (const double x = speed_up(*benchmark, contender, "rebuild"); x > 0) {
                     s.x.push_back(std::atof(share));
                     s.y.push_back(x);
                 }
@@ -120,15 +121,16 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
         "figure-11", "Figure 11: failures, and updates a failure",
         "The share of moves that the filter does not let pass, and how many tolerances are computed for each of them, "
         "along the iterations: (a, b) Lloyd with density x² and the bunny, (c, d) bunny and sphere."};
-    for (const auto& [racer, heading] : {std::pair("paper-printed", "The paper's algorithm as printed"),
-                                         std::pair("tolerances-each", "Certified tolerances, one vertex at a time")}) {
+    for (const auto& [contender, heading] :
+         {std::pair("paper-printed", "The paper's algorithm as printed"),
+          std::pair("tolerances-each", "Certified tolerances, one vertex at a time")}) {
         std::vector<Panel> panels;
-        const std::string suffix = std::string(racer) == "paper-printed" ? "" : "-certified";
+        const std::string suffix = std::string(contender) == "paper-printed" ? "" : "-certified";
         const auto a = present(r, {"lloyd-x2", "nodt-bunny"}), c = present(r, {"nodt-bunny", "nodt-sphere"});
-        append_plot(eleven, panels, failure_plot(a, racer), "figure-11a" + suffix + ".csv");
-        append_plot(eleven, panels, update_plot(a, racer), "figure-11b" + suffix + ".csv");
-        append_plot(eleven, panels, failure_plot(c, racer), "figure-11c" + suffix + ".csv");
-        append_plot(eleven, panels, update_plot(c, racer), "figure-11d" + suffix + ".csv");
+        append_plot(eleven, panels, failure_plot(a, contender), "figure-11a" + suffix + ".csv");
+        append_plot(eleven, panels, update_plot(a, contender), "figure-11b" + suffix + ".csv");
+        append_plot(eleven, panels, failure_plot(c, contender), "figure-11c" + suffix + ".csv");
+        append_plot(eleven, panels, update_plot(c, contender), "figure-11d" + suffix + ".csv");
         if (!panels.empty()) eleven.sections.emplace_back(heading, std::move(panels));
     }
     if (!eleven.sections.empty())
@@ -143,20 +145,23 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
     Page_content twelve{"figure-12", "Figure 12: speed-up against rebuilding",
                         "Cumulated time of CGAL's insertion of a range over that of each strategy, along the "
                         "iterations of natural ODT."};
-    if (const auto races = meshes(r); !races.empty()) {
+    if (const auto benchmarks = meshes(r); !benchmarks.empty()) {
         std::vector<Panel> panels;
-        append_plot(twelve, panels, speed_plot("The paper's algorithm as printed", races, "paper-printed", true),
+        append_plot(twelve, panels, speed_plot("The paper's algorithm as printed", benchmarks, "paper-printed", true),
                     "figure-12.csv", "As the paper's figure.");
-        append_plot(twelve, panels, speed_plot("The same, tested in place first (3.1)", races, "paper-in-place", false),
-                    "figure-12-in-place.csv");
-        append_plot(twelve, panels, speed_plot("The paper's tolerances, our repair", races, "paper", false),
-                    "figure-12-repair.csv", "In place, else flips; reinsertion last.");
         append_plot(twelve, panels,
-                    speed_plot("Certified, one vertex at a time (tolerances-each)", races, "tolerances-each", false),
-                    "figure-12-tolerances-each.csv");
-        append_plot(twelve, panels, speed_plot("Certified, whole time steps (auto)", races, "auto", false),
+                    speed_plot("The same, tested in place first (3.1)", benchmarks, "paper-in-place", false),
+                    "figure-12-in-place.csv");
+        append_plot(twelve, panels, speed_plot("The paper's tolerances, our repair", benchmarks, "paper", false),
+                    "figure-12-repair.csv", "In place, else flips; reinsertion last.");
+        append_plot(
+            twelve, panels,
+            speed_plot("Certified, one vertex at a time (tolerances-each)", benchmarks, "tolerances-each", false),
+            "figure-12-tolerances-each.csv");
+        append_plot(twelve, panels, speed_plot("Certified, whole time steps (auto)", benchmarks, "auto", false),
                     "figure-12-auto.csv");
-        append_plot(twelve, panels, relocation_plot(races), "figure-12-relocate.csv", "At the steps that were timed.");
+        append_plot(twelve, panels, relocation_plot(benchmarks), "figure-12-relocate.csv",
+                    "At the steps that were timed.");
         twelve.sections.emplace_back("Speed-up", std::move(panels));
         twelve.notes.push_back(
             "Seconds of one thread's processor, all strategies in turn on the same 25 steps. Of 1,000 steps rebuilding "

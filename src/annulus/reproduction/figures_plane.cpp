@@ -7,17 +7,18 @@ namespace annulus {
 
 namespace {
 
-std::string density_in_words(const std::string& race) {
-    return race.ends_with("-one")     ? "density 1"
-           : race.ends_with("-x2+y2") ? "density x² + y²"
-           : race.ends_with("-x2")    ? "density x²"
-                                      : "density sin² of the radius";
+std::string density_in_words(const std::string& benchmark) {
+    return benchmark.ends_with("-one")     ? "density 1"
+           : benchmark.ends_with("-x2+y2") ? "density x² + y²"
+           : benchmark.ends_with("-x2")    ? "density x²"
+                                           : "density sin² of the radius";
 }
 
-void append_pictures(const Race_record& race, const std::string& csv, Page_content& page, std::vector<Panel>& panels) {
-    for (const Picture_record& p : race.pictures) {
+void append_pictures(const Benchmark_record& benchmark, const std::string& csv, Page_content& page,
+                     std::vector<Panel>& panels) {
+    for (const Picture_record& p : benchmark.pictures) {
         const std::string name = csv + "-" + std::to_string(p.step) + ".csv";
-        panels.push_back({density_in_words(race.name) + ", " + caption_of(p), p.svg, "", {name}});
+        panels.push_back({density_in_words(benchmark.name) + ", " + caption_of(p), p.svg, "", {name}});
         Csv_table table{{"x", "y"}, {}};
         for (std::size_t i = 0; i < p.x.size(); ++i) table.rows.push_back({p.x[i], p.y[i]});
         page.tables.emplace_back(name, std::move(table));
@@ -30,14 +31,14 @@ constexpr std::pair<const char*, const char*> curves[] = {
     {"paper-printed", "paper's filter"}, {"paper-in-place", "with tests in place"},
     {"tolerances-each", "one by one"},   {"auto", "auto"}};
 
-Plot time_plot(const Race_record& race, bool logarithmic) {
-    Plot plot{density_in_words(race.name),
+Plot time_plot(const Benchmark_record& benchmark, bool logarithmic) {
+    Plot plot{density_in_words(benchmark.name),
               {"iteration", Scale::linear, 0., {}, true},
               {"cumulated time (s)", logarithmic ? Scale::log10 : Scale::linear, {}, {}, false},
               {}};
     if (!logarithmic) plot.y.lower = 0.;
     for (const auto& [name, words] : curves) {
-        const Racer_record* r = racer_of(race, name);
+        const Contender_record* r = contender_of(benchmark, name);
         if (!r) continue;
         Series s{words, {}, {}};
         for (const auto& [step, seconds] : cumulated(*r)) {
@@ -56,8 +57,8 @@ void append_plane_pages(const Reproduction& r, std::vector<Page_content>& out) {
         "figure-5", "Figure 5: points before and after Lloyd iterations",
         "Points drawn from a disc with a density, and where Lloyd iterations with the same density take them."};
     std::vector<Panel> panels;
-    for (const Race_record* race : present(r, {"points-one", "points-x2"}))
-        append_pictures(*race, "figure-5-" + race->name.substr(7), five, panels);
+    for (const Benchmark_record* benchmark : present(r, {"points-one", "points-x2"}))
+        append_pictures(*benchmark, "figure-5-" + benchmark->name.substr(7), five, panels);
     if (!panels.empty()) five.sections.emplace_back("Points", std::move(panels));
     out.push_back(std::move(five));
 
@@ -65,7 +66,7 @@ void append_plane_pages(const Reproduction& r, std::vector<Page_content>& out) {
                      "Lloyd iterations with density x²: (a) how far points go, how wide standard annuli are and what "
                      "tolerance vertices have, all means; (b) how the widths are distributed. The unit is the square "
                      "root of the disc's area per point."};
-    if (const Race_record* x2 = r.race("lloyd-x2")) {
+    if (const Benchmark_record* x2 = r.benchmark("lloyd-x2")) {
         panels.clear();
         append_plot(six, panels, convergence_plot(*x2), "figure-6a.csv",
                     "Before each step; the displacement is that of the step. Certified tolerances are the paper's but "
@@ -83,11 +84,12 @@ void append_plane_pages(const Reproduction& r, std::vector<Page_content>& out) {
         "Of ours \"one by one\" is tolerances-each with certified tolerances, \"auto\" moves whole time steps."};
     std::vector<Panel> linear, logarithmic;
     char letter = 'a';
-    for (const Race_record* race : present(r, {"lloyd-one", "lloyd-x2+y2", "lloyd-x2", "lloyd-sin2"})) {
+    for (const Benchmark_record* benchmark : present(r, {"lloyd-one", "lloyd-x2+y2", "lloyd-x2", "lloyd-sin2"})) {
         const std::string csv = std::string("figure-7") + letter++;
-        append_plot(seven, linear, time_plot(*race, false), csv + ".csv", grouped(race->vertices) + " points");
+        append_plot(seven, linear, time_plot(*benchmark, false), csv + ".csv",
+                    grouped(benchmark->vertices) + " points");
         Page_content scratch;  // the numbers are the same
-        append_plot(scratch, logarithmic, time_plot(*race, true), csv + ".csv");
+        append_plot(scratch, logarithmic, time_plot(*benchmark, true), csv + ".csv");
     }
     if (!linear.empty()) {
         seven.sections.emplace_back("Cumulated times", std::move(linear));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/reproduction/operations.h>
 
-#include <annulus/reproduction/printed_pieces.h>
 #include <annulus/reproduction/processor_time.h>
+#include <annulus/reproduction/published_pieces.h>
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace annulus {
 
 template <int d>
 Operation_record time_operations(const Moving_of<d>& dt) {
-    using Pieces = Printed_pieces<d>;
+    using Pieces = Published_pieces<d>;
     typename Pieces::Triangulation tr = dt.triangulation();
     std::vector<typename Pieces::Vertex> all, near;
     for (auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v) all.push_back(v);

@@ -15,23 +15,23 @@ Options options_of(Strategy strategy, Tolerance_kind kind = Tolerance_kind::cert
     return o;
 }
 
-using Kind = Racer_plan::Kind;
+using Kind = Contender_plan::Kind;
 
-Racer_plan printed(const char* name, const Printed_choice& choice, std::uint64_t audit_every,
-                   Kind kind = Kind::follower, std::uint64_t every = 1) {
+Contender_plan printed(const char* name, const Published_variant& choice, std::uint64_t audit_every,
+                       Kind kind = Kind::follower, std::uint64_t every = 1) {
     return {name, kind, {}, every, audit_every, choice};
 }
 
 /// The paper's algorithm as it prints it, and with its weaker version of relocation.
-std::vector<Racer_plan> paper_racers(std::uint64_t audit_every) {
+std::vector<Contender_plan> paper_racers(std::uint64_t audit_every) {
     return {printed("paper-printed", {}, audit_every), printed("paper-in-place", {.in_place = true}, 0),
             printed("paper-printed-hybrid", {}, 0, Kind::hybrid)};
 }
 
 /// What everybody is compared with, the paper's algorithms, and ours. `cgal_every`, `copy_every`: what is timed at
 /// some steps only.
-std::vector<Racer_plan> racers(std::uint64_t cgal_every, std::uint64_t copy_every, std::uint64_t audit_every) {
-    std::vector<Racer_plan> out{
+std::vector<Contender_plan> contenders(std::uint64_t cgal_every, std::uint64_t copy_every, std::uint64_t audit_every) {
+    std::vector<Contender_plan> out{
         {"rebuild", Kind::cgal, {}, cgal_every, 0},
         printed("relocate", {.tolerances = false}, 0, Kind::copy, copy_every),
         printed("relocate-in-place", {.tolerances = false, .in_place = true}, 0, Kind::copy, copy_every),
@@ -40,7 +40,7 @@ std::vector<Racer_plan> racers(std::uint64_t cgal_every, std::uint64_t copy_ever
         {"tolerances-each", Kind::follower, options_of(Strategy::tolerances_each), 1, audit_every},
         {"tolerances", Kind::follower, options_of(Strategy::tolerances), 1, 0},
         {"auto", Kind::follower, options_of(Strategy::automatic), 1, audit_every}};
-    for (Racer_plan& p : paper_racers(audit_every)) out.push_back(std::move(p));
+    for (Contender_plan& p : paper_racers(audit_every)) out.push_back(std::move(p));
     return out;
 }
 
@@ -80,10 +80,10 @@ void add_lloyd(const Reproduction_size& size, std::vector<Part_plan>& out) {
         if (!asked(size, {"fig5"})) continue;
         Part_plan p;
         p.motion = {.dimension = 2, .vertices = size.quick ? 500U : 1000U, .density = density};
-        p.race = {.name = std::string("points-") + density,
-                  .title = std::string("Lloyd, density ") + density,
-                  .steps = steps,
-                  .pictures = {0, steps}};
+        p.benchmark = {.name = std::string("points-") + density,
+                       .title = std::string("Lloyd, density ") + density,
+                       .steps = steps,
+                       .pictures = {0, steps}};
         out.push_back(p);
     }
     for (const char* density : {"one", "x2+y2", "x2", "sin2"}) {
@@ -91,17 +91,17 @@ void add_lloyd(const Reproduction_size& size, std::vector<Part_plan>& out) {
         if (!asked(size, {"fig7"}) && !(x2 && asked(size, {"fig6", "fig11"}))) continue;
         Part_plan p;
         p.motion = {.dimension = 2, .vertices = size.quick ? 2000U : 10'000U, .density = density};
-        p.race = {.name = std::string("lloyd-") + density,
-                  .title = std::string("Lloyd, density ") + density,
-                  .steps = steps,
-                  .racers = racers(1, sampled(steps, 10), 10)};
-        p.race.racers.push_back(
+        p.benchmark = {.name = std::string("lloyd-") + density,
+                       .title = std::string("Lloyd, density ") + density,
+                       .steps = steps,
+                       .contenders = contenders(1, sampled(steps, 10), 10)};
+        p.benchmark.contenders.push_back(
             printed("relocate-flips", {.tolerances = false, .flips = true}, 0, Kind::copy, sampled(steps, 10)));
-        p.race.racers.push_back(printed("paper-safe-region", {.safe_region = true}, 10));
-        p.race.surveys = x2 ? spread(steps) : decades(steps, true);
-        p.race.distributions = decades(steps, false);
-        p.race.degeneracies = decades(steps, true);
-        p.race.stabilities = p.race.operations = {1, steps + 1};
+        p.benchmark.contenders.push_back(printed("paper-safe-region", {.safe_region = true}, 10));
+        p.benchmark.surveys = x2 ? spread(steps) : decades(steps, true);
+        p.benchmark.distributions = decades(steps, false);
+        p.benchmark.degeneracies = decades(steps, true);
+        p.benchmark.stabilities = p.benchmark.operations = {1, steps + 1};
         out.push_back(p);
     }
 }
@@ -121,9 +121,9 @@ Part_plan body_part(const Reproduction_size& size, const Body& b) {
     Part_plan p;
     p.motion = {
         .dimension = 3, .vertices = size.quick ? b.quick : b.vertices, .surface = b.surface, .crossing = b.crossing};
-    p.race.steps = steps_of(size, 60);
-    p.race.quality_every = 10;
-    p.race.seed = size.seed;
+    p.benchmark.steps = steps_of(size, 60);
+    p.benchmark.quality_every = 10;
+    p.benchmark.seed = size.seed;
     return p;
 }
 
@@ -135,16 +135,16 @@ void add_bodies(const Reproduction_size& size, std::vector<Part_plan>& out) {
                             (name == "bunny" && asked(size, {"fig11"})) || (name == "man" && asked(size, {"fig9"}));
         if (!wanted) continue;
         Part_plan p = body_part(size, b);
-        const std::uint64_t steps = p.race.steps;
-        p.race.name = "nodt-" + name;
-        p.race.title = std::string("Natural ODT, ") + b.title;
-        p.race.racers = racers(sampled(steps, 4), sampled(steps, 50), 20);
-        p.race.surveys = spread(steps);
-        p.race.distributions = decades(steps, false);
-        p.race.degeneracies = p.race.adversaries = decades(steps, true);
-        p.race.stabilities = p.race.operations = {1, steps + 1};
-        p.race.attacks = size.quick ? 200 : 2000;
-        p.race.pictures = {0, std::min<std::uint64_t>(100, steps), steps};
+        const std::uint64_t steps = p.benchmark.steps;
+        p.benchmark.name = "nodt-" + name;
+        p.benchmark.title = std::string("Natural ODT, ") + b.title;
+        p.benchmark.contenders = contenders(sampled(steps, 4), sampled(steps, 50), 20);
+        p.benchmark.surveys = spread(steps);
+        p.benchmark.distributions = decades(steps, false);
+        p.benchmark.degeneracies = p.benchmark.adversaries = decades(steps, true);
+        p.benchmark.stabilities = p.benchmark.operations = {1, steps + 1};
+        p.benchmark.attacks = size.quick ? 200 : 2000;
+        p.benchmark.pictures = {0, std::min<std::uint64_t>(100, steps), steps};
         out.push_back(p);
     }
 }
@@ -158,9 +158,9 @@ void add_qualities(const Reproduction_size& size, std::vector<Part_plan>& out) {
         if (!sphere && (name != "bunny" || !size.surfaces)) continue;
         for (std::uint64_t draw = 0; asked(size, {"slivers"}) && draw < (sphere ? 5U : 1U); ++draw) {
             Part_plan p = body_part(size, b);
-            p.race.name = "graded-" + name + (draw > 0 ? "-" + std::to_string(draw + 1) : "");
-            p.race.title = std::string("Natural ODT, variable sizing, ") + b.title +
-                           (draw > 0 ? ", first mesh " + std::to_string(draw + 1) : "");
+            p.benchmark.name = "graded-" + name + (draw > 0 ? "-" + std::to_string(draw + 1) : "");
+            p.benchmark.title = std::string("Natural ODT, variable sizing, ") + b.title +
+                                (draw > 0 ? ", first mesh " + std::to_string(draw + 1) : "");
             p.motion.graded = true;
             p.motion.draw = draw;
             if (!sphere)  // a ball is cheaper to ask how deep a vertex lies
@@ -170,8 +170,8 @@ void add_qualities(const Reproduction_size& size, std::vector<Part_plan>& out) {
         for (const int degrees : {15, 5, 10, 20, 25}) {
             if (!asked(size, {"locked"}) || (!sphere && degrees != 15)) continue;
             Part_plan p = body_part(size, b);
-            p.race.name = "locked-" + name + (degrees != 15 ? "-" + std::to_string(degrees) : "");
-            p.race.title = "Natural ODT with locks of " + std::to_string(degrees) + " degrees, " + b.title;
+            p.benchmark.name = "locked-" + name + (degrees != 15 ? "-" + std::to_string(degrees) : "");
+            p.benchmark.title = "Natural ODT with locks of " + std::to_string(degrees) + " degrees, " + b.title;
             p.motion.lock_degrees = degrees;
             out.push_back(p);
         }
@@ -185,16 +185,16 @@ void add_movers(const Reproduction_size& size, std::vector<Part_plan>& out) {
         if (!asked(size, {"movers"})) continue;
         Part_plan p;
         p.motion = {.dimension = d, .vertices = size.quick ? 2000U : 10'000U, .movers = percent / 100.0, .pace = 0.05};
-        p.race.name = std::string(d == 2 ? "movers-plane-" : "movers-space-") + std::to_string(percent);
-        p.race.title = std::to_string(percent) + " % of random points move, " + (d == 2 ? "plane" : "space");
-        p.race.steps = std::min<std::uint64_t>(size.quick ? 5 : 20, steps_of(size, 5));
-        p.race.racers = {{"rebuild", Kind::cgal, {}, 1, 0},
-                         printed("relocate", {.tolerances = false}, 0),
-                         printed("relocate-in-place", {.tolerances = false, .in_place = true}, 0),
-                         printed("paper-printed", {}, 10),
-                         printed("paper-in-place", {.in_place = true}, 0),
-                         {"tolerances-each", Kind::follower, options_of(Strategy::tolerances_each), 1, 10},
-                         {"auto", Kind::follower, options_of(Strategy::automatic), 1, 10}};
+        p.benchmark.name = std::string(d == 2 ? "movers-plane-" : "movers-space-") + std::to_string(percent);
+        p.benchmark.title = std::to_string(percent) + " % of random points move, " + (d == 2 ? "plane" : "space");
+        p.benchmark.steps = std::min<std::uint64_t>(size.quick ? 5 : 20, steps_of(size, 5));
+        p.benchmark.contenders = {{"rebuild", Kind::cgal, {}, 1, 0},
+                                  printed("relocate", {.tolerances = false}, 0),
+                                  printed("relocate-in-place", {.tolerances = false, .in_place = true}, 0),
+                                  printed("paper-printed", {}, 10),
+                                  printed("paper-in-place", {.in_place = true}, 0),
+                                  {"tolerances-each", Kind::follower, options_of(Strategy::tolerances_each), 1, 10},
+                                  {"auto", Kind::follower, options_of(Strategy::automatic), 1, 10}};
         out.push_back(p);
     }
 }
@@ -214,7 +214,7 @@ std::vector<Part_plan> reproduction_parts(const Reproduction_size& size) {
     add_qualities(size, out);
     add_movers<2>(size, out);
     add_movers<3>(size, out);
-    for (Part_plan& p : out) p.race.seed = size.seed;
+    for (Part_plan& p : out) p.benchmark.seed = size.seed;
     return out;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/reproduction/race.h>
+#include <annulus/reproduction/benchmark.h>
 #include <annulus/reproduction/size.h>
 
 #include <string>
@@ -29,7 +29,7 @@ struct Motion_plan {
 
 struct Part_plan {
     Motion_plan motion;
-    Race_plan race;
+    Benchmark_plan benchmark;
 };
 
 /// The races of a reproduction, in the order in which they are run.

@@ -10,7 +10,7 @@
 namespace annulus {
 
 /// One strategy along a race. The vectors have an entry for each step that was followed.
-struct Racer_record {
+struct Contender_record {
     std::string name;
     double first_seconds = 0;         ///< construction with everything in it
     double precompute_seconds = 0;    ///< of these, the tolerances (measured once more by themselves)
@@ -32,7 +32,7 @@ struct Racer_record {
 inline constexpr std::uint64_t streak_lengths[] = {1, 2, 5, 10, 25, 50, 100};
 
 /// What the paper's tolerances and ours were before a step, and how far it went.
-struct Survey_record {
+struct Certificate_survey_record {
     std::uint64_t step = 0;
     double displacement = 0;                              ///< mean
     double width = 0, width_deviation = 0;                ///< of standard annuli: mean, standard deviation
@@ -60,8 +60,8 @@ struct Degeneracy_count_record {
     double theta_hundredth = 0, theta_median = 0;  ///< quantiles, radians
 };
 
-/// What the adversary did before a step: see adversary.h.
-struct Adversary_record {
+/// What the adversary did before a step: see certificate_attack.h.
+struct Attack_record {
     std::uint64_t step = 0;
     std::uint64_t certificates = 0;          ///< attacked: those below the paper's tolerance of all their points
     std::uint64_t broken = 0;                ///< of these, made false by moves below the paper's tolerances
@@ -100,7 +100,7 @@ struct Picture_record {
 };
 
 /// One motion with all that followed it: a part of the reproduction.
-struct Race_record {
+struct Benchmark_record {
     std::string name, title;
     int dimension = 2;
     std::uint64_t vertices = 0, steps = 0;
@@ -109,11 +109,11 @@ struct Race_record {
     double motion_seconds = 0;         ///< of all processors, that the motion alone took
     double load = 0;                   ///< processes that wanted a processor, the mean of a minute at the end
     std::vector<double> displacement;  ///< mean, by step
-    std::vector<Racer_record> racers;
-    std::vector<Survey_record> surveys;
+    std::vector<Contender_record> contenders;
+    std::vector<Certificate_survey_record> surveys;
     std::vector<Width_record> widths;
     std::vector<Degeneracy_count_record> degeneracies;
-    std::vector<Adversary_record> adversaries;
+    std::vector<Attack_record> adversaries;
     std::vector<Stability_record> stabilities;
     std::vector<Operation_record> operations;
     std::vector<Quality_record> qualities;
@@ -122,8 +122,8 @@ struct Race_record {
 };
 
 /// As text that `parse_race` reads back bit for bit.
-[[nodiscard]] std::string race_text(const Race_record& race);
+[[nodiscard]] std::string race_text(const Benchmark_record& benchmark);
 /// Throws Error(bad_input) for anything else.
-[[nodiscard]] Race_record parse_race(const std::string& text);
+[[nodiscard]] Benchmark_record parse_race(const std::string& text);
 
 }  // namespace annulus

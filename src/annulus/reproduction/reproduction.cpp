@@ -8,7 +8,7 @@
 #include <annulus/report/table.h>
 #include <annulus/reproduction/claims.h>
 #include <annulus/reproduction/figures.h>
-#include <annulus/reproduction/readings.h>
+#include <annulus/reproduction/race_statistics.h>
 
 #include <algorithm>
 
@@ -86,13 +86,13 @@ std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
         "<p>The figures and claims of the paper of that name by P. M. M. de Castro, J. Tournois, P. Alliez and O. "
         "Devillers (2009), from runs made here: under the paper's algorithm and tolerances, and under ours.</p>\n";
     double seconds = 0, least_load = 1e9, most_load = 0;
-    for (const auto& [name, race] : r.races) {
-        seconds += race.seconds;
-        least_load = std::min(least_load, race.load);
-        most_load = std::max(most_load, race.load);
+    for (const auto& [name, benchmark] : r.benchmarks) {
+        seconds += benchmark.seconds;
+        least_load = std::min(least_load, benchmark.load);
+        most_load = std::max(most_load, benchmark.load);
     }
-    out +=
-        "<p>" + escaped(r.machine) + ". " + grouped(r.races.size()) + " runs, " + duration(seconds) + " by the clock; ";
+    out += "<p>" + escaped(r.machine) + ". " + grouped(r.benchmarks.size()) + " runs, " + duration(seconds) +
+           " by the clock; ";
     out += "load of the machine at the end of each " + readable(least_load) + " to " + readable(most_load) +
            ". Seconds on these pages are those of one thread's processor, and strategies take turns, so that others "
            "delay all alike; such times still vary from run to run. Verdicts about speed rest on them, no other "
@@ -117,12 +117,12 @@ std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
            link("claims.csv", "claims.csv") + ", and a table beside each figure.</p>\n";
     out += "<h2>Runs</h2>\n";
     std::vector<Table_row> rows;
-    for (const auto& [name, race] : r.races)
-        rows.push_back({escaped(race.title),
-                        {grouped(race.vertices), static_cast<double>(race.vertices)},
-                        {grouped(race.steps), static_cast<double>(race.steps)},
-                        {duration(race.seconds), race.seconds},
-                        {readable(race.load), race.load}});
+    for (const auto& [name, benchmark] : r.benchmarks)
+        rows.push_back({escaped(benchmark.title),
+                        {grouped(benchmark.vertices), static_cast<double>(benchmark.vertices)},
+                        {grouped(benchmark.steps), static_cast<double>(benchmark.steps)},
+                        {duration(benchmark.seconds), benchmark.seconds},
+                        {readable(benchmark.load), benchmark.load}});
     append_table(out, {"run", "vertices", "iterations", "took", "load"}, rows);
     return out + page_foot();
 }
@@ -142,19 +142,19 @@ nlohmann::ordered_json json_of(const Reproduction& r, const std::vector<Claim>& 
                                  {"verdict", name_of(c.verdict)},
                                  {"reason", c.reason}});
     out["runs"] = nlohmann::ordered_json::object();
-    for (const auto& [name, race] : r.races) {
-        nlohmann::ordered_json run{{"title", race.title},
-                                   {"dimension", race.dimension},
-                                   {"vertices", race.vertices},
-                                   {"iterations", race.steps},
-                                   {"spacing", race.spacing},
-                                   {"load", race.load},
-                                   {"motion_seconds", race.motion_seconds}};
-        for (const Racer_record& x : race.racers) {
+    for (const auto& [name, benchmark] : r.benchmarks) {
+        nlohmann::ordered_json run{{"title", benchmark.title},
+                                   {"dimension", benchmark.dimension},
+                                   {"vertices", benchmark.vertices},
+                                   {"iterations", benchmark.steps},
+                                   {"spacing", benchmark.spacing},
+                                   {"load", benchmark.load},
+                                   {"motion_seconds", benchmark.motion_seconds}};
+        for (const Contender_record& x : benchmark.contenders) {
             std::uint64_t asked = 0, failed = 0;
             for (const std::uint64_t n : x.asked) asked += n;
             for (const std::uint64_t n : x.failed) failed += n;
-            run["strategies"][x.name] = {{"seconds", total_seconds(race, x.name)},
+            run["strategies"][x.name] = {{"seconds", total_seconds(benchmark, x.name)},
                                          {"steps_timed", x.step.size()},
                                          {"precompute_seconds", x.precompute_seconds},
                                          {"moves", asked},
@@ -165,7 +165,7 @@ nlohmann::ordered_json json_of(const Reproduction& r, const std::vector<Claim>& 
                                          {"sampling_seconds", x.sampling_seconds}};
             if (!x.streaks.empty()) run["strategies"][x.name]["failed_in_a_row"] = x.streaks;
         }
-        for (const auto& s : race.stabilities)
+        for (const auto& s : benchmark.stabilities)
             run["rounding"].push_back({{"before_step", s.step},
                                        {"bicells", s.bicells},
                                        {"above_exact", s.above},
@@ -173,12 +173,12 @@ nlohmann::ordered_json json_of(const Reproduction& r, const std::vector<Claim>& 
                                        {"counts", s.counts},
                                        {"median_relative_error", s.median},
                                        {"largest_relative_error", s.most}});
-        for (const auto& o : race.operations)
+        for (const auto& o : benchmark.operations)
             run["operations"].push_back({{"before_step", o.step},
                                          {"vertices", o.vertices},
                                          {"removal_seconds", o.removal},
                                          {"insertion_seconds", o.insertion}});
-        for (const auto& g : race.degeneracies)
+        for (const auto& g : benchmark.degeneracies)
             run["degeneracy"].push_back({{"before_step", g.step},
                                          {"bicells", g.bicells},
                                          {"non_convex", g.non_convex},
@@ -189,7 +189,7 @@ nlohmann::ordered_json json_of(const Reproduction& r, const std::vector<Claim>& 
                                          {"unsound_certificates", g.unsound_certificates},
                                          {"theta_hundredth", g.theta_hundredth},
                                          {"theta_median", g.theta_median}});
-        for (const auto& a : race.adversaries)
+        for (const auto& a : benchmark.adversaries)
             run["adversary"].push_back({{"before_step", a.step},
                                         {"attacked", a.certificates},
                                         {"broken", a.broken},

@@ -15,12 +15,12 @@ struct Reproduction {
     std::string command;
     std::string machine;  ///< processor and compiler, for people
     Reproduction_size size;
-    std::map<std::string, Race_record> races;  ///< by name
+    std::map<std::string, Benchmark_record> benchmarks;  ///< by name
 
     /// Null where it was not asked for, or could not be made.
-    [[nodiscard]] const Race_record* race(const std::string& name) const {
-        const auto found = races.find(name);
-        return found == races.end() ? nullptr : &found->second;
+    [[nodiscard]] const Benchmark_record* benchmark(const std::string& name) const {
+        const auto found = benchmarks.find(name);
+        return found == benchmarks.end() ? nullptr : &found->second;
     }
 };
 

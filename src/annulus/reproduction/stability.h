@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/reproduction/survey.h>
+#include <annulus/reproduction/certificate_survey.h>
 
 namespace annulus {
 

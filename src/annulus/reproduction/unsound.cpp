@@ -29,12 +29,12 @@ Csv_table counts_table(const Reproduction& r) {
     Csv_table t{{"run", "before_step", "vertices", "paper_above_exact", "paper_unsound", "unsound_certificates",
                  "attacked", "broken", "accepted", "audited", "refuted"},
                 {}};
-    for (const auto& [name, race] : r.races)
-        for (const auto& g : race.degeneracies) {
-            const auto a = std::find_if(race.adversaries.begin(), race.adversaries.end(),
+    for (const auto& [name, benchmark] : r.benchmarks)
+        for (const auto& g : benchmark.degeneracies) {
+            const auto a = std::find_if(benchmark.adversaries.begin(), benchmark.adversaries.end(),
                                         [&](const auto& x) { return x.step == g.step; });
             std::vector<Csv_cell> row{name, g.step, g.vertices, g.paper_above, g.paper_unsound, g.unsound_certificates};
-            if (a == race.adversaries.end()) row.resize(t.header.size());
+            if (a == benchmark.adversaries.end()) row.resize(t.header.size());
             else row.insert(row.end(), {a->certificates, a->broken, a->accepted, a->audited, a->refuted});
             t.rows.push_back(std::move(row));
         }
@@ -43,9 +43,9 @@ Csv_table counts_table(const Reproduction& r) {
 
 Plot share_plot(const Reproduction& r, const char* title, std::uint64_t Degeneracy_count_record::*count) {
     Plot plot{title, {"iteration", Scale::log10, {}, {}, true}, {"vertices (%)", Scale::linear, 0., {}, false}, {}};
-    for (const Race_record* race : meshes(r)) {
-        Series s{race->name.substr(5), {}, {}};
-        for (const auto& g : race->degeneracies) {
+    for (const Benchmark_record* benchmark : meshes(r)) {
+        Series s{benchmark->name.substr(5), {}, {}};
+        for (const auto& g : benchmark->degeneracies) {
             s.x.push_back(static_cast<double>(g.step));
             s.y.push_back(100 * static_cast<double>(g.*count) /
                           static_cast<double>(std::max<std::uint64_t>(g.vertices, 1)));
@@ -61,10 +61,10 @@ Plot stability_plot(const Reproduction& r, int dimension) {
               {"theta (radians)", Scale::log10, {}, {}, true},
               {"median relative error of half widths", Scale::log10, {}, {}, false},
               {}};
-    for (const Race_record* race : dimension == 2 ? lloyds(r) : meshes(r)) {
-        if (race->stabilities.empty()) continue;
-        const Stability_record& e = race->stabilities.front();
-        Series s{race->name.substr(race->name.find('-') + 1), {}, {}};
+    for (const Benchmark_record* benchmark : dimension == 2 ? lloyds(r) : meshes(r)) {
+        if (benchmark->stabilities.empty()) continue;
+        const Stability_record& e = benchmark->stabilities.front();
+        Series s{benchmark->name.substr(benchmark->name.find('-') + 1), {}, {}};
         for (std::size_t k = 1; k < e.counts.size(); ++k) {
             if (e.counts[k] < 20 || !(e.median[k] > 0)) continue;
             s.x.push_back(std::sqrt(e.edges[k] * e.edges[k + 1]));
@@ -121,10 +121,10 @@ Page_content unsound_page(const Reproduction& r) {
         "paper's tolerance. \"Broken\": the certificate then fails, in integers. \"Accepted\": the paper's algorithm "
         "lets each of these moves pass as within tolerance. \"Refuted\": the exact audit of the whole triangulation, "
         "for the first twenty, says that it is not Delaunay.");
-    for (const Race_record* race : meshes(r))
-        for (const Adversary_record& a : race->adversaries)
+    for (const Benchmark_record* benchmark : meshes(r))
+        for (const Attack_record& a : benchmark->adversaries)
             if (!a.example.empty()) {
-                page.notes.push_back(race->title + ", before step " + grouped(a.step) +
+                page.notes.push_back(benchmark->title + ", before step " + grouped(a.step) +
                                      ", the first one: " + a.example);
                 break;
             }

@@ -16,14 +16,14 @@
 namespace annulus {
 
 /// A half width against thresholds: bit k for threshold k.
-struct Below {
+struct Below_thresholds {
     std::uint32_t width = 0;      ///< twice the half width is below it
     std::uint32_t tolerance = 0;  ///< the half width itself is
     bool with_integers = false;   ///< they were needed, or had been
 
     /// Refines h by exactly() where it does not tell. Without `tolerances` these bits stay 0.
     template <class Exactly>
-    Below(Half_width& h, std::span<const Threshold> thresholds, bool tolerances, const Exactly& exactly)
+    Below_thresholds(Half_width& h, std::span<const Threshold> thresholds, bool tolerances, const Exactly& exactly)
         : with_integers(h.stage == Stage::exact) {
         const auto below = [&](double y) {
             if (h.is_below(y)) return true;
@@ -51,7 +51,7 @@ struct Certificate_batch {
     std::vector<Certificate_value> verdict{};  ///< the filtered predicate's, as a run has it
     Stage_counts arithmetic{};                 ///< that gave these
     std::vector<Half_width> half{};            ///< the least
-    std::vector<Below> below{};                ///< it
+    std::vector<Below_thresholds> below{};     ///< it
 
     template <std::size_t k>
     void append(Id named, const std::array<Site<d>, k>& v, std::span<const Coordinates<d>> x) {
@@ -104,7 +104,7 @@ double theta_of(const Bicell& x) {
 template <int d>
 struct Bicell_batch : Certificate_batch<d, Corner_index, Tuple<d, d + 2>> {
     std::vector<Bicell_half_widths> all{};
-    std::vector<Below> below_standard{};  ///< in space
+    std::vector<Below_thresholds> below_standard{};  ///< in space
     std::vector<double> theta{};
     /// Where the line through p and q meets the facet: inside (1), outside (-1), or on its border (0).
     std::vector<int> convex{};

@@ -44,9 +44,9 @@ Distribution angles() { return {Histogram::linear(0, std::numbers::pi / 2, 36)};
 
 /// One look at everything.
 template <int d>
-class Survey {
+class Degeneracy_scan {
   public:
-    Survey(const Corner_table<d>& t, std::span<const Coordinates<d>> x, const Degeneracy_options<d>& options)
+    Degeneracy_scan(const Corner_table<d>& t, std::span<const Coordinates<d>> x, const Degeneracy_options<d>& options)
         : t_(t),
           x_(x),
           options_(options),
@@ -182,7 +182,7 @@ class Survey {
                               theta.empty() ? 0 : theta[i]});
         }
     }
-    void enter_width(const Half_width& h, const Below& below, Width_counts& counts, Samples& samples) const {
+    void enter_width(const Half_width& h, const Below_thresholds& below, Width_counts& counts, Samples& samples) const {
         ++counts.total;
         counts.zero += h.upper == 0.0 ? 1U : 0U;
         for (std::size_t k = 0; k < counts.below.size(); ++k) counts.below[k] += below.width >> k & 1U;
@@ -239,11 +239,11 @@ class Survey {
 
 Degeneracy degeneracy(const Corner_table<2>& t, std::span<const Coordinates<2>> x,
                       const Degeneracy_options<2>& options) {
-    return Survey<2>(t, x, options).result();
+    return Degeneracy_scan<2>(t, x, options).result();
 }
 Degeneracy degeneracy(const Corner_table<3>& t, std::span<const Coordinates<3>> x,
                       const Degeneracy_options<3>& options) {
-    return Survey<3>(t, x, options).result();
+    return Degeneracy_scan<3>(t, x, options).result();
 }
 
 }  // namespace annulus

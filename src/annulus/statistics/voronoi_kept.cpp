@@ -51,7 +51,7 @@ std::span<const double> Kept_voronoi_volumes<d>::update(std::span<const Coordina
     }
     double largest = 0;
     for (std::size_t v = 0; v < x.size(); ++v)
-        if (lives(v))
+        if (is_present(v))
             for (const double c : x[v]) largest = std::max(largest, std::fabs(c));
     const int exponent = largest == 0 ? 0 : std::ilogb(largest) + 1;
     bool anew = x_.empty() || dirty_cells_.everything() || exponent != exponent_;
@@ -102,7 +102,7 @@ void Kept_voronoi_volumes<d>::note_flat(std::size_t bound) {
     x_.clear();
     computed_ = 0;
     volume_.resize(bound);
-    for (std::size_t v = 0; v < bound; ++v) volume_[v] = lives(v) ? unbounded : nowhere;
+    for (std::size_t v = 0; v < bound; ++v) volume_[v] = is_present(v) ? unbounded : nowhere;
 }
 
 /// Who is not where it was, or is new. Bits are compared: what is equal otherwise may be the other zero.
@@ -114,7 +114,7 @@ std::vector<Index> Kept_voronoi_volumes<d>::note_moves(std::span<const Coordinat
     volume_.resize(x.size(), nowhere);
     sum_.resize(x.size());
     for (std::size_t v = 0; v < x.size(); ++v) {
-        if (!lives(v)) {
+        if (!is_present(v)) {
             volume_[v] = nowhere;
             continue;
         }
@@ -130,7 +130,7 @@ std::vector<Index> Kept_voronoi_volumes<d>::all_vertices() const {
     std::vector<Index> out;
     out.reserve(mesh_.vertices());
     for (std::size_t v = 0; v < x_.size(); ++v)
-        if (lives(v)) out.push_back(static_cast<Index>(v));
+        if (is_present(v)) out.push_back(static_cast<Index>(v));
     return out;
 }
 

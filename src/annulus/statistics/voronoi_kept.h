@@ -41,7 +41,7 @@ class Kept_voronoi_volumes {
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] const Corner_table<d>& table() const { return mesh_.table(); }
-    [[nodiscard]] bool lives(std::size_t v) const {
+    [[nodiscard]] bool is_present(std::size_t v) const {
         return v < mesh_.vertex_bound() && mesh_.has(static_cast<Index>(v));
     }
     [[nodiscard]] double scale() const;

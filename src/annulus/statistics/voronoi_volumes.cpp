@@ -47,7 +47,7 @@ class Fresh_volumes {
 
   private:
     using Cell = std::array<Index, static_cast<std::size_t>(d + 1)>;
-    enum class Where : char { nowhere, hull, inside };
+    enum class Vertex_location : char { nowhere, hull, inside };
 
     void require_whole(const Cell& neighbours) const {
         for (const Index n : neighbours)
@@ -61,7 +61,7 @@ class Fresh_volumes {
         if (cells_.neighbours.size() != cells_.vertices.size())
             throw Error(Error_code::wrong_size, "there are neighbours of " + std::to_string(cells_.neighbours.size()) +
                                                     " cells for " + std::to_string(cells_.vertices.size()) + " cells");
-        where_.assign(x_.size(), Where::nowhere);
+        where_.assign(x_.size(), Vertex_location::nowhere);
         double largest = 0;
         bool flat = false;
         for (std::size_t c = 0; c < cells_.vertices.size(); ++c) {
@@ -74,18 +74,18 @@ class Fresh_volumes {
                 if (v < 0 || at(v) >= x_.size())
                     throw Error(Error_code::unknown_vertex,
                                 "a cell names vertex " + std::to_string(v) + " of " + std::to_string(x_.size()));
-                if (where_[at(v)] != Where::nowhere) continue;
+                if (where_[at(v)] != Vertex_location::nowhere) continue;
                 require_in_domain(x_[at(v)]);
                 for (const double k : x_[at(v)]) largest = std::max(largest, std::fabs(k));
-                where_[at(v)] = Where::inside;
+                where_[at(v)] = Vertex_location::inside;
             }
             for (std::size_t i = 0; i <= d; ++i) {
                 if (!padded && cells_.neighbours[c][i] != cells_.outside) continue;
                 for (std::size_t k = 0; k <= d; ++k)
-                    if (cell[k] != none && (padded || k != i)) where_[at(cell[k])] = Where::hull;
+                    if (cell[k] != none && (padded || k != i)) where_[at(cell[k])] = Vertex_location::hull;
             }
         }
-        if (flat) std::replace(where_.begin(), where_.end(), Where::inside, Where::hull);
+        if (flat) std::replace(where_.begin(), where_.end(), Vertex_location::inside, Vertex_location::hull);
         exponent_ = largest == 0 ? 0 : std::ilogb(largest) + 1;
         return !flat;
     }
@@ -114,8 +114,8 @@ class Fresh_volumes {
         std::vector<double> volume(x_.size());
         std::vector<Index> poor;
         for (std::size_t v = 0; v < x_.size(); ++v) {
-            if (where_[v] != Where::inside) {
-                volume[v] = where_[v] == Where::hull ? unbounded : std::numeric_limits<double>::quiet_NaN();
+            if (where_[v] != Vertex_location::inside) {
+                volume[v] = where_[v] == Vertex_location::hull ? unbounded : std::numeric_limits<double>::quiet_NaN();
                 continue;
             }
             ++counts.bounded;
@@ -151,7 +151,7 @@ class Fresh_volumes {
     std::span<const Coordinates<d>> x_;
     const Mesh_cells<d>& cells_;
     int exponent_ = 0;  // of the unit: every coordinate is below 2^exponent
-    std::vector<Where> where_;
+    std::vector<Vertex_location> where_;
     std::vector<Circumcentre<d>> centre_;
     std::vector<Voronoi_sum> sum_;
 };

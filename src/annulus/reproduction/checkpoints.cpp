@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/reproduction/parts.h>
+#include <annulus/reproduction/checkpoints.h>
 
 #include <annulus/arithmetic/error.h>
 
@@ -31,7 +31,7 @@ std::optional<std::string> content(const std::filesystem::path& path) {
 
 }  // namespace
 
-Parts::Parts(std::filesystem::path directory, const std::string& what) : directory_(std::move(directory)) {
+Checkpoints::Checkpoints(std::filesystem::path directory, const std::string& what) : directory_(std::move(directory)) {
     open_and_lock();
     try {
         const std::string there = content(directory_ / head).value_or("");
@@ -49,9 +49,9 @@ Parts::Parts(std::filesystem::path directory, const std::string& what) : directo
         throw;
     }
 }
-Parts::~Parts() { ::close(head_); }
+Checkpoints::~Checkpoints() { ::close(head_); }
 
-void Parts::open_and_lock() {
+void Checkpoints::open_and_lock() {
     namespace fs = std::filesystem;
     const fs::path file = directory_ / head;
     while (true) {
@@ -77,22 +77,24 @@ void Parts::open_and_lock() {
     }
 }
 
-std::optional<Race_record> Parts::find(const std::string& name) const {
+std::optional<Benchmark_record> Checkpoints::find(const std::string& name) const {
     const auto text = content(directory_ / (name + ".json"));
     if (!text) return std::nullopt;
     try {
-        Race_record race = parse_race(*text);
-        if (race.name == name) return race;
+        Benchmark_record benchmark = parse_race(*text);
+        if (benchmark.name == name) return benchmark;
     } catch (const Error&) {  // it is made again
     }
     return std::nullopt;
 }
 
-void Parts::keep(const Race_record& race) const { write(race.name + ".json", race_text(race)); }
+void Checkpoints::keep(const Benchmark_record& benchmark) const {
+    write(benchmark.name + ".json", race_text(benchmark));
+}
 
-void Parts::remove() const { std::filesystem::remove_all(directory_); }
+void Checkpoints::remove() const { std::filesystem::remove_all(directory_); }
 
-void Parts::write(const std::string& name, const std::string& text) const {
+void Checkpoints::write(const std::string& name, const std::string& text) const {
     const std::filesystem::path unfinished = directory_ / (name + ".unfinished");
     errno = 0;
     std::ofstream file(unfinished, std::ios::binary | std::ios::trunc);

@@ -21,8 +21,8 @@ template <int d>
 /// What certificates and tolerances are at the positions of `dt`, a paper_triangulation, before points go to `next`.
 /// With `widths` their distribution too. O(n).
 template <int d>
-[[nodiscard]] Survey_record survey(const Moving_of<d>& dt, std::span<const Coordinates<d>> next, double spacing,
-                                   Width_record* widths = nullptr);
+[[nodiscard]] Certificate_survey_record survey(const Moving_of<d>& dt, std::span<const Coordinates<d>> next,
+                                               double spacing, Width_record* widths = nullptr);
 
 /// Certified counts, and each unsound certificate's points for whoever listens. Some microseconds a bi-cell.
 template <int d>
@@ -31,10 +31,10 @@ template <int d>
 
 extern template Moving_delaunay_2 paper_triangulation<2>(std::span<const Coordinates<2>>);
 extern template Moving_delaunay_3 paper_triangulation<3>(std::span<const Coordinates<3>>);
-extern template Survey_record survey<2>(const Moving_delaunay_2&, std::span<const Coordinates<2>>, double,
-                                        Width_record*);
-extern template Survey_record survey<3>(const Moving_delaunay_3&, std::span<const Coordinates<3>>, double,
-                                        Width_record*);
+extern template Certificate_survey_record survey<2>(const Moving_delaunay_2&, std::span<const Coordinates<2>>, double,
+                                                    Width_record*);
+extern template Certificate_survey_record survey<3>(const Moving_delaunay_3&, std::span<const Coordinates<3>>, double,
+                                                    Width_record*);
 extern template Degeneracy_count_record count_degeneracy<2>(const Moving_delaunay_2&,
                                                             const std::function<void(std::span<const Index>)>&);
 extern template Degeneracy_count_record count_degeneracy<3>(const Moving_delaunay_3&,

@@ -2,9 +2,9 @@
 // The paper's algorithms as printed: right in the plane, what they count, rounding and prices.
 #include <annulus/engine/displacement.h>
 #include <annulus/reproduction/delimiter_side.h>
-#include <annulus/reproduction/movers.h>
 #include <annulus/reproduction/operations.h>
-#include <annulus/reproduction/printed_filter.h>
+#include <annulus/reproduction/partial_motion.h>
+#include <annulus/reproduction/published_algorithm.h>
 #include <annulus/reproduction/stability.h>
 
 #include <support/catch.h>
@@ -15,18 +15,18 @@ using namespace annulus;
 
 namespace {
 
-constexpr Printed_choice choices[] = {{},
-                                      {.in_place = true},
-                                      {.tolerances = false},
-                                      {.tolerances = false, .in_place = true},
-                                      {.tolerances = false, .flips = true},
-                                      {.safe_region = true}};
+constexpr Published_variant choices[] = {{},
+                                         {.in_place = true},
+                                         {.tolerances = false},
+                                         {.tolerances = false, .in_place = true},
+                                         {.tolerances = false, .flips = true},
+                                         {.safe_region = true}};
 
 /// A few steps of small moves, audited after each.
 template <int d>
-void follow(const Printed_choice& choice, double pace, bool audited) {
-    Movers_scene<d> scene(400, 1, pace, 3);
-    Printed_filter<d> published(scene.points(), choice);
+void follow(const Published_variant& choice, double pace, bool audited) {
+    Partial_motion_scene<d> scene(400, 1, pace, 3);
+    Published_algorithm<d> published(scene.points(), choice);
     std::vector<Coordinates<d>> target;
     for (int step = 0; step < 4; ++step) {
         (void)scene.next(target);
@@ -45,20 +45,21 @@ void follow(const Printed_choice& choice, double pace, bool audited) {
 }  // namespace
 
 TEST_CASE("The paper's printed algorithms keep a triangulation of the plane right, whether moves are small or large") {
-    for (const Printed_choice& choice : choices)
+    for (const Published_variant& choice : choices)
         for (const double pace : {0.001, 0.05, 0.5}) follow<2>(choice, pace, true);
 }
 
 TEST_CASE("In space they do where no tolerance is believed") {
-    for (const Printed_choice& choice : choices)
+    for (const Published_variant& choice : choices)
         for (const double pace : {0.001, 0.3}) follow<3>(choice, pace, !choice.tolerances);
 }
 
 TEST_CASE("Small moves are let pass by tolerances, kept by tests in place, and relocated by neither") {
-    Movers_scene<2> scene(1000, 1, 1e-4, 5);
+    Partial_motion_scene<2> scene(1000, 1, 1e-4, 5);
     std::vector<Coordinates<2>> target;
     (void)scene.next(target);
-    Printed_filter<2> published(scene.points(), {}), in_place(scene.points(), {.tolerances = false, .in_place = true});
+    Published_algorithm<2> published(scene.points(), {}),
+        in_place(scene.points(), {.tolerances = false, .in_place = true});
     CHECK(published.move_all(target).moves.within_tolerance > 900);
     CHECK(in_place.move_all(target).moves.kept_in_place > 900);
     const Move_report still = published.move_all(target);
@@ -67,10 +68,10 @@ TEST_CASE("Small moves are let pass by tolerances, kept by tests in place, and r
 }
 
 TEST_CASE("The safe region is larger than the tolerance, and not all there is") {
-    Movers_scene<2> scene(1000, 1, 0.02, 6);
+    Partial_motion_scene<2> scene(1000, 1, 0.02, 6);
     std::vector<Coordinates<2>> target;
     (void)scene.next(target);
-    Printed_filter<2> published(scene.points(), {}), safe(scene.points(), {.safe_region = true});
+    Published_algorithm<2> published(scene.points(), {}), safe(scene.points(), {.safe_region = true});
     const Move_report a = published.move_all(target), b = safe.move_all(target);
     CHECK(b.moves.reinserted < a.moves.reinserted);
     CHECK(b.moves.reinserted > 0);
@@ -79,13 +80,13 @@ TEST_CASE("The safe region is larger than the tolerance, and not all there is") 
 
 TEST_CASE("Its tolerances are those of the paper's queue") {
     const std::vector<Coordinates<3>> x = generate<3>(Point_family::uniform, 300, 8);
-    const Printed_filter<3> printed(x, {});
+    const Published_algorithm<3> printed(x, {});
     const Moving_delaunay_3 queue = paper_triangulation<3>(x);
     for (std::size_t v = 0; v < x.size(); ++v)
         CHECK(printed.tolerance(static_cast<Index>(v)) ==
               Approx(queue.tolerance(queue.vertex(v))).epsilon(1e-9).margin(1e-15));
     const std::vector<Coordinates<2>> y = generate<2>(Point_family::uniform, 300, 8);
-    const Printed_filter<2> plane(y, {});
+    const Published_algorithm<2> plane(y, {});
     const Moving_delaunay_2 other = paper_triangulation<2>(y);
     for (std::size_t v = 0; v < y.size(); ++v)
         CHECK(plane.tolerance(static_cast<Index>(v)) ==
@@ -125,7 +126,7 @@ TEST_CASE("Rounding is measured against integers for every bi-cell, and a remova
 }
 
 TEST_CASE("So many points move as was said, by so much") {
-    Movers_scene<3> scene(1000, 0.1, 0.05, 2);
+    Partial_motion_scene<3> scene(1000, 0.1, 0.05, 2);
     const std::vector<Coordinates<3>> before = scene.points();
     std::vector<Coordinates<3>> target;
     CHECK(scene.next(target) == Approx(0.1 * 0.05 * scene.spacing()));

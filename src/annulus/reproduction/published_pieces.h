@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/reproduction/certificate_survey.h>
 #include <annulus/reproduction/standard_annulus.h>
-#include <annulus/reproduction/survey.h>
 
 #include <algorithm>
 #include <iterator>
@@ -13,10 +13,10 @@ namespace annulus {
 
 /// What the paper's algorithms ask of CGAL's triangulation, under one name in the plane and in space.
 template <int d>
-struct Printed_pieces;
+struct Published_pieces;
 
 template <>
-struct Printed_pieces<2> {
+struct Published_pieces<2> {
     using Triangulation = Moving_delaunay_2::Triangulation;
     using Vertex = Triangulation::Vertex_handle;
     using Cell = Triangulation::Face_handle;
@@ -70,7 +70,7 @@ struct Printed_pieces<2> {
 };
 
 template <>
-struct Printed_pieces<3> {
+struct Published_pieces<3> {
     using Triangulation = Moving_delaunay_3::Triangulation;
     using Vertex = Triangulation::Vertex_handle;
     using Cell = Triangulation::Cell_handle;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/reproduction/race.h>
+#include <annulus/reproduction/benchmark.h>
 
-#include <annulus/reproduction/adversary.h>
+#include <annulus/reproduction/certificate_attack.h>
 #include <annulus/reproduction/operations.h>
 #include <annulus/reproduction/processor_time.h>
 #include <annulus/reproduction/stability.h>
@@ -23,11 +23,11 @@ Quality_record quality_record(std::uint64_t step, const Mesh_step& m) {
 }
 
 template <int d>
-class Race {
+class Benchmark {
   public:
     using Points = std::vector<Coordinates<d>>;
 
-    Race(Scene<d>& scene, const Race_plan& plan, const Race_listener& listener)
+    Benchmark(Scene<d>& scene, const Benchmark_plan& plan, const Benchmark_listener& listener)
         : scene_(scene), plan_(plan), listener_(listener) {
         record_.name = plan.name;
         record_.title = plan.title;
@@ -38,24 +38,24 @@ class Race {
         record_.notes = scene.notes();
     }
 
-    Race_record run() {
+    Benchmark_record run() {
         const auto begin = std::chrono::steady_clock::now();
         tell(0, "construction");
-        std::deque<Racer<d>> racers;
-        for (const Racer_plan& r : plan_.racers)
-            racers.emplace_back(r, std::span<const Coordinates<d>>(scene_.points()), plan_.seed);
+        std::deque<Contender<d>> contenders;
+        for (const Contender_plan& r : plan_.contenders)
+            contenders.emplace_back(r, std::span<const Coordinates<d>>(scene_.points()), plan_.seed);
         before_ = scene_.points();
         draw(0);
         judge(0);
         for (std::uint64_t done = 0; done < plan_.steps;) {
             const std::uint64_t now = std::min(block_size, plan_.steps - done);
             make_block(done, now);
-            for (std::size_t k = 0; k < racers.size(); ++k) {
-                Racer<d>& racer = racers[(k + done / block_size) % racers.size()];
+            for (std::size_t k = 0; k < contenders.size(); ++k) {
+                Contender<d>& contender = contenders[(k + done / block_size) % contenders.size()];
                 for (std::uint64_t i = 0; i < now; ++i) {
-                    racer.follow(done + i + 1, i == 0 ? before_ : block_[i - 1], block_[i]);
-                    tell(done + (k * now + i) / racers.size(),
-                         plan_.racers[(k + done / block_size) % racers.size()].name);
+                    contender.follow(done + i + 1, i == 0 ? before_ : block_[i - 1], block_[i]);
+                    tell(done + (k * now + i) / contenders.size(),
+                         plan_.contenders[(k + done / block_size) % contenders.size()].name);
                 }
             }
             for (std::uint64_t i = 0; i < now; ++i) look(done + i + 1, i == 0 ? before_ : block_[i - 1], block_[i]);
@@ -63,7 +63,7 @@ class Race {
             done += now;
         }
         look(plan_.steps + 1, before_, {});
-        for (Racer<d>& racer : racers) record_.racers.push_back(racer.finish());
+        for (Contender<d>& contender : contenders) record_.contenders.push_back(contender.finish());
         record_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         if (getloadavg(&record_.load, 1) != 1) record_.load = 0;
         return std::move(record_);
@@ -71,7 +71,7 @@ class Race {
 
   private:
     void tell(std::uint64_t step, const std::string& news) {
-        if (listener_ && !listener_(step, news)) throw Race_stopped();
+        if (listener_ && !listener_(step, news)) throw Benchmark_stopped();
     }
 
     void make_block(std::uint64_t done, std::uint64_t now) {
@@ -115,7 +115,7 @@ class Race {
         tell(std::min(step, plan_.steps), "looking at step " + std::to_string(step));
         Moving_of<d> dt = paper_triangulation<d>(x);
         Width_record widths;
-        Survey_record s = survey<d>(dt, next, record_.spacing, distribution ? &widths : nullptr);
+        Certificate_survey_record s = survey<d>(dt, next, record_.spacing, distribution ? &widths : nullptr);
         s.step = widths.step = step;
         record_.surveys.push_back(s);
         if (distribution) record_.widths.push_back(std::move(widths));
@@ -140,9 +140,9 @@ class Race {
     }
 
     Scene<d>& scene_;
-    const Race_plan& plan_;
-    const Race_listener& listener_;
-    Race_record record_;
+    const Benchmark_plan& plan_;
+    const Benchmark_listener& listener_;
+    Benchmark_record record_;
     std::optional<Window> window_;
     Points before_;
     std::vector<Points> block_;
@@ -151,11 +151,11 @@ class Race {
 }  // namespace
 
 template <int d>
-Race_record race(Scene<d>& scene, const Race_plan& plan, const Race_listener& listener) {
-    return Race<d>(scene, plan, listener).run();
+Benchmark_record benchmark(Scene<d>& scene, const Benchmark_plan& plan, const Benchmark_listener& listener) {
+    return Benchmark<d>(scene, plan, listener).run();
 }
 
-template Race_record race<2>(Scene<2>&, const Race_plan&, const Race_listener&);
-template Race_record race<3>(Scene<3>&, const Race_plan&, const Race_listener&);
+template Benchmark_record benchmark<2>(Scene<2>&, const Benchmark_plan&, const Benchmark_listener&);
+template Benchmark_record benchmark<3>(Scene<3>&, const Benchmark_plan&, const Benchmark_listener&);
 
 }  // namespace annulus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/reproduction/racer.h>
+#include <annulus/reproduction/contender.h>
 
 #include <annulus/engine/displacement.h>
 #include <annulus/reproduction/processor_time.h>
@@ -30,16 +30,16 @@ double range_insertion(std::span<const Coordinates<d>> x) {
 }  // namespace
 
 template <int d>
-Racer<d>::Racer(Racer_plan plan, std::span<const Coordinates<d>> points, std::uint64_t seed)
+Contender<d>::Contender(Contender_plan plan, std::span<const Coordinates<d>> points, std::uint64_t seed)
     : plan_(std::move(plan)), random_(seed) {
     record_.name = plan_.name;
-    if (plan_.kind == Racer_plan::Kind::follower) build(points);
+    if (plan_.kind == Contender_plan::Kind::follower) build(points);
 }
 
 template <int d>
-void Racer<d>::build(std::span<const Coordinates<d>> points) {
+void Contender<d>::build(std::span<const Coordinates<d>> points) {
     const double begin = processor_seconds();
-    if (plan_.printed) printed_ = std::make_unique<Printed_filter<d>>(points, *plan_.printed);
+    if (plan_.printed) printed_ = std::make_unique<Published_algorithm<d>>(points, *plan_.printed);
     else dt_ = std::make_unique<Moving_of<d>>(points, plan_.options);
     const double built = processor_seconds();
     if (dt_) (void)dt_->recompute_tolerances();  // a second time, to know what it takes
@@ -49,13 +49,13 @@ void Racer<d>::build(std::span<const Coordinates<d>> points) {
 }
 
 template <int d>
-Move_report Racer<d>::move_all(std::span<const Coordinates<d>> target) {
+Move_report Contender<d>::move_all(std::span<const Coordinates<d>> target) {
     return dt_ ? dt_->move_all(target) : printed_->move_all(target);
 }
 
 template <int d>
-void Racer<d>::count_streaks(std::uint64_t step) {
-    if (!printed_ || plan_.kind != Racer_plan::Kind::follower) return;
+void Contender<d>::count_streaks(std::uint64_t step) {
+    if (!printed_ || plan_.kind != Contender_plan::Kind::follower) return;
     for (const Index i : printed_->failed()) {
         const auto v = static_cast<std::size_t>(i);
         streak_.resize(std::max(streak_.size(), v + 1));
@@ -70,7 +70,7 @@ void Racer<d>::count_streaks(std::uint64_t step) {
 }
 
 template <int d>
-void Racer<d>::note(std::uint64_t step, double seconds, const Move_report& report) {
+void Contender<d>::note(std::uint64_t step, double seconds, const Move_report& report) {
     record_.step.push_back(step);
     record_.seconds.push_back(seconds);
     record_.asked.push_back(report.moves.asked);
@@ -81,7 +81,7 @@ void Racer<d>::note(std::uint64_t step, double seconds, const Move_report& repor
 }
 
 template <int d>
-void Racer<d>::audit(std::uint64_t step) {
+void Contender<d>::audit(std::uint64_t step) {
     const Audit_result verdict = dt_ ? dt_->audit() : printed_->audit();
     last_audit_ = step;
     ++record_.audits;
@@ -90,14 +90,14 @@ void Racer<d>::audit(std::uint64_t step) {
 }
 
 template <int d>
-void Racer<d>::follow(std::uint64_t step, std::span<const Coordinates<d>> before,
-                      std::span<const Coordinates<d>> target) {
+void Contender<d>::follow(std::uint64_t step, std::span<const Coordinates<d>> before,
+                          std::span<const Coordinates<d>> target) {
     if (step % plan_.every != 0) return;
     switch (plan_.kind) {
-        case Racer_plan::Kind::cgal: return note(step, range_insertion<d>(target), {});
-        case Racer_plan::Kind::hybrid: return follow_hybrid(step, before, target);
-        case Racer_plan::Kind::copy: build(before); break;
-        case Racer_plan::Kind::follower: break;
+        case Contender_plan::Kind::cgal: return note(step, range_insertion<d>(target), {});
+        case Contender_plan::Kind::hybrid: return follow_hybrid(step, before, target);
+        case Contender_plan::Kind::copy: build(before); break;
+        case Contender_plan::Kind::follower: break;
     }
     const double begin = processor_seconds();
     const Move_report report = move_all(target);
@@ -108,8 +108,8 @@ void Racer<d>::follow(std::uint64_t step, std::span<const Coordinates<d>> before
 
 /// The paper looks at 40 random vertices at each group of four iterations.
 template <int d>
-void Racer<d>::follow_hybrid(std::uint64_t step, std::span<const Coordinates<d>> before,
-                             std::span<const Coordinates<d>> target) {
+void Contender<d>::follow_hybrid(std::uint64_t step, std::span<const Coordinates<d>> before,
+                                 std::span<const Coordinates<d>> target) {
     double seconds = 0;
     if (record_.switched_at == 0 && step % 4 == 1) {
         const double sampled = record_.sampling_seconds;
@@ -130,10 +130,10 @@ void Racer<d>::follow_hybrid(std::uint64_t step, std::span<const Coordinates<d>>
 /// The tolerances of the sample are timed; that the triangulation with numbered vertices is built is not: whoever
 /// rebuilds has one.
 template <int d>
-bool Racer<d>::sample_stays(std::span<const Coordinates<d>> before, std::span<const Coordinates<d>> target) {
+bool Contender<d>::sample_stays(std::span<const Coordinates<d>> before, std::span<const Coordinates<d>> target) {
     constexpr int sample = 40;
     constexpr double share = d == 2 ? 0.75 : 0.55;
-    const Printed_filter<d> dt(before, {.tolerances = false});
+    const Published_algorithm<d> dt(before, {.tolerances = false});
     const double begin = processor_seconds();
     int within = 0;
     for (int k = 0; k < sample; ++k) {
@@ -145,13 +145,13 @@ bool Racer<d>::sample_stays(std::span<const Coordinates<d>> before, std::span<co
 }
 
 template <int d>
-Racer_record Racer<d>::finish() {
+Contender_record Contender<d>::finish() {
     const std::uint64_t last = record_.step.empty() ? 0 : record_.step.back();
     if (is_built() && (last_audit_ != last || record_.audits == 0)) audit(last);
     return std::move(record_);
 }
 
-template class Racer<2>;
-template class Racer<3>;
+template class Contender<2>;
+template class Contender<3>;
 
 }  // namespace annulus

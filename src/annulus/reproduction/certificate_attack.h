@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/reproduction/survey.h>
+#include <annulus/reproduction/certificate_survey.h>
 
 #include <optional>
 #include <span>
@@ -20,7 +20,7 @@ namespace annulus {
 /// Attacks each unsound certificate of a paper_triangulation (at most `most`, spread evenly) by moves below the
 /// paper's tolerances of its points, and has those that break it made: is every move accepted, as within tolerance,
 /// and what does the exact audit say (of the first `audits`)? Afterwards all are moved back.
-[[nodiscard]] Adversary_record attack(Moving_delaunay_3& dt, std::span<const std::vector<Index>> certificates,
-                                      std::uint64_t most, std::uint64_t audits);
+[[nodiscard]] Attack_record attack(Moving_delaunay_3& dt, std::span<const std::vector<Index>> certificates,
+                                   std::uint64_t most, std::uint64_t audits);
 
 }  // namespace annulus

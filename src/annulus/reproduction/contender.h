@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/reproduction/printed_filter.h>
+#include <annulus/reproduction/certificate_survey.h>
+#include <annulus/reproduction/published_algorithm.h>
 #include <annulus/reproduction/records.h>
-#include <annulus/reproduction/survey.h>
 
 #include <memory>
 #include <optional>
@@ -15,7 +15,7 @@
 namespace annulus {
 
 /// How one strategy of a race follows the motion.
-struct Racer_plan {
+struct Contender_plan {
     enum class Kind {
         cgal,      ///< CGAL's insertion of a range: the paper's rebuilding
         follower,  ///< a triangulation that goes all the way
@@ -30,18 +30,18 @@ struct Racer_plan {
     std::uint64_t every = 1;        ///< steps; others are not followed. 1 for followers
     std::uint64_t audit_every = 0;  ///< steps; 0: at the end alone
     /// One of the paper's algorithms as it prints them, in place of `options`.
-    std::optional<Printed_choice> printed{};
+    std::optional<Published_variant> printed{};
 };
 
 /// One of them under way. Times are of one thread's processor; what a follower needs to be built is timed apart.
 template <int d>
-class Racer {
+class Contender {
   public:
-    Racer(Racer_plan plan, std::span<const Coordinates<d>> points, std::uint64_t seed);
+    Contender(Contender_plan plan, std::span<const Coordinates<d>> points, std::uint64_t seed);
     /// Step number `step`, from 1: every point from `before` to `target`.
     void follow(std::uint64_t step, std::span<const Coordinates<d>> before, std::span<const Coordinates<d>> target);
     /// The exact audit of the end, and the record.
-    [[nodiscard]] Racer_record finish();
+    [[nodiscard]] Contender_record finish();
 
   private:
     void build(std::span<const Coordinates<d>> points);
@@ -54,16 +54,16 @@ class Racer {
                        std::span<const Coordinates<d>> target);
     [[nodiscard]] bool sample_stays(std::span<const Coordinates<d>> before, std::span<const Coordinates<d>> target);
 
-    Racer_plan plan_;
-    Racer_record record_;
+    Contender_plan plan_;
+    Contender_record record_;
     std::unique_ptr<Moving_of<d>> dt_;
-    std::unique_ptr<Printed_filter<d>> printed_;
+    std::unique_ptr<Published_algorithm<d>> printed_;
     std::vector<std::uint64_t> streak_, last_failure_;  // by vertex: how often in a row, and the last step of these
     std::mt19937_64 random_;
     std::uint64_t last_audit_ = 0;
 };
 
-extern template class Racer<2>;
-extern template class Racer<3>;
+extern template class Contender<2>;
+extern template class Contender<3>;
 
 }  // namespace annulus

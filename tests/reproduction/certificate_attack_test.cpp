@@ -2,7 +2,7 @@
 // Moves that the paper's algorithm accepts although the triangulation is no longer Delaunay.
 #include <annulus/certificate/filtered.h>
 #include <annulus/mesh/audit.h>
-#include <annulus/reproduction/adversary.h>
+#include <annulus/reproduction/certificate_attack.h>
 #include <annulus/statistics/counterexample.h>
 
 #include <support/catch.h>
@@ -66,7 +66,7 @@ TEST_CASE("What the adversary finds is accepted by the paper's algorithm and ref
         count_degeneracy<3>(dt, [&](std::span<const Index> v) { unsound.emplace_back(v.begin(), v.end()); });
     REQUIRE(counts.unsound_certificates == unsound.size());
     REQUIRE(unsound.size() > 10);
-    const Adversary_record r = attack(dt, unsound, 0, 10);
+    const Attack_record r = attack(dt, unsound, 0, 10);
     CHECK(r.certificates == unsound.size());
     CHECK(r.broken == r.certificates);
     CHECK(r.accepted == r.broken);

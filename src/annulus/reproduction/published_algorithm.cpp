@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/reproduction/printed_filter.h>
+#include <annulus/reproduction/published_algorithm.h>
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/engine/displacement.h>
 #include <annulus/reproduction/delimiter_side.h>
-#include <annulus/reproduction/printed_pieces.h>
+#include <annulus/reproduction/published_pieces.h>
 
 #include <algorithm>
 #include <limits>
@@ -17,7 +17,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 template <int d>
-typename Printed_pieces<d>::Triangulation delaunay(std::span<const Coordinates<d>> points) {
+typename Published_pieces<d>::Triangulation delaunay(std::span<const Coordinates<d>> points) {
     Options options;
     options.strategy = Strategy::rebuild;
     return Moving_of<d>(points, options).triangulation();
@@ -26,13 +26,13 @@ typename Printed_pieces<d>::Triangulation delaunay(std::span<const Coordinates<d
 }  // namespace
 
 template <int d>
-class Printed_filter<d>::Work {
+class Published_algorithm<d>::Work {
   public:
-    using Pieces = Printed_pieces<d>;
+    using Pieces = Published_pieces<d>;
     using Cell = typename Pieces::Cell;
     using Vertex = typename Pieces::Vertex;
 
-    Work(std::span<const Coordinates<d>> points, const Printed_choice& choice)
+    Work(std::span<const Coordinates<d>> points, const Published_variant& choice)
         : choice_(choice),
           tr_(delaunay<d>(points)),
           handle_(points.size()),
@@ -227,7 +227,7 @@ class Printed_filter<d>::Work {
         return holds;
     }
 
-    Printed_choice choice_;
+    Published_variant choice_;
     typename Pieces::Triangulation tr_;  // at the fixed positions
     std::vector<Vertex> handle_;
     std::vector<Coordinates<d>> fixed_, moving_;
@@ -240,32 +240,32 @@ class Printed_filter<d>::Work {
 };
 
 template <int d>
-Printed_filter<d>::Printed_filter(std::span<const Coordinates<d>> points, const Printed_choice& choice)
+Published_algorithm<d>::Published_algorithm(std::span<const Coordinates<d>> points, const Published_variant& choice)
     : work_(std::make_unique<Work>(points, choice)) {}
 template <int d>
-Printed_filter<d>::~Printed_filter() = default;
+Published_algorithm<d>::~Published_algorithm() = default;
 template <int d>
-void Printed_filter<d>::precompute() {
+void Published_algorithm<d>::precompute() {
     work_->precompute();
 }
 template <int d>
-Move_report Printed_filter<d>::move_all(std::span<const Coordinates<d>> target) {
+Move_report Published_algorithm<d>::move_all(std::span<const Coordinates<d>> target) {
     return work_->move_all(target);
 }
 template <int d>
-std::span<const Index> Printed_filter<d>::failed() const {
+std::span<const Index> Published_algorithm<d>::failed() const {
     return work_->failed();
 }
 template <int d>
-double Printed_filter<d>::tolerance(Index v) const {
+double Published_algorithm<d>::tolerance(Index v) const {
     return work_->tolerance(v);
 }
 template <int d>
-Audit_result Printed_filter<d>::audit() const {
+Audit_result Published_algorithm<d>::audit() const {
     return annulus::audit(work_->audit_input());
 }
 
-template class Printed_filter<2>;
-template class Printed_filter<3>;
+template class Published_algorithm<2>;
+template class Published_algorithm<3>;
 
 }  // namespace annulus

@@ -3,7 +3,7 @@
 
 #include <annulus/engine/move_report.h>
 #include <annulus/mesh/audit.h>
-#include <annulus/reproduction/survey.h>
+#include <annulus/reproduction/certificate_survey.h>
 
 #include <memory>
 #include <span>
@@ -11,7 +11,7 @@
 namespace annulus {
 
 /// Which of the paper's dynamic algorithms.
-struct Printed_choice {
+struct Published_variant {
     /// 3.2: who stays within its tolerance is only written. Otherwise the relocation algorithm.
     bool tolerances = true;
     bool in_place = false;     ///< 3.1, the "weaker version": who fails is relocated only where cells have to change
@@ -27,11 +27,11 @@ struct Printed_choice {
 /// Of three the work is cheaper than the text: squares are compared, a queue holds a vertex once, and a time step's
 /// vertices follow each other in the order of their indices.
 template <int d>
-class Printed_filter {
+class Published_algorithm {
   public:
     /// Throws what Moving_delaunay does.
-    Printed_filter(std::span<const Coordinates<d>> points, const Printed_choice& choice);
-    ~Printed_filter();
+    Published_algorithm(std::span<const Coordinates<d>> points, const Published_variant& choice);
+    ~Published_algorithm();
 
     /// Every tolerance, at the fixed positions; the constructor did so. O(n).
     void precompute();
@@ -50,7 +50,7 @@ class Printed_filter {
     std::unique_ptr<Work> work_;
 };
 
-extern template class Printed_filter<2>;
-extern template class Printed_filter<3>;
+extern template class Published_algorithm<2>;
+extern template class Published_algorithm<3>;
 
 }  // namespace annulus

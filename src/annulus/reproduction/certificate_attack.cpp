@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/reproduction/adversary.h>
+#include <annulus/reproduction/certificate_attack.h>
 
 #include <annulus/certificate/filtered.h>
 #include <annulus/engine/displacement.h>
@@ -112,9 +112,9 @@ std::optional<std::vector<Coordinates<3>>> break_certificate(std::span<const Coo
     return std::nullopt;
 }
 
-Adversary_record attack(Moving_delaunay_3& dt, std::span<const std::vector<Index>> certificates, std::uint64_t most,
-                        std::uint64_t audits) {
-    Adversary_record r;
+Attack_record attack(Moving_delaunay_3& dt, std::span<const std::vector<Index>> certificates, std::uint64_t most,
+                     std::uint64_t audits) {
+    Attack_record r;
     const std::uint64_t stride = most == 0 ? 1 : std::max<std::uint64_t>(1, (certificates.size() + most - 1) / most);
     for (std::size_t c = 0; c < certificates.size(); c += stride) {
         const std::vector<Index>& vertices = certificates[c];

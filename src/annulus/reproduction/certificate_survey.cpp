@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/reproduction/survey.h>
+#include <annulus/reproduction/certificate_survey.h>
 
 #include <annulus/certificate/filtered.h>
 #include <annulus/engine/displacement.h>
@@ -51,8 +51,8 @@ Moving_of<d> paper_triangulation(std::span<const Coordinates<d>> x) {
 }
 
 template <int d>
-Survey_record survey(const Moving_of<d>& dt, std::span<const Coordinates<d>> next, double spacing,
-                     Width_record* widths) {
+Certificate_survey_record survey(const Moving_of<d>& dt, std::span<const Coordinates<d>> next, double spacing,
+                                 Width_record* widths) {
     const auto x = dt.positions();
     const auto n = static_cast<double>(x.size());
     const auto& table = dt.mesh().table();
@@ -69,7 +69,7 @@ Survey_record survey(const Moving_of<d>& dt, std::span<const Coordinates<d>> nex
         ++bicells;
         histogram.add(w);
     }
-    Survey_record r;
+    Certificate_survey_record r;
     const double m = std::max<double>(1, static_cast<double>(bicells));
     r.width = sum / m;
     r.width_deviation = std::sqrt(std::max(0.0, squares / m - r.width * r.width));
@@ -119,8 +119,10 @@ Degeneracy_count_record count_degeneracy(const Moving_of<d>& dt,
 
 template Moving_delaunay_2 paper_triangulation<2>(std::span<const Coordinates<2>>);
 template Moving_delaunay_3 paper_triangulation<3>(std::span<const Coordinates<3>>);
-template Survey_record survey<2>(const Moving_delaunay_2&, std::span<const Coordinates<2>>, double, Width_record*);
-template Survey_record survey<3>(const Moving_delaunay_3&, std::span<const Coordinates<3>>, double, Width_record*);
+template Certificate_survey_record survey<2>(const Moving_delaunay_2&, std::span<const Coordinates<2>>, double,
+                                             Width_record*);
+template Certificate_survey_record survey<3>(const Moving_delaunay_3&, std::span<const Coordinates<3>>, double,
+                                             Width_record*);
 template Degeneracy_count_record count_degeneracy<2>(const Moving_delaunay_2&,
                                                      const std::function<void(std::span<const Index>)>&);
 template Degeneracy_count_record count_degeneracy<3>(const Moving_delaunay_3&,

@@ -12,9 +12,9 @@ namespace annulus {
 /// Uniform random points of the unit square or cube, of which a share goes at each step, drawn anew: each in a
 /// direction of its own by `pace` mean spacings. The others stay where they are.
 template <int d>
-class Movers_scene final : public Scene<d> {
+class Partial_motion_scene final : public Scene<d> {
   public:
-    Movers_scene(std::size_t points, double share, double pace, std::uint64_t seed)
+    Partial_motion_scene(std::size_t points, double share, double pace, std::uint64_t seed)
         : begin_(generate<d>(Point_family::uniform, points, seed)),
           x_(begin_),
           share_(share),
