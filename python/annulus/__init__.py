@@ -17,7 +17,7 @@ from ._core import version as __version__
 from ._error import Error, OpenBoundariesWarning
 from ._functions import LloydResult, NodtResult, counterexample, degeneracy, lloyd, nodt
 from ._moving_delaunay import MovingDelaunay
-from ._readings import AuditResult
+from ._queries import AuditResult
 
 __all__ = ["AuditResult", "Error", "LloydResult", "MoveReport", "MovingDelaunay", "NodtResult", "OpenBoundariesWarning",
            "__version__", "counterexample", "degeneracy", "lloyd", "nodt"]

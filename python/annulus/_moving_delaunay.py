@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike
 
 from . import _arguments, _core
 from ._error import Error
-from ._readings import Indices, Readings
+from ._queries import Indices, Queries
 
 
-class MovingDelaunay(Readings):
+class MovingDelaunay(Queries):
     """A Delaunay triangulation that is kept right while its vertices move.
 
     After every call, with ``tolerance="certified"``, the simplices are a Delaunay triangulation of the points

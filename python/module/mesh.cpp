@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh: made, and what changes it. What is read off it is in mesh_readings.cpp.
+// Mesh: made, and what changes it. What is read off it is in mesh_queries.cpp.
 #include <module/mesh.h>
 
 #include <module/mesh_locked.h>

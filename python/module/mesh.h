@@ -79,7 +79,7 @@ class Mesh {
     void require_free(std::span<const Point> points) const;
 
     const Options options_;
-    mutable Turn lock_;
+    mutable Process_mutex lock_;
     Moving_mesh<d> mesh_;
     std::vector<Index> free_indices_;
     std::shared_ptr<const std::vector<Point>> points_;  // null once they have changed; so are the others

@@ -155,8 +155,7 @@ None with ``report_changes=False``. Points that span no space have no simplices.
         .def("__repr__", &Report::repr)
         .def("__reduce__", [](const Report& r) {
             // A function of Python's, which has a name to be found by.
-            return py::make_tuple(py::module_::import("annulus._readings").attr("report_of"),
-                                  py::make_tuple(r.state()));
+            return py::make_tuple(py::module_::import("annulus._queries").attr("report_of"), py::make_tuple(r.state()));
         });
     m.def("report_of", &Report::of_state);
 }

@@ -15,7 +15,7 @@ int this_process = 1;  // written by a child that has one thread
 
 }  // namespace
 
-void Turn::lock() {
+void Process_mutex::lock() {
     for (int holder = nobody; !holder_.compare_exchange_weak(holder, this_process, std::memory_order_acquire);
          holder = nobody) {
         if (holder != nobody && holder != this_process)

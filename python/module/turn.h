@@ -7,7 +7,7 @@ namespace annulus::python {
 
 /// A mutex that a child of a fork does not wait for in vain: who holds it is a process, and the thread that does is
 /// not in the child.
-class Turn {
+class Process_mutex {
   public:
     /// Throws std::runtime_error, which is a RuntimeError in Python, where nobody would ever unlock it.
     void lock();

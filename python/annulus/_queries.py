@@ -34,7 +34,7 @@ def report_of(state: tuple[dict[str, typing.Any], int, Indices | None]) -> _core
     return _core.report_of(state)
 
 
-class Readings:
+class Queries:
     """The part of `MovingDelaunay` that changes nothing."""
 
     _mesh: _core.Mesh2 | _core.Mesh3
