@@ -4,7 +4,7 @@
 # compile, is annulus-nodt's and annulus-reproduce's. So the other subcommands are there in half the time.
 find_package(CLI11 2.1 REQUIRED)
 
-# ---- The rooms experiment, of annulus-sweep, and reproduction, of annulus-reproduce ---------------
+# ---- The modules experiment, of annulus-sweep, and reproduction, of annulus-reproduce ---------------
 if(ANNULUS_BUILD_STUDIES)
     find_package(tomlplusplus 3.3 REQUIRED)
     if(ANNULUS_MPI STREQUAL "AUTO")

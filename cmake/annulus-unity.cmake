@@ -26,14 +26,14 @@ if(ANNULUS_BUILD_TOOLKIT AND NOT ANNULUS_CORE_ONLY)
     annulus_unite(annulus-toolkit-objects plane "/motion/(domain_2|sampling_2)[.]cpp$")
     annulus_unite(annulus-solids solids "/(motion|formats)/[a-z_0-9]*[.]cpp$")
     annulus_unite(annulus-solids surfaces "/motion/(surface_3|[a-z]*_faults)[.]cpp$")
-    # CGAL's Mesh_3 takes a minute by itself; the others have names that others of their room have, too.
+    # CGAL's Mesh_3 takes a minute by itself; the others have names that others of their module have, too.
     foreach(alone IN ITEMS motion/initial_mesh_3 motion/nodt_3 motion/kept_cells_3 motion/stars_2 formats/read_csv
             formats/write_frames formats/text_input formats/xyz_guess)
         set_source_files_properties(src/annulus/${alone}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     endforeach()
 endif()
 
-# ANNULUS_UNITE_CORE: the rooms mesh, kernel and engine in so many pieces, for builds whose speed is measured by
+# ANNULUS_UNITE_CORE: the modules mesh, kernel and engine in so many pieces, for builds whose speed is measured by
 # nothing. It halves what compiling them takes. A class that several files define is instantiated in each, so that
 # these are of different pieces.
 function(annulus_unite_core target)
@@ -42,15 +42,15 @@ function(annulus_unite_core target)
     endif()
     foreach(pieces IN ITEMS mesh=1 kernel=2 engine=4)
         string(REPLACE "=" ";" pieces "${pieces}")
-        list(POP_FRONT pieces room)
+        list(POP_FRONT pieces module)
         math(EXPR last "${pieces} - 1")
         foreach(piece RANGE ${last})
             set(files_${piece} "")
             set(classes_${piece} "")
         endforeach()
         get_target_property(sources ${target} SOURCES)
-        list(FILTER sources INCLUDE REGEX "/annulus/${room}/[a-z_0-9]*[.]cpp$")
-        list(FILTER sources EXCLUDE REGEX "/(table_measures|repair_duplicates)[.]cpp$")  # names of others of their room
+        list(FILTER sources INCLUDE REGEX "/annulus/${module}/[a-z_0-9]*[.]cpp$")
+        list(FILTER sources EXCLUDE REGEX "/(table_measures|repair_duplicates)[.]cpp$")  # names of others of their module
         foreach(source IN LISTS sources)
             file(STRINGS "${source}" classes REGEX "^template class ")
             set(best "")
@@ -72,7 +72,7 @@ function(annulus_unite_core target)
             endif()
         endforeach()
         foreach(piece RANGE ${last})
-            set_source_files_properties(${files_${piece}} PROPERTIES UNITY_GROUP ${room}_${piece})
+            set_source_files_properties(${files_${piece}} PROPERTIES UNITY_GROUP ${module}_${piece})
         endforeach()
     endforeach()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

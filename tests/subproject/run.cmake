@@ -40,7 +40,7 @@ foreach(id IN ITEMS MSVC Intel IntelLLVM NVHPC NVIDIA PGI XLClang GNUlike "")
 endforeach()
 
 # Nor do the headers take them, or an older standard, where a build has no CMake. The first error says so, before
-# those about what an older standard has not; tools/check-rooms looks that no header is left out.
+# those about what an older standard has not; tools/check-modules looks that no header is left out.
 function(header name flags expected words)
     separate_arguments(flags)
     set(ENV{LC_ALL} C)

@@ -15,7 +15,7 @@ struct Wide_limits {
     static constexpr bool tiny = false;
     /// Cells of a triangulation: a corner is 4 * cell + slot, and that is an Index. Beyond it Error(too_large).
     static constexpr std::int32_t cells = std::int32_t{1} << 29;
-    /// Vertices, checked at the door. In the plane cells come first.
+    /// Vertices, checked on entry. In the plane cells come first.
     static constexpr std::size_t vertices = std::size_t{1} << 29;
     /// Vertices of a round of insertion that are worth a thread (Builder).
     static constexpr std::size_t shared_part = 4096;

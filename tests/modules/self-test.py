@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plants one violation at a time and expects tools/check-rooms to name it. usage: self-test.py CHECK_ROOMS"""
+"""Plants one violation at a time and expects tools/check-modules to name it. usage: self-test.py CHECK_ROOMS"""
 
 import subprocess
 import sys
@@ -70,9 +70,9 @@ class CheckRooms(unittest.TestCase):
         self.rejects("src/annulus/certificate/x.cpp", SPDX + '#include "../cli/x.h"\n', 2)
 
     def test_cgal_where_it_may_not_be(self):
-        for room in ("arithmetic", "space", "certificate", "mesh", "engine", "statistics", "formats", "report", "c",
+        for module in ("arithmetic", "space", "certificate", "mesh", "engine", "statistics", "formats", "report", "c",
                      "cli"):
-            self.rejects(f"src/annulus/{room}/x.cpp", SPDX + "#include <CGAL/Object.h>\n", 2)
+            self.rejects(f"src/annulus/{module}/x.cpp", SPDX + "#include <CGAL/Object.h>\n", 2)
 
     def test_unknown_room(self):
         self.rejects("src/annulus/attic/x.cpp", SPDX, 1)
