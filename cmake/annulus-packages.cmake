@@ -48,7 +48,7 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 
 set(about "annulus keeps the Delaunay triangulation of moving points right after every\n\
 move, in the plane and in space, with exact arithmetic where doubles do not\n\
-do, at a small part of the price of computing it anew.\n.\n")
+do, at a small part of the price of recomputing it.\n.\n")
 function(annulus_package component name section summary description depends)
     string(TOUPPER "${component}" upper)
     set(CPACK_DEBIAN_${upper}_PACKAGE_NAME "${name}" PARENT_SCOPE)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of bi-cells in space that are far from degenerate and still leave the filter: what it is that the filter cannot
+// Of bi-cells in 3D that are far from degenerate and still leave the filter: what it is that the filter cannot
 // tell. Each is asked for its sign alone, for the tolerance of its four annuli alone, and for all that it needs,
 // which may take the signs of the sums of lambda.
 //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> a point set and a program of moves, motions, insertions and removals in the plane -> the library and a
+// Bytes -> a point set and a program of moves, motions, insertions and removals in 2D -> the library and a
 // model beside it (common/program.h). A find is made small and printed as code for tests/engine/finds.cpp.
 #include "common/target.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the prices of engine/cost_model.h are on this machine, in cells looked at. One measurement of each in every
+// What the costs of engine/cost_model.h are on this machine, in cells looked at. One measurement of each in every
 // repetition, with another seed, and all divided by what looking at a cell took in the same repetition
 // (bench/calibrate makes a table of it).
 #include "timing.h"
@@ -52,7 +52,7 @@ class Repetition {
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    /// What looking at a cell takes, of all of them, in the order that they have: anew before each part, since a
+    /// What looking at a cell takes, of all of them, in the order that they have: again before each part, since a
     /// machine is not always as fast.
     void find_unit() {
         const auto& table = w_.mesh().table();
@@ -124,7 +124,7 @@ class Repetition {
     }
 
     /// Steps in which some tolerances fail and others do not. Failed vertices and evaluated certificates come
-    /// together in every motion, so that no fit tells their prices apart: they keep their ratio.
+    /// together in every motion, so that no fit tells their costs apart: they keep their ratio.
     void steps_of_tolerances() {
         Factor factor;
         Factor expected;
@@ -145,7 +145,7 @@ class Repetition {
                     if (report.tolerance_steps != 1 || report.tolerance_recomputations != 0 ||
                         report.moves.rebuilt != 0 || !w_.strategy().keeps_tolerances())
                         break;
-                    if (k < 3) continue;  // just after settling nothing fails
+                    if (k < 3) continue;  // just after recomputation of tolerances nothing fails
                     const auto failed = static_cast<double>(report.moves.asked - report.moves.within_tolerance);
                     factor.add(Cost_model<d>::failure * failed +
                                    Cost_model<d>::evaluation * static_cast<double>(report.evaluated),

@@ -14,7 +14,7 @@ namespace bench {
 ///
 /// uniform: in the unit cube. sphere: on the unit sphere, near-cospherical all of them. slab: a hundredth as thick as
 /// wide. clusters: over six decades of scale, their points at the scale of the cluster. faces: on the faces of a
-/// cube. lattice: a regular grid with noise of an ulp. ball: in the unit ball. In the plane the same with a circle, a
+/// cube. lattice: a regular grid with noise of an ulp. ball: in the unit ball. In 2D the same with a circle, a
 /// strip, the sides of a square, a disc.
 inline constexpr std::string_view families[] = {"uniform", "sphere", "slab", "clusters", "faces", "lattice", "ball"};
 

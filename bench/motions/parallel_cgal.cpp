@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL's parallel insertion in space, the peer of a strategy with threads. A program by itself, since what includes
+// CGAL's parallel insertion in 3D, the peer of a strategy with threads. A program by itself, since what includes
 // CGAL with and without TBB does not mix.
 #include "families.h"
 #include "result_line.h"

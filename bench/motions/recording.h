@@ -11,7 +11,7 @@
 namespace bench {
 
 /// What a file says, as the tool's `replay --coincident merge --absent-frames skip` follows it. A spacing is the
-/// square root of the area of the fullest frame's box for each of its points, the cube root of its volume in space.
+/// square root of the area of the fullest frame's box for each of its points, the cube root of its volume in 3D.
 template <int d>
 class Recording : public Motion<d> {
   public:

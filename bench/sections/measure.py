@@ -72,7 +72,7 @@ def audits(runs, names=("auto", "auto:view", "auto:mesh")):
 
 
 HEAD = ["| | rebuild / auto | of runs | `Moving_mesh` | view asked | must | reached | aim | auto, ns | rebuild, ns | "
-        "dearest step, in rebuilds | rebuilt | audit |",
+        "most expensive step, in rebuilds | rebuilt | audit |",
         "|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
 
 
@@ -84,5 +84,5 @@ def row(name, must, aim, runs):
     return (f"| {name} | {auto['ratio']:.2f} | {spread} | {one['auto:mesh']['ratio']:.2f} | "
             f"{one['auto:view']['ratio']:.2f} "
             f"| {number(must)} | {reached(auto['ratio'], must)} | {number(aim)} | {auto['ns']:.0f} "
-            f"| {one['cgal_ns']:.0f} | {max(r['auto']['dearest'] for r in runs):.2f} | {100 * auto['rebuilt']:.0f} % | "
+            f"| {one['cgal_ns']:.0f} | {max(r['auto']['most expensive'] for r in runs):.2f} | {100 * auto['rebuilt']:.0f} % | "
             f"{audits(runs)} |")

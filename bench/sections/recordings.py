@@ -7,7 +7,7 @@ from .measure import audits, in_order, middle, number, reached
 
 HEAD = ["| | n | spacings a step | came or went a step | rebuild / auto | of runs | `Moving_mesh` | view asked | must "
         "| reached | aim | median of steps | auto, ns | rebuild, ns "
-        "| dearest step, in rebuilds | rebuilt | audit |",
+        "| most expensive step, in rebuilds | rebuilt | audit |",
         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
 MUST, AIM = 0.95, 1.1
 
@@ -23,7 +23,7 @@ def row(name, runs):
             f"| {one['auto:mesh']['whole']:.2f} | {one['auto:view']['whole']:.2f} | {number(MUST)} | "
             f"{reached(auto['whole'], MUST)} | {number(AIM)} "
             f"| {auto['ratio']:.2f} | {auto['ns']:.0f} | {one['cgal_ns']:.0f} | "
-            f"{max(r['auto']['dearest'] for r in runs):.2f} "
+            f"{max(r['auto']['most expensive'] for r in runs):.2f} "
             f"| {100 * auto['rebuilt']:.0f} % | {audits(runs)} |")
 
 

@@ -34,7 +34,7 @@ struct Audit_case {
     }
 };
 
-/// Replaces two cells that share a facet by d others, or in space three around an edge by two. No matter what comes
+/// Replaces two cells that share a facet by d others, or in 3D three around an edge by two. No matter what comes
 /// of it.
 template <int d>
 void flip(std::vector<Cell_of<d>>& cells, std::size_t one, std::size_t other) {
@@ -67,7 +67,7 @@ void flip(std::vector<Cell_of<d>>& cells, std::size_t one, std::size_t other) {
             return;
         }
     }
-    // 2-2 in the plane, 2-3 in space: each corner of the facet gives way to the opposite vertex.
+    // 2-2 in 2D, 2-3 in 3D: each corner of the facet gives way to the opposite vertex.
     std::vector<Cell_of<d>> made;
     for (std::size_t i = 0; i <= d; ++i) {
         if (i == p || c[i] == none) continue;

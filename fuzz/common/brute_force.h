@@ -160,7 +160,7 @@ inline Wide hull_volume(const Lifted<3>& x) {
                 }
                 if (!outer || std::find(seen.begin(), seen.end(), on) != seen.end()) continue;
                 seen.push_back(on);
-                // Its corners in order, as in the plane, seen along n.
+                // Its corners in order, as in 2D, seen along n.
                 const auto is_on = [on](Index v) { return (on >> v & 1U) != 0; };
                 for (Index u = 0; u < x.size(); ++u)
                     for (Index w = 0; w < x.size(); ++w) {
@@ -220,7 +220,7 @@ template <std::size_t k>
 }  // namespace brute
 
 /// What brute force says of cells: d + 1 indices each, positively oriented; of points that span k < d dimensions
-/// k + 1, then `none`, and triangles in space all turned the same way.
+/// k + 1, then `none`, and triangles in 3D all turned the same way.
 struct Brute_verdict {
     std::string fault;             ///< empty: a Delaunay triangulation
     std::uint64_t degenerate = 0;  ///< then: pairs of neighbours on one sphere
@@ -320,7 +320,7 @@ class Brute_force {
     std::string fault_in_plane(const std::vector<Cell_of<d>>& cells, std::uint64_t& degenerate) const {
         std::string fault;
         for (const bool turned : {false, true}) {
-            if (d == 2 && turned) break;  // in the plane the other side is no side
+            if (d == 2 && turned) break;  // in 2D the other side is no side
             std::vector<std::array<Index, 3>> triangles;
             for (const Cell_of<d>& c : cells) triangles.push_back({c[turned ? 1 : 0], c[turned ? 0 : 1], c[2]});
             degenerate = 0;

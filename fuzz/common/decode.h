@@ -40,7 +40,7 @@ class Decoder {
             const auto& x = program.points;
             if (numbers_ == Numbers::raw || std::find(x.begin(), x.end(), p) == x.end()) program.points.push_back(p);
         }
-        int calls = d == 2 ? 64 : 32;  // those of space are dear
+        int calls = d == 2 ? 64 : 32;  // those of space are expensive
         int steps = d == 2 ? 320 : 96;
         for (; !bytes_.empty() && calls > 0 && steps > 0; --calls) {
             program.operations.push_back(operation<d>());

@@ -226,7 +226,7 @@ struct Coverage {
 };
 
 /// Runs a program, checking everything after every call, and settled tolerances against rational numbers the first
-/// `rational` times, which is slow in space. Empty, or what went wrong and where.
+/// `rational` times, which is slow in 3D. Empty, or what went wrong and where.
 [[nodiscard]] std::string run(const Program& program, int rational = 64, Coverage* coverage = nullptr);
 [[nodiscard]] std::string run(const Program_3& program, int rational = 2, Coverage* coverage = nullptr);
 

@@ -19,7 +19,7 @@ namespace annulus::oracle {
 template <int d>
 struct Space;
 
-/// Sorted. In the plane each is turned so that its least vertex comes first; edges are (a < b, none). In space each
+/// Sorted. In 2D each is turned so that its least vertex comes first; edges are (a < b, none). In 3D each
 /// is sorted, padded with `none` in front where points are flat.
 template <int d>
 using Cells_of = std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>>;
@@ -48,7 +48,7 @@ template <std::size_t corners>
     return c;
 }
 
-/// The finite cells of any triangulation of the plane whose vertices have an `index()`.
+/// The finite cells of any 2D triangulation whose vertices have an `index()`.
 template <class Triangulation>
 [[nodiscard]] Cells cells_of(const Triangulation& tr) requires requires {
     tr.finite_faces_begin();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// As oracle.h, in space: a fresh CGAL triangulation, the view corner for corner, and tolerances in rational arithmetic.
+// As oracle.h, in 3D: a fresh CGAL triangulation, the view corner for corner, and tolerances in rational arithmetic.
 
 #include "oracle.h"
 
@@ -18,7 +18,7 @@ struct Space<3> {
     static Coordinates<3> coordinates(const Moving::Point& p) { return {p.x(), p.y(), p.z()}; }
 };
 
-/// The finite cells of any triangulation of space whose vertices have an `index()`; triangles and edges where there
+/// The finite cells of any 3D triangulation whose vertices have an `index()`; triangles and edges where there
 /// are no cells.
 template <class Triangulation>
 [[nodiscard]] Cells_of<3> cells_of(const Triangulation& tr) requires requires {

@@ -166,7 +166,7 @@ void Session_of<d>::make(const Operation_of<d>& o) {
 // ---- The model ----------------------------------------------------------------------------------------------------
 
 /// Whether a call that fails may leave other tolerances. A move that finds its place taken may have flipped by then:
-/// the cells are built anew and evaluated (Tolerance_strategy::renew_renumbered). A time step of single moves may have
+/// the cells are rebuilt and evaluated (Tolerance_strategy::renew_renumbered). A time step of single moves may have
 /// gone half way: everything is evaluated where it was.
 template <int d>
 bool Session_of<d>::renews_tolerances(Kind kind, Error_code code) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A program of moves, insertions and removals in the plane or in space, run against the library with a model beside
+// A program of moves, insertions and removals in 2D or in 3D, run against the library with a model beside
 // it that knows what every call has to do. Shared by the fuzz targets (which decode bytes into programs) and the
 // property tests. Whoever only runs programs needs no more than operation.h, and is spared CGAL.
 
@@ -15,8 +15,8 @@
 
 namespace annulus::oracle {
 
-/// The strategies that do not compute a tolerance from cells and points whenever they are asked, which is slow in
-/// space.
+/// The strategies that do not compute a tolerance from cells and points whenever they are asked, which is slow
+/// in 3D.
 template <class Moving>
 [[nodiscard]] bool keeps_tolerances(const Moving& dt) {
     return dt.strategy() == Strategy::tolerances || dt.strategy() == Strategy::tolerances_each ||

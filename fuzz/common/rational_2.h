@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Half widths in the plane from their definitions, in rational numbers: altitudes, and the centre where two bisectors
+// Half widths in 2D from their definitions, in rational numbers: altitudes, and the centre where two bisectors
 // meet. Nothing here calls the library.
 
 #include "rational_3.h"
 
 namespace annulus::oracle {
 
-/// As a vector of space.
+/// As a 3D vector.
 [[nodiscard]] inline Vector_q between(const Coordinates<2>& from, const Coordinates<2>& to) {
     return {mpq_class(to[0]) - mpq_class(from[0]), mpq_class(to[1]) - mpq_class(from[1]), mpq_class(0)};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Half widths in space from their definitions, in rational numbers: slabs from normals, annuli from centres that
+// Half widths in 3D from their definitions, in rational numbers: slabs from normals, annuli from centres that
 // solve a linear system. Nothing here calls the library.
 
 #include <annulus/certificate/certificate_value.h>

@@ -7,7 +7,7 @@ namespace annulus::oracle {
 
 namespace {
 
-/// CGAL says no by throwing where its assertions are compiled in. In space it is asked for the combinatorics only.
+/// CGAL says no by throwing where its assertions are compiled in. In 3D it is asked for the combinatorics only.
 template <class Triangulation>
 bool cgal_agrees(const Triangulation& tr) {
     try {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the fuzz targets of the certificates ask of one answer, in the plane and in space.
+// What the fuzz targets of the certificates ask of one answer, in 2D and in 3D.
 
 #include "rational_3.h"
 

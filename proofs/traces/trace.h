@@ -22,7 +22,7 @@ struct Trace {
         history = 1,  ///< dimension: another triangulation
         places,       ///< vertices with their positions: where they are going, or are
         gone,         ///< vertices that are none any more
-        begin,        ///< everything is evaluated anew; `places` names all vertices
+        begin,        ///< everything is re-evaluated; `places` names all vertices
         settle,       ///< the vertices with threshold and list: it has been
         test,         ///< 0 for all vertices or the mover + 1; the vertices that failed
         stamp,        ///< a step begins, with this stamp

@@ -53,7 +53,7 @@ class MovingDelaunay(Queries):
 
     Notes
     -----
-    **Indices.** Vertices have the index of their row in `points`; negative ones name nobody. `remove` leaves
+    **Indices.** Vertices have the index of their row in `points`; negative ones are not allowed. `remove` leaves
     an index free, `insert` takes those that are free, the one freed last first, and then new ones. At
     free indices every array of numbers by vertex (`points`, `tolerances`, `theta`, `displacements`,
     `voronoi_volumes`) is NaN, `vertex_to_simplex` is -1, the list of neighbours is empty, and no simplex names
@@ -111,7 +111,7 @@ class MovingDelaunay(Queries):
         points : array_like, shape (npoints, d) or (k, d)
             Where they go. Rows of free indices are ignored.
         indices : array_like of int, shape (k,), optional
-            Who goes, by index; all without it. For one that is named twice the last row holds.
+            Indices of the vertices to move; all of them by default. For one that is named twice the last row holds.
 
         Returns
         -------
@@ -122,7 +122,7 @@ class MovingDelaunay(Queries):
         ------
         Error
             ``duplicate_point`` where two vertices would be at one place, ``wrong_size``, ``unknown_vertex``,
-            ``not_finite``, ``out_of_domain``; nobody has moved then.
+            ``not_finite``, ``out_of_domain``; no vertex has moved then.
         """
         return self._mesh.move(points, indices)
 
@@ -149,7 +149,7 @@ class MovingDelaunay(Queries):
         A vertex is found near the place in O(log n), and a walk goes from there: on average 6 to 8 triangles for
         10,000 to a million random points, 9 to 12 tetrahedra for 10,000 to 200,000. Ten to twenty microseconds each in
         the plane, some forty in space. What else it costs: the first insertion after a construction copies arrays,
-        O(n); while all points are in a plane or on a line each one builds everything anew, O(n log n); where a vertex
+        O(n); while all points are in a plane or on a line each one rebuilds everything, O(n log n); where a vertex
         has k neighbours it may take O(k). More than one at once are first compared with all positions, which takes
         O(n). When memory runs out half way, those that were inserted are taken out again, and there may be more free
         indices than before.

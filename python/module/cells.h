@@ -20,7 +20,7 @@ struct Cells {
     std::vector<Index> simplex_of;  ///< by vertex index, one of those around it; -1 without one
 };
 
-/// The facets with nothing beyond, d vertices each: in the plane with the triangulation to their left, in space
+/// The facets with nothing beyond, d vertices each: in 2D with the triangulation to their left, in 3D
 /// counter-clockwise as seen from outside.
 template <int d>
 [[nodiscard]] std::vector<std::array<Index, static_cast<std::size_t>(d)>> hull_of(const Cells<d>& cells);

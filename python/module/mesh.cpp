@@ -24,7 +24,7 @@ Moving_mesh<d> mesh_of(std::span<const Coordinates<d>> points, const Options& op
     return Moving_mesh<d>(points, options);
 }
 
-/// The same with somebody at every free index, at a place where nobody is.
+/// The same with a vertex at every free index, at an unused position.
 template <int d>
 Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vector<Index>& free_indices,
                          const Options& options) {

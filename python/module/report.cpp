@@ -23,7 +23,7 @@ constexpr Field fields[] = {
      [](Move_report& r) -> std::uint64_t& { return r.moves.within_tolerance; }},
     {"kept_in_place", "int: vertices whose certificates were evaluated, and hold.",
      [](Move_report& r) -> std::uint64_t& { return r.moves.kept_in_place; }},
-    {"flipped", "int: vertices at which flips mended what was violated.",
+    {"flipped", "int: vertices at which flips repaired what was violated.",
      [](Move_report& r) -> std::uint64_t& { return r.moves.flipped; }},
     {"reinserted", "int: vertices that were taken out and put back in.",
      [](Move_report& r) -> std::uint64_t& { return r.moves.reinserted; }},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// annulus for C, and for whatever calls C: Fortran, Julia, Rust. A Delaunay triangulation of the plane or of space
+// annulus for C, and for whatever calls C: Fortran, Julia, Rust. A Delaunay 2D triangulation or of space
 // that is kept right while its vertices move: Moving_mesh of the C++ library behind a handle, arrays in and arrays
 // out. docs/c.md is the guide.
 //
@@ -41,7 +41,7 @@ extern "C" {
 typedef enum annulus_status {
     ANNULUS_OK = 0,
     ANNULUS_NULL_POINTER = 1,     // a pointer is NULL that must not be
-    ANNULUS_USAGE = 2,            // a dimension, name, option or size of a struct that there is not
+    ANNULUS_USAGE = 2,            // invalid dimension, name, option or size of a struct
     ANNULUS_WRONG_SIZE = 3,       // not one point for every index; a buffer that is too small
     ANNULUS_NOT_FINITE = 4,       // a coordinate is NaN or infinite
     ANNULUS_OUT_OF_DOMAIN = 5,    // a coordinate is larger than 2^500 in magnitude
@@ -51,10 +51,10 @@ typedef enum annulus_status {
     ANNULUS_TOO_LARGE = 9,        // more vertices or cells than indices can name
     ANNULUS_NO_MEMORY = 10,
     ANNULUS_NO_TRIANGULATION = 11,  // Voronoi measures: the cells are not positive (tolerances that are not certified)
-    ANNULUS_INTERNAL = 12           // a fault of the library; please report it
+    ANNULUS_INTERNAL = 12           // a bug in the library; please report it
 } annulus_status;
 
-// A triangulation. Its size is nobody's business.
+// Opaque handle of a triangulation.
 typedef struct annulus_mesh annulus_mesh;
 
 // How a mesh is kept right. Make all of it 0, which stands for the default everywhere, and `size`
@@ -83,9 +83,9 @@ typedef struct annulus_report {
     uint64_t asked;             // vertices that were asked to move; the next five add up to it
     uint64_t within_tolerance;  // proved right by the tolerance alone, or at rest
     uint64_t kept_in_place;     // evaluated, and all certificates hold
-    uint64_t flipped;           // a certificate was violated, and flips mended it
+    uint64_t flipped;           // a certificate was violated, and flips repaired it
     uint64_t reinserted;        // taken out and put back in
-    uint64_t rebuilt;           // the triangulation was built anew
+    uint64_t rebuilt;           // the triangulation was rebuilt
     uint64_t evaluated;         // certificates evaluated
     uint64_t by_filter;         // and the stage that decided them
     uint64_t by_intervals;
@@ -161,9 +161,9 @@ ANNULUS_API int annulus_move(annulus_mesh* mesh, size_t count, const int32_t* in
 
 // Inserts vertices one after another and writes their indices: those freed last, then new ones. Coordinates are
 // looked at first. When a later point is refused (DUPLICATE_POINT, TOO_LARGE, NO_MEMORY), those before it stay:
-// *inserted, optional, says how many they are, 0 when nothing was done. Ten to twenty microseconds each in the plane
-// (up to a million vertices), some forty in space (up to 100,000); the first after a construction copies arrays, O(n).
-// While all points are in a plane or on a line each builds everything anew.
+// *inserted, optional, says how many they are, 0 when nothing was done. Ten to twenty microseconds each in 2D
+// (up to a million vertices), some forty in 3D (up to 100,000); the first after a construction copies arrays, O(n).
+// While all points are in a plane or on a line each rebuilds everything.
 // Errors: NOT_FINITE, OUT_OF_DOMAIN, DUPLICATE_POINT, TOO_LARGE, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_insert(annulus_mesh* mesh, size_t count, const double* coordinates, int32_t* indices,
                                size_t* inserted, annulus_report* report);
@@ -204,8 +204,8 @@ ANNULUS_API int annulus_tolerances(const annulus_mesh* mesh, size_t capacity, do
 ANNULUS_API int annulus_displacements(const annulus_mesh* mesh, size_t capacity, double* lengths);
 // Areas (dimension 2) or volumes (3) of Voronoi cells, each with a relative error of at most 2^-33, whatever the
 // points, and how many Voronoi cells touch each: the neighbours in the triangulation. Infinity where the cell is
-// unbounded, at vertices of the hull; NaN and 0 at free indices. Either array may be NULL. A number above the
-// largest double is that one; one below the smallest normal double has an absolute error of 2^-1074 besides. A
+// unbounded, at vertices of the hull; NaN and 0 at free indices. Either array may be NULL.
+// Saturates at the largest double; one below the smallest normal double has an absolute error of 2^-1074 besides. A
 // microsecond a vertex.
 // Errors: NO_TRIANGULATION, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_voronoi(const annulus_mesh* mesh, size_t capacity, double* volumes, int32_t* neighbour_counts);
@@ -214,8 +214,8 @@ ANNULUS_API int annulus_voronoi(const annulus_mesh* mesh, size_t capacity, doubl
 
 // The vertex of every point that was given to annulus_create: other than 0, 1, 2 .. only where duplicates were merged.
 ANNULUS_API int annulus_vertex_of_input(const annulus_mesh* mesh, size_t capacity, int32_t* indices, size_t* count);
-// Finite cells, dimension + 1 numbers each in both arrays; either may be NULL. vertices: positively oriented (in the
-// plane counter-clockwise; in space det(b - a, c - a, e - a) > 0), padded with -2 where all points are in a plane or
+// Finite cells, dimension + 1 numbers each in both arrays; either may be NULL. vertices: positively oriented (
+// in 2D counter-clockwise; in 3D det(b - a, c - a, e - a) > 0), padded with -2 where all points are in a plane or
 // on a line. neighbours: the cell opposite to each vertex, -1 beyond the hull. Cells are counted 0, 1, 2 .. until the
 // next call that changes the mesh. They are kept until then for the next caller: 24 or 32 bytes a cell. O(n).
 // Errors: WRONG_SIZE, NO_MEMORY.

@@ -18,8 +18,8 @@ template <int d>
 class Delaunay_mesh;
 
 /// A Delaunay triangulation that is kept right while its vertices move, as arrays: Moving_delaunay without an object
-/// of CGAL's, for who needs no handles. The same engine, options, strategies and errors, and the same promises: with
-/// Tolerance_kind::certified the cells are Delaunay at the positions of the vertices after every call, proved;
+/// of CGAL's, for callers that need no handles. The same engine, options, strategies and errors, and the same promises:
+/// with Tolerance_kind::certified the cells are Delaunay at the positions of the vertices after every call, proved;
 /// positions and indices are as they were when a call throws (but that remove() may have removed the vertex when
 /// memory ran out; as to GMP and CGAL's Mpzf see moving_delaunay.h). Positions are in the caller's unit of length.
 /// Not thread-safe; const members may run concurrently.
@@ -85,7 +85,7 @@ class Moving_mesh {
 
     /// The areas or volumes of the Voronoi cells by vertex index: bit for bit what voronoi_volumes
     /// (statistics/voronoi_volumes.h) gives for points() and cells(), and infinity for a vertex that is alone. What
-    /// it computed is kept, in space some 350 bytes a vertex (130 in the plane), from the first call on; later ones
+    /// it computed is kept, in 3D some 350 bytes a vertex (130 in 2D), from the first call on; later ones
     /// compute what moves and changes of cells since then concern, and compare one position a vertex besides.
     /// Throws bad_input where tolerances that are not certified have left a cell that is not positive, environment,
     /// and what new throws.

@@ -44,7 +44,7 @@ static void check_delaunay(const annulus_mesh* mesh) {
     if (!audit.delaunay) printf("%s\n", audit.first_fault);
 }
 
-// Steps of all and of some vertices; the same mesh built anew after each.
+// Steps of all and of some vertices; the same mesh rebuilt after each.
 static void check_motion(int dimension, const char* strategy, size_t n) {
     const size_t d = (size_t)dimension;
     const size_t corners = d + 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The error bounds of the filter in space beside the errors it makes, sought by climbing; and the interval stage's
+// The error bounds of the filter in 3D beside the errors it makes, sought by climbing; and the interval stage's
 // numbers beside CGAL's intervals.
 
 #include "worst_cases.h"

@@ -64,7 +64,7 @@ std::array<Vector_3<T>, 4> differences(const Numbers& x) {
 
 }  // namespace filter_errors
 
-/// In the plane, in units of u times the power of m that the bound has.
+/// In 2D, in units of u times the power of m that the bound has.
 struct Plane_errors {
     double determinant = 0;  ///< of |determinant~ - determinant|
     double roots = 0;  ///< of what the roots fall short by, less their own rounding; relative, in u, of a triangle
@@ -117,7 +117,7 @@ struct Plane_errors {
     return {units(error, m, 4), units(missing, m, 3)};
 }
 
-/// In space, in the order of bounds.h.
+/// In 3D, in the order of bounds.h.
 struct Space_errors {
     double orientation = 0, slabs = 0, insphere = 0, norms = 0, side = 0;
 };

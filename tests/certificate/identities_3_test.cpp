@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must not change half widths in space: the order of the points, the side a bi-cell is seen from, powers of two,
+// What must not change half widths in 3D: the order of the points, the side a bi-cell is seen from, powers of two,
 // and translations that are exact. What must: nothing else is looked at.
 
 #include <support/arbitrary.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The symbolic perturbation in space beside CGAL's own.
+// The symbolic perturbation in 3D beside CGAL's own.
 
 #include <annulus/certificate/perturbed_sign.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages in space: sound against rational numbers and MPFI, tight, one beside the next, in their
+// The stages in 3D: sound against rational numbers and MPFI, tight, one beside the next, in their
 // range.
 
 #include <support/arbitrary.h>

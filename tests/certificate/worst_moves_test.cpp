@@ -56,7 +56,7 @@ Tuple<d, static_cast<int>(n)> tuple(const Corners<d, n>& x) {
 struct Tried {
     int simplices = 0, bicells = 0;  ///< with a tolerance
     int inverted = 0;                ///< bi-cells whose sphere is empty still, but no longer that of two cells
-    int by_cells = 0;                ///< bi-cells in space whose tolerance is a width of their cells'
+    int by_cells = 0;                ///< bi-cells in 3D whose tolerance is a width of their cells'
     int turned = 0;                  ///< of them, those whose sphere was no longer empty, too
     std::vector<double> further{};   ///< the least annuli of those that were not, in tolerances
     void print(const char* what) {

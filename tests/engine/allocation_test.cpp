@@ -147,7 +147,7 @@ auto cells_of(const Moving_of<d>& dt) {
     return cells;
 }
 
-/// What must be as it was even where there was not memory enough to build the cells anew.
+/// What must be as it was even where there was not memory enough to build the cells again.
 template <int d>
 std::string identity(const Scene<d>& scene) {
     std::ostringstream said;
@@ -198,7 +198,7 @@ std::string starve_at(std::uint64_t n, const Setting& setting, const Call<d>& ca
     return {};
 }
 
-/// One allocation of the call after another fails, each in a thread of its own: CGAL's triangulation of space keeps a
+/// One allocation of the call after another fails, each in a thread of its own: CGAL's 3D triangulation keeps a
 /// table in thread-local memory, and what one failure leaves in it is not to hide the others. The first ones are
 /// tried all, of later ones a share by chance: thousands of them are those of one loop. Returns the first fault.
 template <int d>

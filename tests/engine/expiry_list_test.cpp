@@ -62,7 +62,7 @@ TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not na
             const bool enough = !list.rest().reached(path_length);
             if (enough)
                 for (const auto& [id, e] : truth) RC_ASSERT(!e.reached(path_length) || taken.count(id) == 1);
-            for (const std::uint32_t id : taken)  // evaluated anew, or not expired by its own record
+            for (const std::uint32_t id : taken)  // re-evaluated, or not expired by its own record
                 list.put(id, truth[id] = truth[id].reached(path_length)
                                              ? Expiry::lower(path_length + 1.0 + static_cast<double>(random() % 8))
                                              : truth[id]);

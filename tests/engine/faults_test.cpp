@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faults that a review found in the public class, each as a test that fails without its mend.
+// Faults that a review found in the public class, each as a test that fails without its repair.
 
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
@@ -128,7 +128,7 @@ TEMPLATE_TEST_CASE_SIG("A conveyor, each vertex to the place of the next, is no 
         y.back().fill(0.125);
         const Move_report report = dt.move_all(std::span<const Coordinates<d>>(y));
         CHECK(report.moves.asked == x.size());
-        CHECK(report.moves.rebuilt < x.size() / 2);  // a way was found without building everything anew
+        CHECK(report.moves.rebuilt < x.size() / 2);  // a way was found without building everything again
         CHECK(dt.audit().delaunay());
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices that come one by one while all of them are in a plane or on a line: nothing is built anew for one of them.
+// Vertices that come one by one while all of them are in a plane or on a line: nothing is rebuilt for one of them.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>

@@ -50,7 +50,7 @@ TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the D
         for (const std::string_view family : bench::families)
             for (const double spacings : {0.01, 0.03, 0.1, 0.3, 1.0}) {
                 CAPTURE(name_of(strategy), family, spacings);
-                // Of twelve points repair is hardly ever given up: they are built anew locally, or flipped, at any
+                // Of twelve points repair is hardly ever given up: they are rebuilt locally, or flipped, at any
                 // reach.
                 for (const std::size_t n : {d == 2 ? 70U : 60U, 12U})
                     for_each_seed(1, [&](Random& random) {
@@ -80,12 +80,12 @@ TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dim
     for_each_seed(2, [](Random& random) {
         bench::Scene<d> scene("uniform", "walk", 1500, d == 2 ? 0.1 : 0.01, random());
         auto dt = moving<d>(scene.points(), Strategy::tolerances);
-        Move_report all;  // of the steps that were mended
+        Move_report all;  // of the steps that were repaired
         std::uint64_t repaired = 0;
         for (int step = 0; step < 8; ++step) {
             scene.step();
             const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
-            if (report.moves.rebuilt > 0) continue;  // too dear to mend: one of 400 in the plane
+            if (report.moves.rebuilt > 0) continue;  // too expensive to repair: one of 400 in 2D
             all += report;
             ++repaired;
         }
@@ -224,7 +224,7 @@ TEMPLATE_TEST_CASE_SIG("A vertex that goes where another is refused, however far
 TEMPLATE_TEST_CASE_SIG(
     "Single moves to anywhere on a small grid leave neither a broken table nor a second border, dimension", "[mender]",
     ((int d), d), 2, 3) {
-    // Degenerate everywhere: flips get stuck, cells are built anew beneath the hull, and vertices taken out and put
+    // Degenerate everywhere: flips get stuck, cells are rebuilt beneath the hull, and vertices taken out and put
     // back.
     const auto one = [](Random& random, Strategy strategy) {
         const auto place = [&random] {

@@ -132,7 +132,7 @@ Points_d<d> begin_with(Setting setting, Random& random) {
     for (int i = 0; i < count; ++i) {
         Coordinates<d> p{};
         for (double& c : p) c = integer(random, 0, 3);
-        if (setting == Setting::cospherical) {  // whole points at distance 5, or 3 in space
+        if (setting == Setting::cospherical) {  // whole points at distance 5, or 3 in 3D
             const std::array<double, 3> way = d == 2 ? std::array{3.0, 4.0, 0.0} : std::array{1.0, 2.0, 2.0};
             const std::size_t turn = random();
             for (std::size_t k = 0; k < d; ++k) p[k] = way[(k + turn) % d] * ((random() & 1) != 0 ? 1.0 : -1.0);

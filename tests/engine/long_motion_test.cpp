@@ -44,7 +44,7 @@ std::string shear(Strategy strategy, std::size_t n, std::uint64_t seed, double r
     return {};
 }
 
-/// What a run in space says of itself, in a memory with holes of other sizes for every `mess`.
+/// What a run in 3D says of itself, in a memory with holes of other sizes for every `mess`.
 std::vector<std::uint64_t> diary(Strategy strategy, std::uint64_t mess) {
     Random sizes(mess);
     std::vector<std::unique_ptr<char[]>> holes;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motions that go on and break off: what a filter may have learned to expect never leaves a wrong triangulation, in
-// the plane and in space.
+// Motions that go on and break off: what a filter may have learned to expect never leaves a wrong triangulation,
+// in 2D and in 3D.
 #include <common/program.h>
 
 #include <support/cases.h>

@@ -30,7 +30,7 @@ using Delaunay_of = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delauna
 
 enum class Scene { sphere, moment_curve };
 
-/// On the unit sphere, up to rounding; or on the curve (t, t^2, ..), where in space every two vertices are neighbours.
+/// On the unit sphere, up to rounding; or on the curve (t, t^2, ..), where in 3D every two vertices are neighbours.
 template <int d>
 std::vector<Coordinates<d>> convex_position(Scene scene, std::size_t n, Random& random) {
     std::vector<Coordinates<d>> x;
@@ -172,7 +172,7 @@ void check_far(Strategy strategy, std::size_t n, std::size_t movers, double spac
     Options options;
     options.strategy = strategy;
     Moving_mesh<d> mesh(std::span<const Coordinates<d>>(x), options);
-    const double most = movers == 1 ? 3.0 : 2.0;  // one may be dearer than most
+    const double most = movers == 1 ? 3.0 : 2.0;  // one may be more expensive than most
     const double far = spacings * std::pow(static_cast<double>(n), -1.0 / d);
     for (int call = 0; call < 3; ++call) {
         std::vector<Index> index;
@@ -212,7 +212,7 @@ TEST_CASE("A few vertices that go far are reinserted, and cost about that", "[en
             check_far<3>(strategy, 4000, 1, spacings);
             check_far<3>(strategy, 4000, 30, spacings);
         }
-    // Nothing but what they cost decides whether all is built anew: one percent do not.
+    // Nothing but what they cost decides whether all is rebuilt: one percent do not.
     check_far<3>(Strategy::automatic, 20'000, 200, 10.0);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole programs of calls on point sets of every family, in the plane and in space: after each call the audit, CGAL
+// Whole programs of calls on point sets of every family, in 2D and in 3D: after each call the audit, CGAL
 // and a rebuild must agree. What goes wrong is printed as a small program (fuzz/common/shrink.h).
 #include <common/operation.h>
 

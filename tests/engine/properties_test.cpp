@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What two runs have in common, and what calls report, in the plane and in space alike.
+// What two runs have in common, and what calls report, in 2D and in 3D alike.
 #include <common/program.h>
 
 #include <support/cases.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a tolerance promises in space: hand-computed values, the paper's counterexample, and moves just inside.
+// What a tolerance promises in 3D: hand-computed values, the paper's counterexample, and moves just inside.
 #include <support/catch.h>
 #include <support/session_3.h>
 

@@ -33,7 +33,7 @@ void refuse(const std::string& content, std::uint64_t line, const std::string& f
 }  // namespace
 
 TEST_CASE("xyz: rows alone are x, y and perhaps z, and nothing else", "[io][columns]") {
-    // As voro++ has them, with an id, and with a radius behind; with normals; with an id in the plane.
+    // As voro++ has them, with an id, and with a radius behind; with normals; with an id in 2D.
     refuse("5 1.25 -3.5 0.5\n2 -1.5 4.5 0.75\n", 1, "has 4 columns, and nothing says which of them are x, y and z");
     refuse("1 2 3 0 0 1\n", 1, "has 6 columns");
     const Temporary_directory directory;

@@ -49,7 +49,7 @@ TEST_CASE("LAMMPS: atoms by id, in any order, with columns in any place", "[io][
     CHECK(motion.has_z);
     CHECK(motion.notes.empty());
     CHECK(motion.frames[0].number == 100);
-    CHECK(motion.frames[1].number == 50);  // a run that began anew; frames without atoms are there, so no gap is one
+    CHECK(motion.frames[1].number == 50);  // a run that began again; frames without atoms are there, so no gap is one
     for (const Frame& f : motion.frames) CHECK(f.id == Numbers{7, 9});
     CHECK(motion.frames[0].position == Points_3{{4, 5, 6}, {1, 2, 3}});
     CHECK(motion.frames[0].line == Numbers{15, 14});

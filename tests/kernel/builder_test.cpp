@@ -119,7 +119,7 @@ TEMPLATE_TEST_CASE_SIG("The kernel names two points at one place, dimension", "[
 
 TEMPLATE_TEST_CASE_SIG("The kernel's cells have the same numbers with any number of threads, dimension", "[kernel]",
                        ((int d), d), 2, 3) {
-    // Rounds of several threads, in space with a second pass.
+    // Rounds of several threads, in 3D with a second pass.
     constexpr std::size_t many = Limits::tiny ? 3000 : d == 2 ? 20000 : 60000;
     Builder<d> builder;
     for (const std::string_view family : {"uniform", "clusters", "faces"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who became whose neighbour, against the edges of triangulations that are built anew.
+// Who became whose neighbour, against the edges of triangulations that are rebuilt.
 #include <annulus/moving_mesh.h>
 #include <annulus/statistics/neighbour_changes.h>
 #include <support/catch.h>

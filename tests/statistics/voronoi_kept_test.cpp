@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Voronoi volumes that are kept against those that are computed anew, bit for bit, and against cells cut out in
+// Voronoi volumes that are kept against those that are recomputed, bit for bit, and against cells cut out in
 // rational numbers.
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/moving_mesh.h>

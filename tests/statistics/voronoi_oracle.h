@@ -12,8 +12,8 @@
 namespace annulus::testing {
 
 /// Area or volume of the set of points that are nowhere nearer to another of these points than to points[v]: half
-/// planes cut off a square, one after another, in rational numbers; in space the same in the plane of each facet. No
-/// triangulation, no circumcentre. Nothing when it is unbounded. O(n^2) half planes in space.
+/// planes cut off a square, one after another, in rational numbers; in 3D the same in the plane of each facet. No
+/// triangulation, no circumcentre. Nothing when it is unbounded. O(n^2) half planes in 3D.
 [[nodiscard]] std::optional<mpq_class> exact_cell(std::span<const Coordinates<2>> points, std::size_t v);
 [[nodiscard]] std::optional<mpq_class> exact_cell(std::span<const Coordinates<3>> points, std::size_t v);
 

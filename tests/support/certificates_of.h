@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The certificates of a triangulation, found by comparing the facets of its cells. In the plane and in space.
+// The certificates of a triangulation, found by comparing the facets of its cells. In 2D and in 3D.
 
 #include <annulus/arithmetic/coordinates.h>
 

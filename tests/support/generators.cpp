@@ -264,7 +264,7 @@ Points distinct_points(Family family, std::size_t n, Random& random) {
         }
         case Family::mixture: break;
     }
-    // Parts that overlap in space: each comes from its family as it is, or brought to the unit square.
+    // Parts that overlap in 3D: each comes from its family as it is, or brought to the unit square.
     const std::size_t parts = 2 + random() % 2;
     Points pool;
     for (std::size_t i = 0; i < parts; ++i) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The moves that do most harm to a whole triangulation, and what its tolerances promise against them. In the plane
-// and in space.
+// The moves that do most harm to a whole triangulation, and what its tolerances promise against them. In 2D
+// and in 3D.
 
 #include <support/certificates_of.h>
 #include <support/point_sets_3.h>

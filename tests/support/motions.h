@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Motions that go on for as long as one asks, in the plane and in space. A seed means the same motion for ever; how
+// Motions that go on for as long as one asks, in 2D and in 3D. A seed means the same motion for ever; how
 // long it runs, how often it is looked at and which strategy follows it changes nothing in it.
 
 #include <support/generators.h>
@@ -25,7 +25,7 @@ enum class Motion_kind {
     acceleration,  ///< a drift from 1e-9 to 1e-1 spacings a step, and again
     settling,      ///< steps that shrink until nothing changes any more, then a new start
     growth,        ///< from 2^-60 to 2^60 and back
-    jitter,        ///< anew around the same places
+    jitter,        ///< again around the same places
     bursts,        ///< rest, and now and then a few steps that are large, or a vertex far away
     teleports,     ///< one vertex a step to any place
     few_movers,    ///< one to three vertices walk, then others
@@ -318,7 +318,7 @@ class Long_motion {
         }
         return p;
     }
-    /// Taylor and Green's vortices in the plane, one of the flows of Arnold, Beltrami and Childress in space.
+    /// Taylor and Green's vortices in 2D, one of the flows of Arnold, Beltrami and Childress in 3D.
     [[nodiscard]] Place along_flow(const Place& p) const {
         constexpr double pi = std::numbers::pi;
         Place u{};

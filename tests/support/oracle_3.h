@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Half widths in space from their definitions: slabs from the normals of their own edges, annuli from centres that
+// Half widths in 3D from their definitions: slabs from the normals of their own edges, annuli from centres that
 // solve a linear system. In rational numbers, exactly, and in MPFI. Nothing is shared with the library.
 
 #include <support/generators_3.h>

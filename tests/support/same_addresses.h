@@ -7,7 +7,7 @@
 namespace annulus::testing {
 
 /// CGAL removes a vertex of space in an order that depends on addresses, and with it go the numbers of cells. So that
-/// a seed means the same run, the program starts anew without the randomisation of addresses, where the system allows
+/// a seed means the same run, the program starts again without the randomisation of addresses, where the system allows
 /// it; else it goes on as it is. To be called first of all: what was printed or opened before would be twice.
 inline void same_addresses_every_time(char* argv[]) {
     const int persona = personality(0xffffffff);

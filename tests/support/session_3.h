@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A moving triangulation of space beside a model that knows what it must hold after every call: the one of the fuzz
+// A moving 3D triangulation beside a model that knows what it must hold after every call: the one of the fuzz
 // targets.
 
 #include "../../fuzz/common/program.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A few points near what is degenerate, in the plane and in space, at any distance from it.
+// A few points near what is degenerate, in 2D and in 3D, at any distance from it.
 
 #include <support/generators.h>
 

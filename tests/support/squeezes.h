@@ -4,7 +4,7 @@
 // The worst that can happen to a certificate. A determinant vanishes when its points are on one hyperplane, or on one
 // sphere; the least effort is to squeeze them onto the median of two parallel hyperplanes, or of two concentric
 // spheres, that pass through the parts A and B of a partition (docs/theory.md 2). Here every such pair is found from
-// its definition, in the plane and in space, in rational numbers or, where a direction is all that is wanted, in
+// its definition, in 2D and in 3D, in rational numbers or, where a direction is all that is wanted, in
 // doubles. Nothing is shared with the library.
 
 #include <annulus/arithmetic/coordinates.h>
@@ -196,7 +196,7 @@ std::optional<Squeeze<T, d, n>> between_spheres(const std::array<Vector_of<T, d>
 
 }  // namespace squeezing
 
-/// All slabs of a simplex: 3 in the plane, 7 in space.
+/// All slabs of a simplex: 3 in 2D, 7 in 3D.
 template <class T, int d>
 [[nodiscard]] std::vector<Squeeze<T, d, d + 1>> slabs(const Points_of_certificate<d, d + 1>& x) {
     int exponent = 0;
@@ -212,7 +212,7 @@ template <class T, int d>
     return all;
 }
 
-/// The annuli of a bi-cell {facet.., p, q}, A of two points of the facet at least: 1 in the plane, 4 in space. That
+/// The annuli of a bi-cell {facet.., p, q}, A of two points of the facet at least: 1 in 2D, 4 in 3D. That
 /// of the whole facet comes last.
 template <class T, int d>
 [[nodiscard]] std::vector<Squeeze<T, d, d + 2>> annuli(const Points_of_certificate<d, d + 2>& x) {

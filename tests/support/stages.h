@@ -46,14 +46,14 @@ template <class Filter, class Interval, class Exact>
     return a;
 }
 
-/// Of an orientation, in the plane or in space.
+/// Of an orientation, in 2D or in 3D.
 template <class Points>
 [[nodiscard]] Answers ask_orientation(const Points& x) {
     return ask_stages([&](bool certified, Certificate_value& v) { return orientation_filter(x, certified, v); },
                       [&](Certificate_value& v) { return orientation_interval(x, v); },
                       [&] { return orientation_exact(x); });
 }
-/// Of an empty sphere; in space `cells` says whose widths enter.
+/// Of an empty sphere; in 3D `cells` says whose widths enter.
 template <class Points, class... Cells>
 [[nodiscard]] Answers ask_empty_sphere(const Points& x, Cells... cells) {
     return ask_stages(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// As stages.h, in space.
+// As stages.h, in 3D.
 
 #include <support/generators_3.h>
 #include <support/stages.h>

@@ -38,7 +38,7 @@ bool nan_unseen() {
 }
 
 bool directed_rounding_works() {
-    // The operands are read anew under each guard: compilers know nothing of rounding modes and would divide once.
+    // The operands are read again under each guard: compilers know nothing of rounding modes and would divide once.
     double up = 0.0;
     double down = 0.0;
     {

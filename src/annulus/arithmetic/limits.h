@@ -15,11 +15,11 @@ struct Wide_limits {
     static constexpr bool tiny = false;
     /// Cells of a triangulation: a corner is 4 * cell + slot, and that is an Index. Beyond it Error(too_large).
     static constexpr std::int32_t cells = std::int32_t{1} << 29;
-    /// Vertices, checked on entry. In the plane cells come first.
+    /// Vertices, checked on entry. In 2D cells come first.
     static constexpr std::size_t vertices = std::size_t{1} << 29;
     /// Vertices of a round of insertion that are worth a thread (Builder).
     static constexpr std::size_t shared_part = 4096;
-    /// Steps that stamps tell apart; then all stamps are cleared and counting starts anew.
+    /// Steps that stamps tell apart; then all stamps are cleared and counting starts again.
     static constexpr std::uint32_t stamps = std::numeric_limits<std::uint32_t>::max();
     /// Certificates that a vertex lists by name; what else it has is below one bound for all (Expiry_list).
     [[nodiscard]] static constexpr std::size_t listed(int d) { return d == 2 ? 6 : 10; }

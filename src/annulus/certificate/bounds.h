@@ -14,7 +14,7 @@ inline constexpr double u = 0x1p-53;
 // as such would hold for powers of two only (an ulp below 1 is half of one above; orientation reaches 8 u m^2 at
 // m = 1 + 2^-22).
 
-// In the plane: proofs/gappa/certificates_2.g proves each line for exactly the order of operations in width_terms.h.
+// In 2D: proofs/gappa/certificates_2.g proves each line for exactly the order of operations in width_terms.h.
 
 inline constexpr double orientation_2 = 9.0;         ///< orientation_terms: determinant, degree 2
 inline constexpr double annulus_2_incircle = 177.0;  ///< annulus_terms: determinant, degree 4
@@ -28,7 +28,7 @@ inline constexpr double annulus_2_norms = 273.0;
 /// circumcircle_2.h, degree 4: proofs/gappa/circumcircle_2.g.
 inline constexpr double circumcircle_2 = 129.0;
 
-// In space: proofs/gappa/certificates_3.g, order of operations of width_terms_3.h.
+// In 3D: proofs/gappa/certificates_3.g, order of operations of width_terms_3.h.
 
 inline constexpr double orientation_3 = 47.0;       ///< orientation_terms: determinant, degree 3
 inline constexpr double orientation_3_slab = 35.0;  ///< orientation_terms: each coordinate of an area vector, degree 2
@@ -67,12 +67,12 @@ inline constexpr double tail = 16.0;
 inline constexpr double filter_slack = 0x1p-10;
 
 /// The same for the interval stage: the upper end of the quotient is at most this share above the lower one. Not
-/// wider, because settled tolerances are promised to a fifth of a per cent.
+/// wider, because recomputed tolerances are promised to a fifth of a per cent.
 inline constexpr double interval_slack = 0x1p-10;
 
 /// The filter works on unscaled differences whose largest magnitude m lies in [1 / filter_range, filter_range]; then
 /// m^6 and u m^8 are normal numbers and the absolute bounds above absorb every underflow. Outside, the interval stage
-/// scales. In space the squares of the norms have degree 8.
+/// scales. In 3D the squares of the norms have degree 8.
 inline constexpr double filter_range = 0x1p120;
 inline constexpr double filter_range_3 = 0x1p100;
 

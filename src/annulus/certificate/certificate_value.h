@@ -33,7 +33,7 @@ struct Certificate_value {
     std::int8_t sign = 0;         ///< exact sign of the determinant
     Stage stage = Stage::filter;  ///< the stage that decided
     std::uint8_t wrong_side =
-        0;  ///< empty spheres in space: bit k where partition k is not certainly forward (filtered_3.h)
+        0;  ///< empty spheres in 3D: bit k where partition k is not certainly forward (filtered_3.h)
 };
 
 }  // namespace annulus

@@ -11,7 +11,7 @@
 namespace annulus {
 
 /// The circle through the corners of a triangle, prepared to be asked on which side of it points are: signs of
-/// certificates and nothing else, for who needs no tolerance. What the triangle contributes is computed once for its
+/// certificates and nothing else, where no tolerance is needed. What the triangle contributes is computed once for its
 /// three edges, so all signs of a triangulation cost a third of its tolerances.
 ///
 /// With u, v, w the second corner, the third and the point relative to the first, the certificate's determinant is

@@ -11,8 +11,8 @@
 
 namespace annulus {
 
-/// The sphere through the corners of a cell, prepared to be asked on which side of it points are: Circumcircle_2 in
-/// space.
+/// The sphere through the corners of a cell, prepared to be asked on which side of it points are: Circumcircle_2
+/// in 3D.
 ///
 /// With u, v, t and w the other corners and the point relative to the first corner, the certificate's determinant is
 ///   |w|^2 det(u, v, t) - w . n,   n = |u|^2 v x t + |v|^2 t x u + |t|^2 u x v,

@@ -94,7 +94,7 @@ template <class V>
     return {select(inside, decision.sign, V(0.0)), decision.tolerance};
 }
 
-/// One lane as a verdict; false where the next stage is to be asked.
+/// One lane as a value; false where the next stage is to be asked.
 [[nodiscard]] inline bool answer(double sign, double tolerance, Certificate_value& out) {
     out.stage = Stage::filter;
     out.sign = static_cast<std::int8_t>(sign);

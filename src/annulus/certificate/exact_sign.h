@@ -11,8 +11,8 @@ struct Staged_sign {
     Stage stage;
 };
 
-// Exact signs of certificates for who needs no tolerance, where the filter stage could not tell: intervals, then
-// integers. A fifth of the price of a verdict, which wants the widths too. Points in the order of the filtered
+// Exact signs of certificates where no tolerance is needed, where the filter stage could not tell: intervals, then
+// integers. A fifth of the cost of a value, which wants the widths too. Points in the order of the filtered
 // predicate.
 
 [[nodiscard]] Staged_sign exact_orientation_sign(const Tuple<2, 3>& x);

@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <cmath>
 
-// The filtered predicate in space. Orientations are CGAL's: a, b, c, d is positive when d is on the side of (b - a) x
+// The filtered predicate in 3D. Orientations are CGAL's: a, b, c, d is positive when d is on the side of (b - a) x
 // (c - a). A bi-cell is x = {a, b, c, p, q} with positive cells a b c q and b a c p, so seen from q the facet a b c
-// turns left, and p is behind it. In the plane it is {a, b, p, q} with positive triangles a b q and b a p.
+// turns left, and p is behind it. In 2D it is {a, b, p, q} with positive triangles a b q and b a p.
 
 namespace annulus {
 
-/// Whether the widths of the two cells enter the tolerance of an empty sphere in space (docs/theory.md 2.2, remark).
+/// Whether the widths of the two cells enter the tolerance of an empty sphere in 3D (docs/theory.md 2.2, remark).
 ///
 /// The annulus of a partition A | B excludes it wherever its points are when A is the inner side, sum of lambda over
 /// B > 0. Else it does so only along a motion on which both cells stay positive, from the same reference.
@@ -82,7 +82,7 @@ template <class V>
         wrong_side = wrong_side + select(t.side[k] > side_error, V(0.0), V(static_cast<double>(1U << k)));
     if (cells != Cell_widths::never) {
         const auto needed = cells == Cell_widths::always ? wrong_side >= V(0.0) : wrong_side > V(0.0);
-        if (any(needed)) {  // the only branch: the widths are half of the work, and often nobody asks for them
+        if (any(needed)) {  // the only branch: the widths are half of the work, and often they are not needed
             const V annuli = d.tolerance;
             d = both(d, decide_width(cell_p_terms(t), m, certified), needed);
             d = both(d, decide_width(cell_q_terms(t), m, certified), needed);

@@ -27,14 +27,14 @@ struct Half_width {
 enum class Width : std::uint8_t {
     least,  ///< half the width of the simplex
     slab,   ///< the paper's slab of a facet: half the altitude of the last point over the others
-    /// The paper's slab of a hull ridge: in the plane the same; in space half the distance of the line through the
+    /// The paper's slab of a hull ridge: in 2D the same; in 3D half the distance of the line through the
     /// first two points and the line through the last two, whatever the sign.
     ridge,
 };
 
 /// The half widths of a bi-cell.
 struct Bicell_half_widths {
-    Half_width least;     ///< of its annuli, four in space; nothing of its cells
+    Half_width least;     ///< of its annuli, four in 3D; nothing of its cells
     Half_width standard;  ///< of the paper's annulus, through the facet and through p and q
     /// No other annulus is narrower. After the exact stage: none by more than a unit in the last place.
     bool standard_is_least = false;

@@ -11,7 +11,7 @@ namespace annulus {
 namespace {
 
 /// The cell of all points but slot d is positive; that one is tested against its sphere. The perturbation of the
-/// lexicographically largest point dominates; its coefficient is an orientation of the others. In space the two largest
+/// lexicographically largest point dominates; its coefficient is an orientation of the others. In 3D the two largest
 /// suffice: if the first is 0, its four points lie on a plane that contains no fifth.
 template <int d>
 int perturbed(const Tuple<d, d + 2>& x) {

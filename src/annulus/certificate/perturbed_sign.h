@@ -11,7 +11,7 @@ namespace annulus {
 ///
 /// CGAL's removal relies on the triangulation being the one this perturbation picks (theory 6.7), so that flips decide
 /// cospherical cases with it. Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D
-/// triangulations, 2011. In space the rule is that of CGAL::Delaunay_triangulation_3::side_of_oriented_sphere.
+/// triangulations, 2011. In 3D the rule is that of CGAL::Delaunay_triangulation_3::side_of_oriented_sphere.
 [[nodiscard]] int perturbed_sign(const Tuple<2, 4>& x);
 [[nodiscard]] int perturbed_sign(const Tuple<3, 5>& x);
 

@@ -31,7 +31,7 @@ namespace annulus {
     return std::atan2(std::fabs(bx * ey - by * ex), std::fabs(bx * ex + by * ey));
 }
 
-/// The same in space: the angle between the axis of the facet a b c and the bisector of p, q. Accurate to a few units
+/// The same in 3D: the angle between the axis of the facet a b c and the bisector of p, q. Accurate to a few units
 /// in the last place over the sine of the facet's least angle, because the normal of a thin facet is no better known
 /// than that; anywhere in the coordinate domain. 0 when p = q or a, b, c are collinear.
 [[nodiscard]] inline double theta(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c,

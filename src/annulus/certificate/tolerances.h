@@ -43,7 +43,7 @@ template <class T>
                                                                         : v;
 }
 
-/// Lowers the tolerance of every vertex of certificate i to that of verdict i: with `tolerance` infinite before the
+/// Lowers the tolerance of every vertex of certificate i to that of value i: with `tolerance` infinite before the
 /// first call, and one call for each kind of certificate, it is the vertex tolerance, the least over the certificates
 /// that contain the vertex.
 template <std::size_t k>

@@ -11,14 +11,14 @@
 
 namespace annulus {
 
-/// A vector of the plane over any number type.
+/// A 2D vector over any number type.
 template <class T>
 struct Vector_2 {
     T x;
     T y;
 };
 
-/// A vector of space over any number type.
+/// A 3D vector over any number type.
 template <class T>
 struct Vector_3 {
     T x;

@@ -82,7 +82,7 @@ template <class T>
     return {dot(uv, w), largest, largest};
 }
 
-/// Partitions A | B of the points of a bi-cell in space that cannot be excluded by its cells, in the order of all
+/// Partitions A | B of the points of a bi-cell in 3D that cannot be excluded by its cells, in the order of all
 /// arrays.
 enum Partition_3 : std::size_t { abc_pq, ab_cpq, ca_bpq, bc_apq, partitions_3 };
 

@@ -28,13 +28,13 @@ namespace annulus {
 /// asked for last.
 ///
 /// Errors are annulus::Error; the object is as it was before the call that threw, except that after a duplicate point
-/// tolerances may have been computed anew and measured from other fixed positions. Every function that takes a handle
+/// tolerances may have been recomputed and measured from other fixed positions. Every function that takes a handle
 /// throws unknown_vertex for a null one, the vertex at infinity, and a vertex of another triangulation. The handle of
 /// a vertex that was removed dangles and must not be used. too_large: the triangulation would have, or had for a
 /// while on the way, more cells or vertices than indices can name (limits.h).
 ///
 /// When memory runs out (std::bad_alloc) positions, indices and handles are as they were, but for `remove`, which
-/// says what holds, and the triangulation is built anew there before the exception goes on. Should even that fail,
+/// says what holds, and the triangulation is rebuilt there before the exception goes on. Should even that fail,
 /// there are no cells (an audit says so) until a later call that changes something, recompute_tolerances() for one, has
 /// built them. GMP's allocation functions abort the process when they get nothing unless the program sets others
 /// (mp_set_memory_functions); so may CGAL's Mpzf, in predicates of coordinates that are hundreds of bits apart.

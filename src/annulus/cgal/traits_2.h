@@ -5,7 +5,7 @@
 
 namespace annulus {
 
-/// What Cgal_view asks of CGAL's triangulation of the plane. Its cells are faces.
+/// What Cgal_view asks of CGAL's 2D triangulation. Its cells are faces.
 template <class Info>
 struct Cgal_traits_2 {
     static constexpr int dimension = 2;

@@ -5,7 +5,7 @@
 
 namespace annulus {
 
-/// What Cgal_view asks of CGAL's triangulation of space.
+/// What Cgal_view asks of CGAL's 3D triangulation.
 template <class Info>
 struct Cgal_traits_3 {
     static constexpr int dimension = 3;

@@ -26,7 +26,7 @@ struct Common_arguments {
 
     /// Says on standard error that `count` duplicate points of the file were merged, if there were any.
     void say_merged(const std::string& file, std::uint64_t count) const;
-    /// Says on standard error what a file says and nobody obeys, a line for each note.
+    /// Says on standard error what a file says and is ignored, a line for each note.
     void say_notes(const std::vector<std::string>& notes) const;
 };
 

@@ -50,7 +50,7 @@ class Guided_motion {
     [[nodiscard]] virtual Picture picture(const Moving& dt, std::string caption) const = 0;
 };
 
-/// Lloyd iterations with a triangulation of their own, kept by certified tolerances and timed for nobody, so that what
+/// Lloyd iterations with a triangulation of their own, kept by certified tolerances and not timed, so that what
 /// follows them does not decide where they go.
 class Guided_lloyd final : public Guided_motion<Moving_mesh_2> {
   public:

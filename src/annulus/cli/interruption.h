@@ -8,7 +8,7 @@
 namespace annulus::cli {
 
 /// While one of these lives, the first SIGHUP, SIGINT or SIGTERM is only noted; the same signal again ends the
-/// process at once: nobody likes a program that does not stop. Signals that were ignored (nohup) stay so. Inside of
+/// process at once: a program has to stop when it is told twice. Signals that were ignored (nohup) stay so. Inside of
 /// another one it does nothing.
 class Interruption_guard {
   public:
@@ -19,7 +19,7 @@ class Interruption_guard {
 
     /// Has a signal come?
     [[nodiscard]] static bool interrupted() noexcept;
-    /// Ends the process by the signal that was noted, as if nobody had waited; returns if there was none.
+    /// Ends the process by the signal that was noted, as without a handler; returns if there was none.
     static void end_if_interrupted() noexcept;
 
   private:

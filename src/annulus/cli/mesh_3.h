@@ -12,13 +12,13 @@
 
 namespace annulus::cli {
 
-/// The solid cells of a triangulation of space, numbered like `points`, and which of them are of the domain. In one
+/// The solid cells of a 3D triangulation, numbered like `points`, and which of them are of the domain. In one
 /// order whatever the history of the triangulation, so that a motion computed from them is the same bit for bit.
 class Mesh_3 {
   public:
     [[nodiscard]] const std::vector<Coordinates<3>>& points() const {
         return points_;
-    }  ///< where nobody has left, by vertex index
+    }  ///< where no vertex was removed, by vertex index
     [[nodiscard]] const Cells_3& cells() const { return kept_.cells(); }
     [[nodiscard]] std::span<const char> inside() const { return domain_ ? kept_.inside() : all_; }
     /// As a motion takes them; after a reading with a domain.

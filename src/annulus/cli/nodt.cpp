@@ -88,7 +88,7 @@ int run(const Nodt_call& a, const std::string& command) {
             auto start = Clock::now();
             const Nodt_step step = nodt.step(mesh.kept(), mesh.points(), target, memory);
             tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
-            // What the next step needs to know is the motion's time, what is measured is nobody's.
+            // What the next step needs to know is the motion's time, what is measured is not counted.
             start = Clock::now();
             mesh.read(tracker.triangulation(), tracker.cells_changed(), domain, a.common.threads);
             tracker.add_motion(since(start));

@@ -30,7 +30,7 @@ void* reallocate(void* old, std::size_t, std::size_t size) {
 }
 void release(void* p, std::size_t) { std::free(p); }
 
-/// An exception that nobody can catch: it left a destructor or a function that promised none.
+/// An exception that cannot be caught: it left a destructor or a function that promised none.
 [[noreturn]] void last_words() {
     const char* what = "an internal error";
     try {

@@ -143,7 +143,7 @@ int replay(const Replay_call& a, const Options& options, const std::string& comm
             progress.show(tracker.record().iterations, news, motion.reader.share_read());
         }
     } catch (const Input_error& error) {
-        // Whoever is interrupted on a terminal gets the end of a pipe, too: its other end has had the same signal.
+        // An interrupt on a terminal ends the pipe, too: its other end has had the same signal.
         if (!files || (tracker.record().iterations == 0 && !Interruption_guard::interrupted())) throw;
         fault = error;
     }

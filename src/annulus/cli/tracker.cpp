@@ -58,7 +58,7 @@ bool Tracker<Moving>::measured_at(std::uint64_t i) const {
     return mark(i) != mark(i - 1);
 }
 
-/// What changed is for whoever listens, and is not summed up.
+/// What changed is for the listener, and is not summed up.
 template <class Moving>
 void Tracker<Moving>::hear(Move_report& report, Index arrived) {
     if (listener_) listener_(report, arrived);

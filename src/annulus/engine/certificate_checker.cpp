@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificate_checker: what is pending. Verdicts are in certificate_checker_evaluate.cpp.
+// Certificate_checker: what is pending. Values are in certificate_checker_evaluate.cpp.
 #include <annulus/engine/certificate_checker.h>
 
 #include <algorithm>

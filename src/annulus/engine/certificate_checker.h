@@ -10,9 +10,9 @@
 
 namespace annulus {
 
-/// Certificates that are not known to hold at given positions, and the verdicts of those that have been evaluated.
+/// Certificates that are not known to hold at given positions, and the values of those that have been evaluated.
 ///
-/// A caller names them (`add_*`), each as often as it likes; `evaluate` gives those that are stale their verdicts, in
+/// A caller names them (`add_*`), each as often as it likes; `evaluate` gives those that are stale their values, in
 /// one batch. An entry whose facet or cell a repair has taken away stays in the list, and does not exist.
 template <int d>
 class Certificate_checker {
@@ -23,14 +23,14 @@ class Certificate_checker {
         std::uint32_t next = 0;  ///< of the same cell
         Points point{};          ///< its points, in the order of the determinant
         Facet_kind kind{};       ///< of a facet; a cell has `nothing` when it is infinite, else `empty_sphere`
-        bool stale = true;       ///< verdict not computed for its present points
+        bool stale = true;       ///< value not computed for its present points
         Certificate_value value;
     };
     using Pending_facet = Pending<Corner_index, Facet_sites<d>>;
     using Pending_cell = Pending<Cell_index, Cell_sites<d>>;
 
     explicit Certificate_checker(const Corner_table<d>& table) : table_(table) {}
-    /// For evaluate(). Verdicts and counts do not depend on it.
+    /// For evaluate(). Values and counts do not depend on it.
     void set_threads(int threads) { threads_ = threads; }
 
     /// Starts at positions x (one for every vertex index), which must outlive the examination. O(entries of before).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How pending certificates get their verdicts: the filtered predicate, in batches.
+// How pending certificates get their values: the filtered predicate, in batches.
 #include <annulus/engine/certificate_checker.h>
 
 #include <annulus/certificate/batch.h>

@@ -13,7 +13,7 @@
 namespace annulus {
 
 // Facets and cells in one numbering.
-static_assert(Wide_limits::cells <= Index{1} << 29, "the greatest corner, twice, is below the number that is nobody's");
+static_assert(Wide_limits::cells <= Index{1} << 29, "the greatest corner, twice, is below the reserved id");
 [[nodiscard]] constexpr Certificate_id id_of_facet(Corner_index f) {
     return 2 * static_cast<Certificate_id>(f.value());
 }
@@ -27,12 +27,12 @@ static_assert(Wide_limits::cells <= Index{1} << 29, "the greatest corner, twice,
 
 /// At which readings certificates expire, each of its points: the truth, of which expiry lists hold hints.
 ///
-/// Everything is kept at the corners of the cells, nothing by facet, so that what a vertex has to look at on a tour
-/// is in its own cells: one cache line each in space. The certificate of facet f has the d + 2 points that
+/// Everything is kept at the corners of the cells, nothing by facet, so that what a vertex has to look at on a star
+/// walk is in its own cells: one cache line each in 3D. The certificate of facet f has the d + 2 points that
 /// bicell_sites(f) gives at most, infinity being none of them: the d of the facet, of which the first d - 1 are kept
 /// at f and the last at its twin, then the corner of twin(f), kept at the twin, and that of f, kept at f. 64 bytes a
-/// cell in space, 36 in the plane. What is kept of a cell or a facet that changes is to be written anew, as its
-/// certificate is to be evaluated anew.
+/// cell in 3D, 36 in 2D. What is kept of a cell or a facet that changes is to be written again, as its
+/// certificate is to be re-evaluated.
 template <int d>
 class Certificate_expiries {
   public:
@@ -64,7 +64,7 @@ class Certificate_expiries {
         return e;
     }
     /// The same for the vertex of corner h of the cell that f is a corner of: nothing has to be searched. f may be
-    /// the greater half-facet in the plane, or when it is h.
+    /// the greater half-facet in 2D, or when it is h.
     [[nodiscard]] Expiry of_facet(const Corner_table<d>& t, Corner_index f, Corner_index h) const {
         if (h == f) return of_opposite(h);
         if constexpr (d == 2) {

@@ -5,7 +5,7 @@
 
 namespace annulus {
 
-/// What things cost, in cells looked at (Sign_evaluator::test_cell): some 24 ns in space and 21 in the plane on one
+/// What things cost, in cells looked at (Sign_evaluator::test_cell): some 24 ns in 3D and 21 in 2D on one
 /// machine. Ratios measured there (bench/README.md); nothing here has a say in what is right, and the same input gives
 /// the same run whatever they are.
 template <int d>
@@ -14,7 +14,8 @@ struct Cost_model;
 template <>
 struct Cost_model<2> {
     // A vertex, of a time step:
-    static constexpr double insertion = 22.5;  // of all points, one by one (cgal/): beside which no step is to be dear
+    static constexpr double insertion =
+        22.5;  // of all points, one by one (cgal/): beside which no step is to be expensive
     static constexpr double rebuild = 12.4;
     static constexpr double cells = 2.0;   // the signs of everything: cells a vertex
     static constexpr double signs = 2.45;  // with what is written for each vertex
@@ -26,7 +27,7 @@ struct Cost_model<2> {
     // Each, as it happens:
     static constexpr double alone = 1.4;    // a cell looked at by itself, not with all others
     static constexpr double flip = 12.0;    // besides the cells that are looked at
-    static constexpr double point = 230.0;  // of a region that is built anew
+    static constexpr double point = 230.0;  // of a region that is rebuilt
     static constexpr double filter = 0.7;   // a sign by itself
     static constexpr double interval = 10.0;
     static constexpr double exact = 70.0;

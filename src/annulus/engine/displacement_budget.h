@@ -12,7 +12,8 @@
 
 namespace annulus {
 
-/// Who may still move how far: the tolerances of a mesh whose certificates were evaluated at different times.
+/// Remaining displacement budget of each vertex: the tolerances of a mesh whose certificates were evaluated at
+/// different times.
 ///
 /// Every vertex has a path length: `base` is an upper bound of the length of the path of its fixed positions since it
 /// was at 0, and its path length is base + |moving - fixed|. A certificate evaluated when its points read r_i and found
@@ -92,7 +93,7 @@ class Displacement_budget {
     void rebase(Index v);
     template <class Points>
     void prefetch(const Points& points) const;
-    /// `fresh`: no certificate in question is on any list, and nobody is anchored.
+    /// `fresh`: no certificate in question is on any list, and no vertex is anchored.
     template <bool fresh>
     void commit_evaluated(const Certificate_checker<d>& checker, Step<d>* step);
     template <bool fresh, class S, class Expiry_of>

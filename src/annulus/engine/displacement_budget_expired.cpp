@@ -38,7 +38,7 @@ void Displacement_budget<d>::check_expiry(Certificate_id id, Index v, Certificat
     }
 }
 
-/// Looks at every certificate of v and fills the list anew. First all records are fetched, so that the loads overlap;
+/// Looks at every certificate of v and refills the list. First all records are fetched, so that the loads overlap;
 /// then they are sorted out.
 template <int d>
 void Displacement_budget<d>::visit_star(Index v, Step<d>& step, Certificate_checker<d>& checker) {
@@ -110,7 +110,7 @@ void Displacement_budget<d>::find_expired(Step<d>& step, Certificate_checker<d>&
     ANNULUS_TRACED(anchored(*this, step));
     for (const Index v : step.failed) {
         List& list = list_[at(v)];
-        if (!list.rest().reached(list.base))  // else the tour looks at these as well
+        if (!list.rest().reached(list.base))  // else the star walk looks at these as well
             list.take_reached(list.base, [&](Certificate_id id) { check_expiry(id, v, checker); });
         if (list.rest().reached(list.base)) visit_star(v, step, checker);
         ANNULUS_TRACED(examined(*this, v));

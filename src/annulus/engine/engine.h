@@ -60,7 +60,7 @@ class Engine {
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     template <class Call>
     void guarded(Call call, Index fresh = none);
-    /// The same, with the goals by index, all of them or those of the movers alone; a duplicate point is thrown with
+    /// The same, with the targets by index, all of them or those of the movers alone; a duplicate point is thrown with
     /// the names of both vertices.
     template <class Call>
     void guarded_moves(std::span<const Index> movers, std::span<const Point> targets, Call call);

@@ -62,7 +62,7 @@ Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Poin
 template <int d>
 void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report) {
     constexpr std::size_t share = 64;
-    // Each once, with its last goal. What may throw comes before the moves.
+    // Each once, with its last target. What may throw comes before the moves.
     std::vector<std::pair<Index, std::size_t>> movers;
     for (std::size_t k = 0; k < indices.size(); ++k) movers.emplace_back(indices[k], k);
     std::sort(movers.begin(), movers.end(), std::greater<>());
@@ -218,7 +218,8 @@ void Engine<d>::try_move_sequentially(std::span<const Point> x, Move_report& rep
             if (strategy_->repairs() &&
                 (mesh_.dimension() != d ||
                  Rebuild_policy<d>::exceeds_rebuild_in_sequence(report.cost - before, turns++, mesh_.vertices()))) {
-                // Single moves of a flat set are rebuilds, and may be as dear where much is on one sphere: all at once.
+                // Single moves of a flat set are rebuilds, and may be as expensive where much is on one sphere: all at
+                // once.
                 report.moves = {};
                 rebuild_all(x, report);
                 return;
@@ -257,7 +258,7 @@ void Engine<d>::move_sequentially(std::span<const Point> x, Move_report& report)
         mesh_.rebuild(strategy_->delaunay_positions());
         strategy_->resume_after_rollback();
         throw;
-    } catch (...) {  // the caller builds anew
+    } catch (...) {  // the caller rebuilds
         strategy_->rollback();
         throw;
     }

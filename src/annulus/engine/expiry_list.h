@@ -19,7 +19,7 @@ using Certificate_id = std::uint32_t;
 ///
 /// For every certificate of the vertex, either it is listed with an expiry not above its own, or its expiry is at
 /// least `rest`. So nothing expires before `earliest()`, and while path lengths stay below `rest` only listed
-/// certificates have to be looked at: a full tour of the vertex' certificates is needed only beyond. Entries are
+/// certificates have to be looked at: a full star walk of the vertex' certificates is needed only beyond. Entries are
 /// hints; the record of the certificate is the truth.
 ///
 /// Entries are kept sorted without branches: where one belongs is as good as random, and a wrong guess costs more than

@@ -29,8 +29,8 @@ void Flip_repair<d>::moved(Index v) {
     signs_.test_star(v, true);
 }
 
-/// No cell is inverted afterwards, except those that are at hand in `inverted_at_source`. False when it has become too
-/// dear.
+/// No cell is inverted afterwards, except those that are at hand in `inverted_at_source`. False when it has become
+/// too expensive.
 template <int d>
 bool Flip_repair<d>::untangle_or_hold_back() {
     auto& inverted = signs_.inverted();
@@ -47,7 +47,7 @@ bool Flip_repair<d>::untangle_or_hold_back() {
     return true;
 }
 
-/// What no flip mends has to wait for others, and is stuck when there are none left.
+/// What no flip repairs has to wait for others, and is stuck when there are none left.
 template <int d>
 bool Flip_repair<d>::flip_violated() {
     auto& violated = signs_.violated();
@@ -73,7 +73,7 @@ bool Flip_repair<d>::flip_violated() {
     return true;
 }
 
-/// The cells at which it is stuck, and their vertices, with all vertices at their goals. The lists are empty
+/// The cells at which it is stuck, and their vertices, with all vertices at their targets. The lists are empty
 /// afterwards.
 template <int d>
 void Flip_repair<d>::note_stuck(std::vector<Cell_index>& seeds) {
@@ -101,7 +101,7 @@ void Flip_repair<d>::note_stuck(std::vector<Cell_index>& seeds) {
     sort_unique(seeds);
 }
 
-/// All vertices go to their goals, and what does not hold there is rebuilt.
+/// All vertices go to their targets, and what does not hold there is rebuilt.
 template <int d>
 bool Flip_repair<d>::finish_locally() {
     std::vector<Cell_index> seeds;

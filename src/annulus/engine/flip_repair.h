@@ -11,9 +11,9 @@
 
 namespace annulus {
 
-/// What mending came to.
+/// What repair came to.
 struct Repair_result {
-    bool done = false;           ///< every certificate holds at the goals
+    bool done = false;           ///< every certificate holds at the targets
     bool cells_rebuilt = false;  ///< cells were, after which the table may be pinched at infinity (docs/theory.md 6.5)
     std::uint64_t flips = 0;
     std::vector<Cell_index> touched;  ///< cells made or changed, some perhaps gone again, each once
@@ -22,13 +22,13 @@ struct Repair_result {
 
 /// Leads a table that is Delaunay where its vertices come from to the one that is Delaunay where they go, by flips.
 ///
-/// Where a cell is inverted at the goals one of its vertices is held back (Held_back). Violated facets of positive
+/// Where a cell is inverted at the targets one of its vertices is held back (Held_back). Violated facets of positive
 /// cells are flipped. Then those held back go on from where they are, through the triangulation in which what stood
 /// in their way has been flipped (docs/theory.md 6.3). At the hull, where half way is never outside, the cell that a
 /// vertex turns over by leaving goes. What is still stuck after that is rebuilt locally (Cavity_retriangulator).
 ///
 /// Nothing here is trusted: a certificate that is not known to hold is on a list of `signs` until it has been seen to
-/// hold, at the goals, and mending is done when the lists are empty. Only the table changes.
+/// hold, at the targets, and repair is done when the lists are empty. Only the table changes.
 template <int d>
 class Flip_repair {
   public:
@@ -36,11 +36,11 @@ class Flip_repair {
     Flip_repair(Delaunay_mesh<d>& mesh, Sign_evaluator<d>& signs)
         : table_(mesh.table()), signs_(signs), local_(mesh.table()) {}
 
-    /// Nothing has been mended.
+    /// Nothing has been repaired.
     void begin();
     /// What is not known to hold at course.x is on the lists of signs, which began there. Not done: what was done costs
     /// more than the budget has, or led nowhere. The table is then of no use, as when it throws, until the cells that
-    /// were touched are restored. On return course.x has the goals again.
+    /// were touched are restored. On return course.x has the targets again.
     const Repair_result& repair(const Motion_path<d>& path, Budget& budget);
     /// Of repair(), since begin().
     [[nodiscard]] const Repair_result& result() const { return result_; }
@@ -51,7 +51,7 @@ class Flip_repair {
     [[nodiscard]] bool untangle_or_hold_back();
     [[nodiscard]] bool untangle(Cell_index c);
     [[nodiscard]] bool flip_violated();
-    /// The flip that mends a violated facet, of which h is a half, if there is one that leaves positive cells.
+    /// The flip that repairs a violated facet, of which h is a half, if there is one that leaves positive cells.
     [[nodiscard]] bool flip(Corner_index h);
     [[nodiscard]] bool finish_locally();
     void note_stuck(std::vector<Cell_index>& seeds);
@@ -63,7 +63,7 @@ class Flip_repair {
     struct Left {
         std::vector<Cell_index>
             inverted_at_source;           // cells that are inverted with all their vertices where they come from
-        std::vector<Corner_index> stuck;  // facets that no flip mends
+        std::vector<Corner_index> stuck;  // facets that no flip repairs
         std::vector<Corner_index> waiting;
     };
 

@@ -12,7 +12,7 @@
 namespace annulus {
 
 /// Makes a call that changes something. Whatever it throws but an Error that is thrown before any change, the
-/// triangulation is built anew at the positions of before; `fresh` is the index that the call inserts, if any.
+/// triangulation is rebuilt at the positions of before; `fresh` is the index that the call inserts, if any.
 template <int d>
 template <class Call>
 void Engine<d>::guarded(Call call, Index fresh) {

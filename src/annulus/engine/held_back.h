@@ -12,7 +12,7 @@ namespace annulus {
 /// From where to where vertices move.
 template <int d>
 struct Motion_path {
-    /// The goals of all vertices, at the beginning and at the end; in between those that are held back are elsewhere.
+    /// The targets of all vertices, at the beginning and at the end; in between those that are held back are elsewhere.
     std::span<Coordinates<d>> x;
     /// Where all vertices come from. Empty when one alone moves.
     std::span<const Coordinates<d>> source{};
@@ -25,7 +25,7 @@ struct Motion_path {
     }
 };
 
-/// Vertices that are held back on their way, because a cell is inverted at their goals: half the way, then all of it.
+/// Vertices that are held back on their way, because a cell is inverted at their targets: half the way, then all of it.
 /// In the next round they go on from where they are (docs/theory.md 6.3).
 template <int d>
 class Held_back {
@@ -34,24 +34,24 @@ class Held_back {
         Index vertex;
         Coordinates<d> source;  // of this round
         Coordinates<d> target;
-        double fraction;  // of the way from there to the goal, that is tried
+        double fraction;  // of the way from there to the target, that is tried
         int times;        // held back in this round
     };
 
-    /// All vertices, whose indices are below the bound, are at their goals.
+    /// All vertices, whose indices are below the bound, are at their targets.
     void begin(const Motion_path<d>& path, std::size_t bound);
     [[nodiscard]] bool empty() const { return held_.empty(); }
     [[nodiscard]] std::span<const Held> held() const { return held_; }
     [[nodiscard]] std::span<const Coordinates<d>> positions() const { return path_.x; }
 
-    /// Puts that of these vertices that is farthest from where it comes from half way, and the next time home. Returns
-    /// it, or `none` when all are there.
+    /// Puts that of these vertices that is farthest from where it comes from half way, and the next time to its source.
+    /// Returns it, or `none` when all are there.
     [[nodiscard]] Index hold_back(const Cell_sites<d>& cell);
-    /// A new round: every vertex that is not at its goal goes on towards it; moved(v) is called after each. Whether one
-    /// got nearer to its goal in the last round.
+    /// A new round: every vertex that is not at its target goes on towards it; moved(v) is called after each. Whether
+    /// one got nearer to its target in the last round.
     template <class Moved>
     [[nodiscard]] bool advance(Moved moved);
-    /// Puts all at their goals; moved(v) is called after each that was elsewhere.
+    /// Puts all at their targets; moved(v) is called after each that was elsewhere.
     template <class Moved>
     void release(Moved moved);
 

@@ -10,7 +10,7 @@
 namespace annulus {
 
 /// Makes a call, and lists the cells that it changed where that is asked for. `movers` are the vertices whose
-/// positions the call writes: where there is no memory for the list they are put back, and the caller builds anew.
+/// positions the call writes: where there is no memory for the list they are put back, and the caller rebuilds.
 template <int d>
 template <class Call>
 void Engine<d>::listing_changes(Move_report& report, std::span<const Index> movers, Call call) {

@@ -14,9 +14,9 @@ struct Move_counts {
     std::uint64_t asked = 0;
     std::uint64_t within_tolerance = 0;  ///< proved by the tolerance alone (or at rest): nothing was evaluated
     std::uint64_t kept_in_place = 0;     ///< tolerance failed, the certificates were evaluated and hold
-    std::uint64_t flipped = 0;           ///< a certificate was violated and flips mended it
+    std::uint64_t flipped = 0;           ///< a certificate was violated and flips repaired it
     std::uint64_t reinserted = 0;        ///< taken out and put back in
-    std::uint64_t rebuilt = 0;           ///< the triangulation was built anew
+    std::uint64_t rebuilt = 0;           ///< the triangulation was rebuilt
 
     Move_counts& operator+=(const Move_counts& o) noexcept {
         asked += o.asked;
@@ -43,7 +43,7 @@ struct Move_report {
     std::uint64_t sign_steps = 0;       ///< filters: time steps that began with the signs of all certificates
     std::uint64_t rebuild_steps = 0;    ///< auto: time steps that were rebuilt at once
     std::uint64_t tolerance_recomputations = 0;  ///< filters: times that all tolerances were computed
-    double cost = 0.0;  ///< filters: what it cost, in cells looked at, by prices that were measured (cost_model.h)
+    double cost = 0.0;  ///< filters: what it cost, in cells looked at, by costs that were measured (cost_model.h)
     /// On request (Options::report_changes): the cells that came and those that went, d + 1 vertices a cell, -1 for
     /// the one at infinity. No cell is in both (one that was turned over is another one), but where all points are in
     /// a plane or on a line, before or after: then they are every finite cell there is, and there was (padded with

@@ -29,7 +29,7 @@ template <int d, class Is_present>
     return std::pair(*twice, *(twice + 1));
 }
 
-/// A handler of errors of a call that was to bring vertices to `targets`: throws a duplicate point anew with the names
+/// A handler of errors of a call that was to bring vertices to `targets`: throws a duplicate point again with the names
 /// of both vertices, which who met it need not have known, and anything else as it is.
 template <int d, class Is_present>
 [[noreturn]] void rethrow_with_vertices(const Error& e, std::span<const Coordinates<d>> targets,

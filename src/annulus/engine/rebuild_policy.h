@@ -10,7 +10,7 @@
 
 namespace annulus {
 
-/// Whether `auto` rebuilds a time step or mends it: by what a few cells say before, what repair cost, and how it
+/// Whether `auto` rebuilds a time step or repairs it: by what a few cells say before, what repair cost, and how it
 /// ended. No clock has a say in it, nor has it one in what is right.
 template <int d>
 class Rebuild_policy {
@@ -23,9 +23,9 @@ class Rebuild_policy {
     /// The same where no step is promised to cost so little: a few vertices are not rebuilt because they are few.
     [[nodiscard]] static double generous_repair_limit(std::size_t vertices) { return 4000.0 + repair_limit(vertices); }
 
-    /// What may be done to a part before all is built anew instead.
+    /// What may be done to a part before all is rebuilt instead.
     [[nodiscard]] static double generous_rebuild_limit(std::size_t vertices) { return 4000.0 + rebuild_cost(vertices); }
-    /// Of vertices that move one by one, `done` of them at a price so far: whether all `movers` are going to cost
+    /// Of vertices that move one by one, `done` of them at a cost so far: whether all `movers` are going to cost
     /// more than a rebuild, by what these did. Not before they have cost a part of one, so that they tell something.
     [[nodiscard]] static bool exceeds_rebuild_one_by_one(double cost, std::size_t done, std::size_t movers,
                                                          std::size_t vertices) {
@@ -40,7 +40,7 @@ class Rebuild_policy {
 
     /// While every step is a rebuild: no need to ask a larger sample, nor to count how often it was asked.
     [[nodiscard]] bool is_clearly_infeasible(const Sample& few) const { return cost_of(few) > 3.0 * share(); }
-    /// While every step is a rebuild: whether the next is to be mended, as far as these cells tell.
+    /// While every step is a rebuild: whether the next is to be repaired, as far as these cells tell.
     [[nodiscard]] bool repairs(const Sample& sample) {
         const double cost = cost_of(sample);
         const bool calmer = cost < 0.4 * gave_up_at_;
@@ -52,7 +52,7 @@ class Rebuild_policy {
         tried_ = cost;
         return cost < share();
     }
-    /// A step was mended.
+    /// A step was repaired.
     void repaired() {
         backoff_ = std::max(backoff_ / 2, std::uint32_t{1});
         tried_ = 0.0;
@@ -66,7 +66,7 @@ class Rebuild_policy {
     }
 
     /// That, a vertex: as much as a rebuild, so that with the one that follows no step costs more than twice what was
-    /// the best (rent or buy), which is less than one and a half insertions of all points.
+    /// the best (the ski-rental rule), which is less than one and a half insertions of all points.
     static constexpr double share() { return Cost_model<d>::rebuild - (Cost_model<d>::signs - Cost_model<d>::cells); }
     static_assert(share() + Cost_model<d>::rebuild + (Cost_model<d>::signs - Cost_model<d>::cells) <
                   1.45 * Cost_model<d>::insertion);
@@ -74,7 +74,7 @@ class Rebuild_policy {
   private:
     static constexpr std::uint32_t longest_wait = 64;
 
-    /// A vertex, of mending.
+    /// A vertex, of repair.
     [[nodiscard]] static double cost_of(const Sample& sample) {
         if (sample.cells == 0) return 0.0;
         const double more = Cost_model<d>::violated * 0.5 * static_cast<double>(sample.violated) +
@@ -85,8 +85,8 @@ class Rebuild_policy {
 
     std::uint32_t wait_ = 0;
     std::uint32_t backoff_ = 1;
-    double tried_ = 0.0;       // what the sample said of the step before the first mended one; 0 once one was mended
-    double gave_up_at_ = 0.0;  // what it had said when repair gave up; 0 if others had been mended before
+    double tried_ = 0.0;  // what the sample said of the step before the first repaired one; 0 once one was repaired
+    double gave_up_at_ = 0.0;  // what it had said when repair gave up; 0 if others had been repaired before
 };
 
 }  // namespace annulus

@@ -56,7 +56,7 @@ bool Repair<d>::border_holds(Step<d>& step, bool many, bool by_signs) {
     return holds;
 }
 
-/// Hands what does not hold over to the mender.
+/// Hands what does not hold over to Flip_repair.
 template <int d>
 void Repair<d>::collect_violated(Step<d>& step) {
     for (const auto& s : checker_.cells()) {
@@ -112,8 +112,8 @@ std::size_t Repair<d>::turned_over(const Step<d>& step) {
                                                   [this](const auto& s) { return checker_.is_violated(s); }));
 }
 
-/// Of taking v out and putting it back in: the gap is filled with the triangulation of its neighbours, which in the
-/// plane takes the square of their number where it goes badly.
+/// Of taking v out and putting it back in: the gap is filled with the triangulation of its neighbours, which
+/// in 2D takes the square of their number where it goes badly.
 template <int d>
 double Repair<d>::reinsertion_cost(Index v) const {
     constexpr double filled = d == 2 ? 22.5 : 100.0;

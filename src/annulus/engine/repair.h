@@ -11,13 +11,13 @@
 
 namespace annulus {
 
-/// Makes every certificate hold at the goals of a step: evaluates, mends what is violated (Flip_repair), takes a vertex
-/// that moved alone out and puts it back in; or says that it cannot, and the caller rebuilds. What it finds and spends
-/// is in the step.
+/// Makes every certificate hold at the targets of a step: evaluates, repairs what is violated (Flip_repair), takes a
+/// vertex that moved alone out and puts it back in; or says that it cannot, and the caller rebuilds. What it finds and
+/// spends is in the step.
 ///
 /// A caller names the certificates that are not known to hold there, to `checker()`, with all others proved. After
 /// `repair_all` or `repair_one` every certificate of the mesh holds, hence it is Delaunay (theory 1), and `checker()`
-/// lists every certificate that was evaluated or created, with its verdict. Nothing but signs is trusted on the way:
+/// lists every certificate that was evaluated or created, with its value. Nothing but signs is trusted on the way:
 /// flips are a heuristic that either ends with every certificate positive, or not.
 template <int d>
 class Repair {
@@ -25,7 +25,7 @@ class Repair {
     explicit Repair(Delaunay_mesh<d>& mesh)
         : mesh_(mesh), checker_(mesh.table()), signs_(mesh.table()), flip_repair_(mesh, signs_) {}
 
-    /// For evaluations and signs. Verdicts and counters do not depend on it.
+    /// For evaluations and signs. Values and counters do not depend on it.
     void set_threads(int threads) {
         checker_.set_threads(threads);
         signs_.set_threads(threads);
@@ -42,21 +42,21 @@ class Repair {
     /// everywhere). With all cells positive and the border locally convex, everything is embedded if and only if the
     /// border turns once (docs/theory.md 1.2). Cells and ridges proved by tolerances keep it turning once, and so
     /// does a single vertex that leaves its cells positive; so the border is walked, O(hull), only when many moved
-    /// and a cell or ridge had to be evaluated, or when cells with infinity changed. In space a ridge, whatever the
+    /// and a cell or ridge had to be evaluated, or when cells with infinity changed. In 3D a ridge, whatever the
     /// cells, and after flips only when they changed the border.
     [[nodiscard]] bool evaluate(Step<d>& step);
     /// The same for every certificate of the mesh, none of which need be named, by signs alone: the checker stays
-    /// empty. Gives up, with false, when that exceeds the budget, or mending clearly would; it then refuses to mend.
+    /// empty. Gives up, with false, when that exceeds the budget, or repair clearly would; it then refuses to repair.
     [[nodiscard]] bool evaluate_everything(Step<d>& step);
     /// The same for every certificate that contains the mover of the step, without regard to the budget.
     [[nodiscard]] bool evaluate_star(Step<d>& step);
 
     /// Repairs after `evaluate` or one of its kind returned false. False: it exceeded the budget or led nowhere; then
-    /// the table is of no use any more, and all is to be rebuilt at the goals. `old` has the positions of before.
+    /// the table is of no use any more, and all is to be rebuilt at the targets. `old` has the positions of before.
     [[nodiscard]] bool repair_all(Step<d>& step, std::span<const Coordinates<d>> old);
-    /// The same after the mover of the step moved, from step.home. x is step.x, and changes for a while. Throws
+    /// The same after the mover of the step moved, from step.source. x is step.x, and changes for a while. Throws
     /// Error(duplicate_point), with nothing changed but numbers of cells (step.renumbered), when another vertex is
-    /// where it goes. Where flips would be dearer, it is taken out and put back in.
+    /// where it goes. Where flips would be more expensive, it is taken out and put back in.
     [[nodiscard]] bool repair_one(Step<d>& step, std::span<Coordinates<d>> x);
 
   private:

@@ -12,7 +12,7 @@ namespace annulus {
 template <int d>
 bool Repair<d>::signs_hold(Step<d>& step, double most) {
     const auto& t = mesh_.table();
-    // So far beyond what it may cost that asking all of them would only make it dearer.
+    // So far beyond what it may cost that asking all of them would only make it more expensive.
     constexpr double margin = 1.5;
     step.infeasible = std::isfinite(most) && step.budget.spent + signs_.estimate() > margin * most;
     if (step.infeasible) {

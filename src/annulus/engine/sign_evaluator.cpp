@@ -110,8 +110,8 @@ bool Sign_evaluator<d>::is_violated(Corner_index f) {
 }
 
 /// Every facet is asked from both sides if both are looked at, because which side is to ask would be a branch that no
-/// processor predicts, dearer than the answer. Flattened: a call between two halves of a formula would spill every
-/// register.
+/// processor predicts, more expensive than the answer. Flattened: a call between two halves of a formula would spill
+/// every register.
 template <int d>
 [[gnu::flatten]] void Sign_evaluator<d>::test_cell(Cell_index c, bool border, Found& found) const {
     const auto& t = table_;

@@ -55,7 +55,7 @@ class Sign_evaluator {
 
     [[nodiscard]] std::vector<Cell_index>& inverted() { return found_.inverted; }    ///< cells
     [[nodiscard]] std::vector<Corner_index>& violated() { return found_.violated; }  ///< facets
-    /// About what it will cost at least to mend what is on the lists: by a sample, of which the filter stage is asked
+    /// About what it will cost at least to repair what is on the lists: by a sample, of which the filter stage is asked
     /// what clearly fails.
     [[nodiscard]] double estimate();
     /// What was asked since begin(), or since this was called last, by stage.

@@ -18,12 +18,12 @@ namespace annulus {
 /// all.
 enum class Scope : std::uint8_t { expired, star, everything };
 
-/// A cache line, or one and a half: around a vertex are 12 certificates in the plane, 80 in space.
+/// A cache line, or one and a half: around a vertex are 12 certificates in 2D, 80 in 3D.
 template <int d>
 using Vertex_expiries = Expiry_list<Limits::listed(d)>;
 
 /// A step on its way: where vertices go, what it may cost, and what each stage found and the next is handed: which
-/// vertices left their tolerances, what was violated and mended, what is to be written down. An exception drops it.
+/// vertices left their tolerances, what was violated and repaired, what is to be written down. An exception drops it.
 template <int d>
 struct Step {
     /// What a vertex was before its path length was read.
@@ -32,19 +32,19 @@ struct Step {
         Vertex_expiries<d> list;
     };
 
-    std::span<const Coordinates<d>> x;  ///< goals, by vertex
+    std::span<const Coordinates<d>> x;  ///< targets, by vertex
     Index mover = none;                 ///< the vertex that moves alone
     Coordinates<d> source{};            ///< where that was
     Scope scope = Scope::expired;
     std::vector<Index> failed;     ///< those that left their tolerances; without tolerances those that move
     std::vector<Before> before;    ///< of these
-    std::vector<Index> anchored;   ///< their fixed position is the goal by now
+    std::vector<Index> anchored;   ///< their fixed position is the target by now
     std::uint64_t star_walks = 0;  ///< vertices all of whose certificates were looked at
     Budget budget;                 ///< of all that the step does
     Move_report report;            ///< what was evaluated and flipped
 
     // What Repair found and did.
-    bool infeasible = false;             ///< mending would cost far more than it may, by a sample
+    bool infeasible = false;             ///< repair would cost far more than it may, by a sample
     std::vector<Index> affected;         ///< points of violated certificates
     std::vector<Index> reinserted;       ///< vertices around which cells were rebuilt
     std::vector<Cell_index> renumbered;  ///< the same cells as before a duplicate point was found, with other numbers

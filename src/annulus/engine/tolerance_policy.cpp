@@ -13,8 +13,8 @@ namespace {
 constexpr std::uint64_t check_interval = 8;  // time steps without tolerances, between looks whether they would pay
 }  // namespace
 
-/// So many failed, in this step and before, that with the signs of all certificates instead a settling would have
-/// been paid for.
+/// So many failed, in this step and before, that with the signs of all certificates instead a recomputation of
+/// tolerances would have been paid for.
 template <int d>
 bool Tolerance_policy<d>::exceeds_budget(std::size_t failures, std::size_t vertices) const {
     return excess_cost_ + Cost_model<d>::failure * static_cast<double>(failures) >
@@ -83,14 +83,14 @@ void Tolerance_policy<d>::reconsider(const Corner_table<d>& table, Certificate_c
         release(displacement_);
         return;
     }
-    constexpr double margin = 0.75;  // the first of them costs a settling
+    constexpr double margin = 0.75;  // the first of them costs a recomputation of tolerances
     recomputes_next_ = Cost_model<d>::expected * Cost_model<d>::certificates * share <=
                        margin * (each ? Cost_model<d>::star : Cost_model<d>::signs);
     release(displacement_);
 }
 
-/// Signs around one vertex cost a thousandth of settling, which then pays for those to come (rent or buy). Moves that
-/// flips had to mend, or more, do not count: no tolerance lets them pass.
+/// Signs around one vertex cost a thousandth of recomputation of tolerances, which then pays for those to come (the
+/// ski-rental rule). Moves that flips had to repair, or more, do not count: no tolerance lets them pass.
 template <int d>
 bool Tolerance_policy<d>::recomputes_for_single_move(std::size_t vertices) const {
     constexpr std::uint64_t share = 64;

@@ -17,8 +17,9 @@ namespace annulus {
 ///
 /// While so many certificates expire at every step (the first steps of an optimisation) that the signs of all of them
 /// cost less than the tolerances of these, tolerances are not kept at all. What they cost above what signs would have
-/// is added up; when that has come to what a settling costs they are given up (rent or buy). Without them every
-/// eighth time step a sample of certificates, and the displacements of that time step, tell whether they would last.
+/// is added up; when that has come to what recomputing all tolerances costs they are given up (the ski-rental rule).
+/// Without them every eighth time step a sample of certificates, and the displacements of that time step, tell whether
+/// they would last.
 template <int d>
 class Tolerance_policy {
   public:
@@ -39,13 +40,14 @@ class Tolerance_policy {
     void note_displacements(const Corner_table<d>& table, std::span<const Coordinates<d>> from,
                             std::span<const Coordinates<d>> to);
     void forget_displacements() { displacement_.clear(); }
-    /// Decides by these displacements whether to settle next; asks `checker` for a sample of tolerances at x.
+    /// Decides by these displacements whether to recompute tolerances next; asks `checker` for a sample of tolerances
+    /// at x.
     void reconsider(const Corner_table<d>& table, Certificate_checker<d>& checker, std::span<const Coordinates<d>> x,
                     bool each, Move_report& report);
     /// Whether tolerances would last, as the last time step was; once.
     [[nodiscard]] bool take_recomputation() { return std::exchange(recomputes_next_, false); }
 
-    /// A vertex moves alone without tolerances: whether to settle for it and those to come.
+    /// A vertex moves alone without tolerances: whether to recompute tolerances for it and those to come.
     [[nodiscard]] bool recomputes_for_single_move(std::size_t vertices) const;
     /// After that: `calm` when everything held where it went, as it has to within a tolerance.
     void note_single_move(bool calm) { calm_moves_ += calm ? 1 : 0; }
@@ -62,9 +64,9 @@ class Tolerance_policy {
     std::vector<Coordinates<d>> displacement_;  // while it is considered whether tolerances would last
     std::uint64_t failures_ = 0;                // with tolerances, of this time step
     std::uint64_t evaluated_ = 0;               // certificates, for these
-    double excess_cost_ = 0.0;                  // by which tolerances cost more than signs since the last settling
-    std::uint64_t steps_without_ = 0;           // time steps since they were given up
-    std::uint64_t calm_moves_ = 0;              // since then, of vertices alone
+    double excess_cost_ = 0.0;  // by which tolerances cost more than signs since the last recomputation of tolerances
+    std::uint64_t steps_without_ = 0;  // time steps since they were given up
+    std::uint64_t calm_moves_ = 0;     // since then, of vertices alone
     bool recomputes_next_ = false;
 };
 

@@ -159,8 +159,8 @@ bool Tolerance_strategy<d>::examine(Step<d>& step) {
     return repair_.evaluate_everything(step);
 }
 
-/// Examines, mends and commits. Positions are written last, so that whoever meets an exception on the way can build
-/// anew at them; a duplicate point is met before anything is committed.
+/// Examines, repairs and commits. Positions are written last,
+/// so that a handler of an exception can rebuild at them; a duplicate point is met before anything is committed.
 template <int d>
 template <class Repair_call>
 void Tolerance_strategy<d>::process(Step<d>& step, Repair_call repair, Move_report& report) {

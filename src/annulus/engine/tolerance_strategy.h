@@ -18,7 +18,7 @@ namespace annulus {
 /// The strategies that repair the mesh: `tolerances`, `auto`, `tolerances-each`, `in-place`.
 ///
 /// A step goes from where vertices go to what is written down: who left its tolerance and which certificates expired
-/// (Displacement_budget), or else all of them, or all of one vertex; their verdicts, flips and holding back (Repair);
+/// (Displacement_budget), or else all of them, or all of one vertex; their values, flips and holding back (Repair);
 /// new expiries (Displacement_budget again). What one stage finds reaches the next in a Step. Whether tolerances are
 /// kept is Tolerance_policy's to say, whether a time step is rebuilt Rebuild_policy's.
 template <int d>
@@ -59,7 +59,7 @@ class Tolerance_strategy final : public Update_strategy<d> {
 
     /// Moves every vertex to x. Throws Error, with everything as it was: not_finite, out_of_domain, or duplicate_point
     /// when two would coincide. Anything else that is thrown (bad_alloc, Error(too_large)) leaves positions() as they
-    /// were and all else unspecified: build anew there and settle. Precondition: begun in dimension d.
+    /// were and all else unspecified: rebuild there and recompute tolerances. Precondition: begun in dimension d.
     void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
 

@@ -112,7 +112,7 @@ void Tolerance_strategy<d>::evaluate_all(std::span<const Coordinates<d>> x, Move
     });
 }
 
-/// Tolerances are given up: no vertex that moves passes until the next settling.
+/// Tolerances are given up: no vertex that moves passes until the next recomputation of tolerances.
 template <int d>
 void Tolerance_strategy<d>::drop_tolerances() {
     displacement_budget_.drop();
@@ -173,8 +173,9 @@ void Tolerance_strategy<d>::end_step(bool each, Move_report& report) {
     tolerance_policy_.reconsider(table_, repair_.checker(), position_, each, report);
 }
 
-/// At the end of a time step that was mended by signs (after a rebuild nothing is settled), not the one that found
-/// out: at its beginning nobody knows whether a rebuild is to come. The two cost no more than a time step may.
+/// At the end of a time step that was repaired by signs (after a rebuild no tolerances are recomputed), not the one
+/// that found out: at its beginning it is not known whether a rebuild is to come. The two cost no more than a time step
+/// may.
 template <int d>
 void Tolerance_strategy<d>::recompute_afterwards(Move_report& report) {
     static_assert(Rebuild_policy<d>::share() + Cost_model<d>::recomputation < 1.45 * Cost_model<d>::insertion);
@@ -191,7 +192,7 @@ void Tolerance_strategy<d>::recompute_if_worthwhile(Move_report& report) {
     recompute_tolerances(position_, report);
 }
 
-/// While time steps are rebuilt, by what this one brings: whether it will pay to mend the next. This one is rebuilt
+/// While time steps are rebuilt, by what this one brings: whether it will pay to repair the next. This one is rebuilt
 /// all the same.
 template <int d>
 bool Tolerance_strategy<d>::next_is_repaired(std::span<const Coordinates<d>> x) {

@@ -14,7 +14,7 @@ namespace annulus {
 /// A strategy at work: owns the positions of the vertices and keeps the triangulation right at them.
 ///
 /// What throws leaves positions() as they were, unless it says otherwise; the triangulation and all else is then
-/// unspecified but after Error(duplicate_point), after which it is right. Engine builds anew after the others.
+/// unspecified but after Error(duplicate_point), after which it is right. Engine rebuilds after the others.
 template <int d>
 class Update_strategy {
   public:
@@ -54,7 +54,7 @@ class Update_strategy {
     /// Moves one vertex. Precondition: p is in the coordinate domain.
     virtual void move(Index v, const Coordinates<d>& p, Move_report& report) = 0;
 
-    /// The positions, for who inserts, with room for indices below the bound, and no more.
+    /// The positions, for an insertion, with room for indices below the bound, and no more.
     [[nodiscard]] virtual std::span<Coordinates<d>> resize_for_insertion(std::size_t bound) = 0;
     /// The vertex takes position p; it was not in the triangulation, and is now.
     virtual void add_vertex(Index v, const Coordinates<d>& p) = 0;

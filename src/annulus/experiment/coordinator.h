@@ -75,7 +75,7 @@ class Workers {
   public:
     template <class Take, class Done, class Failed>
     Workers(int threads, const Spec& spec, Take take, Done done, Failed failed) {
-        // Nobody begins before it is known how many there are, and before what others had is given back.
+        // No trial begins before it is known how many there are, and before what others had is given back.
         std::promise<std::size_t> known;
         std::promise<void> begin;
         const auto work = [=, &spec, count = known.get_future().share(),

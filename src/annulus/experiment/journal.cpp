@@ -60,7 +60,7 @@ void Journal::open_and_lock() {
             throw Error(Error_code::bad_input,
                         file_.parent_path().string() + ": another sweep is writing to it; expected one at a time");
         }
-        // Whoever had it may have put its results in the place of the directory.
+        // The former owner may have put its results in the place of the directory.
         struct stat ours {
         }, there{};
         if (::fstat(descriptor_, &ours) == 0 && ::stat(file_.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&
@@ -126,7 +126,7 @@ std::string Journal::entry(std::size_t i) const {
         if (n == 0) break;
         done += static_cast<std::size_t>(n);
     }
-    if (!is_whole(line)) throw Error(Error_code::bad_input, file_.string() + ": was changed by somebody else");
+    if (!is_whole(line)) throw Error(Error_code::bad_input, file_.string() + ": was changed by another process");
     return line.substr(mark);
 }
 

@@ -9,7 +9,7 @@
 namespace annulus {
 
 /// As one of how many processes this one was started, by what launchers leave in the environment: Open MPI's mpirun;
-/// those of MPICH, Intel MPI and MVAPICH; Slurm's srun. 1 where nobody says so.
+/// those of MPICH, Intel MPI and MVAPICH; Slurm's srun. 1 by default.
 [[nodiscard]] inline int launched_processes() {
     for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE", "SLURM_STEP_NUM_TASKS"}) {
         const char* const value = std::getenv(name);

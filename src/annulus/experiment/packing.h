@@ -21,7 +21,7 @@ namespace annulus {
 [[nodiscard]] std::string packed(std::size_t trial, const Trial_result& result);
 [[nodiscard]] Trial_result result_of(std::string_view text, std::size_t hardest, std::size_t& trial);
 
-/// Of what is no Error the words are kept, and that it is nobody's input.
+/// Of what is no Error the words are kept, and that no input is to blame.
 [[nodiscard]] std::string packed(const std::exception_ptr& why);
 [[nodiscard]] std::exception_ptr fault_of(std::string_view text);
 

@@ -78,7 +78,7 @@ struct Ranks::Messages {
         MPI_Recv(text.data(), size, MPI_CHAR, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
         return true;
     }
-    /// Without a sweep: whoever asks is told that it is over.
+    /// Without a sweep: every request is answered that it is over.
     void dismiss(int others) {
         int from = 0;
         Tag tag{};

@@ -13,9 +13,9 @@
 
 namespace annulus {
 
-/// Who computes which trial when: the dearest first, so that nobody is left with one at the end (list scheduling),
-/// and on each machine no more at a time than its memory is thought to hold. One that needs more than that runs
-/// alone. Results do not depend on any of it.
+/// Which process computes which trial when: the longest first, so that none is left with one at the end (list
+/// scheduling), and on each machine no more at a time than its memory is thought to hold. One that needs more than that
+/// runs alone. Results do not depend on any of it.
 class Schedule {
   public:
     struct Job {
@@ -36,7 +36,7 @@ class Schedule {
     /// Nothing is left to be taken.
     [[nodiscard]] bool empty() const { return open_.empty(); }
     [[nodiscard]] std::size_t running() const { return running_; }
-    /// Takes back what nobody has begun.
+    /// Takes back what has not been begun.
     void clear() { open_.clear(); }
 
   private:

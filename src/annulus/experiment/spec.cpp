@@ -176,7 +176,7 @@ class Grid_reader {
                 t.frames = frames;
                 t.every = every;
                 t.open = t_.flag("open");
-                estimate(t, size / 40, 3);  // some forty bytes a point; nobody has read it yet
+                estimate(t, size / 40, 3);  // some forty bytes a point; it has not been read yet
                 add(std::move(t));
             }
         }

@@ -20,7 +20,7 @@ namespace annulus {
 /// One time step as a file has it.
 struct Raw_frame {
     Raw_points points;
-    std::vector<std::uint64_t> id;  ///< of each point, in the order of the file; empty where nobody asked for ids
+    std::vector<std::uint64_t> id;  ///< of each point, in the order of the file; empty where no ids were asked for
     std::uint64_t number = 0;       ///< what the file calls the frame, or its place from 0
     std::uint64_t line = 0;         ///< where it begins
     bool ids_are_places = false;    ///< the file has no ids

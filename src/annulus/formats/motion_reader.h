@@ -37,7 +37,7 @@ struct Motion_options {
 /// are numbered evenly, as far apart as the first two, or `absent` says what to do. Points appear and disappear by
 /// their id; frames may have no points.
 ///
-/// Whoever reads gets Input_error for everything that is wrong with the file, when it comes to it; that includes
+/// A reader throws Input_error for everything that is wrong with the file, when it comes to it; that includes
 /// having no point at all, two of one id in a frame, and a periodic box unless it is to be ignored.
 class Motion_reader {
   public:
@@ -62,7 +62,7 @@ class Motion_reader {
     [[nodiscard]] const Taken_columns& columns() const { return frames_->columns(); }
     /// Was a periodic box ignored, as far as the file is read?
     [[nodiscard]] bool ignored_box() const { return frames_->ignored_box(); }
-    /// How much of the file is read, 0 to 1; none where nobody knows how long it is.
+    /// How much of the file is read, 0 to 1; none where its length is not known.
     [[nodiscard]] std::optional<double> share_read() const;
 
   private:

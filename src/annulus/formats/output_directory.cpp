@@ -65,7 +65,7 @@ fs::path private_directory_in(const fs::path& parent, std::error_code& code) {
     return name;
 }
 
-/// What private_directory_in made and nobody took away, because its run was killed.
+/// What private_directory_in made and was not removed, because its run was killed.
 bool is_left_over(const fs::path& path) {
     const std::string name = path.filename().string();
     if (!name.starts_with(private_prefix) || name.size() != private_prefix.size() + 6) return false;
@@ -279,7 +279,7 @@ void Output_directory::clean_up() noexcept {
     if (!private_.empty()) fs::remove_all(private_, ignored);
     private_.clear();
     content_.clear();
-    // Only directories that are empty go: somebody else may have begun to use them.
+    // Only directories that are empty go: another process may have begun to use them.
     for (auto p = made_.rbegin(); p != made_.rend(); ++p) fs::remove(*p, ignored);
     made_.clear();
 }

@@ -13,7 +13,7 @@ namespace annulus {
 
 /// The directory a run writes to: it appears as a whole on `commit()`, or not at all.
 ///
-/// Content goes to a fresh directory that nobody else can enter (mkdtemp), beside the one to be written where that
+/// Content goes to a fresh directory that no other user can enter (mkdtemp), beside the one to be written where that
 /// can be. The commit renames it, in exchange for an older one. Where the directory that is there cannot be renamed
 /// (it is the working directory or a mount point, or holds other files, which stay), its files are replaced one by
 /// one, each at once: the first that was written is taken away first and comes last, so that where it is all others
@@ -35,7 +35,7 @@ class Output_directory {
     /// Writes one file; `name` is a plain file name that was not written before.
     void write(std::string_view name, std::string_view content);
 
-    /// Where somebody else writes one file, which is to be there before the commit; `name` as above. For what is
+    /// Where another library writes one file, which is to be there before the commit; `name` as above. For what is
     /// written bit by bit.
     [[nodiscard]] std::filesystem::path path_of(std::string_view name);
     /// Of earlier files this one is not taken away before all that was written is in place, and on the disk: a crash

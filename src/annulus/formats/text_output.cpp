@@ -63,7 +63,7 @@ Text_output::Text_output(const std::filesystem::path& file) : file_(file) {
     std::error_code ignored;
     errno = EISDIR;
     if (std::filesystem::is_directory(file, ignored)) fail();  // known at once, not when all is written
-    // Nobody's file and nobody's link is written through; one that a killed process left may have our number, as in
+    // No existing file or link is written through; one that a killed process left may have our number, as in
     // containers.
     int descriptor = -1;
     errno = EEXIST;

@@ -10,7 +10,7 @@
 namespace annulus {
 
 /// The text of a Medit mesh (ASCII): triangles in two dimensions, tetrahedra in three, reference 0 throughout. Cells
-/// padded with `none` are the simplices of a flat set and have sections of their own: Edges, and Triangles in space.
+/// padded with `none` are the simplices of a flat set and have sections of their own: Edges, and Triangles in 3D.
 ///
 /// Coordinates are the shortest decimals that read back bit for bit; cells keep their order and orientation, and their
 /// indices, from 0 here, are from 1 in the file. d is 2 or 3. Throws Error(not_finite) for a coordinate that no reader

@@ -10,9 +10,9 @@
 
 namespace annulus {
 
-/// Finds neighbours among the new cells {v, facet of the border} in space: two of them share a facet when their facets
+/// Finds neighbours among the new cells {v, facet of the border} in 3D: two of them share a facet when their facets
 /// of the border share an edge, which they run through in opposite directions. For each insertion its vertices are
-/// numbered anew, so that a directed edge is an entry of a small table.
+/// renumbered, so that a directed edge is an entry of a small table.
 class Cavity_edges {
   public:
     static constexpr std::uint32_t few = 64;  ///< vertices of a border: all but one in a thousand have fewer

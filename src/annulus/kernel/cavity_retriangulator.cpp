@@ -44,7 +44,7 @@ bool Cavity_retriangulator<d>::rebuild(std::span<const Coordinates<d>> x, std::s
     for (const Cell_index c : cells) mark(c, 1);
     std::vector<Cell_index> cavity;
     for (const Cell_index first : cells) {
-        // Cells that were marked and are still there have not been met in an earlier region.
+        // Cells that were marked and are still there have not been met in an earlier cavity.
         if (!marks_.of.has(first) || marks_.of[first] != 1 || !table_.is_cell(first)) continue;
         cavity.assign(1, first);
         mark(first, 2);
@@ -68,7 +68,7 @@ bool Cavity_retriangulator<d>::rebuild(std::span<const Coordinates<d>> x, std::s
     return true;
 }
 
-/// marks_.of is 2 in the region.
+/// marks_.of is 2 in the cavity.
 template <int d>
 bool Cavity_retriangulator<d>::rebuild_cavity(std::span<const Coordinates<d>> x, std::vector<Cell_index>& cavity,
                                               std::size_t most, std::vector<Cell_index>& touched) {
@@ -158,7 +158,7 @@ bool Cavity_retriangulator<d>::fill(std::span<const Cell_index> cavity, std::vec
             if (marks_.of[table_.cell_of(twin)] != 2) border_.add(Facet_side<d>(sites, i), twin);
         }
     }
-    std::vector<Cell_index> twice;  // beyond facets that are there twice, or from both sides: the region bends back
+    std::vector<Cell_index> twice;  // beyond facets that are there twice, or from both sides: the cavity bends back
     border_.index([&](std::size_t k, std::size_t j) {
         twice.push_back(cell_beyond(k));
         twice.push_back(cell_beyond(j));
@@ -170,7 +170,7 @@ bool Cavity_retriangulator<d>::fill(std::span<const Cell_index> cavity, std::vec
         else enter(inside[k]);
     if (beyond.empty()) beyond = twice;
     if (!beyond.empty()) return false;
-    if (border_.size() == 0)  // the region is everything
+    if (border_.size() == 0)  // the cavity is everything
         builder_->for_each_cell([this](std::uint32_t number, const auto&, const auto&) { enter(number); });
     for (std::size_t k = 0; k < new_cells_.cells.size(); ++k) {
         const Small_cell& c = small_[new_cells_.cells[k]];

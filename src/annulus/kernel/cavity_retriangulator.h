@@ -14,11 +14,11 @@ namespace annulus {
 template <int d>
 class Builder;
 
-/// Builds a small part of a triangulation anew where flips are stuck.
+/// Rebuilds a small part of a triangulation where flips are stuck.
 ///
-/// A region starts as some cells. The Delaunay triangulation of its vertices is computed; where a facet of the
-/// region's border is not in it, the cell beyond joins the region. When all are, the Delaunay cells behind the border
-/// take the region's place. If every cell outside is right this ends with the cells of the whole Delaunay
+/// A cavity starts as some cells. The Delaunay triangulation of its vertices is computed; where a facet of the
+/// cavity's border is not in it, the cell beyond joins the cavity. When all are, the Delaunay cells behind the border
+/// take the cavity's place. If every cell outside is right this ends with the cells of the whole Delaunay
 /// triangulation there, since then the border consists of facets of it (docs/theory.md 6.5). Nothing is trusted: the
 /// caller looks at what came.
 template <int d>
@@ -29,9 +29,9 @@ class Cavity_retriangulator {
     Cavity_retriangulator(const Cavity_retriangulator&) = delete;
     Cavity_retriangulator& operator=(const Cavity_retriangulator&) = delete;
 
-    /// Builds anew around these cells, at positions x; cells that touch are one region. `touched` receives what went
+    /// Rebuilds around these cells, at positions x; cells that touch are one cavity. `touched` receives what went
     /// and what came. False when that takes more than `most` points to triangulate, the same ones again where a
-    /// region grows, or is not possible.
+    /// cavity grows, or is not possible.
     [[nodiscard]] bool rebuild(std::span<const Coordinates<d>> x, std::span<const Cell_index> cells, std::size_t most,
                                std::vector<Cell_index>& touched);
     /// The same without v, whose star these cells are.
@@ -43,7 +43,7 @@ class Cavity_retriangulator {
   private:
     using Sites = Cell_sites<d>;
     struct Marks {
-        By_cell<char> of;               // 1 to be built anew, 2 in the region
+        By_cell<char> of;               // 1 to be rebuilt, 2 in the cavity
         std::vector<Cell_index> cells;  // where it may not be 0
     };
     /// What is to be triangulated.
@@ -57,11 +57,11 @@ class Cavity_retriangulator {
         Sites sites;
         std::array<std::uint32_t, static_cast<std::size_t>(d + 1)> across;  // 4 * cell + slot
         // By slot: the facet of the border that it is, counted from 1, or 0; `inside` where the cell is on the
-        // region's side.
+        // cavity's side.
         std::array<std::uint32_t, static_cast<std::size_t>(d + 1)> inside, outside;
         std::uint32_t place;  // in what is filled, counted from 1; 0: not in it
     };
-    /// What takes the place of the region.
+    /// What takes the place of the cavity.
     struct Filled {
         std::vector<std::uint32_t> cells;  // small ones
         std::vector<Sites> sites;

@@ -13,7 +13,7 @@ namespace annulus {
 
 /// Puts the cells of a finished triangulation in an order that depends on the triangulation and on ranks alone, not on
 /// who made them when: by the largest rank of a vertex, then by the others. In slot 0 is the vertex of the largest rank
-/// (infinity counts as none), in slot 1 in space the least of the others, and the rest follow from the orientation.
+/// (infinity counts as none), in slot 1 in 3D the least of the others, and the rest follow from the orientation.
 ///
 /// Ranks follow a curve through space in the last round of insertion, which most cells are of, so cells that are near
 /// one another in the order are so in space, too.

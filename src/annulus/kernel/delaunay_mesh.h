@@ -18,8 +18,9 @@ namespace annulus {
 /// What a move of one vertex came to. `refused`: another vertex is there, and nothing has changed.
 enum class Relocation { refused, kept, reinserted };
 
-/// A Delaunay triangulation of vertices, which indices name: who is in it, and its cells, which are a Corner_table and
-/// nothing else. It is built, inserted into and removed from here; the engine changes the table by flips.
+/// A Delaunay triangulation of vertices, which indices name: which vertices it has, and its cells, which are a
+/// Corner_table and nothing else. It is built, inserted into and removed from here; the engine changes the table by
+/// flips.
 ///
 /// Positions are their owner's (Update_strategy) and come with each call: `positions` are those at which the
 /// triangulation is Delaunay.
@@ -51,19 +52,19 @@ class Delaunay_mesh {
     /// Builds from nothing; vertex i is x[i]. Throws Error(duplicate_point) naming the pair when two points are equal,
     /// Error(too_large). Expected O(n).
     void build(std::span<const Coordinates<d>> x);
-    /// Builds everything anew at x. Throws the same, with nothing changed.
+    /// Rebuilds everything at x. Throws the same, with nothing changed.
     void rebuild(std::span<const Coordinates<d>> x);
     /// The same after a call that failed half way: x has a position for every index there is to be, `fresh` (or
     /// `none`) is one that the call inserted.
     void restore(std::span<const Coordinates<d>> x, Index fresh);
     /// No cells, until a rebuild.
     void clear_cells() noexcept;
-    /// Builds anew what took the place of these cells, which a call has changed and which are Delaunay at `positions`
+    /// Rebuilds what took the place of these cells, which a call has changed and which are Delaunay at `positions`
     /// again afterwards, as all others are; `made` receives them. O(k log k) for k cells.
     void restore_cells(std::span<const Coordinates<d>> positions, std::span<const Cell_index> cells,
                        std::vector<Cell_index>& made);
 
-    // Given `positions` to write in, it writes home[v] = p unless nothing has changed.
+    // Given `positions` to write in, it writes positions[v] = p unless nothing has changed.
     /// Inserts p as vertex v (a new index, for which there is room, or a free one); `changed` receives the new cells.
     /// Expected O(degree of v) after locating; O(n) with a small constant where all vertices lie in a hyperplane.
     /// False, with nothing changed, when a vertex is there.
@@ -86,7 +87,7 @@ class Delaunay_mesh {
     void list_cells(std::span<const Coordinates<d>> positions, std::vector<Index>& vertices) const;
     /// The same, and those with infinity, where there are any of dimension d.
     void list_all_cells(std::span<const Coordinates<d>> positions, std::vector<Index>& vertices) const;
-    /// The finite cells and which is whose neighbour; vertices are below `bound`. O(n).
+    /// The finite cells and their neighbours; vertices are below `bound`. O(n).
     [[nodiscard]] Mesh_cells<d> cells(std::span<const Coordinates<d>> positions, std::size_t bound) const;
     /// What there is where the vertices lie in a hyperplane. O(n log n). Precondition: dimension() < d.
     [[nodiscard]] Flat_cells flat_cells(std::span<const Coordinates<d>> positions) const {
@@ -107,7 +108,7 @@ class Delaunay_mesh {
     void insert_flat(std::span<const Coordinates<d>> positions, Index v);
     void replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made);
     void keep_present(std::vector<Cell_index>& cells, std::size_t first) const;
-    /// More than that is not built anew in part.
+    /// More than that is not rebuilt in part.
     [[nodiscard]] std::size_t everything() const { return vertices_.size() + 64; }
     void attach(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p, Cell_index place,
                 std::vector<Cell_index>& changed);

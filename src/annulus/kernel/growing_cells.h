@@ -33,7 +33,7 @@ struct Growing_cells {
     struct Shape_with_bound : Shape {
         float bound;
     };
-    /// In the plane there is room for the bound in the line.
+    /// In 2D there is room for the bound in the line.
     struct alignas(64) Cell_data : std::conditional_t<d == 2, Shape_with_bound, Shape> {};
     /// A position and its scale (grid_scale).
     struct alignas(32) Site {
@@ -43,7 +43,7 @@ struct Growing_cells {
 
     Default_init_vector<Site> sites;  // by rank
     Default_init_vector<Cell_data> cells;
-    Default_init_vector<float> bounds;  // of cells in space
+    Default_init_vector<float> bounds;  // of cells in 3D
     std::size_t used = 0;               // cells below are in use or free
     Rank infinity = 0;
 

@@ -52,7 +52,7 @@ class alignas(128) Inserter {
     }
     /// Inserts v; with nothing changed but where the next walk begins where that fails.
     [[nodiscard]] Outcome insert_in_partition(Rank v);
-    /// Takes over from another, that has settled: its free cells, and where it was last.
+    /// Takes over from another, that has started: its free cells, and where it was last.
     void go_on_from(Inserter& other) {
         free_.insert(free_.end(), other.free_.begin(), other.free_.end());
         other.free_.clear();
@@ -92,7 +92,7 @@ class alignas(128) Inserter {
     template <bool shared>
     [[nodiscard]] bool take_cells();
     [[nodiscard]] bool claim_block();
-    void read_border();  // in space
+    void read_border();  // in 3D
     void fill(Rank v);
     void leave_infinity();
 

@@ -6,7 +6,7 @@
 
 namespace annulus {
 
-/// The neighbours of every vertex of a triangulation of the plane, at x, whatever its dimension. O(n), O(n log n) where
+/// The neighbours of every vertex of a 2D triangulation, at x, whatever its dimension. O(n), O(n log n) where
 /// all are on a line.
 void read_neighbours(const Delaunay_mesh<2>& mesh, std::span<const Coordinates<2>> x, Neighbours_2& out);
 

@@ -47,7 +47,7 @@ struct Audit_result {
 /// The first fault names vertices by `input.names`, or by their index, counted from `first`.
 [[nodiscard]] Audit_result audit(const Audit_input<2>& input, Index first = 0);
 
-/// The same in space. That the boundary is one convex surface that winds once is decided from the middle of a cell:
+/// The same in 3D. That the boundary is one convex surface that winds once is decided from the middle of a cell:
 /// every boundary triangle shows it its inner side, a ray from it leaves through one of them, and every ridge is
 /// convex. Triangles that are coplanar are judged in their plane. Also checks Euler's relation, which follows.
 [[nodiscard]] Audit_result audit(const Audit_input<3>& input, Index first = 0);

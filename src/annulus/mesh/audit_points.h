@@ -128,7 +128,7 @@ void expect_chain(const std::vector<std::array<Index, k>>& cells, const std::vec
     if (expected != found) fault(r, r.topological_faults, "the edges do not join consecutive points of the line");
 }
 
-/// Points of a plane in space, seen from one of its sides: orientation and circles by integers. Lengths are those of
+/// Points of a plane in 3D, seen from one of its sides: orientation and circles by integers. Lengths are those of
 /// space, so that circles are circles.
 class Audit_predicates_2 {
   public:

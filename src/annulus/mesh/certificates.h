@@ -90,8 +90,8 @@ inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0
     return facet_and_vertex(t, t.is_infinite(t.cell_of(h)) ? t.twin(h) : h);
 }
 
-/// Turns the points of a ridge, an edge of the hull in space and a vertex in the plane, so that in space the two
-/// vertices of the ridge come first and in the plane its one comes last. `own` is the corner of the infinite cell
+/// Turns the points of a ridge, an edge of the hull in 3D and a vertex in 2D, so that in 3D the two
+/// vertices of the ridge come first and in 2D its one comes last. `own` is the corner of the infinite cell
 /// opposite to the ridge, `beyond` that of the other.
 [[nodiscard]] inline Cell_sites<2> ridge_in_order(Cell_sites<2> x, Site<2> own, Site<2> beyond) {
     while (x[2] == own || x[2] == beyond) x = {x[1], x[2], x[0]};

@@ -110,7 +110,7 @@ class Corner_table {
             enter(cell_of(v == infinite ? corner_of_infinity() : corner_of(v)));
             for (std::size_t k = 0; k < star.size(); ++k) {
                 const Cell_index c = cell_of(star[k]);
-                // Its slot without branches, which nobody could predict.
+                // Its slot without branches, which cannot be predicted.
                 const auto is = [&](int i) { return vertex(corner(c, i)) == v ? 1 : 0; };
                 const int slot = is(1) + 2 * is(2) + 3 * is(3);
                 star[k] = corner(c, slot);
@@ -220,7 +220,7 @@ void Corner_table<d>::clear(std::size_t vertices) {
     corner_of_vertex_.assign(vertices, no_corner);
 }
 
-/// What was there is written over, not cleared before that. In the plane slot 3 is `none` for good.
+/// What was there is written over, not cleared before that. In 2D slot 3 is `none` for good.
 template <int d>
 void Corner_table<d>::reset_to(std::size_t vertices, std::size_t cells) {
     if (cells > static_cast<std::size_t>(Limits::cells)) throw_too_large();

@@ -28,7 +28,7 @@ template <int d>
 [[nodiscard]] inline bool flat_ridge_holds(const Tuple<2, 3>& x) {
     return (precedes(x, 0, 2) && precedes(x, 2, 1)) || (precedes(x, 1, 2) && precedes(x, 2, 0));
 }
-/// In space x is {u, w, c, d}, u w the ridge: c and d lie on different sides of it, in the plane that they share.
+/// In 3D x is {u, w, c, d}, u w the ridge: c and d lie on different sides of it, in the plane that they share.
 [[nodiscard]] inline bool flat_ridge_holds(const Tuple<3, 4>& x) {
     for (std::size_t i = 0; i < 3; ++i) {  // seen along an axis along which the plane has an area
         const auto y = seen_along<4>(i, x);

@@ -17,7 +17,7 @@ namespace annulus {
 [[nodiscard]] Certificate_value evaluate_cell(const std::array<Coordinates<2>, 3>& x);
 [[nodiscard]] Certificate_value evaluate_cell(const std::array<Coordinates<3>, 4>& x);
 
-/// The width of the annulus of a bi-cell, certified: the standard one in the plane, the least of four in space.
+/// The width of the annulus of a bi-cell, certified: the standard one in 2D, the least of four in 3D.
 [[nodiscard]] double annulus_width_lower(const std::array<Coordinates<2>, 4>& x);
 [[nodiscard]] double annulus_width_lower(const std::array<Coordinates<3>, 5>& x);
 

@@ -29,13 +29,13 @@ class Conflicts {
     Conflicts(const Corner_table<d>& t, std::span<const Coordinates<d>> x, Index v)
         : t_(t), x_(x), p_(x[static_cast<std::size_t>(v)]) {}
 
-    /// The sphere of a cell holds p. That of a cell with infinity is the half-space beyond its facet and, in the plane
+    /// The sphere of a cell holds p. That of a cell with infinity is the half-space beyond its facet and, in 2D
     /// of the facet, the circle that its finite neighbour cuts there.
     [[nodiscard]] bool operator()(Cell_index c) const {
         const int i = t_.slot_of_infinity(c);
         if (i < 0) return sphere_holds(c);
         Cell_sites<d> v = cell_sites(t_, c);
-        v[static_cast<std::size_t>(i)] = v[i == 0 ? 1U : 0U];  // somebody's place, for the tuple to be one
+        v[static_cast<std::size_t>(i)] = v[i == 0 ? 1U : 0U];  // any position, for the tuple to be one
         Tuple<d, d + 1> x = tuple<d, d + 1>(v, x_);
         x[static_cast<std::size_t>(i)] = &p_;
         const int side = sure_orientation<d>(x);

@@ -19,7 +19,7 @@ namespace annulus {
 ///
 /// There are as many as the walks have been too long for, at most one vertex in `share`: so one insertion into a
 /// million vertices sorts nothing, and thousands of them walk a few steps each. When walks become long again, because
-/// vertices have come, gone or moved, the tree is made anew, which costs about what these walks did.
+/// vertices have come, gone or moved, the tree is made again, which costs about what these walks did.
 template <int d>
 class Landmarks {
   public:

@@ -31,7 +31,7 @@ class Small_set {
     [[nodiscard]] bool contains(Key key) const { return const_cast<Small_set*>(this)->find(key) == key; }
 
   private:
-    static constexpr std::size_t few = 128;  // a star in space has some 24 cells
+    static constexpr std::size_t few = 128;  // a star in 3D has some 24 cells
 
     /// Where the key is, or belongs.
     [[nodiscard]] Key& find(Key key) {

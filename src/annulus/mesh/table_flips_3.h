@@ -8,7 +8,7 @@
 
 namespace annulus {
 
-// Flips of a table of space, with infinity among the vertices like any other. They say nothing of positions, and do
+// Flips of a 3D table, with infinity among the vertices like any other. They say nothing of positions, and do
 // not ask whether an edge comes to be there twice: the cells stay glued to a manifold, whatever the flips
 // (docs/theory.md 6.2). Where two of the cells beside those that go are among those that go, they answer false and
 // change nothing. O(1).

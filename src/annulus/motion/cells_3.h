@@ -10,7 +10,7 @@
 
 namespace annulus {
 
-/// The finite cells of a triangulation of space, as plain arrays.
+/// The finite cells of a 3D triangulation, as plain arrays.
 struct Cells_3 {
     std::vector<std::array<Index, 4>> vertex;    ///< positively oriented
     std::vector<std::array<Index, 4>> adjacent;  ///< [c][i]: the cell beyond the facet opposite to vertex[c][i]; none

@@ -25,7 +25,7 @@ class Domain_3 {
     [[nodiscard]] virtual bool contains(const Coordinates<3>& p) const = 0;
     /// The nearest point of the surface, up to rounding. Precondition: p is finite.
     [[nodiscard]] virtual Coordinates<3> project(const Coordinates<3>& p) const = 0;
-    /// The same for who asks again and again from places that are close together: `near` is a point of the surface, up
+    /// The same for queries that are repeated from places that are close together: `near` is a point of the surface, up
     /// to rounding, not far away, and `nearby` is what was kept of earlier questions to this domain. The answer is the
     /// same bit for bit whatever these are.
     [[nodiscard]] virtual Coordinates<3> project(const Coordinates<3>& p, const Coordinates<3>& near,

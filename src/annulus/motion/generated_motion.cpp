@@ -40,7 +40,7 @@ void Generated_motion<d>::step() {
     }
 }
 
-/// Turns each arm by an angle whose half has the tangent `pace`: a rotation of rational numbers. In space the planes of
+/// Turns each arm by an angle whose half has the tangent `pace`: a rotation of rational numbers. In 3D the planes of
 /// orbits are those of two axes, in turn.
 template <int d>
 void Generated_motion<d>::orbit() {

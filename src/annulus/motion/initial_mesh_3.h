@@ -20,7 +20,7 @@ namespace annulus {
 /// sizes and curves nearby let them, and nothing else comes near (balls that protect them). The same arguments give
 /// the same points. Throws Error(usage) for n < 4, Error(too_few) when refinement finds no cell or needs more than 10
 /// n + 2000 vertices, Error(bad_input) when it fails. Not thread-safe: Mesh_3 uses CGAL's default random numbers,
-/// which are seeded anew.
+/// which are seeded again.
 [[nodiscard]] std::vector<Coordinates<3>> initial_mesh(const Domain_3& domain, const Sizing_3& sizing, std::size_t n,
                                                        std::uint64_t seed, const Feature_curves* sharp = nullptr);
 

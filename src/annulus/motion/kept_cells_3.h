@@ -27,7 +27,7 @@ void sort_cells(std::vector<std::array<Index, 4>>& cells, std::size_t n);
 class Kept_cells_3 {
   public:
     /// Reads a table with infinite cells. Its cells are compared with those of the last reading: O(cells) with a small
-    /// constant, and O(log cells) for each one that differs; where many do, all are sorted and linked anew.
+    /// constant, and O(log cells) for each one that differs; where many do, all are sorted and linked again.
     void read(const Corner_table<3>& table, int threads = 1);
     /// Reads a list of the finite cells, positive and in any order. Vertices are below n. O(n).
     void read(std::vector<std::array<Index, 4>> cells, std::size_t n, int threads = 1);

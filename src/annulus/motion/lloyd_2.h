@@ -32,7 +32,7 @@ class Lloyd_memory {
     std::uint64_t readings_ = 0;  ///< of the stars, up to that step
 };
 
-/// Lloyd's iteration in the plane (section 4.1 of the paper): every site wants to go to the centroid of its Voronoi
+/// Lloyd's iteration in 2D (section 4.1 of the paper): every site wants to go to the centroid of its Voronoi
 /// cell, cut to a convex domain, under a density. Immutable; `step` may be called from several threads at once.
 class Lloyd_2 {
   public:

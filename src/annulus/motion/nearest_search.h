@@ -22,9 +22,9 @@ double squared_gap(const Coordinates<3>& p, const Corner& lower, const Corner& u
     return sum;
 }
 
-/// The nearest point of a set of triangles, for who asks again from close by: what is kept is a ball with a list of all
-/// triangles whose boxes come into it, and an answer from the list is taken when it shows that what is not listed is
-/// farther. O(length of the list) then; else a search of the tree, where the next ball is filled.
+/// The nearest point of a set of triangles, for queries that are repeated close by: what is kept is a ball with a list
+/// of all triangles whose boxes come into it, and an answer from the list is taken when it shows that what is not
+/// listed is farther. O(length of the list) then; else a search of the tree, where the next ball is filled.
 ///
 /// `Tree` knows a `triangle(number)` by its corners t[i][k], its point nearest to another, `project(t, p)`, however
 /// wrong where it is thin, `list(centre, reach, parts)`, in any order, of all triangles whose boxes' `squared_gap` has

@@ -21,7 +21,7 @@ struct Frame {
 struct Recorded_motion {
     std::string name;
     bool has_z = false;
-    std::vector<std::string> notes;  ///< what the file says and nobody obeys; each a line with the file's name
+    std::vector<std::string> notes;  ///< what the file says and is ignored; each a line with the file's name
     std::vector<Frame> frames;
 };
 

@@ -71,7 +71,7 @@ struct Hash {
     }
 };
 
-/// Neighbours along Hilbert's curve are neighbours in the plane.
+/// Neighbours along Hilbert's curve are neighbours in 2D.
 void sort_along_curve(std::vector<Coordinates<2>>& points) {
     using Kernel = CGAL::Simple_cartesian<double>;
     using Place = std::pair<Kernel::Point_2, std::size_t>;

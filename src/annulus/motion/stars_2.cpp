@@ -59,7 +59,8 @@ void Stars_2::read(const Corner_table<2>& table) {
     ++readings_;
     const auto n = static_cast<std::size_t>(table.vertex_bound());
     changed_.clear();
-    // Lists that have moved to the end leave gaps; where there are as many as lists, all are read anew, close together.
+    // Lists that have moved to the end leave gaps; where there are as many as lists, all are read again, close
+    // together.
     if (place_.size() != n || pool_.size() > 16 * n) {
         place_.assign(n, {});
         pool_.clear();

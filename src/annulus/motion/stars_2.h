@@ -12,7 +12,7 @@
 
 namespace annulus {
 
-/// The finite neighbours of every vertex of a triangulation of the plane, as in Neighbours_2, kept from step to step:
+/// The finite neighbours of every vertex of a 2D triangulation, as in Neighbours_2, kept from step to step:
 /// only the lists of vertices whose triangles have changed are read again.
 ///
 /// Lists have one order whatever the history of the triangulation: a cyclic one begins with its least index, an open

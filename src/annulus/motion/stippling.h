@@ -29,13 +29,13 @@ class Stippling {
     /// What the picture's ink covers, in pixels.
     [[nodiscard]] double area() const { return area_; }
 
-    // Each is made anew: 24 bytes a pixel, O(pixels).
+    // Each is made again: 24 bytes a pixel, O(pixels).
 
     /// Where points begin, and how large dots are: the ink of each pixel, from 0 to `full()`.
     [[nodiscard]] Image_density ink() const;
     [[nodiscard]] double full() const { return image_.white; }
     /// What Lloyd's iterations go by: the square of the ink. Where they end there are points in proportion to the
-    /// square root of their density (Gersho's conjecture in the plane; Du, Faber and Gunzburger, Centroidal Voronoi
+    /// square root of their density (Gersho's conjecture in 2D; Du, Faber and Gunzburger, Centroidal Voronoi
     /// tessellations, 1999, 6.4), so in proportion to the ink, as where they began.
     [[nodiscard]] Image_density density() const;
 

@@ -8,7 +8,7 @@
 
 namespace annulus {
 
-/// Triangles in space, counter-clockwise seen from outside where they bound something.
+/// Triangles in 3D, counter-clockwise seen from outside where they bound something.
 struct Triangle_surface {
     std::vector<Coordinates<3>> points;
     std::vector<std::array<Index, 3>> triangles;

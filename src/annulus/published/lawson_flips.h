@@ -9,7 +9,7 @@
 
 namespace annulus {
 
-/// The paper's flips (3.1), in the plane: v alone has moved in a Delaunay triangulation, to where x has it. Where v
+/// The paper's flips (3.1), in 2D: v alone has moved in a Delaunay triangulation, to where x has it. Where v
 /// is inside the hull and no triangle around it is turned over, edges that are not locally Delaunay are flipped until
 /// there are none; `changed` receives the triangles that were, once or more. False, with nothing changed, elsewhere.
 /// Expected O(degree + flips).

@@ -230,7 +230,7 @@ void Paper_strategy<d>::rebuild(Index h, const Coordinates<d>& old_fixed) {
     }
 }
 
-/// After a move that went half way and was taken back: cells and tolerances anew at the moving positions, O(n).
+/// After a move that went half way and was taken back: cells and tolerances again at the moving positions, O(n).
 template <int d>
 void Paper_strategy<d>::begin_again(Move_report& report) {
     try {

@@ -18,13 +18,13 @@ namespace annulus {
 ///
 /// Every vertex has a fixed position f, a moving position m, a tolerance eps and D = |m - f|. A vertex with D < eps
 /// is only written. One that fails enters a queue; each vertex h taken from it goes to f = m with D = 0: in place
-/// where all its certificates hold there, in the plane by flips where no triangle around it turns over (3.1), else it
+/// where all its certificates hold there, in 2D by flips where no triangle around it turns over (3.1), else it
 /// is taken out and put back in. The certificates that it then has lower the eps of their points, and those that no
 /// longer have D < eps enter the queue. Every vertex enters at most once a call (its D is 0 from then on), so the
 /// queue ends.
 ///
 /// The mesh is Delaunay at the fixed positions at all times, and at the moving ones if tolerances are certified. One
-/// that is too large gives a wrong answer at the moving positions, and never breaks the mesh. In space those of the
+/// that is too large gives a wrong answer at the moving positions, and never breaks the mesh. In 3D those of the
 /// kind `paper` are too large (docs/theory.md 3).
 template <int d>
 class Paper_strategy final : public Rebuild_strategy<d> {
@@ -33,11 +33,11 @@ class Paper_strategy final : public Rebuild_strategy<d> {
     Paper_strategy(Delaunay_mesh<d>& mesh, Strategy strategy, Tolerance_kind kind, std::uint64_t seed)
         : Rebuild_strategy<d>(mesh, strategy), tolerances_(mesh.table(), kind), signs_(mesh.table()), random_(seed) {}
 
-    /// Every tolerance anew, with x as fixed and moving positions. When it throws, no position was written. O(n).
+    /// Every tolerance again, with x as fixed and moving positions. When it throws, no position was written. O(n).
     void recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report);
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
     void refresh_all(Move_report& report) override { begin(this->position_, report); }
-    /// Whether to use tolerances from now on: of 40 random vertices 75 % (55 % in space) have a tolerance above their
+    /// Whether to use tolerances from now on: of 40 random vertices 75 % (55 % in 3D) have a tolerance above their
     /// displacement. Looks at every fourth time step (paper 4.2).
     void before_step(std::span<const Coordinates<d>> x, Move_report& report) override;
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;

@@ -52,7 +52,7 @@ double Paper_tolerances<d>::tolerance(const Facet_certificate<d>& f, const Certi
     if (kind_ != Tolerance_kind::paper || v.stage != Stage::filter || v.sign <= 0) return v.tolerance;
     if (f.kind == Facet_kind::empty_sphere) {
         if constexpr (d == 3) return paper_annulus(tuple<d, d + 2>(f.point, x));
-        else return v.tolerance;  // in the plane it is the only annulus
+        else return v.tolerance;  // in 2D it is the only annulus
     }
     const auto y = tuple<d, d + 1>(f.point, x);
     return f.kind == Facet_kind::ridge ? paper_ridge(y) : paper_slab(y);

@@ -12,7 +12,7 @@
 namespace annulus {
 
 /// Tolerances of the certificates of a Delaunay triangulation (paper 2.2 and 2.3), by kind: `paper` has the standard
-/// annulus of every bi-cell and the slabs of the hull in plain double, and nothing of cells, which is unsound in space
+/// annulus of every bi-cell and the slabs of the hull in plain double, and nothing of cells, which is unsound in 3D
 /// (docs/theory.md 3); `floating` and `certified` have the annuli of all partitions and of cells, the former in plain
 /// double.
 template <int d>

@@ -119,7 +119,7 @@ double Axis_range::place(double value) const {
 }
 
 bool Axis_range::can_show(
-    double value) const {  // Beyond these no margin and no tick could be computed; nobody plots such lengths or times.
+    double value) const {  // Beyond these no margin and no tick could be computed; no plot has such lengths or times.
     return std::fabs(value) <= 1e290 && (scale_ == Scale::linear || value >= 1e-290);
 }
 

@@ -10,7 +10,7 @@
 
 namespace annulus {
 
-/// Pictures of a run whose length nobody knows, for a page with a slider: every frame, then every second one, every
+/// Pictures of a run of unknown length, for a page with a slider: every frame, then every second one, every
 /// fourth .., so that there are never more than most_pictures; of many vertices a part in the middle. What it holds
 /// does not grow with the run.
 class Film {
@@ -20,7 +20,7 @@ class Film {
 
     /// Whether add() would keep the picture of frame `number`, counted from 0.
     [[nodiscard]] bool wants(std::uint64_t number) const { return number % stride_ == 0; }
-    /// Frames ascend. The last one is kept even if nobody wants it.
+    /// Frames ascend. The last one is kept in any case.
     void add(std::uint64_t number, Picture picture, bool last = false);
 
     [[nodiscard]] bool empty() const { return pictures_.empty(); }

@@ -39,7 +39,7 @@ struct Audit_record {
     std::uint64_t failed = 0;
 };
 
-/// The mesh after one step of an optimisation in space: cells of the domain and what their vertices did.
+/// The mesh after one step of an optimisation in 3D: cells of the domain and what their vertices did.
 struct Mesh_step {
     std::uint64_t vertices = 0;  ///< of cells of the domain
     std::uint64_t boundary = 0;  ///< of these, on its surface

@@ -9,7 +9,7 @@
 
 namespace annulus {
 
-/// Vertices and edges to draw, already in the plane: a projection or a cut in three dimensions.
+/// Vertices and edges to draw, already in 2D: a projection or a cut in three dimensions.
 struct Picture {
     std::vector<Coordinates<2>> points;
     std::vector<std::array<Index, 2>> edges;

@@ -24,7 +24,7 @@ struct Benchmark_plan {
     std::uint64_t seed = 1;
 };
 
-/// Somebody wants the reproduction to end early.
+/// The reproduction is to end early.
 struct Benchmark_stopped : std::runtime_error {
     Benchmark_stopped() : std::runtime_error("stopped") {}
 };
@@ -32,7 +32,7 @@ struct Benchmark_stopped : std::runtime_error {
 /// Told how many steps are done and what happens; returns whether to go on.
 using Benchmark_listener = std::function<bool(std::uint64_t step, const std::string& news)>;
 
-/// Makes the motion and has everybody follow it. Some steps are recorded at a time, and the racers follow them in
+/// Makes the motion and has all contenders follow it. Some steps are recorded at a time, and the racers follow them in
 /// turn, so that each has its own caches and yet all are timed within the same seconds, whatever else the machine
 /// does. Throws Benchmark_stopped.
 template <int d>

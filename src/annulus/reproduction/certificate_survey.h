@@ -24,7 +24,7 @@ template <int d>
 [[nodiscard]] Certificate_survey_record survey(const Moving_of<d>& dt, std::span<const Coordinates<d>> next,
                                                double spacing, Width_record* widths = nullptr);
 
-/// Certified counts, and each unsound certificate's points for whoever listens. Some microseconds a bi-cell.
+/// Certified counts, and each unsound certificate's points for the listener. Some microseconds a bi-cell.
 template <int d>
 [[nodiscard]] Degeneracy_count_record count_degeneracy(const Moving_of<d>& dt,
                                                        const std::function<void(std::span<const Index>)>& unsound = {});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/reproduction/claim_words.h>
 
-// Section 4.1 of the paper: Lloyd iterations in the plane.
+// Section 4.1 of the paper: Lloyd iterations in 2D.
 namespace annulus {
 
 namespace {

@@ -127,8 +127,8 @@ void Contender<d>::follow_hybrid(std::uint64_t step, std::span<const Coordinates
     note(step, seconds + processor_seconds() - begin, report);
 }
 
-/// The tolerances of the sample are timed; that the triangulation with numbered vertices is built is not: whoever
-/// rebuilds has one.
+/// The tolerances of the sample are timed; that the triangulation with numbered vertices is built is not:
+/// a program that rebuilds has one.
 template <int d>
 bool Contender<d>::sample_stays(std::span<const Coordinates<d>> before, std::span<const Coordinates<d>> target) {
     constexpr int sample = 40;

@@ -9,7 +9,7 @@
 
 namespace annulus {
 
-/// Uniform random points of the unit square or cube, of which a share goes at each step, drawn anew: each in a
+/// Uniform random points of the unit square or cube, of which a share goes at each step, drawn again: each in a
 /// direction of its own by `pace` mean spacings. The others stay where they are.
 template <int d>
 class Partial_motion_scene final : public Scene<d> {

@@ -28,7 +28,7 @@ std::vector<Contender_plan> paper_racers(std::uint64_t audit_every) {
             printed("paper-printed-hybrid", {}, 0, Kind::hybrid)};
 }
 
-/// What everybody is compared with, the paper's algorithms, and ours. `cgal_every`, `copy_every`: what is timed at
+/// What all are compared with, the paper's algorithms, and ours. `cgal_every`, `copy_every`: what is timed at
 /// some steps only.
 std::vector<Contender_plan> contenders(std::uint64_t cgal_every, std::uint64_t copy_every, std::uint64_t audit_every) {
     std::vector<Contender_plan> out{
@@ -111,7 +111,7 @@ struct Body {
     bool crossing;
     std::uint64_t vertices, quick;
 };
-/// In place of the paper's heart, an organ that everybody can have: CGAL's liver.
+/// In place of the paper's heart, an organ that is publicly available: CGAL's liver.
 constexpr Body bodies[] = {{"sphere", "sphere", "", false, 13'000, 1500},
                            {"man", "man", "man.off", true, 8000, 1000},
                            {"bunny", "bunny", "bunny00.off", false, 13'000, 1500},
@@ -149,7 +149,7 @@ void add_bodies(const Reproduction_size& size, std::vector<Part_plan>& out) {
     }
 }
 
-/// Motions that nobody races on: what the mesh becomes. Of the sphere, which is cheap to sample, several: other first
+/// Motions that are not timed: what the mesh becomes. Of the sphere, which is cheap to sample, several: other first
 /// meshes, other locks.
 void add_qualities(const Reproduction_size& size, std::vector<Part_plan>& out) {
     for (const Body& b : bodies) {

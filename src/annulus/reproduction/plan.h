@@ -12,7 +12,7 @@ namespace annulus {
 /// What may be asked for by name: fig5 .. fig12, slivers, locked, movers.
 [[nodiscard]] const std::vector<std::string>& reproduction_topics();
 
-/// Which motion a race follows, in words that whoever makes scenes understands: densities of Lloyd as the tool names
+/// Which motion a race follows, in the words of the scenes' factory: densities of Lloyd as the tool names
 /// them, files by their names.
 struct Motion_plan {
     int dimension = 2;

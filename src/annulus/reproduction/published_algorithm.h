@@ -16,12 +16,12 @@ struct Published_variant {
     bool tolerances = true;
     bool in_place = false;     ///< 3.1, the "weaker version": who fails is relocated only where cells have to change
     bool flips = false;        ///< 3.1, the plane: flips where no cell around a vertex inverts. Without tolerances only
-    bool safe_region = false;  ///< 3.2: who fails and is within its safe region is only written. In the plane
+    bool safe_region = false;  ///< 3.2: who fails and is within its safe region is only written. In 2D
 };
 
 /// The paper's algorithms as it prints them, on nothing but CGAL's triangulation: a vertex is relocated by CGAL's
 /// insertion at its new position, from its old one, and CGAL's removal of the old one. There are no flips of our own,
-/// no table, no filtered predicate; tolerances are in plain double, and in space they are unsound (docs/theory.md 3).
+/// no table, no filtered predicate; tolerances are in plain double, and in 3D they are unsound (docs/theory.md 3).
 /// What it does does not depend on addresses.
 ///
 /// Of three the work is cheaper than the text: squares are compared, a queue holds a vertex once, and a time step's
@@ -40,7 +40,7 @@ class Published_algorithm {
     Move_report move_all(std::span<const Coordinates<d>> target);
     /// Those whose tolerance did not let the last move pass, each once.
     [[nodiscard]] std::span<const Index> failed() const;
-    /// Computed anew from what is around it: what sampling one vertex of a triangulation without tolerances costs.
+    /// Recomputed from what is around it: what sampling one vertex of a triangulation without tolerances costs.
     [[nodiscard]] double tolerance(Index v) const;
     /// The exact audit of its cells at the moving positions.
     [[nodiscard]] Audit_result audit() const;

@@ -11,7 +11,7 @@
 
 namespace annulus {
 
-/// What the paper's algorithms ask of CGAL's triangulation, under one name in the plane and in space.
+/// What the paper's algorithms ask of CGAL's triangulation, under one name in 2D and in 3D.
 template <int d>
 struct Published_pieces;
 

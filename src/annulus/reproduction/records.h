@@ -96,7 +96,7 @@ struct Quality_record {
 struct Picture_record {
     std::uint64_t step = 0;
     std::string caption, svg;
-    std::vector<double> x, y;  ///< of the points, in the plane
+    std::vector<double> x, y;  ///< of the points, in 2D
 };
 
 /// One motion with all that followed it: a part of the reproduction.

@@ -11,8 +11,8 @@
 
 namespace annulus {
 
-/// A motion that the paper measured, as whoever makes it shows it: where points begin, and where they go at each
-/// step, whoever follows them.
+/// A motion that the paper measured, as the program shows it: where points begin, and
+/// where they go at each step, whatever follows them.
 template <int d>
 class Scene {
   public:
@@ -22,9 +22,9 @@ class Scene {
     [[nodiscard]] virtual double spacing() const = 0;
     /// The next positions, and the mean way there in the caller's unit.
     [[nodiscard]] virtual double next(std::vector<Coordinates<d>>& target) = 0;
-    /// The points where they are now; in space what a plane cuts of the mesh.
+    /// The points where they are now; in 3D what a plane cuts of the mesh.
     [[nodiscard]] virtual Picture picture(std::string caption) const = 0;
-    /// Of a mesh in space where it is now; what rested did so in the last step.
+    /// Of a mesh in 3D where it is now; what rested did so in the last step.
     [[nodiscard]] virtual std::optional<Mesh_step> quality() = 0;
     /// What a reader should know about it, a paragraph each.
     [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }

@@ -104,7 +104,7 @@ double theta_of(const Bicell& x) {
 template <int d>
 struct Bicell_batch : Certificate_batch<d, Corner_index, Tuple<d, d + 2>> {
     std::vector<Bicell_half_widths> all{};
-    std::vector<Below_thresholds> below_standard{};  ///< in space
+    std::vector<Below_thresholds> below_standard{};  ///< in 3D
     std::vector<double> theta{};
     /// Where the line through p and q meets the facet: inside (1), outside (-1), or on its border (0).
     std::vector<int> convex{};

@@ -99,9 +99,9 @@ template <int d>
 }  // namespace
 
 // Errors in doubles, counted in u per term; what is of second order is in the larger constants that are used. A
-// difference of two coordinates has 1 (scaling by a power of two none). In the plane: a square 2+1, a sum of two
+// difference of two coordinates has 1 (scaling by a power of two none). In 2D: a square 2+1, a sum of two
 // squares 4; times a coordinate 6; a difference of two 7 of the magnitude: 8 is used; denominator 3 and 1: 4, 6 is
-// used. In space: a sum of three squares 5, a minor 2+1+1 = 4, times a sum of squares 10, sums of three 12 of the
+// used. In 3D: a sum of three squares 5, a minor 2+1+1 = 4, times a sum of squares 10, sums of three 12 of the
 // magnitude: 16 is used; denominator 4+1+1+2 = 8: 10 is used. The magnitudes are themselves computed, too small by as
 // many u at most, which the larger constants cover as well.
 //

@@ -27,7 +27,7 @@ struct Distribution {
     static constexpr std::array<double, 10> probabilities{0, 0.001, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 1};
 
     Histogram histogram = Histogram::log10(1e-18, 1e4, 88);
-    std::vector<double> quantiles{};  ///< at `probabilities`; empty without samples, or where nobody wants them
+    std::vector<double> quantiles{};  ///< at `probabilities`; empty without samples, or where they are not wanted
 };
 
 /// How many of some widths are 0 and nearly 0. Every count is certified: a width is a real number, compared exactly.
@@ -73,11 +73,11 @@ struct Degeneracy {
     std::vector<Threshold> thresholds;
 
     Certificate_counts bicells;  ///< finite ones: empty circles and spheres
-    Width_counts standard;       ///< in space: the paper's annulus of the same; in the plane it is the only one
+    Width_counts standard;       ///< in 3D: the paper's annulus of the same; in 2D it is the only one
     Certificate_counts cells;    ///< finite ones
-    Certificate_counts ridges;   ///< of the hull; in the plane its vertices
+    Certificate_counts ridges;   ///< of the hull; in 2D its vertices
 
-    std::uint64_t non_convex = 0;  ///< bi-cells with a reflex edge (in the plane: vertex), by exact signs
+    std::uint64_t non_convex = 0;  ///< bi-cells with a reflex edge (in 2D: vertex), by exact signs
     std::uint64_t flat = 0;        ///< others with four coplanar points (three collinear ones) at the facet
     Stage_counts convexity;        ///< stages of these signs
     Distribution theta;            ///< of bi-cells, in radians

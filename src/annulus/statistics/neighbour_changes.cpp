@@ -18,7 +18,7 @@ void Neighbour_changes<d>::edges_of(std::span<const Index> cells, Edges& edges) 
     for (std::size_t c = 0; c < cells.size(); c += d + 1)
         for (std::size_t i = c; i <= c + d; ++i)
             for (std::size_t k = c; k < i; ++k)
-                if (cells[i] >= 0 && cells[k] >= 0)  // neither infinity nor nobody
+                if (cells[i] >= 0 && cells[k] >= 0)  // neither infinity nor padding
                     edges.emplace_back(std::min(cells[i], cells[k]), std::max(cells[i], cells[k]));
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());

@@ -20,8 +20,8 @@ struct Neighbour_change {
 
 /// Who became whose neighbour, from the cells that came and went (Move_report::changed and gone): an edge of those
 /// that went is an edge still if and only if one of those that came has it, since where some cells around an edge go
-/// and others stay, one that comes is beside one that stays. So nothing that did not change is looked at. In the
-/// plane a flip is one pair broken and one made, a T1 transition.
+/// and others stay, one that comes is beside one that stays. So nothing that did not change is looked at.
+/// In 2D a flip is one pair broken and one made, a T1 transition.
 ///
 /// Between two calls of take() a pair that was made and broken again does not count. Points have ids, which outlive
 /// their indices.

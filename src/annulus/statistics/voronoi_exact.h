@@ -8,8 +8,8 @@
 
 namespace annulus {
 
-/// For the cell to the left of a facet: its corners but the one opposite, counter-clockwise seen from outside (in the
-/// plane from p to q with the cell on the left).
+/// For the cell to the left of a facet: its corners but the one opposite, counter-clockwise seen from outside (
+/// in 2D from p to q with the cell on the left).
 template <int d>
 inline constexpr std::array<std::array<std::size_t, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d + 1)>
     facet_of{};

@@ -60,7 +60,7 @@ std::span<const double> Kept_voronoi_volumes<d>::update(std::span<const Coordina
     try {
         if (!anew) {
             moved = note_moves(x);
-            anew = moved.size() > x.size() / 8;  // there is nobody whom that does not concern
+            anew = moved.size() > x.size() / 8;  // it concerns nearly all
         }
         if (anew) {
             x_.assign(x.begin(), x.end());
@@ -105,7 +105,7 @@ void Kept_voronoi_volumes<d>::note_flat(std::size_t bound) {
     for (std::size_t v = 0; v < bound; ++v) volume_[v] = is_present(v) ? unbounded : nowhere;
 }
 
-/// Who is not where it was, or is new. Bits are compared: what is equal otherwise may be the other zero.
+/// Vertices that are not where they were, or are new. Bits are compared: what is equal otherwise may be the other zero.
 template <int d>
 std::vector<Index> Kept_voronoi_volumes<d>::note_moves(std::span<const Coordinates<d>> x) {
     std::vector<Index> moved;

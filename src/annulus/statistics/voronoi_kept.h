@@ -11,12 +11,12 @@
 
 namespace annulus {
 
-/// The Voronoi volumes of one mesh, brought up to date when they are asked for: what is computed anew is concerned by
+/// The Voronoi volumes of one mesh, brought up to date when they are asked for: what is recomputed is concerned by
 /// a vertex that moved or a cell that changed, and the result is, bit for bit, that of voronoi_volumes of the mesh's
 /// cells.
 ///
 /// Why: a volume is a sum over the cells around its vertex in the order of their places in the table. Cells stay at
-/// their places while they last, and a table that is built anew says that everything changed. So the terms of a
+/// their places while they last, and a table that is rebuilt says that everything changed. So the terms of a
 /// vertex whose cells and their corners are the same are the same, in the same order; and those of another are added
 /// up from the first to the last, by the loop that voronoi_volumes has, over all cells around it. A change of the
 /// unit, too, is everything.

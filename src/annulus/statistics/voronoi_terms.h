@@ -19,7 +19,7 @@
 // all F around the edge, add up to it. So the pyramids over it with tips p and q, which are alike, are sums of (C left
 // of F and C' right of it, as facet_of has them)
 //
-//     n . ((C - m) x (C' - m)) / 12     and in the plane     (C' - C) . (n_y, -n_x) / 4,
+//     n . ((C - m) x (C' - m)) / 12     and in 2D     (C' - C) . (n_y, -n_x) / 4,
 //
 // and these, over all edges at p, add up to the volume of its Voronoi cell. In voronoi_exact.cpp m is the vertex. Here
 // the three edges of a facet a, b, c share what they have: with e = b - a, f = c - a, X = C - a, D = C' - C, W = X x D
@@ -42,7 +42,7 @@
 //
 //     2 |e| |D| h + 2 |e| |X| (h + h') + |e| h (h + h')     at most, and g by     2 |e| |f| (h + h').
 //
-// In the plane (proofs/gappa/voronoi_terms_2.g) a term is off by voronoi_2 u |e| |D|, of which one more is used, and by
+// In 2D (proofs/gappa/voronoi_terms_2.g) a term is off by voronoi_2 u |e| |D|, of which one more is used, and by
 // |e| (h + h').
 //
 // What underflows is off by 2^-1075, and is multiplied by edges, which are below 2, and perhaps by X, by D or by both:
@@ -51,7 +51,7 @@
 
 namespace annulus {
 
-/// What is added up of a Voronoi cell, times 4 in the plane and 12 in space, and a bound of its error, in the unit of
+/// What is added up of a Voronoi cell, times 4 in 2D and 12 in 3D, and a bound of its error, in the unit of
 /// circumcentre().
 struct Voronoi_sum {
     double volume = 0, error = 0;

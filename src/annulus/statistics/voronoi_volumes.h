@@ -32,8 +32,8 @@ struct Voronoi_counts {
 /// exact circumcentres, are sums whose bounds in the end are too large. Results are a function of points and cells,
 /// in their order.
 ///
-/// O(n): a microsecond a vertex in space, 0.1 ms for one that is computed exactly; 32 bytes a cell meanwhile (24 in
-/// the plane). Preconditions: the cells are a Delaunay triangulation of the points they name, as Moving_mesh::cells()
+/// O(n): a microsecond a vertex in 3D, 0.1 ms for one that is computed exactly; 32 bytes a cell meanwhile (24
+/// in 2D). Preconditions: the cells are a Delaunay triangulation of the points they name, as Moving_mesh::cells()
 /// gives it. Where they are positive but not Delaunay (tolerances that are not certified) volumes are those of signed
 /// sums. What stands in `points` at an index that no cell names is not looked at.
 /// Throws Error: unknown_vertex for an index outside `points`, not_finite and out_of_domain for positions, wrong_size
@@ -47,8 +47,8 @@ template <int d>
 /// vertex index below n, 0 where no cell names it. Where d + 2 points are cospherical some of them touch in less than
 /// a facet, and which do is the triangulation's choice.
 ///
-/// In one pass that counts: around an inner vertex the neighbours of a vertex with c cells number c in the plane and
-/// c/2 + 2 in space (Euler); at a vertex of the hull with b facets in the hull they number c + b/2 and (c + b)/2 + 1.
+/// In one pass that counts: around an inner vertex the neighbours of a vertex with c cells number c in 2D and
+/// c/2 + 2 in 3D (Euler); at a vertex of the hull with b facets in the hull they number c + b/2 and (c + b)/2 + 1.
 /// O(n); where all points are in a plane or on a line, edges are sorted, O(n log n). Throws unknown_vertex for an
 /// index outside [0, n), wrong_size unless each cell has neighbours.
 template <int d>
