@@ -2,7 +2,7 @@
 // Nanoseconds per half width: each stage, each family of bi-cells, single calls and batches, and plain double of the
 // same formula.
 #include <annulus/arithmetic/rounding_guard.h>
-#include <annulus/certificate/filtered.h>
+#include <annulus/predicate/filtered.h>
 
 #include <benchmark/benchmark.h>
 

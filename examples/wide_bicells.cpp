@@ -8,9 +8,9 @@
 // KIND, POINTS and SEED are those of `annulus generate`; DIGITS behind the point, to which coordinates are rounded.
 // Without arguments a small set of clusters. Wide: a width of 1e7 units in the last place of the largest coordinate,
 // or more. docs/degeneracy.md quotes what it prints.
-#include <annulus/certificate/filtered_3.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/motion/generated_motion.h>
+#include <annulus/predicate/filtered_3.h>
 #include <annulus/statistics/degeneracy.h>
 
 #include <algorithm>

@@ -6,11 +6,11 @@
 #include "common/rational_2.h"
 #include "common/verdict_fault.h"
 
-#include <annulus/certificate/batch.h>
-#include <annulus/certificate/circumcircle_2.h>
-#include <annulus/certificate/half_width.h>
-#include <annulus/certificate/perturbed_sign.h>
-#include <annulus/certificate/tolerances.h>
+#include <annulus/predicate/batch.h>
+#include <annulus/predicate/circumcircle_2.h>
+#include <annulus/predicate/half_width.h>
+#include <annulus/predicate/perturbed_sign.h>
+#include <annulus/predicate/tolerances.h>
 
 #include <cstdlib>
 #include <iostream>

@@ -5,8 +5,8 @@
 #include "common/rational_3.h"
 #include "common/verdict_fault.h"
 
-#include <annulus/certificate/batch.h>
-#include <annulus/certificate/half_width.h>
+#include <annulus/predicate/batch.h>
+#include <annulus/predicate/half_width.h>
 
 #include <annulus/arithmetic/rounding_guard.h>
 

@@ -7,10 +7,10 @@
 
 #include "../motions/cgal_rebuild.h"
 
-#include <annulus/certificate/batch.h>
 #include <annulus/engine/sample.h>
 #include <annulus/engine/sign_evaluator.h>
 #include <annulus/mesh/evaluate.h>
+#include <annulus/predicate/batch.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 // Half widths in 3D from their definitions, in rational numbers: slabs from normals, annuli from centres that
 // solve a linear system. Nothing here calls the library.
 
-#include <annulus/certificate/certificate_value.h>
+#include <annulus/predicate/certificate_value.h>
 
 #include <gmpxx.h>
 

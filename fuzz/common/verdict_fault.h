@@ -5,7 +5,7 @@
 
 #include "rational_3.h"
 
-#include <annulus/certificate/half_width.h>
+#include <annulus/predicate/half_width.h>
 
 #include <cmath>
 #include <string>

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The exact stage in the plane: src/annulus/certificate/filtered_2.cpp and src/annulus/arithmetic/exact.cpp. A sign by integers; a tolerance by MPFR's
+(* The exact stage in the plane: src/annulus/predicate/filtered_2.cpp and src/annulus/arithmetic/exact.cpp. A sign by integers; a tolerance by MPFR's
    numbers of 128 bits, each operation rounded in the direction that makes the quotient smaller, and where a double may lie between it and the truth
    a comparison by integers. MPFR's numbers are Flocq's of 128 bits: that it rounds correctly is its promise. Exponents go to 2^14, which no
    number of the coordinate domain needs (MPFR's go to 2^62); what is proved does not depend on that, since overflow is rounded like the rest. *)

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* exact_2.v in space: src/annulus/certificate/filtered_3.cpp. *)
+(* exact_2.v in space: src/annulus/predicate/filtered_3.cpp. *)
 From Coq Require Import ZArith List Bool.
 From Coq Require Import Floats.
 From Annulus Require Import operations filter_2 filter_3 interval_2 integers_2 integers_3 exact_2.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* exact_sign_2.v in space: src/annulus/certificate/exact_sign.cpp, by intervals and integers. The determinants are those of the prepared sphere
+(* exact_sign_2.v in space: src/annulus/predicate/exact_sign.cpp, by intervals and integers. The determinants are those of the prepared sphere
    (filter_3.v, circumsphere_from, outside_from_3), operation by operation.
 
    - exact_orientation_sign_3_right, exact_empty_sphere_sign_3_right   of coordinates in the domain the sign is right, 0 included *)

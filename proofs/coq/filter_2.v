@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The filter stage in the plane, operation by operation: src/annulus/certificate/width_terms.h, decide.h, filtered_2.h and circumcircle_2.h, with
+(* The filter stage in the plane, operation by operation: src/annulus/predicate/width_terms.h, decide.h, filtered_2.h and circumcircle_2.h, with
    the names there. Over any number type of operations.v. Where C++ selects without a branch there is one here. *)
 From Coq Require Import List Floats Bool.
 From Annulus Require Import operations.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The filter stage in space, operation by operation: src/annulus/certificate/width_terms_3.h, decide.h, filtered_3.h and circumsphere_3.h,
+(* The filter stage in space, operation by operation: src/annulus/predicate/width_terms_3.h, decide.h, filtered_3.h and circumsphere_3.h,
    with the names there. *)
 From Coq Require Import List Floats Bool.
 From Annulus Require Import operations filter_2.

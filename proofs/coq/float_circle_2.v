@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The filter of the empty circle in the plane (empty_sphere_filter of src/annulus/certificate/filtered_2.h), from coordinates to
+(* The filter of the empty circle in the plane (empty_sphere_filter of src/annulus/predicate/filtered_2.h), from coordinates to
    answer: a sign it answers with is right, and a certified tolerance is at most the exact half width
    incircle / (|N| + |M|), for all coordinates of the format. *)
 Require Import Reals Lra Psatz ZArith List.

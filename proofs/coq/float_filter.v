@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What the filters of the plane and of space share: `detail::decide` of src/annulus/certificate/decide.h, the range of m, and
+(* What the filters of the plane and of space share: `detail::decide` of src/annulus/predicate/decide.h, the range of m, and
    error bounds C u m^k that are themselves computed in floating point. *)
 Require Import Reals Lra Psatz ZArith List.
 From Flocq Require Import Core Mult_error.

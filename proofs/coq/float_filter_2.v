@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The filter stage of src/annulus/certificate/filtered_2.h, from coordinates to answer: what it accepts as positive or
+(* The filter stage of src/annulus/predicate/filtered_2.h, from coordinates to answer: what it accepts as positive or
    negative is so, and its tolerance is at most the exact quotient determinant / (sqrt(inner) + sqrt(outer)).
 
    The coordinates are any numbers of the format. *)

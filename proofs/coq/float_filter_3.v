@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The filter of a tetrahedron (orientation_filter of src/annulus/certificate/filtered_3.h), from coordinates to answer: signs are
+(* The filter of a tetrahedron (orientation_filter of src/annulus/predicate/filtered_3.h), from coordinates to answer: signs are
    right, tolerances at most the exact half width. Also what float_sphere_3.v needs of computed differences. *)
 Require Import Reals Lra Psatz ZArith List.
 From Flocq Require Import Core.

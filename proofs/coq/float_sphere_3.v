@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The filter of the empty sphere in space (empty_sphere_filter of src/annulus/certificate/filtered_3.h) in rounded reals, from coordinates to
+(* The filter of the empty sphere in space (empty_sphere_filter of src/annulus/predicate/filtered_3.h) in rounded reals, from coordinates to
    answer, and what it means that an answer is right. That it is: float_bicell_3.v.
 
    - both_some          when both() answers

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The last operations of the filter stage, `detail::decide` of src/annulus/certificate/decide.h, and the norms they use: from
+(* The last operations of the filter stage, `detail::decide` of src/annulus/predicate/decide.h, and the norms they use: from
    error bounds of the terms to a tolerance that is not above the truth. *)
 Require Import Reals Lra Psatz ZArith.
 From Flocq Require Import Core.

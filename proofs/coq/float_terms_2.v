@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The formulas of src/annulus/certificate/width_terms.h over any number type, as they are written there, line by line.
+(* The formulas of src/annulus/predicate/width_terms.h over any number type, as they are written there, line by line.
    Used with real numbers (what is meant), with rounded ones (what is computed) and with expressions (what is
    analysed). *)
 Require Import Reals ZArith List.

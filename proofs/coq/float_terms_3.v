@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The formulas of src/annulus/certificate/width_terms_3.h over any number type, as they are written there, line by line. *)
+(* The formulas of src/annulus/predicate/width_terms_3.h over any number type, as they are written there, line by line. *)
 Require Import Reals ZArith List.
 From Annulus Require Import float_model float_error.
 

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* decide_width of src/annulus/certificate/filtered_3.h: the half width of a tetrahedron from its computed terms. *)
+(* decide_width of src/annulus/predicate/filtered_3.h: the half width of a tetrahedron from its computed terms. *)
 Require Import Reals Lra Psatz ZArith List.
 From Flocq Require Import Core.
 From Annulus Require Import float_model float_error float_tail float_filter float_terms_3.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The interval stage in the plane, with Flocq's binary64 operations rounded up and down: src/annulus/certificate/filtered_2.cpp and
+(* The interval stage in the plane, with Flocq's binary64 operations rounded up and down: src/annulus/predicate/filtered_2.cpp and
    interval_stage.h over Boost.Interval with the policy of src/annulus/arithmetic/interval.h. Coq's primitive floats round to nearest only. *)
 From Coq Require Import ZArith List Bool.
 From Flocq Require Import IEEE754.BinarySingleNaN IEEE754.PrimFloat.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* interval_2.v in space: src/annulus/certificate/filtered_3.cpp, with Flocq's binary64 operations rounded up and down. *)
+(* interval_2.v in space: src/annulus/predicate/filtered_3.cpp, with Flocq's binary64 operations rounded up and down. *)
 From Coq Require Import ZArith List Bool.
 From Flocq Require Import IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What the interval stages of both dimensions share, around the formulas: src/annulus/certificate/interval_stage.h as interval_2.v has it.
+(* What the interval stages of both dimensions share, around the formulas: src/annulus/predicate/interval_stage.h as interval_2.v has it.
 
    - scale_good            of coordinates in the domain the factors of the scale are finite and positive, whatever the differences
    - holds_difference      the interval of a scaled difference holds it

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The whole ladder in the plane: the filter in doubles, then intervals, then integers (src/annulus/certificate/batch.cpp, `all_stages`). Whichever stage
+(* The whole ladder in the plane: the filter in doubles, then intervals, then integers (src/annulus/predicate/batch.cpp, `all_stages`). Whichever stage
    answers, of finite doubles of the coordinate domain:
 
    - orientation_2_told, empty_sphere_2_told    there is an answer, and it is right: a sign, 0 included; a tolerance that is at most half the least

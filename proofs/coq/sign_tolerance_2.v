@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Orientation and empty circle in the plane, certified from a reference: docs/theory.md, sections 2.1 and 2.2. The numbers are
-   those of src/annulus/certificate/width_terms.h.
+   those of src/annulus/predicate/width_terms.h.
 
    orientation_certified_2   a triangle, unequal moves
    orientation_tolerance_2   a triangle, every corner closer than half its least altitude

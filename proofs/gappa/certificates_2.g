@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Forward errors of the filter stage in 2D (src/annulus/certificate/bounds.h), for the order of operations of
-# src/annulus/certificate/width_terms.h. Line by line the same names.
+# Forward errors of the filter stage in 2D (src/annulus/predicate/bounds.h), for the order of operations of
+# src/annulus/predicate/width_terms.h. Line by line the same names.
 #
 # Model. Every operation is rounded with relative error at most u = 2^-53 and nothing else is known of it (mul_rel and
 # its kin). So the set of computations is closed under scaling of the differences by any positive number m, and an error

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Forward errors of the filter stage in space (src/annulus/certificate/bounds.h), for the order of operations of
-# src/annulus/certificate/width_terms_3.h. Line by line the same names; the model is that of certificates_2.g.
+# Forward errors of the filter stage in space (src/annulus/predicate/bounds.h), for the order of operations of
+# src/annulus/predicate/width_terms_3.h. Line by line the same names; the model is that of certificates_2.g.
 #
 # All that is assumed of the coordinates x, y and z is symmetric in them, and cross, combination and minus_twice go
 # round cyclically. So a bound of the x coordinate of a vector is one of every coordinate; what only leads to y and z

@@ -3,7 +3,7 @@
 
 #include "families.h"
 
-#include <annulus/certificate/filtered_2.h>
+#include <annulus/predicate/filtered_2.h>
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 
 #include "families.h"
 
-#include <annulus/certificate/filtered_3.h>
+#include <annulus/predicate/filtered_3.h>
 
 #include <vector>
 

@@ -4,8 +4,8 @@
 #include "families.h"
 #include "print.h"
 
-#include <annulus/certificate/circumcircle_2.h>
-#include <annulus/certificate/circumsphere_3.h>
+#include <annulus/predicate/circumcircle_2.h>
+#include <annulus/predicate/circumsphere_3.h>
 
 #include <vector>
 

@@ -9,7 +9,7 @@
 
 namespace annulus::link {
 
-/// A number type that records how it was computed. A template of src/annulus/certificate instantiated with it prints
+/// A number type that records how it was computed. A template of src/annulus/predicate instantiated with it prints
 /// its own straight-line program, which Coq compares with its model: the order of operations, for all inputs at once.
 class Recorded {
   public:

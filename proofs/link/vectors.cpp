@@ -10,7 +10,7 @@
 
 #include <annulus/arithmetic/environment.h>
 #include <annulus/arithmetic/rounding_guard.h>
-#include <annulus/certificate/batch.h>
+#include <annulus/predicate/batch.h>
 
 #include <cstdlib>
 #include <span>

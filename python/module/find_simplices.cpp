@@ -2,7 +2,7 @@
 #include <module/cells.h>
 
 #include <annulus/arithmetic/domain.h>
-#include <annulus/certificate/filtered.h>
+#include <annulus/predicate/filtered.h>
 
 #include <cmath>
 #include <cstdint>

@@ -7,7 +7,7 @@
 #include <support/harm.h>
 #include <support/small_sets.h>
 
-#include <annulus/certificate/filtered_3.h>
+#include <annulus/predicate/filtered_3.h>
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 // The kernel's integers against GMP: products of all widths, signs of points on grids of any fineness, degenerate or
 // nearly.
 #include <annulus/arithmetic/wide_integer.h>
-#include <annulus/certificate/exact_sign.h>
 #include <annulus/kernel/integer_signs.h>
 #include <annulus/mesh/degenerate.h>
+#include <annulus/predicate/exact_sign.h>
 
 #include <support/catch.h>
 #include <support/generators.h>

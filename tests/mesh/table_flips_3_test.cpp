@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Flips of space in the table, and in CGAL's object, which follows: made, and made back.
-#include <annulus/certificate/filtered.h>
 #include <annulus/cgal/view_3.h>
 #include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/table_flips_3.h>
+#include <annulus/predicate/filtered.h>
 
 #include <support/catch.h>
 #include <support/session_3.h>

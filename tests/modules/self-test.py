@@ -17,8 +17,8 @@ CLEAN = {
     "src/annulus/annulus.h": HEADER,
     "src/annulus/arithmetic/standard.h": HEADER,
     "src/annulus/arithmetic/exact.h": HEADER + STANDARD + "#include <gmpxx.h>\n",
-    "src/annulus/certificate/bounds.h": HEADER + "#include <annulus/arithmetic/exact.h>\n",
-    "src/annulus/cgal/build.cpp": SPDX + "#include <CGAL/Object.h>\n#include <annulus/certificate/bounds.h>\n",
+    "src/annulus/predicate/bounds.h": HEADER + "#include <annulus/arithmetic/exact.h>\n",
+    "src/annulus/cgal/build.cpp": SPDX + "#include <CGAL/Object.h>\n#include <annulus/predicate/bounds.h>\n",
     "src/annulus/cgal/flips.h": HEADER + STANDARD + "#include <CGAL/Object.h>\n",
     "src/annulus/moving.h": HEADER + "#include <CGAL/Object.h>\n#include <annulus/report/report.h>\n",
     "src/annulus/cli/x.h": HEADER,
@@ -51,7 +51,7 @@ class CheckRooms(unittest.TestCase):
         self.assertIn("0 violations, 0 warnings", result.stdout)
 
     def test_room_below(self):
-        self.rejects("src/annulus/arithmetic/up.h", HEADER + "\n#include <annulus/certificate/bounds.h>\n", 4)
+        self.rejects("src/annulus/arithmetic/up.h", HEADER + "\n#include <annulus/predicate/bounds.h>\n", 4)
         self.rejects("src/annulus/formats/deep/er.cpp", SPDX + "  #  include <annulus/cli/x.h>\n", 2)
 
     def test_line_after_a_block_comment(self):
@@ -67,10 +67,10 @@ class CheckRooms(unittest.TestCase):
         self.rejects("src/annulus/c/x.cpp", SPDX + "#include <annulus/cli/x.h>\n", 2)
 
     def test_quoted_include(self):
-        self.rejects("src/annulus/certificate/x.cpp", SPDX + '#include "../cli/x.h"\n', 2)
+        self.rejects("src/annulus/predicate/x.cpp", SPDX + '#include "../cli/x.h"\n', 2)
 
     def test_cgal_where_it_may_not_be(self):
-        for module in ("arithmetic", "space", "certificate", "mesh", "engine", "statistics", "formats", "report", "c",
+        for module in ("arithmetic", "space", "predicate", "mesh", "engine", "statistics", "formats", "report", "c",
                      "cli"):
             self.rejects(f"src/annulus/{module}/x.cpp", SPDX + "#include <CGAL/Object.h>\n", 2)
 

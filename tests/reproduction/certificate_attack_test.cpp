@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moves that the paper's algorithm accepts although the triangulation is no longer Delaunay.
-#include <annulus/certificate/filtered.h>
 #include <annulus/mesh/audit.h>
+#include <annulus/predicate/filtered.h>
 #include <annulus/reproduction/certificate_attack.h>
 #include <annulus/statistics/counterexample.h>
 

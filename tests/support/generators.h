@@ -6,7 +6,7 @@
 // needs is in arbitrary.h; this header needs nothing but the standard library.
 
 #include <annulus/arithmetic/coordinates.h>
-#include <annulus/certificate/certificate_value.h>
+#include <annulus/predicate/certificate_value.h>
 
 #include <array>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include <support/generators.h>
 
 #include <annulus/arithmetic/rounding_guard.h>
-#include <annulus/certificate/filtered.h>
+#include <annulus/predicate/filtered.h>
 
 #include <rapidcheck.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/cli/lloyd_scene.h>
 
-#include <annulus/certificate/filtered.h>
 #include <annulus/formats/read_gray_image.h>
 #include <annulus/formats/read_points.h>
 #include <annulus/kernel/read_neighbours.h>
@@ -9,6 +8,7 @@
 #include <annulus/motion/moments_2.h>
 #include <annulus/motion/sampling_2.h>
 #include <annulus/motion/voronoi_cell_2.h>
+#include <annulus/predicate/filtered.h>
 #include <annulus/report/svg_stipples.h>
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 // How pending certificates get their values: the filtered predicate, in batches.
 #include <annulus/engine/certificate_checker.h>
 
-#include <annulus/certificate/batch.h>
 #include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/parallel_runs.h>
+#include <annulus/predicate/batch.h>
 
 #include <boost/container/static_vector.hpp>
 

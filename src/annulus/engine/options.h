@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/certificate_value.h>
+#include <annulus/predicate/certificate_value.h>
 
 #include <optional>
 #include <string_view>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/sample.h>
 
-#include <annulus/certificate/filtered.h>
 #include <annulus/mesh/certificates.h>
+#include <annulus/predicate/filtered.h>
 
 namespace annulus {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/sign_evaluator.h>
 
-#include <annulus/certificate/circumcircle_2.h>
-#include <annulus/certificate/circumsphere_3.h>
-#include <annulus/certificate/orientation_sign.h>
 #include <annulus/engine/cost_model.h>
 #include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/parallel_runs.h>
 #include <annulus/mesh/sort_unique.h>
+#include <annulus/predicate/circumcircle_2.h>
+#include <annulus/predicate/circumsphere_3.h>
+#include <annulus/predicate/orientation_sign.h>
 
 #include <algorithm>
 #include <array>

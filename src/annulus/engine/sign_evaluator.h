@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/exact_sign.h>
 #include <annulus/engine/budget.h>
 #include <annulus/engine/cost_model.h>
 #include <annulus/engine/move_report.h>
 #include <annulus/mesh/certificates.h>
+#include <annulus/predicate/exact_sign.h>
 
 #include <optional>
 #include <span>

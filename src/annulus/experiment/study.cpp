@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/experiment/study.h>
 
-#include <annulus/certificate/margin.h>
 #include <annulus/kernel/delaunay_mesh.h>
+#include <annulus/predicate/margin.h>
 #include <annulus/statistics/spacing.h>
 
 #include <cmath>

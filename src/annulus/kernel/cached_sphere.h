@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
-#include <annulus/certificate/bounds.h>
+#include <annulus/predicate/bounds.h>
 #include <annulus/space/euclidean.h>
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/limits.h>
-#include <annulus/certificate/bounds.h>
-#include <annulus/certificate/exact_sign.h>
 #include <annulus/mesh/degenerate.h>
+#include <annulus/predicate/bounds.h>
+#include <annulus/predicate/exact_sign.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 // How often the hull of space winds, read off its silhouette (docs/theory.md 1.2, (c)).
 #include <annulus/mesh/border.h>
 
-#include <annulus/certificate/exact_sign.h>
-#include <annulus/certificate/orientation_sign.h>
 #include <annulus/mesh/certificates.h>
+#include <annulus/predicate/exact_sign.h>
+#include <annulus/predicate/orientation_sign.h>
 
 #include <unordered_map>
 

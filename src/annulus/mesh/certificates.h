@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/certificate_value.h>
 #include <annulus/mesh/corner_table.h>
+#include <annulus/predicate/certificate_value.h>
 
 #include <algorithm>
 #include <utility>

@@ -27,7 +27,7 @@ namespace annulus {
 /// Cell c has d + 1 corners h = 4c + i. Corner h carries a vertex and stands for the facet opposite to it, seen from
 /// c (a half-facet). `twin(h)` is the same facet seen from the other side, so `site(h)` and `opposite(h)` are the
 /// opposite corners of the bi-cell. A facet has the index of the lesser of its two half-facets, which changes with
-/// its cells; nothing is stored of it. Cells are positively oriented (certificate/filtered_3.h). All operations are
+/// its cells; nothing is stored of it. Cells are positively oriented (predicate/filtered_3.h). All operations are
 /// O(1) unless they say otherwise.
 template <int d>
 class Corner_table {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/exact_sign.h>
-#include <annulus/certificate/filtered.h>
-#include <annulus/certificate/perturbed_sign.h>
+#include <annulus/predicate/exact_sign.h>
+#include <annulus/predicate/filtered.h>
+#include <annulus/predicate/perturbed_sign.h>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/mesh/evaluate.h>
 
-#include <annulus/certificate/filtered.h>
-#include <annulus/certificate/theta.h>
 #include <annulus/mesh/degenerate.h>
+#include <annulus/predicate/filtered.h>
+#include <annulus/predicate/theta.h>
 
 #include <limits>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/mesh/insert_vertex.h>
 
-#include <annulus/certificate/circumcircle_2.h>
-#include <annulus/certificate/circumsphere_3.h>
 #include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/site_hash.h>
 #include <annulus/mesh/small_set.h>
 #include <annulus/mesh/walk.h>
+#include <annulus/predicate/circumcircle_2.h>
+#include <annulus/predicate/circumsphere_3.h>
 
 #include <array>
 #include <cassert>

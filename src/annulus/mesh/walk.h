@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/exact_sign.h>
-#include <annulus/certificate/orientation_sign.h>
 #include <annulus/mesh/certificates.h>
+#include <annulus/predicate/exact_sign.h>
+#include <annulus/predicate/orientation_sign.h>
 
 #include <cstdint>
 #include <span>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/motion/convex_ring_2.h>
 
-#include <annulus/certificate/exact_sign.h>
 #include <annulus/motion/vector_2.h>
+#include <annulus/predicate/exact_sign.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/motion/moments_smooth.h>
 
-#include <annulus/certificate/lanes.h>
 #include <annulus/motion/boundary_nodes.h>
+#include <annulus/predicate/lanes.h>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/published/paper_tolerances.h>
 
-#include <annulus/certificate/batch.h>
-#include <annulus/certificate/filtered_2.h>
 #include <annulus/mesh/sort_unique.h>
+#include <annulus/predicate/batch.h>
+#include <annulus/predicate/filtered_2.h>
 
 #include <algorithm>
 #include <iterator>

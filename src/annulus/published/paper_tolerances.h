@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/certificate_value.h>
 #include <annulus/engine/move_report.h>
 #include <annulus/mesh/certificates.h>
+#include <annulus/predicate/certificate_value.h>
 #include <annulus/published/least_tolerance.h>
 
 #include <span>

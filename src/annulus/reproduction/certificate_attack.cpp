@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/reproduction/certificate_attack.h>
 
-#include <annulus/certificate/filtered.h>
 #include <annulus/engine/displacement.h>
+#include <annulus/predicate/filtered.h>
 
 #include <algorithm>
 #include <cmath>

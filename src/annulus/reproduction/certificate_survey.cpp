@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/reproduction/certificate_survey.h>
 
-#include <annulus/certificate/filtered.h>
 #include <annulus/engine/displacement.h>
 #include <annulus/mesh/certificates.h>
 #include <annulus/mesh/evaluate.h>
+#include <annulus/predicate/filtered.h>
 #include <annulus/statistics/degeneracy.h>
 #include <annulus/statistics/histogram.h>
 

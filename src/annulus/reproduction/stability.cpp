@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/reproduction/stability.h>
 
-#include <annulus/certificate/half_width.h>
 #include <annulus/mesh/evaluate.h>
+#include <annulus/predicate/half_width.h>
 #include <annulus/reproduction/standard_annulus.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/filtered.h>
 #include <annulus/mesh/certificates.h>
+#include <annulus/predicate/filtered.h>
 
 #include <algorithm>
 #include <cmath>

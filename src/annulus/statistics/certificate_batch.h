@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/filtered.h>
-#include <annulus/certificate/half_width.h>
-#include <annulus/certificate/theta.h>
 #include <annulus/mesh/certificates.h>
+#include <annulus/predicate/filtered.h>
+#include <annulus/predicate/half_width.h>
+#include <annulus/predicate/theta.h>
 #include <annulus/statistics/degeneracy.h>
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 #include <annulus/statistics/counterexample.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/certificate/filtered.h>
-#include <annulus/certificate/theta.h>
 #include <annulus/engine/displacement.h>
+#include <annulus/predicate/filtered.h>
+#include <annulus/predicate/theta.h>
 
 #include <algorithm>
 #include <array>

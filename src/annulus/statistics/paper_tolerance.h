@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/half_width.h>
 #include <annulus/mesh/corner_table.h>
+#include <annulus/predicate/half_width.h>
 
 #include <cstdint>
 #include <span>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/certificate/bounds.h>
+#include <annulus/predicate/bounds.h>
 #include <annulus/space/euclidean.h>
 #include <annulus/statistics/circumcentre.h>
 #include <annulus/statistics/voronoi_exact.h>

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/predicate/exact_sign.h>
+
+#include <annulus/arithmetic/exact.h>
+#include <annulus/predicate/interval_stage.h>
+#include <annulus/predicate/later_stages.h>
+#include <annulus/predicate/width_terms_3.h>
+
+#include <utility>
+
+namespace annulus {
+
+namespace {
+
+template <class T>
+T orientation(const Vector_2<T>& u, const Vector_2<T>& v) {
+    return T(u.x * v.y - u.y * v.x);
+}
+template <class T>
+T orientation(const Vector_3<T>& u, const Vector_3<T>& v, const Vector_3<T>& w) {
+    return dot(cross(u, v), w);
+}
+/// The determinant of Circumcircle_2: of the triangle 0, u, v and the point w.
+template <class T>
+T empty_sphere(const Vector_2<T>& u, const Vector_2<T>& w, const Vector_2<T>& v) {
+    const T uu = squared(u.x) + squared(u.y);
+    const T vv = squared(v.x) + squared(v.y);
+    const T ww = squared(w.x) + squared(w.y);
+    return T(w.x * (u.y * vv - v.y * uu) + w.y * (v.x * uu - u.x * vv) + ww * orientation(u, v));
+}
+/// That of Circumsphere_3: of the cell 0, u, v, t and the point w.
+template <class T>
+T empty_sphere(const Vector_3<T>& u, const Vector_3<T>& v, const Vector_3<T>& w, const Vector_3<T>& t) {
+    const Vector_3<T> vt = cross(v, t);
+    const T uu = square(u);
+    const T vv = square(v);
+    const T tt = square(t);
+    const Vector_3<T> tu = cross(t, u);
+    const Vector_3<T> uv = cross(u, v);
+    const Vector_3<T> n{T(uu * vt.x + vv * tu.x + tt * uv.x), T(uu * vt.y + vv * tu.y + tt * uv.y),
+                        T(uu * vt.z + vv * tu.z + tt * uv.z)};
+    return T(square(w) * dot(uv, t) - dot(w, n));
+}
+
+/// Calls determinant(v_1, .., v_(k-1)) with vectors to the first point.
+template <class T, std::size_t... i, class Vector, class Determinant>
+T of_vectors(std::index_sequence<i...>, const Vector& vector, const Determinant& determinant) {
+    return determinant(vector(i + 1)...);
+}
+
+template <int d, int k, class Determinant>
+Staged_sign sign_of(const Tuple<d, k>& x, const Determinant& determinant) {
+    constexpr auto vectors = std::make_index_sequence<k - 1>();
+    Staged_sign sign{0, Stage::exact};
+    const auto interval = [&](std::size_t) {
+        Certificate_value out;
+        const bool told = detail::with_scale(x, [&](const auto& difference, const detail::Scale&) {
+            const auto to_first = [&](std::size_t i) { return detail::difference(x, i, 0, difference); };
+            return detail::interval_sign(of_vectors<Interval>(vectors, to_first, determinant), out);
+        });
+        if (told) sign = {out.sign, Stage::interval};
+        return told;
+    };
+    const auto exact = [&](std::size_t) {
+        const Scaled_integers z(coordinates(x));
+        const auto to_first = [&](std::size_t i) { return detail::difference<d>(z, i, 0); };
+        sign.sign = static_cast<std::int8_t>(sgn(of_vectors<mpz_class>(vectors, to_first, determinant)));
+    };
+    (void)later_stages(
+        1, [&](std::size_t) { return sign.stage == Stage::exact; }, interval, exact);
+    return sign;
+}
+
+}  // namespace
+
+Staged_sign exact_orientation_sign(const Tuple<2, 3>& x) {
+    return sign_of<2, 3>(x, [](const auto&... v) { return orientation(v...); });
+}
+Staged_sign exact_orientation_sign(const Tuple<3, 4>& x) {
+    return sign_of<3, 4>(x, [](const auto&... v) { return orientation(v...); });
+}
+Staged_sign exact_empty_sphere_sign(const Tuple<2, 4>& x) {
+    return sign_of<2, 4>(x, [](const auto&... v) { return empty_sphere(v...); });
+}
+Staged_sign exact_empty_sphere_sign(const Tuple<3, 5>& x) {
+    return sign_of<3, 5>(x, [](const auto&... v) { return empty_sphere(v...); });
+}
+
+}  // namespace annulus

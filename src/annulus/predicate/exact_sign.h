@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/predicate/certificate_value.h>
+
+namespace annulus {
+
+/// A sign, and which stage knew it.
+struct Staged_sign {
+    std::int8_t sign;
+    Stage stage;
+};
+
+// Exact signs of certificates where no tolerance is needed, where the filter stage could not tell: intervals, then
+// integers. A fifth of the cost of a value, which wants the widths too. Points in the order of the filtered
+// predicate.
+
+[[nodiscard]] Staged_sign exact_orientation_sign(const Tuple<2, 3>& x);
+[[nodiscard]] Staged_sign exact_orientation_sign(const Tuple<3, 4>& x);
+/// Positive when the sphere is empty. Precondition: both cells are positive.
+[[nodiscard]] Staged_sign exact_empty_sphere_sign(const Tuple<2, 4>& x);
+[[nodiscard]] Staged_sign exact_empty_sphere_sign(const Tuple<3, 5>& x);
+
+}  // namespace annulus

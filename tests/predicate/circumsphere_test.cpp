@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sphere of a cell where its error bounds decide: next to where a sign changes, and at the ends of their range.
+
+#include <support/arbitrary.h>
+#include <support/catch.h>
+#include <support/stages_3.h>
+
+#include <annulus/predicate/bounds.h>
+#include <annulus/predicate/circumsphere_3.h>
+#include <annulus/predicate/orientation_sign.h>
+
+#include <array>
+#include <cmath>
+
+using namespace annulus;
+using namespace annulus::testing;
+
+namespace {
+
+/// Random points, the last one moved along a coordinate to where sign(x) changes, exactly up to the last bit. False:
+/// it does not.
+template <std::size_t n, class Sign>
+bool find_change(Random& random, std::array<Point_3, n>& x, Sign sign) {
+    for (Point_3& p : x)
+        for (double& c : p) c = between(random, -1, 1);
+    double& c = x[n - 1][random() % 3];
+    const auto sign_at = [&](double value) {
+        c = value;
+        return sign(x) > 0;
+    };
+    double low = -1.0, high = 1.0;
+    const bool below = sign_at(low);
+    if (sign_at(high) == below) return false;
+    for (;;) {
+        const double middle = 0.5 * (low + high);
+        if (!(low < middle && middle < high)) break;
+        (sign_at(middle) == below ? low : high) = middle;
+    }
+    c = random() % 2 == 0 ? low : high;
+    return true;
+}
+
+Circumsphere_3 sphere_of(double x, double y, double z) {
+    return Circumsphere_3({0, 0, 0}, {x, 0, 0}, {0, y, 0}, {0, 0, z});
+}
+
+}  // namespace
+
+TEST_CASE("The sphere of a cell claims no sign that is within its error", "[certificate][space]") {
+    REQUIRE(for_all("of the cell", [](const Seed& seed) {
+        Random random = seed.random();
+        std::array<Point_3, 4> x;
+        const auto sign = [](const auto& y) { return exact_orientation(y[0], y[1], y[2], y[3]); };
+        for (int i = 0; i < 8; ++i)
+            if (find_change(random, x, sign)) {
+                if (Circumsphere_3(x[0], x[1], x[2], x[3]).positive())
+                    HOLDS(sign(x) > 0, (Tetrahedron{x[0], x[1], x[2], x[3]}));
+                const int clear = orientation_sign(Tuple<3, 4>{&x[0], &x[1], &x[2], &x[3]});
+                if (clear != 0) HOLDS(clear == sign(x), (Tetrahedron{x[0], x[1], x[2], x[3]}));
+            }
+    }));
+    REQUIRE(for_all("of the point", [](const Seed& seed) {
+        Random random = seed.random();
+        std::array<Point_3, 5> x;
+        const auto sign = [](const auto& y) { return exact_empty_sphere(y[0], y[1], y[2], y[3], y[4]); };
+        for (int i = 0; i < 16; ++i) {
+            if (!find_change(random, x, sign)) continue;
+            const Circumsphere_3 sphere(x[0], x[1], x[2], x[3]);
+            if (sphere.positive() && sphere.excludes(x[4]))
+                HOLDS(sign(x) > 0, (Bicell_3{x[0], x[1], x[2], x[4], x[3]}));
+            if (sphere.positive() && sphere.contains(x[4]))
+                HOLDS(sign(x) < 0, (Bicell_3{x[0], x[1], x[2], x[4], x[3]}));
+            // All at once: never yes where one by one it is no, nor for a corner.
+            const Point_3 far{65.0 * x[0][0] - 64.0 * x[4][0], 65.0 * x[0][1] - 64.0 * x[4][1],
+                              65.0 * x[0][2] - 64.0 * x[4][2]};
+            const bool one = sphere.positive() && sphere.excludes(x[4]);
+            const bool both = one && sphere.excludes(far);
+            RC_ASSERT(sphere.excludes_all(x[4]) == one);
+            RC_ASSERT(!sphere.excludes_all(x[4], far) || both);
+            RC_ASSERT(!sphere.excludes_all(x[4], far, x[0]));
+            RC_ASSERT(!sphere.excludes_all(x[4], Point_3{0x1p500, 0, 0}));
+        }
+    }));
+}
+
+TEST_CASE("The sphere of a cell answers in the range of its error bounds and nowhere else", "[certificate][space]") {
+    const double most = bounds::filter_range_3, least = 1 / bounds::filter_range_3;
+    for (const double x : {least, std::nextafter(least, 1.0), 1.0, std::nextafter(most, 1.0), most}) {
+        INFO("x = " << as_code(x));
+        CHECK(sphere_of(x, x, x).positive());
+        // Around (x / 2, x / 2, x / 2), through the cube's corners.
+        CHECK(sphere_of(x, x, x).excludes({-0.5 * x, -0.5 * x, -0.5 * x}));
+        CHECK(sphere_of(x, x, x).excludes({0.5 * x, 0.5 * x, -0.5 * x}));
+        CHECK(!sphere_of(x, x, x).excludes({x, x, x}));
+        CHECK(sphere_of(x, x, x).contains({0.5 * x, 0.5 * x, 0.5 * x}));
+        CHECK(!sphere_of(x, x, x).contains({x, x, x}));
+    }
+    for (const double x : {std::nextafter(least, 0.0), std::nextafter(most, HUGE_VAL), 0x1p-258, 0x1p190}) {
+        INFO("x = " << as_code(x));
+        CHECK(!sphere_of(x, x, x).positive());
+        CHECK(!sphere_of(x, 0.5 * x, 0.5 * x).positive());
+        CHECK(!sphere_of(0.5 * x, x, 0.5 * x).positive());
+        CHECK(!sphere_of(0.5 * x, 0.5 * x, x).positive());
+    }
+    const Circumsphere_3 large = sphere_of(0.5 * most, 0.5 * most, 0.5 * most);
+    CHECK(large.excludes({-most, most, -most}));
+    for (std::size_t k = 0; k < 3; ++k) {
+        Point_3 p{};
+        p[k] = -2 * most;
+        CHECK(!large.excludes(p));
+    }
+}

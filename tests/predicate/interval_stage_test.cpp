@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tail of the interval stage on intervals so wide that each end shows which way it was rounded.
+#include <annulus/arithmetic/rounding_guard.h>
+#include <annulus/predicate/interval_stage.h>
+
+#include <support/catch.h>
+
+using namespace annulus;
+
+namespace {
+
+// From memory and never inlined: see Rounding_guard.
+[[gnu::noinline]] void roots(const Interval& x, const Interval& y, double& r) { r = detail::roots_upper(x, y); }
+[[gnu::noinline]] void quotient(const double& x, const double& y, double& r) { r = detail::quotient_lower(x, y); }
+[[gnu::noinline]] void tight(const Interval& d, double& lower, bool& is) {
+    is = detail::quotient_lower_tight(d, 4.0, 4.0, lower);
+}
+[[gnu::noinline]] void unscaled(const double& x, const detail::Scale& s, double& r) {
+    r = detail::unscaled_lower(x, s);
+}
+
+}  // namespace
+
+TEST_CASE("each end of the interval stage's tail is the safe one", "[certificate]") {
+    const Interval x(1.0, 4.0), y(9.0, 16.0), two(2.0), wide(1.0, 2.0), narrow(1.0, 1.0 + 0x1p-20), around(-1.0, 1.0);
+    const double one = 1.0, three = 3.0, smallest = 0x1p-1074;
+    const detail::Scale scale{0x1p1, 0x1p0};
+    double sum = 0.0, root_of_two = 0.0, third = 0.0, lower = 0.0, lower_narrow = 0.0, least = 0.0;
+    bool is_tight = true, narrow_is_tight = false;
+    {
+        const Rounding_guard guard(FE_UPWARD);
+        roots(x, y, sum);
+        roots(two, two, root_of_two);
+        quotient(one, three, third);
+        tight(wide, lower, is_tight);
+        tight(narrow, lower_narrow, narrow_is_tight);
+        unscaled(smallest, scale, least);
+    }
+    CHECK(sum == 6.0);
+    CHECK(root_of_two > 2.828427124746190);
+    CHECK(third == 0x1.5555555555555p-2);
+    CHECK(lower == 0.25);
+    CHECK_FALSE(is_tight);
+    CHECK(lower_narrow == 0.25);
+    CHECK(narrow_is_tight);
+    CHECK(least == 0.0);
+    Certificate_value v;
+    CHECK_FALSE(detail::interval_sign(around, v));
+    CHECK(detail::interval_sign(x, v));
+    CHECK(v.sign == 1);
+}
